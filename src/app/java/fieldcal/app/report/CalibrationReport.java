@@ -1,0 +1,311 @@
+package fieldcal.app.report;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Everything the calibration report shows, as plain values; immutable.
+ *
+ * <p>Units are SI unless a name ends in {@code Mm} or says otherwise; positions are in the field frame (origin at the
+ * centre, x to the goal, y left, z up, z = 0 for a ball at rest). A number that is not known is NaN, a text that does
+ * not apply is empty; neither is an error. Texts may hold anything, also file names with markup: the writer escapes.
+ *
+ * @param provenance what the calibration was made from, and by what
+ * @param models the models calibrated, flat before chip; a kind without kicks may be left out
+ * @param cameras the cameras that took part
+ * @param field the field to draw; empty when no geometry was seen
+ * @param kicks all kicks found, in the order of time, also those that were dropped
+ * @param warnings what the operator should know before publishing, one sentence each, the most important first
+ * @param problems damage and gaps in the input, counted
+ */
+public record CalibrationReport(
+    Provenance provenance,
+    List<Model> models,
+    List<Camera> cameras,
+    Optional<Field> field,
+    List<Kick> kicks,
+    List<String> warnings,
+    List<Problem> problems) {
+
+  /**
+   * Copies the lists.
+   *
+   * @throws NullPointerException if anything is null
+   */
+  public CalibrationReport {
+    Objects.requireNonNull(provenance, "provenance");
+    Objects.requireNonNull(field, "field");
+    models = List.copyOf(models);
+    cameras = List.copyOf(cameras);
+    kicks = List.copyOf(kicks);
+    warnings = List.copyOf(warnings);
+    problems = List.copyOf(problems);
+  }
+
+  /** What a kick is, and which of the two models it belongs to. */
+  public enum Kind {
+    /** Along the ground. */
+    FLAT,
+    /** Through the air. */
+    CHIP
+  }
+
+  /**
+   * What the calibration was made from, and by what. No time of writing: the same input gives the same bytes.
+   *
+   * @param sources the recordings, as the operator named them
+   * @param generatedBy program and version, for example "fieldcal 0.1.0"
+   * @param seed the seed of the search, to repeat it
+   * @param recordedUnix when the first recording begins, Unix time in s; NaN if unknown
+   * @param duration length of all recordings together, s; NaN if unknown
+   */
+  public record Provenance(
+      List<String> sources,
+      String generatedBy,
+      long seed,
+      @Rounded(3) double recordedUnix,
+      @Rounded(1) double duration) {
+
+    /** Copies the list. */
+    public Provenance {
+      sources = List.copyOf(sources);
+      Objects.requireNonNull(generatedBy, "generatedBy");
+    }
+  }
+
+  /**
+   * One calibrated model.
+   *
+   * @param kind flat or chip
+   * @param parameters in the order they are shown
+   * @param jointRmsMm residual of the joint fit over all kicks, per axis, mm; NaN without a joint fit
+   * @param note one sentence under the table, for example where accRoll of the chips comes from; may be empty
+   */
+  public record Model(
+      Kind kind, List<ModelParameter> parameters, @Rounded(3) double jointRmsMm, String note) {
+
+    /** Copies the list. */
+    public Model {
+      Objects.requireNonNull(kind, "kind");
+      parameters = List.copyOf(parameters);
+      Objects.requireNonNull(note, "note");
+    }
+  }
+
+  /**
+   * One parameter of a model: the average over the selected kicks, beside it the joint fit and what is published.
+   *
+   * @param name the field's name, for example "accSlide"; the same as in {@link KickParameter}
+   * @param unit for example "m/s²"; empty for a ratio
+   * @param mean average over the selected kicks; NaN if no kick determines it
+   * @param standardError of the mean; NaN if unknown
+   * @param n number of kicks in the mean
+   * @param sigma standard deviation of the selected kicks' values around the mean: the band drawn and selected by is
+   *     mean ± 2 sigma; NaN if unknown
+   * @param joint value of the joint fit; NaN without one
+   * @param jointStandardError its standard error; NaN if unknown
+   * @param published value of the model in use; NaN if none is published
+   * @param note for example "fixed: from the flat calibration"; may be empty
+   */
+  public record ModelParameter(
+      String name,
+      String unit,
+      @Rounded(6) double mean,
+      @Rounded(6) double standardError,
+      int n,
+      @Rounded(6) double sigma,
+      @Rounded(6) double joint,
+      @Rounded(6) double jointStandardError,
+      @Rounded(6) double published,
+      String note) {
+
+    /** Checks that the texts are there. */
+    public ModelParameter {
+      Objects.requireNonNull(name, "name");
+      Objects.requireNonNull(unit, "unit");
+      Objects.requireNonNull(note, "note");
+    }
+
+    /**
+     * How far the mean is from the published value.
+     *
+     * @return mean / published − 1, in percent, positive when the mean is the larger in magnitude; NaN if either is
+     *     unknown or the published one is zero
+     */
+    public double differencePercent() {
+      return published == 0 ? Double.NaN : (mean / published - 1) * 100;
+    }
+  }
+
+  /**
+   * One camera and how its view differs from that of the others.
+   *
+   * @param id number in the vision packets
+   * @param noiseMm standard deviation of a detection of the resting ball, per axis, mm
+   * @param rateHz frames per second
+   * @param observations detections of kicked balls that went into the fits
+   * @param offsetXMm how much too far in x the camera reports, relative to the mean of all cameras, mm; NaN if the
+   *     recording does not determine it (a single camera)
+   * @param offsetXErrorMm standard error, mm
+   * @param offsetYMm the same in y, mm
+   * @param offsetYErrorMm standard error, mm
+   * @param x position above the field, m; NaN if unknown
+   * @param y position above the field, m; NaN if unknown
+   * @param note what is odd about it, for example that only its published position is used; may be empty
+   */
+  public record Camera(
+      int id,
+      @Rounded(3) double noiseMm,
+      @Rounded(2) double rateHz,
+      long observations,
+      @Rounded(2) double offsetXMm,
+      @Rounded(2) double offsetXErrorMm,
+      @Rounded(2) double offsetYMm,
+      @Rounded(2) double offsetYErrorMm,
+      @Rounded(3) double x,
+      @Rounded(3) double y,
+      String note) {
+
+    /** Checks that the text is there. */
+    public Camera {
+      Objects.requireNonNull(note, "note");
+    }
+  }
+
+  /**
+   * The lines of the field, all in m; what is NaN is not drawn.
+   *
+   * @param length between the goal lines
+   * @param width between the touch lines
+   * @param boundary width of the strip around the lines
+   * @param goalWidth inner width of a goal
+   * @param goalDepth depth of a goal
+   * @param penaltyAreaDepth along x
+   * @param penaltyAreaWidth along y
+   * @param centreCircleRadius radius
+   */
+  public record Field(
+      @Rounded(3) double length,
+      @Rounded(3) double width,
+      @Rounded(3) double boundary,
+      @Rounded(3) double goalWidth,
+      @Rounded(3) double goalDepth,
+      @Rounded(3) double penaltyAreaDepth,
+      @Rounded(3) double penaltyAreaWidth,
+      @Rounded(3) double centreCircleRadius) {
+
+    /**
+     * Checks that there is an area to draw.
+     *
+     * @throws IllegalArgumentException if length or width is not positive
+     */
+    public Field {
+      if (!(length > 0 && width > 0)) {
+        throw new IllegalArgumentException("field of " + length + " m × " + width + " m");
+      }
+    }
+  }
+
+  /**
+   * One kick and its fit.
+   *
+   * @param id running number, as in {@code calibration.json}
+   * @param kind flat or chip
+   * @param source the recording it is from
+   * @param unix time of the kick, Unix time in s
+   * @param team "yellow", "blue", or empty if unknown
+   * @param robot number of the kicking robot; negative if unknown
+   * @param end why the observations end, as in {@code calibration.json}: "stopped", "left_field", "touched_robot",
+   *     "lost", "recording_ended"
+   * @param observations number that the fit was given
+   * @param rejected how many of them the fit put aside as outliers
+   * @param rmsMm residual per axis of those it used, mm; NaN if there is no fit
+   * @param x kick position, m
+   * @param y kick position, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s; 0 for a flat kick
+   * @param parameters the fitted parameters of the model; empty if there is no fit
+   * @param selected whether the kick is part of the model
+   * @param rejectedBecause why it is not, in words; empty when selected
+   * @param seen the observations, one entry per camera; may be empty
+   * @param fitted the fitted trajectory; {@link FittedPath#NONE} if there is no fit
+   * @param events what happens on the fitted trajectory, in the order of time
+   */
+  public record Kick(
+      int id,
+      Kind kind,
+      String source,
+      @Rounded(4) double unix,
+      String team,
+      int robot,
+      String end,
+      int observations,
+      int rejected,
+      @Rounded(3) double rmsMm,
+      @Rounded(4) double x,
+      @Rounded(4) double y,
+      @Rounded(4) double vx,
+      @Rounded(4) double vy,
+      @Rounded(4) double vz,
+      List<KickParameter> parameters,
+      boolean selected,
+      String rejectedBecause,
+      List<Observations> seen,
+      FittedPath fitted,
+      List<PathEvent> events) {
+
+    /** Copies the lists. */
+    public Kick {
+      Objects.requireNonNull(kind, "kind");
+      Objects.requireNonNull(source, "source");
+      Objects.requireNonNull(team, "team");
+      Objects.requireNonNull(end, "end");
+      Objects.requireNonNull(rejectedBecause, "rejectedBecause");
+      Objects.requireNonNull(fitted, "fitted");
+      parameters = List.copyOf(parameters);
+      seen = List.copyOf(seen);
+      events = List.copyOf(events);
+    }
+  }
+
+  /**
+   * What one kick says about one parameter.
+   *
+   * @param name as in {@link ModelParameter}
+   * @param value fitted value; NaN if undetermined
+   * @param standardError from the fit's covariance; NaN if undetermined
+   * @param undetermined why the kick does not determine it, in words; empty if it does
+   */
+  public record KickParameter(
+      String name,
+      @Rounded(5) double value,
+      @Rounded(5) double standardError,
+      String undetermined) {
+
+    /** Checks that the texts are there. */
+    public KickParameter {
+      Objects.requireNonNull(name, "name");
+      Objects.requireNonNull(undetermined, "undetermined");
+    }
+  }
+
+  /**
+   * Damage or gaps in the input, of one sort.
+   *
+   * @param where file, and offset if there is one
+   * @param what in words
+   * @param count how often
+   * @param advice what it means or what to do; may be empty
+   */
+  public record Problem(String where, String what, long count, String advice) {
+
+    /** Checks that the texts are there. */
+    public Problem {
+      Objects.requireNonNull(where, "where");
+      Objects.requireNonNull(what, "what");
+      Objects.requireNonNull(advice, "advice");
+    }
+  }
+}

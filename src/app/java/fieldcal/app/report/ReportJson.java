@@ -1,0 +1,45 @@
+package fieldcal.app.report;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonSerializer;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializerProvider;
+import com.fasterxml.jackson.databind.module.SimpleModule;
+import java.io.IOException;
+import java.util.Optional;
+
+/** The view model as the page's scripts read it. Numbers are rounded, unknown ones are null. */
+final class ReportJson {
+  private ReportJson() {}
+
+  /** What the page holds: the report, and the verdict in words. */
+  private record Contents(Verdict verdict, CalibrationReport report) {}
+
+  /** JSON that can stand inside a script element: no text in it can end the element. */
+  static String inScript(CalibrationReport report) throws JsonProcessingException {
+    // A '<' occurs only within strings of JSON, and there the escape means the same.
+    return of(report).replace("<", "\\u003c");
+  }
+
+  static String of(CalibrationReport report) throws JsonProcessingException {
+    SimpleModule optional = new SimpleModule();
+    optional.addSerializer(Optional.class, new OrNull());
+    return new ObjectMapper()
+        .registerModule(optional)
+        .writeValueAsString(new Contents(Verdict.of(report), report));
+  }
+
+  @SuppressWarnings("rawtypes")
+  private static final class OrNull extends JsonSerializer<Optional> {
+    @Override
+    public void serialize(Optional value, JsonGenerator generator, SerializerProvider provider)
+        throws IOException {
+      if (value.isPresent()) {
+        generator.writePOJO(value.get());
+      } else {
+        generator.writeNull();
+      }
+    }
+  }
+}
