@@ -8,9 +8,10 @@ package fieldcal.camera;
  * lens draws it at radius {@code rd} in the same direction with {@code ru = rd·(1 + distortion·rd²)}; the pixel is {@code focalLength·d +
  * principalPoint}. Source: SSL-Vision, {@code CameraParameters::field2image} and {@code image2field}.
  *
- * <p>The values are as published, not as meant: some sources fill in placeholders. {@code Camera.of} decides what to
+ * <p>The values are as published, not as meant: some sources fill in placeholders. {@link Camera#of(CameraCalibration)} decides what to
  * believe. Quaternion order is the wire's: vector part first, scalar last; it need not be normalised. All required values are finite; the
- * derived position is finite in all three coordinates or NaN in all three.
+ * derived position is finite in all three coordinates or NaN in all three. The constructor throws {@link IllegalArgumentException}
+ * with the offending value where that does not hold, or where the id or the image size is negative.
  *
  * @param id camera number, 0 or more
  * @param focalLength pixels
@@ -50,10 +51,9 @@ public record CameraCalibration(
     int imageHeight) {
 
   /**
-   * Checks the values.
+   * Checks the values. {@inheritDoc}
    *
-   * @throws IllegalArgumentException if a number that must be finite is not, if the derived position is given in part, or if the id or
-   *     the image size is negative
+   * @throws IllegalArgumentException with the name and the value that is wrong
    */
   public CameraCalibration {
     if (id < 0) {
