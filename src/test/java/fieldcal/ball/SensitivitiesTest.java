@@ -1,0 +1,213 @@
+package fieldcal.ball;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SensitivitiesTest {
+  private static final int CASES = 200;
+
+  /** Truncation of the fourth-order difference over a step of 7e-4 and rounding both stay far below. */
+  private static final double TOLERANCE = 1e-7;
+
+  /** Observations nearer to a change of phase than this would have steps of the difference on both sides of the kink, s. */
+  private static final double CLEAR_OF_KINKS = 0.02;
+
+  private final double[] xyz = new double[3];
+  private final double[][] rows = new double[3][];
+
+  private static FlatTrajectory flat(double[] n) {
+    return FlatTrajectory.fromKick(new FlatModel(n[5], n[6], n[7]), n[4], n[0], n[1], n[2], n[3]);
+  }
+
+  private static ChipTrajectory chip(double[] n, int flights) {
+    ChipModel model = new ChipModel(n[6], n[7], n[8], n[9]);
+    return ChipTrajectory.fromKickWithHops(model, n[5], n[0], n[1], n[2], n[3], n[4], flights);
+  }
+
+  private static double uniform(Random random, double min, double max) {
+    return min + (max - min) * random.nextDouble();
+  }
+
+  private static double[] flatNumbers(Random random) {
+    double speed = uniform(random, 0.5, 7);
+    double direction = uniform(random, -Math.PI, Math.PI);
+    return new double[] {
+      uniform(random, -6, 6),
+      uniform(random, -4.5, 4.5),
+      speed * Math.cos(direction),
+      speed * Math.sin(direction),
+      uniform(random, -1, 1),
+      uniform(random, -6, -2),
+      uniform(random, -0.8, -0.1),
+      uniform(random, 0.4, 0.8)
+    };
+  }
+
+  private static double[] chipNumbers(Random random) {
+    double speed = uniform(random, 1, 5);
+    double direction = uniform(random, -Math.PI, Math.PI);
+    return new double[] {
+      uniform(random, -6, 6),
+      uniform(random, -4.5, 4.5),
+      speed * Math.cos(direction),
+      speed * Math.sin(direction),
+      uniform(random, 1, 5),
+      uniform(random, -1, 1),
+      uniform(random, 0.4, 1),
+      uniform(random, 0.5, 1),
+      uniform(random, 0.3, 0.8),
+      uniform(random, -0.8, -0.1)
+    };
+  }
+
+  private static boolean clearOfKinks(double t, double... kinks) {
+    for (double kink : kinks) {
+      if (Math.abs(t - kink) < CLEAR_OF_KINKS) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Around the rest, which a difference's steps shift by up to 0.1 s, the second derivative jumps: the difference is of first order. */
+  private static double tolerance(BallTrajectory path, double t) {
+    return Math.abs(t - path.restTime()) < 0.1 ? 1e-2 : TOLERANCE;
+  }
+
+  private double[] column(int index) {
+    return new double[] {rows[0][index], rows[1][index], rows[2][index]};
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5})
+  void ofAFlatKickAreThoseOfCentralDifferences(long seed) {
+    Random random = new Random(seed);
+    for (int i = 0; i < CASES; i++) {
+      double[] numbers = flatNumbers(random);
+      FlatTrajectory path = flat(numbers);
+      // A third of the observations each while sliding, while rolling and around the rest.
+      double[] from = {path.kickTime() - 0.1, path.tSwitch(), path.restTime() - 0.2};
+      double[] to = {path.tSwitch(), path.restTime(), path.restTime() + 1};
+      double t = uniform(random, from[i % 3], to[i % 3]);
+      if (!clearOfKinks(t, path.kickTime(), path.tSwitch())) {
+        continue;
+      }
+      rows[0] = new double[FlatTrajectory.SENSITIVITIES];
+      rows[1] = new double[FlatTrajectory.SENSITIVITIES];
+      rows[2] = new double[FlatTrajectory.SENSITIVITIES];
+      path.sensitivitiesAt(t, xyz, rows[0], rows[1]);
+      // Near the rest, the fourth derivative is not continuous: the difference is of second order
+      // only.
+      double tolerance = tolerance(path, t);
+      for (int k = 0; k < numbers.length; k++) {
+        String label = "seed " + seed + " case " + i;
+        FiniteDifferences.check(
+            SensitivitiesTest::flat, numbers, k, t, column(k), tolerance, label);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5})
+  void ofAChipAreThoseOfCentralDifferences(long seed) {
+    Random random = new Random(seed);
+    for (int i = 0; i < CASES; i++) {
+      double[] numbers = chipNumbers(random);
+      int flights = 1 + random.nextInt(5);
+      ChipTrajectory path = chip(numbers, flights);
+      double rollStart = path.landings().get(flights - 1).time();
+      double t =
+          i % 2 == 0
+              ? uniform(random, path.kickTime() - 0.1, rollStart)
+              : uniform(random, rollStart, path.restTime() + 0.5);
+      double[] kinks = path.landings().stream().mapToDouble(Landing::time).toArray();
+      if (!clearOfKinks(t, kinks) || !clearOfKinks(t, path.kickTime())) {
+        continue;
+      }
+      for (int axis = 0; axis < 3; axis++) {
+        rows[axis] = new double[ChipTrajectory.SENSITIVITIES];
+      }
+      path.sensitivitiesAt(t, xyz, rows[0], rows[1], rows[2]);
+      double tolerance = tolerance(path, t);
+      for (int k = 0; k < numbers.length; k++) {
+        String label = "seed " + seed + " case " + i + " flights " + flights;
+        FiniteDifferences.check(n -> chip(n, flights), numbers, k, t, column(k), tolerance, label);
+      }
+    }
+  }
+
+  @Test
+  void alsoGiveThePosition() {
+    FlatTrajectory flat = FlatTrajectory.fromKick(FlatModel.typical(), 0.5, 1, 2, 3, 4);
+    ChipTrajectory chip = ChipTrajectory.fromKick(ChipModel.typical(), 0.5, 1, 2, 3, 4, 3);
+    double[] row = new double[ChipTrajectory.SENSITIVITIES];
+    double[] expected = new double[3];
+    for (double t = 0; t < 20; t += 0.1) {
+      flat.positionAt(t, expected);
+      flat.sensitivitiesAt(t, xyz, row, row.clone());
+      assertThat(xyz).containsExactly(expected);
+      chip.positionAt(t, expected);
+      chip.sensitivitiesAt(t, xyz, row, row.clone(), row.clone());
+      assertThat(xyz).containsExactly(expected);
+    }
+  }
+
+  @Test
+  void beforeTheKickOnlyThePlaceOfTheKickMatters() {
+    FlatTrajectory path = FlatTrajectory.fromKick(FlatModel.typical(), 0.5, 1, 2, 3, 4);
+    double[] dx = new double[FlatTrajectory.SENSITIVITIES];
+    double[] dy = new double[FlatTrajectory.SENSITIVITIES];
+    path.sensitivitiesAt(0.4999, xyz, dx, dy);
+    assertThat(xyz).containsExactly(1, 2, 0);
+    assertThat(dx).containsExactly(1, 0, 0, 0, 0, 0, 0, 0);
+    assertThat(dy).containsExactly(0, 1, 0, 0, 0, 0, 0, 0);
+  }
+
+  @Test
+  void byTheKickTimeIsTheVelocityBackwards() {
+    ChipTrajectory path = ChipTrajectory.fromKick(ChipModel.typical(), 0, 1, 2, 3, 4, 3);
+    double[][] d = new double[3][ChipTrajectory.SENSITIVITIES];
+    for (double t = 0; t < path.restTime() + 1; t += 0.05) {
+      path.sensitivitiesAt(t, xyz, d[0], d[1], d[2]);
+      BallState state = path.stateAt(t);
+      int t0 = ChipTrajectory.T0;
+      assertThat(Math.abs(d[0][t0] + state.vx())).isLessThan(1e-12);
+      assertThat(Math.abs(d[1][t0] + state.vy())).isLessThan(1e-12);
+      assertThat(Math.abs(d[2][t0] + state.vz())).isLessThan(1e-12);
+    }
+  }
+
+  @Test
+  void ofAKickWithoutSpeedAreFinite() {
+    double[] dx = new double[ChipTrajectory.SENSITIVITIES];
+    double[] dy = new double[ChipTrajectory.SENSITIVITIES];
+    double[] dz = new double[ChipTrajectory.SENSITIVITIES];
+    for (double t : new double[] {-1, 0, 0.1, 0.4, 10}) {
+      FlatTrajectory.fromKick(FlatModel.typical(), 0, 1, 2, 0, 0).sensitivitiesAt(t, xyz, dx, dy);
+      assertThat(dx).startsWith(1, 0, 0, 0, 0, 0, 0, 0);
+      ChipTrajectory.fromKick(ChipModel.typical(), 0, 1, 2, 0, 0, 2)
+          .sensitivitiesAt(t, xyz, dx, dy, dz);
+      assertThat(dx).doesNotContain(Double.NaN);
+      assertThat(dy).doesNotContain(Double.NaN);
+      assertThat(dz).doesNotContain(Double.NaN);
+    }
+  }
+
+  @Test
+  void areRefusedForPathsThatDependOnOtherNumbers() {
+    FlatTrajectory spinning =
+        FlatTrajectory.fromKickWithSpin(FlatModel.typical(), 0, 0, 0, 3, 0, -1, 0);
+    double[] d = new double[ChipTrajectory.SENSITIVITIES];
+    assertThatThrownBy(() -> spinning.sensitivitiesAt(1, xyz, d, d))
+        .isInstanceOf(IllegalStateException.class);
+    ChipTrajectory continued =
+        ChipTrajectory.fromState(ChipModel.typical(), 0, new BallState(0, 0, 1, 1, 0, 0), 1);
+    assertThatThrownBy(() -> continued.sensitivitiesAt(1, xyz, d, d, d))
+        .isInstanceOf(IllegalStateException.class);
+  }
+}
