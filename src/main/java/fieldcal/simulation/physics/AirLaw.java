@@ -1,0 +1,51 @@
+package fieldcal.simulation.physics;
+
+/**
+ * What the air does. Drag a = −½ρ·c_d·πr²·|v|·v/m and, of a spinning ball, lift a = ½ρ·πr³·c_l·(ω×v)/m, that is a lift coefficient of c_l·r|ω|/|v|.
+ *
+ * @param dragCoefficient c_d (–), 0 = no drag; a golf ball at SSL speeds has about 0.45
+ * @param liftCoefficient c_l (–), 0 = no Magnus force
+ * @param density ρ, kg/m³
+ * @param spinDecay relative loss of spin in flight, 1/s
+ */
+public record AirLaw(
+    double dragCoefficient, double liftCoefficient, double density, double spinDecay) {
+
+  /** Density of air at 20 °C and about 200 m above the sea, kg/m³ (the value that DESIGN fixes). */
+  public static final double STANDARD_DENSITY = 1.2;
+
+  /** No air. */
+  public static final AirLaw NONE = new AirLaw(0, 0, STANDARD_DENSITY, 0);
+
+  /**
+   * Checks the ranges.
+   *
+   * @throws IllegalArgumentException when a value is out of any physical range
+   */
+  public AirLaw {
+    Check.range("dragCoefficient", dragCoefficient, -5, 5);
+    Check.range("liftCoefficient", liftCoefficient, -5, 5);
+    Check.range("density", density, 0, 10);
+    Check.range("spinDecay", spinDecay, 0, 100);
+  }
+
+  /**
+   * Another drag.
+   *
+   * @param coefficient c_d (–)
+   * @return the changed law
+   */
+  public AirLaw withDrag(double coefficient) {
+    return new AirLaw(coefficient, liftCoefficient, density, spinDecay);
+  }
+
+  /**
+   * Another Magnus force.
+   *
+   * @param coefficient c_l (–)
+   * @return the changed law
+   */
+  public AirLaw withLift(double coefficient) {
+    return new AirLaw(dragCoefficient, coefficient, density, spinDecay);
+  }
+}

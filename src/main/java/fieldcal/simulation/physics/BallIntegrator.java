@@ -1,0 +1,266 @@
+package fieldcal.simulation.physics;
+
+import fieldcal.simulation.physics.ImpactLaw.Contact;
+import fieldcal.simulation.physics.ImpactLaw.FixedLoss;
+import java.util.Arrays;
+
+/**
+ * Moves a ball: fourth-order Runge–Kutta of at most 1 ms, with impacts, the end of slipping, the stop and the edges of a worn region located inside the step. Not thread-safe.
+ */
+public final class BallIntegrator {
+  /** Longest step, s: at 7 m/s and all effects the error of a kick stays far below a micrometre. */
+  public static final double MAX_STEP = 1e-3;
+
+  private static final double TIME_RESOLUTION = 1e-12;
+
+  private final BallPhysics physics;
+  private final Forces forces;
+  private final double[] trial = new double[9];
+  private final double[] derivative = new double[9];
+  private final RungeKutta rungeKutta;
+
+  /**
+   * An integrator for one set of laws.
+   *
+   * @param physics the laws
+   */
+  public BallIntegrator(BallPhysics physics) {
+    this.physics = physics;
+    forces = new Forces(physics);
+    rungeKutta = new RungeKutta(forces);
+  }
+
+  /**
+   * The laws.
+   *
+   * @return the laws it was made with
+   */
+  public BallPhysics physics() {
+    return physics;
+  }
+
+  /**
+   * Moves the ball.
+   *
+   * @param ball the ball, changed
+   * @param from session time now, s
+   * @param to session time to reach, s
+   * @param trace is told what happens
+   */
+  public void advance(BallBody ball, double from, double to, BallTrace trace) {
+    double time = from;
+    while (to - time > TIME_RESOLUTION) {
+      double step = Math.min(MAX_STEP, to - time);
+      forces.enterStep(ball, time);
+      time +=
+          switch (ball.phase()) {
+            case RESTING -> rest(ball, to - time);
+            case FLYING -> fly(ball, time, step, trace);
+            case SLIDING -> slide(ball, time, step, trace);
+            case ROLLING -> roll(ball, time, step, trace);
+          };
+      trace.node(time, ball);
+    }
+  }
+
+  private double rest(BallBody ball, double duration) {
+    // A slope that rolling resistance cannot hold sets a resting ball in motion.
+    forces.derivative(0, ball.state, derivative);
+    if (!forces.holds()) {
+      ball.setPhase(MotionPhase.ROLLING);
+      return 0;
+    }
+    return duration;
+  }
+
+  private double fly(BallBody ball, double time, double step, BallTrace trace) {
+    double[] state = ball.state;
+    rungeKutta.step(state, step, trial);
+    if (trial[2] > 0 || trial[5] >= 0) {
+      commit(state);
+      return step;
+    }
+    double used = Math.max(0, Math.min(step, step + trial[2] / -trial[5]));
+    for (int i = 0; i < 20; i++) {
+      rungeKutta.step(state, used, trial);
+      double correction = trial[2] / trial[5];
+      used -= correction;
+      if (Math.abs(correction) < TIME_RESOLUTION) {
+        break;
+      }
+    }
+    rungeKutta.step(state, used, trial);
+    commit(state);
+    state[2] = 0;
+    trace.node(time + used, ball);
+    impact(ball, time + used, trace);
+    return used;
+  }
+
+  private double slide(BallBody ball, double time, double step, BallTrace trace) {
+    double[] state = ball.state;
+    double slipX = forces.slipX(state);
+    double slipY = forces.slipY(state);
+    double slip = Math.hypot(slipX, slipY);
+    forces.derivative(0, state, derivative);
+    double rate =
+        slip == 0
+            ? 0
+            : (slipX * forces.slipX(derivative) + slipY * forces.slipY(derivative)) / slip;
+    boolean ends = slip + rate * step <= 0 || slip < 1e-12;
+    double used = step;
+    if (ends) {
+      used = slip < 1e-12 ? 0 : Math.min(step, -slip / rate);
+      // The direction of a vanishing slip is noise: keep the one it had.
+      forces.freezeDirection(slipX / slip, slipY / slip);
+    }
+    double taken = 0;
+    if (used > 0) {
+      taken = stepWithinRegion(state, used);
+      commit(state);
+    }
+    if (ends && taken == used) {
+      settleIntoRolling(ball);
+      trace.event(event(BallEvent.Kind.SLIDE_TO_ROLL, time + taken, ball));
+    }
+    return taken;
+  }
+
+  private double roll(BallBody ball, double time, double step, BallTrace trace) {
+    double[] state = ball.state;
+    double speed = Math.hypot(state[3], state[4]);
+    forces.derivative(0, state, derivative);
+    double rate = speed == 0 ? 0 : (state[3] * derivative[3] + state[4] * derivative[4]) / speed;
+    boolean ends = speed > 0 && speed + rate * step <= 0;
+    double used = step;
+    if (ends) {
+      used = Math.min(step, -speed / rate);
+      forces.freezeDirection(state[3] / speed, state[4] / speed);
+    }
+    double taken = stepWithinRegion(state, used);
+    commit(state);
+    forces.makeRolling(state);
+    if (ends && taken == used) {
+      Arrays.fill(state, 3, 9, 0);
+      if (forces.holds()) {
+        ball.setPhase(MotionPhase.RESTING);
+        trace.event(event(BallEvent.Kind.STOP, time + taken, ball));
+      }
+    }
+    return taken;
+  }
+
+  /** A step that ends at the edge of the worn region when it would cross it; returns its length. */
+  private double stepWithinRegion(double[] state, double step) {
+    rungeKutta.step(state, step, trial);
+    if (forces.sameRegion(trial)) {
+      return step;
+    }
+    double inside = 0;
+    double outside = step;
+    while (outside - inside > TIME_RESOLUTION) {
+      double middle = 0.5 * (inside + outside);
+      rungeKutta.step(state, middle, trial);
+      if (forces.sameRegion(trial)) {
+        inside = middle;
+      } else {
+        outside = middle;
+      }
+    }
+    rungeKutta.step(state, outside, trial);
+    return outside;
+  }
+
+  private void settleIntoRolling(BallBody ball) {
+    double[] state = ball.state;
+    double share = forces.inertiaFactor() / (1 + forces.inertiaFactor());
+    double slipX = forces.slipX(state);
+    double slipY = forces.slipY(state);
+    state[3] -= share * slipX;
+    state[4] -= share * slipY;
+    forces.makeRolling(state);
+    ball.setPhase(MotionPhase.ROLLING);
+  }
+
+  private void impact(BallBody ball, double time, BallTrace trace) {
+    double[] s = ball.state;
+    ImpactLaw law = physics.impact();
+    boolean first = ball.impacts() == 0;
+    double vx = s[3];
+    double vy = s[4];
+    double vz = s[5];
+    double dampingZ = law.dampingZ(first, -vz);
+    if (law.tangential() instanceof FixedLoss loss) {
+      loseFixedShare(s, first ? loss.firstHop() : loss.otherHops(), law.spinCoupling());
+    } else {
+      touch(s, (Contact) law.tangential(), law.spinCoupling(), dampingZ);
+    }
+    s[5] = -dampingZ * vz;
+    ball.countImpact();
+    boolean lands = s[5] * s[5] < 2 * BallPhysics.GRAVITY * law.minHopHeight();
+    if (lands) {
+      s[5] = 0;
+      ball.setPhase(MotionPhase.SLIDING);
+      if (law.tangential() instanceof FixedLoss) {
+        forces.makeRolling(s);
+        ball.setPhase(MotionPhase.ROLLING);
+      }
+    }
+    trace.event(
+        new BallEvent(
+            lands ? BallEvent.Kind.LAND : BallEvent.Kind.BOUNCE,
+            time,
+            s[0],
+            s[1],
+            vx,
+            vy,
+            vz,
+            s[3],
+            s[4],
+            s[5]));
+  }
+
+  private void loseFixedShare(double[] s, double damping, double coupling) {
+    double e = Math.max(0, damping - coupling * forces.spinFraction(s));
+    double beforeX = forces.slipX(s);
+    double beforeY = forces.slipY(s);
+    double lostX = (1 - e) * s[3];
+    double lostY = (1 - e) * s[4];
+    s[3] -= lostX;
+    s[4] -= lostY;
+    forces.addSpinOfImpulse(s, -lostX, -lostY);
+    // Friction can stop the slip, not turn it round.
+    if (forces.slipX(s) * beforeX + forces.slipY(s) * beforeY < 0) {
+      forces.makeRolling(s);
+    }
+  }
+
+  private void touch(double[] s, Contact contact, double coupling, double dampingZ) {
+    double restitution =
+        Math.max(-1, Math.min(1, contact.restitution() - coupling * forces.spinFraction(s)));
+    double slipX = forces.slipX(s);
+    double slipY = forces.slipY(s);
+    double slip = Math.hypot(slipX, slipY);
+    if (slip > 0) {
+      double beta = forces.inertiaFactor();
+      double gripping = (1 + restitution) * beta / (1 + beta) * slip;
+      double change = Math.min(gripping, contact.friction() * (1 + dampingZ) * Math.abs(s[5]));
+      double changeX = -change * slipX / slip;
+      double changeY = -change * slipY / slip;
+      s[3] += changeX;
+      s[4] += changeY;
+      forces.addSpinOfImpulse(s, changeX, changeY);
+    }
+    s[3] *= 1 - contact.loss();
+    s[4] *= 1 - contact.loss();
+  }
+
+  private void commit(double[] state) {
+    System.arraycopy(trial, 0, state, 0, state.length);
+  }
+
+  private static BallEvent event(BallEvent.Kind kind, double time, BallBody ball) {
+    double[] s = ball.state;
+    return new BallEvent(kind, time, s[0], s[1], s[3], s[4], s[5], s[3], s[4], s[5]);
+  }
+}

@@ -1,0 +1,104 @@
+package fieldcal.simulation.physics;
+
+/**
+ * All laws that the simulated ball obeys.
+ *
+ * @param ball the body
+ * @param ground the carpet
+ * @param impact the bounce
+ * @param air drag, lift
+ */
+public record BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw air) {
+
+  /** Acceleration of free fall, m/s². */
+  public static final double GRAVITY = 9.81;
+
+  /** A carpet and ball as measured at tournaments of 2026 in an ideal world: −3.1, −0.28 m/s², 0.65; 0.75, 0.95, 0.52. */
+  public static final BallPhysics IDEAL = ideal(-3.1, -0.28, 0.65, 0.75, 0.95, 0.52);
+
+  /**
+   * A world in which a kick without spin obeys the league's two-phase law exactly and a chip the fixed-loss law: friction and inertia are chosen so that they do.
+   *
+   * @param accSlide acceleration while sliding, m/s², negative
+   * @param accRoll acceleration while rolling, m/s², negative
+   * @param kSwitch speed at which rolling begins over the kick speed, 0 … 1
+   * @param dampingXyFirstHop e_xy1 (–)
+   * @param dampingXyOtherHops e_xy (–)
+   * @param dampingZ e_z (–)
+   * @return the laws
+   * @throws IllegalArgumentException when a value is out of range
+   */
+  public static BallPhysics ideal(
+      double accSlide,
+      double accRoll,
+      double kSwitch,
+      double dampingXyFirstHop,
+      double dampingXyOtherHops,
+      double dampingZ) {
+    Check.range("kSwitch", kSwitch, 0.1, 0.99);
+    return new BallPhysics(
+        Ball.GOLF_BALL.withInertiaFactor(1 / kSwitch - 1),
+        GroundLaw.uniform(-accSlide / GRAVITY, -accRoll),
+        ImpactLaw.fixedLoss(dampingXyFirstHop, dampingXyOtherHops, dampingZ),
+        AirLaw.NONE);
+  }
+
+  /**
+   * A solid golf ball whose bounces are contacts with friction.
+   *
+   * @param slidingFriction μ (–)
+   * @param rollingDeceleration m/s², positive
+   * @param dampingZ e_z (–)
+   * @return the laws
+   * @throws IllegalArgumentException when a value is out of range
+   */
+  public static BallPhysics contact(
+      double slidingFriction, double rollingDeceleration, double dampingZ) {
+    return new BallPhysics(
+        Ball.GOLF_BALL,
+        GroundLaw.uniform(slidingFriction, rollingDeceleration),
+        ImpactLaw.fixedLoss(0.75, 0.95, dampingZ)
+            .withTangential(new ImpactLaw.Contact(-0.1, 0.35, 0.02)),
+        AirLaw.NONE);
+  }
+
+  /**
+   * Another ball.
+   *
+   * @param newBall the body
+   * @return the changed laws
+   */
+  public BallPhysics withBall(Ball newBall) {
+    return new BallPhysics(newBall, ground, impact, air);
+  }
+
+  /**
+   * Another carpet.
+   *
+   * @param law the carpet
+   * @return the changed laws
+   */
+  public BallPhysics withGround(GroundLaw law) {
+    return new BallPhysics(ball, law, impact, air);
+  }
+
+  /**
+   * Another bounce.
+   *
+   * @param law the bounce
+   * @return the changed laws
+   */
+  public BallPhysics withImpact(ImpactLaw law) {
+    return new BallPhysics(ball, ground, law, air);
+  }
+
+  /**
+   * Other air.
+   *
+   * @param law drag and lift
+   * @return the changed laws
+   */
+  public BallPhysics withAir(AirLaw law) {
+    return new BallPhysics(ball, ground, impact, law);
+  }
+}

@@ -1,0 +1,174 @@
+package fieldcal.simulation.physics;
+
+/**
+ * The equations of motion. A step of the integrator is one phase under one friction: {@link #enterStep} fixes both.
+ */
+final class Forces {
+  private static final double G = BallPhysics.GRAVITY;
+
+  private final GroundLaw ground;
+  private final double radius;
+  private final double beta;
+  private final double dragFactor;
+  private final double liftFactor;
+  private final double spinDecay;
+
+  private MotionPhase phase = MotionPhase.RESTING;
+  private double stepTime;
+  private boolean worn;
+  private double wear = 1;
+  private boolean frozen;
+  private double frozenX;
+  private double frozenY;
+
+  // External acceleration (everything but weight and carpet), and the pressure on the carpet over
+  // the weight.
+  private double externalX;
+  private double externalY;
+  private double externalZ;
+
+  Forces(BallPhysics physics) {
+    ground = physics.ground();
+    radius = physics.ball().radius();
+    beta = physics.ball().inertiaFactor();
+    AirLaw air = physics.air();
+    double pressure = 0.5 * air.density() * Math.PI * radius * radius / physics.ball().mass();
+    dragFactor = pressure * air.dragCoefficient();
+    liftFactor = pressure * radius * air.liftCoefficient();
+    spinDecay = air.spinDecay();
+  }
+
+  /** Fixes phase, session time and friction for the coming step. */
+  void enterStep(BallBody ball, double time) {
+    phase = ball.phase();
+    stepTime = time;
+    frozen = false;
+    worn = ground.worn().contains(ball.state[0], ball.state[1]);
+    wear = worn ? 1 + ground.wornChange() : 1;
+  }
+
+  /** Friction acts against this direction until the step ends. */
+  void freezeDirection(double x, double y) {
+    frozen = true;
+    frozenX = x;
+    frozenY = y;
+  }
+
+  boolean sameRegion(double[] s) {
+    return ground.worn().contains(s[0], s[1]) == worn;
+  }
+
+  double inertiaFactor() {
+    return beta;
+  }
+
+  /** Slip of the contact point: v + ω × (0, 0, −r); of a derivative, its rate of change. */
+  double slipX(double[] s) {
+    return s[3] - radius * s[7];
+  }
+
+  double slipY(double[] s) {
+    return s[4] + radius * s[6];
+  }
+
+  void makeRolling(double[] s) {
+    s[6] = -s[4] / radius;
+    s[7] = s[3] / radius;
+  }
+
+  /** Spin about the rolling axis over rolling spin; 0 at standstill. */
+  double spinFraction(double[] s) {
+    double squared = s[3] * s[3] + s[4] * s[4];
+    return squared == 0 ? 0 : radius * (s[7] * s[3] - s[6] * s[4]) / squared;
+  }
+
+  /** Turns the ball as a horizontal push at the contact point does that changes its velocity by the given amount. */
+  void addSpinOfImpulse(double[] s, double changeX, double changeY) {
+    s[6] += changeY / (beta * radius);
+    s[7] -= changeX / (beta * radius);
+  }
+
+  /** Whether a ball at rest stays at rest under the forces of the last call of {@link #derivative}. */
+  boolean holds() {
+    double push = Math.hypot(externalX, externalY) / (1 + beta);
+    return push
+        <= wear * ground.rollingDecelerationAt(externalX * 1e-9, externalY * 1e-9, stepTime);
+  }
+
+  /** Rate of change of position, velocity and spin, {@code offset} seconds after the step's start. */
+  void derivative(double offset, double[] s, double[] rate) {
+    rate[0] = s[3];
+    rate[1] = s[4];
+    rate[2] = s[5];
+    air(s);
+    switch (phase) {
+      case FLYING -> fly(s, rate);
+      case SLIDING -> slide(s, rate);
+      default -> roll(offset, s, rate);
+    }
+  }
+
+  private void air(double[] s) {
+    double drag = dragFactor * Math.sqrt(s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
+    externalX = liftFactor * (s[7] * s[5] - s[8] * s[4]) - drag * s[3];
+    externalY = liftFactor * (s[8] * s[3] - s[6] * s[5]) - drag * s[4];
+    externalZ = liftFactor * (s[6] * s[4] - s[7] * s[3]) - drag * s[5];
+    if (phase != MotionPhase.FLYING) {
+      externalX += G * ground.slopeX();
+      externalY += G * ground.slopeY();
+    }
+  }
+
+  private void fly(double[] s, double[] rate) {
+    rate[3] = externalX;
+    rate[4] = externalY;
+    rate[5] = externalZ - G;
+    for (int i = 6; i < 9; i++) {
+      rate[i] = -spinDecay * s[i];
+    }
+  }
+
+  private void slide(double[] s, double[] rate) {
+    double directionX = frozenX;
+    double directionY = frozenY;
+    if (!frozen) {
+      double slipX = slipX(s);
+      double slipY = slipY(s);
+      double slip = Math.sqrt(slipX * slipX + slipY * slipY);
+      directionX = slip == 0 ? 0 : slipX / slip;
+      directionY = slip == 0 ? 0 : slipY / slip;
+    }
+    double friction = ground.slidingFriction() * wear * Math.max(0, G - externalZ);
+    double frictionX = -friction * directionX;
+    double frictionY = -friction * directionY;
+    rate[3] = frictionX + externalX;
+    rate[4] = frictionY + externalY;
+    rate[5] = 0;
+    rate[6] = frictionY / (beta * radius);
+    rate[7] = -frictionX / (beta * radius);
+    rate[8] = -ground.verticalSpinDecay() * s[8];
+  }
+
+  private void roll(double offset, double[] s, double[] rate) {
+    double directionX = frozenX;
+    double directionY = frozenY;
+    if (!frozen) {
+      // A ball that starts to roll from rest starts downhill.
+      boolean moves = s[3] != 0 || s[4] != 0;
+      double alongX = moves ? s[3] : externalX;
+      double alongY = moves ? s[4] : externalY;
+      double length = Math.sqrt(alongX * alongX + alongY * alongY);
+      directionX = length == 0 ? 0 : alongX / length;
+      directionY = length == 0 ? 0 : alongY / length;
+    }
+    double pressure = Math.max(0, 1 - externalZ / G);
+    double deceleration =
+        wear * pressure * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
+    rate[3] = -deceleration * directionX + externalX / (1 + beta);
+    rate[4] = -deceleration * directionY + externalY / (1 + beta);
+    rate[5] = 0;
+    rate[6] = -rate[4] / radius;
+    rate[7] = rate[3] / radius;
+    rate[8] = -ground.verticalSpinDecay() * s[8];
+  }
+}

@@ -1,0 +1,188 @@
+package fieldcal.simulation.physics;
+
+/**
+ * What the carpet does to a ball that touches it. Coulomb friction μ·N acts against the slip of the contact point until the ball rolls; then the rolling resistance acts against the velocity.
+ * N is the weight, changed by a Magnus force. Field slope and air drag accelerate a sliding ball fully and a rolling one by 1/(1+β), because friction has to turn it.
+ *
+ * @param slidingFriction μ (–)
+ * @param rollingDeceleration deceleration of a rolling ball at low speed, m/s², positive
+ * @param rollingPerSpeed growth of the rolling deceleration with speed, 1/s
+ * @param rollingPerSpeedSquared growth of the rolling deceleration with the square of speed, 1/m
+ * @param slopeX field slope: acceleration along x over g (–), positive = downhill along +x
+ * @param slopeY field slope: acceleration along y over g (–)
+ * @param napAmplitude rolling deceleration is multiplied by 1 + napAmplitude·cos(θ − napDirection), θ = direction of travel
+ * @param napDirection rad
+ * @param worn rectangle in which all friction is multiplied by 1 + wornChange
+ * @param wornChange relative change of friction in the rectangle (–)
+ * @param driftPerSecond relative change of the rolling deceleration per second of session time, 1/s
+ * @param verticalSpinDecay deceleration of spin about the vertical while on the ground, 1/s
+ */
+public record GroundLaw(
+    double slidingFriction,
+    double rollingDeceleration,
+    double rollingPerSpeed,
+    double rollingPerSpeedSquared,
+    double slopeX,
+    double slopeY,
+    double napAmplitude,
+    double napDirection,
+    Region worn,
+    double wornChange,
+    double driftPerSecond,
+    double verticalSpinDecay) {
+
+  /**
+   * Checks the ranges.
+   *
+   * @throws IllegalArgumentException when friction is not positive or a value lies outside what keeps the ball slowing down
+   */
+  public GroundLaw {
+    Check.range("slidingFriction", slidingFriction, 1e-3, 2);
+    Check.range("rollingDeceleration", rollingDeceleration, 1e-3, 5);
+    Check.range("rollingPerSpeed", rollingPerSpeed, -0.2, 2);
+    Check.range("rollingPerSpeedSquared", rollingPerSpeedSquared, -0.2, 2);
+    Check.range("slopeX", slopeX, -0.2, 0.2);
+    Check.range("slopeY", slopeY, -0.2, 0.2);
+    Check.range("napAmplitude", napAmplitude, -0.9, 0.9);
+    Check.finite("napDirection", napDirection);
+    Check.range("wornChange", wornChange, -0.9, 10);
+    Check.range("driftPerSecond", driftPerSecond, -0.1, 0.1);
+    Check.range("verticalSpinDecay", verticalSpinDecay, 0, 1000);
+  }
+
+  /**
+   * A level, uniform carpet.
+   *
+   * @param slidingFriction μ (–)
+   * @param rollingDeceleration m/s², positive
+   * @return the law
+   */
+  public static GroundLaw uniform(double slidingFriction, double rollingDeceleration) {
+    return new GroundLaw(
+        slidingFriction, rollingDeceleration, 0, 0, 0, 0, 0, 0, Region.NONE, 0, 0, 8);
+  }
+
+  /**
+   * Makes rolling resistance depend on speed.
+   *
+   * @param perSpeed 1/s
+   * @param perSpeedSquared 1/m
+   * @return the changed law
+   */
+  public GroundLaw withSpeedDependentRoll(double perSpeed, double perSpeedSquared) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        perSpeed,
+        perSpeedSquared,
+        slopeX,
+        slopeY,
+        napAmplitude,
+        napDirection,
+        worn,
+        wornChange,
+        driftPerSecond,
+        verticalSpinDecay);
+  }
+
+  /**
+   * Tilts the field.
+   *
+   * @param percent 100 × acceleration over g
+   * @param direction downhill, rad
+   * @return the changed law
+   */
+  public GroundLaw withSlope(double percent, double direction) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        rollingPerSpeed,
+        rollingPerSpeedSquared,
+        percent / 100 * Math.cos(direction),
+        percent / 100 * Math.sin(direction),
+        napAmplitude,
+        napDirection,
+        worn,
+        wornChange,
+        driftPerSecond,
+        verticalSpinDecay);
+  }
+
+  /**
+   * Gives the carpet a direction.
+   *
+   * @param amplitude relative change of the rolling deceleration (–)
+   * @param direction direction of travel in which it is largest, rad
+   * @return the changed law
+   */
+  public GroundLaw withNap(double amplitude, double direction) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        rollingPerSpeed,
+        rollingPerSpeedSquared,
+        slopeX,
+        slopeY,
+        amplitude,
+        direction,
+        worn,
+        wornChange,
+        driftPerSecond,
+        verticalSpinDecay);
+  }
+
+  /**
+   * Wears a part of the carpet.
+   *
+   * @param change relative change of all friction (–)
+   * @param region where
+   * @return the changed law
+   */
+  public GroundLaw withWornRegion(double change, Region region) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        rollingPerSpeed,
+        rollingPerSpeedSquared,
+        slopeX,
+        slopeY,
+        napAmplitude,
+        napDirection,
+        region,
+        change,
+        driftPerSecond,
+        verticalSpinDecay);
+  }
+
+  /**
+   * Lets the carpet change over the session.
+   *
+   * @param perSecond relative change of the rolling deceleration, 1/s
+   * @return the changed law
+   */
+  public GroundLaw withDrift(double perSecond) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        rollingPerSpeed,
+        rollingPerSpeedSquared,
+        slopeX,
+        slopeY,
+        napAmplitude,
+        napDirection,
+        worn,
+        wornChange,
+        perSecond,
+        verticalSpinDecay);
+  }
+
+  /** Rolling deceleration at a velocity and a session time, m/s². */
+  double rollingDecelerationAt(double vx, double vy, double sessionTime) {
+    double speed = Math.sqrt(vx * vx + vy * vy);
+    double nap =
+        napAmplitude == 0 ? 1 : 1 + napAmplitude * Math.cos(Math.atan2(vy, vx) - napDirection);
+    return rollingDeceleration * (1 + driftPerSecond * sessionTime) * nap
+        + rollingPerSpeed * speed
+        + rollingPerSpeedSquared * speed * speed;
+  }
+}

@@ -1,0 +1,31 @@
+package fieldcal.simulation.physics;
+
+/**
+ * A rectangle of the carpet whose friction differs.
+ *
+ * @param x0 smallest x, m
+ * @param x1 largest x, m
+ * @param y0 smallest y, m
+ * @param y1 largest y, m
+ */
+public record Region(double x0, double x1, double y0, double y1) {
+
+  /** Nowhere. */
+  public static final Region NONE = new Region(0, 0, 0, 0);
+
+  /**
+   * Checks the order.
+   *
+   * @throws IllegalArgumentException when a bound is not finite or the upper one lies below the lower one
+   */
+  public Region {
+    Check.finite("x0", x0);
+    Check.finite("y0", y0);
+    Check.range("x1", x1, x0, Double.MAX_VALUE);
+    Check.range("y1", y1, y0, Double.MAX_VALUE);
+  }
+
+  boolean contains(double x, double y) {
+    return x > x0 && x < x1 && y > y0 && y < y1;
+  }
+}
