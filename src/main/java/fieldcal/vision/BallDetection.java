@@ -9,10 +9,10 @@ package fieldcal.vision;
  * @param x position in the field frame, m
  * @param y position in the field frame, m
  * @param z height as reported, m; NaN when absent
- * @param confidence 0 … 1 as reported
+ * @param confidence 0 … 1 as reported; 1 when absent
  * @param area size of the blob, pixels; 0 when absent
- * @param pixelX column in the image, pixels
- * @param pixelY row in the image, pixels
+ * @param pixelX column in the image, pixels; NaN when absent
+ * @param pixelY row in the image, pixels; NaN when absent
  */
 public record BallDetection(
     double x, double y, double z, double confidence, int area, double pixelX, double pixelY) {

@@ -16,7 +16,7 @@ public record RobotId(Team team, int number) implements Comparable<RobotId> {
       Comparator.comparing(RobotId::team).thenComparingInt(RobotId::number);
 
   /**
-   * Checks the parts.
+   * Checks the parts. {@inheritDoc}
    *
    * @throws NullPointerException if the team is null
    * @throws IllegalArgumentException if the number is negative

@@ -6,9 +6,9 @@ import java.util.List;
  * What one camera saw in one image. Times count from the recording's {@link Epoch}.
  *
  * @param cameraId the camera
- * @param frameNumber the camera's running number of the image, unsigned 32 bit on the wire
+ * @param frameNumber the camera's running number of the image, unsigned 32 bit on the wire; 0 when absent
  * @param captureTime when the image was taken, s; the time of every detection in it
- * @param sentTime when vision sent the detections, s
+ * @param sentTime when vision sent the detections, s; NaN when absent
  * @param cameraClockTime when the image was taken on the camera's own clock, s since that clock's unknown zero; NaN when absent
  * @param balls what was taken for balls, in the message's order
  * @param robots robots of both teams, yellow first, in the message's order
@@ -23,7 +23,7 @@ public record VisionFrame(
     List<RobotDetection> robots) {
 
   /**
-   * Copies the lists.
+   * Copies the lists. {@inheritDoc}
    *
    * @throws NullPointerException if a list or an element is null
    */
