@@ -1,0 +1,77 @@
+package fieldcal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import fieldcal.app.cli.Main;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
+
+/** What the README tells the operator to type is understood, and the files it names are there. */
+class ReadmeTest {
+
+  /** Commands of the design. The README may speak of one before it exists; its test is skipped until then. */
+  private static final Set<String> PLANNED =
+      Set.of("info", "calibrate", "diagnose", "limits", "monitor", "play", "simulate", "console");
+
+  private static final Path PROJECT = Path.of(System.getProperty("fieldcal.projectDir", "."));
+
+  static Stream<String> commands() throws IOException {
+    return codeLines().filter(line -> line.startsWith("./fieldcal "));
+  }
+
+  private static Stream<String> codeLines() throws IOException {
+    List<String> code = new ArrayList<>();
+    boolean inside = false;
+    for (String line : Files.readAllLines(PROJECT.resolve("README.md"))) {
+      if (line.startsWith("```")) {
+        inside = !inside;
+      } else if (inside) {
+        code.add(line.strip());
+      }
+    }
+    return code.stream();
+  }
+
+  @ParameterizedTest
+  @MethodSource("commands")
+  void commandIsUnderstood(String line) {
+    List<String> words = Arrays.asList(line.split("\\s+"));
+    String name = words.get(1);
+    CommandLine program = new CommandLine(new Main());
+    boolean exists = name.startsWith("-") || program.getSubcommands().containsKey(name);
+    assumeTrue(exists || !PLANNED.contains(name), () -> "there is no command " + name + " yet");
+
+    String[] arguments = words.subList(1, words.size()).toArray(String[]::new);
+    assertThatCode(() -> program.parseArgs(arguments)).as(line).doesNotThrowAnyException();
+    assertThat(words.stream().filter(word -> word.startsWith("test-data/")).map(PROJECT::resolve))
+        .as(line)
+        .allSatisfy(file -> assertThat(file).exists());
+  }
+
+  @Test
+  void quickStartHasTheTwoCommands() throws IOException {
+    assertThat(commands()).anyMatch(line -> line.startsWith("./fieldcal calibrate "));
+    assertThat(codeLines()).contains("./gradlew test");
+  }
+
+  @Test
+  void everyCommandIsInTheReadme() throws IOException {
+    String readme = Files.readString(PROJECT.resolve("README.md"));
+    Set<String> names = new TreeSet<>(new CommandLine(new Main()).getSubcommands().keySet());
+    names.remove("help");
+    assertThat(names).allSatisfy(name -> assertThat(readme).contains("`" + name + " "));
+  }
+}
