@@ -1,0 +1,62 @@
+package fieldcal.fit;
+
+import java.util.Locale;
+
+/**
+ * How a fit went.
+ *
+ * @param observations how many detections the kick has
+ * @param used how many took part in the last fit
+ * @param rmsMm residual per axis in the ground plane over those, mm
+ * @param chiSquare sum of their squared whitened residuals
+ * @param degreesOfFreedom twice the used observations minus the free unknowns
+ * @param robustScale how many times larger than the cameras' noise a typical residual is
+ * @param flights number of flights of a chip, 0 for a flat kick
+ * @param evaluations how often the objective was evaluated, derivatives counted once
+ * @param iterations steps of the last Levenberg–Marquardt run
+ * @param stop why that stopped
+ * @param seed of the global search
+ */
+public record FitStatistics(
+    int observations,
+    int used,
+    double rmsMm,
+    double chiSquare,
+    int degreesOfFreedom,
+    double robustScale,
+    int flights,
+    int evaluations,
+    int iterations,
+    String stop,
+    long seed) {
+
+  static FitStatistics none(long seed) {
+    return new FitStatistics(
+        0, 0, Double.NaN, Double.NaN, 0, Double.NaN, 0, 0, 0, "not fitted", seed);
+  }
+
+  /**
+   * Reduced chi-square; near 1 when model and noise are right.
+   *
+   * @return chi-square per degree of freedom
+   */
+  public double reducedChiSquare() {
+    return chiSquare / degreesOfFreedom;
+  }
+
+  @Override
+  public String toString() {
+    return String.format(
+        Locale.ROOT,
+        "%.2f mm RMS, %d of %d observations, chi²/dof %.2f, %d evaluations, %s after %d steps, seed"
+            + " %d",
+        rmsMm,
+        used,
+        observations,
+        reducedChiSquare(),
+        evaluations,
+        stop,
+        iterations,
+        seed);
+  }
+}

@@ -1,0 +1,313 @@
+package fieldcal.fit;
+
+import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
+import fieldcal.ball.FlatTrajectory;
+import fieldcal.ball.Parameter;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** One fit of one kick by one model, from the start to the result; used once. */
+final class FlightFitter {
+  /** Without rest before the kick, its time is known only from where two lines cross, s. */
+  private static final double TIME_PRIOR = 0.004;
+
+  /** A parameter is undetermined when its error exceeds this share of its scale. */
+  private static final double DETERMINED = 0.5;
+
+  /** Start spread of the search in scales: 30 % of accSlide, 60 mm/s … chosen to cover published models that are 15 % off. */
+  private static final double SPREAD = 0.7;
+
+  private final FitProblem problem;
+  private final KickKind kind;
+  private final FlightData data;
+  private final List<Parameter> parameters;
+  private final FitSettings settings;
+  private final long seed;
+  private final int size;
+  private int evaluations;
+
+  /** One way to explain the kick: a curve with a number of flights, and where its unknowns ended up. */
+  private static final class Candidate {
+    final int flights;
+    final FlightProblem flight;
+    final double[] theta;
+    double cost;
+
+    Candidate(int flights, FlightProblem flight, double[] theta, double cost) {
+      this.flights = flights;
+      this.flight = flight;
+      this.theta = theta;
+      this.cost = cost;
+    }
+  }
+
+  FlightFitter(
+      FitProblem problem,
+      KickKind kind,
+      FlightData data,
+      List<Parameter> parameters,
+      FitSettings settings,
+      long seed) {
+    this.problem = problem;
+    this.kind = kind;
+    this.data = data;
+    this.parameters = parameters;
+    this.settings = settings;
+    this.seed = seed;
+    size = parameters.size();
+  }
+
+  KickFit fit() {
+    double[] start = parameters.stream().mapToDouble(Parameter::value).toArray();
+    FlightCurve curve = kind == KickKind.FLAT ? new FlightCurve.Flat() : new FlightCurve.Chip(0);
+    int[] subset = SearchSubset.pick(data, problem.kick().time(), settings.searchObservations());
+    FlightProblem coarse = prepared(data.pick(subset), curve);
+    if (kind == KickKind.CHIP) {
+      ChipStart.dampings(coarse, parameters, start);
+    }
+    double[] found =
+        new CmaesSearch(coarse, parameters, start, SPREAD)
+            .search(settings.searchEvaluations(), seed);
+    evaluations += coarse.evaluations();
+    Candidate best =
+        kind == KickKind.FLAT
+            ? better(polish(0, found), polish(0, start))
+            : bestFlights(found, start);
+    return finish(best);
+  }
+
+  private FlightProblem prepared(FlightData of, FlightCurve curve) {
+    FlightProblem flight = new FlightProblem(of, curve, size);
+    flight.lossScale(settings.lossScale());
+    if (!problem.kick().fromRest()) {
+      int t0 = FlightLayout.timeIndex(kind);
+      flight.prior(t0, problem.kick().time(), TIME_PRIOR);
+    }
+    return flight;
+  }
+
+  private static Candidate better(Candidate a, Candidate b) {
+    return b.cost < a.cost ? b : a;
+  }
+
+  private Candidate polish(int flights, double[] from) {
+    FlightCurve curve =
+        kind == KickKind.FLAT ? new FlightCurve.Flat() : new FlightCurve.Chip(flights);
+    FlightProblem flight = prepared(data, curve);
+    double[] theta = from.clone();
+    double cost = new LevenbergMarquardt(parameters).minimize(flight, theta);
+    evaluations += flight.evaluations();
+    return new Candidate(flights, flight, theta, cost);
+  }
+
+  /** The objective of a chip is smooth only at a fixed number of flights: tries the neighbours until it gets no better. */
+  private Candidate bestFlights(double[] found, double[] start) {
+    int byRule = ruleFlights(found);
+    Candidate best = polish(byRule, found);
+    int byStart = ruleFlights(start);
+    best = better(best, polish(byStart, start));
+    for (int direction : new int[] {-1, 1}) {
+      for (int flights = best.flights + direction;
+          flights >= 1 && flights <= ChipModel.MAX_FLIGHTS;
+          flights += direction) {
+        Candidate next = polish(flights, best.theta);
+        if (!(next.cost < best.cost * (1 - 1e-9))) {
+          break;
+        }
+        best = next;
+      }
+    }
+    return best;
+  }
+
+  private static int ruleFlights(double[] theta) {
+    return Math.max(
+        1, ChipTrajectory.flightsByRule(FlightLayout.chipModel(theta), theta[ChipTrajectory.VZ0]));
+  }
+
+  private KickFit finish(Candidate best) {
+    FlightProblem flight = best.flight;
+    double[] theta = best.theta;
+    LevenbergMarquardt solver = new LevenbergMarquardt(parameters);
+    double scale = leaveOutliersOut(flight, theta, solver);
+    String[] reasons = tieUndetermined(flight, theta, solver);
+    double[] rx = new double[data.size];
+    double[] ry = new double[data.size];
+    flight.residuals(theta, rx, ry);
+    evaluations += flight.evaluations();
+    return result(best, solver, reasons, scale, rx, ry);
+  }
+
+  /** Plain least squares on what is not an outlier, repeated until the outliers are the same; returns the robust scale. */
+  private double leaveOutliersOut(FlightProblem flight, double[] theta, LevenbergMarquardt solver) {
+    double[] squared = new double[data.size];
+    boolean[] used = flight.used();
+    double scale = 1;
+    for (int round = 0; round < 6; round++) {
+      flight.squaredDistances(theta, squared);
+      scale = robustScale(squared);
+      double limit = settings.outlierDistance() * Math.max(1, scale);
+      boolean changed = round == 0;
+      for (int i = 0; i < used.length; i++) {
+        boolean in = squared[i] <= limit * limit;
+        changed |= in != used[i];
+        used[i] = in;
+      }
+      if (!changed) {
+        break;
+      }
+      flight.lossScale(Double.POSITIVE_INFINITY);
+      solver.minimize(flight, theta);
+    }
+    return scale;
+  }
+
+  /** Of a two-dimensional Gaussian the median squared distance is 2 ln 2 variances. */
+  private static double robustScale(double[] squared) {
+    double[] sorted = squared.clone();
+    Arrays.sort(sorted);
+    return Math.sqrt(sorted[sorted.length / 2] / (2 * Math.log(2)));
+  }
+
+  /**
+   * Parameters that the kick says little about are tied to their start, the least known first: free, they would drag the others
+   * along; held, they would make them look better known than they are.
+   */
+  private String[] tieUndetermined(
+      FlightProblem flight, double[] theta, LevenbergMarquardt solver) {
+    String[] reasons = new String[size];
+    for (int round = 0; round < 4; round++) {
+      double[][] inverse = inverse(solver);
+      int worst = -1;
+      double most = DETERMINED;
+      for (int k = FlightLayout.kickSize(kind); k < size; k++) {
+        if (!parameters.get(k).estimated() || reasons[k] != null) {
+          continue;
+        }
+        double relative =
+            inverse == null || inverse[k][k] <= 0
+                ? Double.MAX_VALUE
+                : Math.sqrt(inverse[k][k]) / parameters.get(k).scale();
+        if (solver.equations().a[k][k] <= 0) {
+          relative = Double.POSITIVE_INFINITY;
+        }
+        if (relative > most) {
+          most = relative;
+          worst = k;
+        }
+      }
+      if (worst < 0) {
+        break;
+      }
+      reasons[worst] = reason(worst, most);
+      flight.prior(worst, parameters.get(worst).value(), parameters.get(worst).scale());
+      solver.minimize(flight, theta);
+    }
+    return reasons;
+  }
+
+  private String reason(int k, double relative) {
+    String name = parameters.get(k).name();
+    String why =
+        switch (name) {
+          case "accRoll" -> "the ball was hardly seen rolling";
+          case "kSwitch" -> "the change from sliding to rolling was hardly seen";
+          case "accSlide" -> "the ball was hardly seen sliding";
+          case "dampingXyFirstHop" -> "little was seen after the first landing";
+          case "dampingXyOtherHops" -> "little was seen after the second landing";
+          default -> "too few landings were seen";
+        };
+    return relative < 1e6
+        ? String.format(
+            java.util.Locale.ROOT, "%s: error %.2g", why, relative * parameters.get(k).scale())
+        : why;
+  }
+
+  private double[][] inverse(LevenbergMarquardt solver) {
+    boolean[] free = new boolean[size];
+    for (int k = 0; k < size; k++) {
+      free[k] = parameters.get(k).estimated() && solver.equations().a[k][k] > 0;
+    }
+    return solver.equations().inverse(solver.scale(), free);
+  }
+
+  private KickFit result(
+      Candidate best,
+      LevenbergMarquardt solver,
+      String[] reasons,
+      double scale,
+      double[] rx,
+      double[] ry) {
+    boolean[] used = best.flight.used();
+    int count = 0;
+    double sum = 0;
+    for (int i = 0; i < used.length; i++) {
+      if (used[i]) {
+        count++;
+        sum += rx[i] * rx[i] + ry[i] * ry[i];
+      }
+    }
+    int unknowns = (int) parameters.stream().filter(Parameter::estimated).count();
+    int degrees = Math.max(1, 2 * count - unknowns);
+    double chiSquare = solver.equations().cost;
+    double[][] covariance = inverse(solver);
+    List<Estimate> estimates = new ArrayList<>();
+    for (int k = 0; k < size; k++) {
+      Parameter p = parameters.get(k);
+      double value = best.theta[k];
+      double variance = covariance == null ? Double.NaN : covariance[k][k] * chiSquare / degrees;
+      double error = p.estimated() && variance > 0 ? Math.sqrt(variance) : Double.NaN;
+      boolean bound = p.estimated() && (value <= p.min() || value >= p.max());
+      estimates.add(
+          new Estimate(p.withValue(value), error, Optional.ofNullable(reasons[k]), bound));
+    }
+    double[][] scaled = covariance == null ? new double[size][size] : covariance;
+    for (double[] row : scaled) {
+      for (int k = 0; k < size; k++) {
+        row[k] *= chiSquare / degrees;
+      }
+    }
+    FitStatistics statistics =
+        new FitStatistics(
+            data.size,
+            count,
+            1000 * Math.sqrt(sum / (2.0 * Math.max(1, count))),
+            chiSquare,
+            degrees,
+            scale,
+            best.flights,
+            evaluations,
+            solver.iterations(),
+            solver.stop().name().toLowerCase(java.util.Locale.ROOT).replace('_', ' '),
+            seed);
+    return new KickFit(
+        problem.kick(), kind, estimates, scaled, trajectory(best), rx, ry, used, statistics);
+  }
+
+  private BallTrajectory trajectory(Candidate best) {
+    double[] p = best.theta;
+    if (kind == KickKind.FLAT) {
+      return FlatTrajectory.fromKick(
+          FlightLayout.flatModel(p),
+          p[FlatTrajectory.T0],
+          p[FlatTrajectory.X0],
+          p[FlatTrajectory.Y0],
+          p[FlatTrajectory.VX0],
+          p[FlatTrajectory.VY0]);
+    }
+    return ChipTrajectory.fromKickWithHops(
+        FlightLayout.chipModel(p),
+        p[ChipTrajectory.T0],
+        p[ChipTrajectory.X0],
+        p[ChipTrajectory.Y0],
+        p[ChipTrajectory.VX0],
+        p[ChipTrajectory.VY0],
+        p[ChipTrajectory.VZ0],
+        best.flights);
+  }
+}

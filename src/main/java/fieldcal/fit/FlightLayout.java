@@ -1,0 +1,64 @@
+package fieldcal.fit;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.FlatTrajectory;
+import fieldcal.ball.Parameter;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Order, names, scales and bounds of the unknowns of one flight: first those of the kick (position, velocity, time), then those
+ * of the model. The same order as the sensitivities of the trajectories.
+ */
+final class FlightLayout {
+  private static final String KICK = "one kick's own unknown";
+
+  private FlightLayout() {}
+
+  static int timeIndex(KickKind kind) {
+    return kind == KickKind.FLAT ? FlatTrajectory.T0 : ChipTrajectory.T0;
+  }
+
+  /** How many unknowns belong to the kick alone. */
+  static int kickSize(KickKind kind) {
+    return timeIndex(kind) + 1;
+  }
+
+  static int size(KickKind kind) {
+    return kickSize(kind) + (kind == KickKind.FLAT ? 3 : 4);
+  }
+
+  /** All unknowns with the kick's ones at {@code start} (position, velocity, time) and the model's as given. */
+  static List<Parameter> parameters(KickKind kind, double[] start, List<Parameter> model) {
+    List<Parameter> all = new ArrayList<>();
+    all.add(new Parameter("x", "m", start[0], 0.01, start[0] - 1, start[0] + 1, true, KICK));
+    all.add(new Parameter("y", "m", start[1], 0.01, start[1] - 1, start[1] + 1, true, KICK));
+    all.add(new Parameter("vx", "m/s", start[2], 0.1, -15, 15, true, KICK));
+    all.add(new Parameter("vy", "m/s", start[3], 0.1, -15, 15, true, KICK));
+    if (kind == KickKind.CHIP) {
+      all.add(new Parameter("vz", "m/s", start[4], 0.1, 0.05, 12, true, KICK));
+    }
+    double t0 = start[timeIndex(kind)];
+    all.add(new Parameter("t0", "s", t0, 0.005, t0 - 0.1, t0 + 0.1, true, KICK));
+    all.addAll(model);
+    return all;
+  }
+
+  static FlatModel flatModel(double[] theta) {
+    return new FlatModel(
+        theta[FlatTrajectory.ACC_SLIDE],
+        theta[FlatTrajectory.ACC_ROLL],
+        theta[FlatTrajectory.K_SWITCH]);
+  }
+
+  static ChipModel chipModel(double[] theta) {
+    return new ChipModel(
+        theta[ChipTrajectory.DAMPING_XY_FIRST_HOP],
+        theta[ChipTrajectory.DAMPING_XY_OTHER_HOPS],
+        theta[ChipTrajectory.DAMPING_Z],
+        theta[ChipTrajectory.ACC_ROLL]);
+  }
+}

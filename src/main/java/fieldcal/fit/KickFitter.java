@@ -1,0 +1,114 @@
+package fieldcal.fit;
+
+import fieldcal.ball.Parameter;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * Fits the two-phase flat or the bouncing chip trajectory to the detections of one kick.
+ *
+ * <p>CMA-ES finds the valley on a subset of the observations under a robust loss, Levenberg–Marquardt its bottom on all of them;
+ * then outliers are left out and plain least squares, which is efficient, has the last word. The number of flights of a chip is
+ * discrete: each plausible one is fitted, and the residuals decide. Immutable and thread-safe.
+ */
+public final class KickFitter {
+  /** Fewer detections after the kick than that are not a kick that anything can be learnt from. */
+  private static final int FEWEST = 12;
+
+  /** A flat model that explains a kick to within that many times the noise needs no chip beside it. */
+  private static final double FLAT_ENOUGH = 1.5;
+
+  /** A ball that leaves slower upwards hops less than 13 mm: no chip, m/s. */
+  private static final double LOWEST_CHIP = 0.5;
+
+  private final FitSettings settings;
+
+  /**
+   * A fitter.
+   *
+   * @param settings seed and effort
+   */
+  public KickFitter(FitSettings settings) {
+    this.settings = Objects.requireNonNull(settings, "settings");
+  }
+
+  /**
+   * Decides between flat and chip and fits.
+   *
+   * @param problem kick, cameras and models
+   * @return the better fit; when both fail, the flat one's reason
+   */
+  public KickFit fit(FitProblem problem) {
+    KickFit flat = fit(problem, KickKind.FLAT);
+    if (flat.failure().isEmpty() && flat.statistics().robustScale() < FLAT_ENOUGH) {
+      return flat;
+    }
+    KickFit chip = fit(problem, KickKind.CHIP);
+    if (chip.failure().isPresent() || chip.estimate("vz").value() < LOWEST_CHIP) {
+      return flat;
+    }
+    boolean better = flat.failure().isPresent() || spread(chip) < spread(flat);
+    return better ? chip : flat;
+  }
+
+  /** Typical whitened residual, outliers counted by their share: a model that calls half the data outliers explains little. */
+  private static double spread(KickFit fit) {
+    FitStatistics s = fit.statistics();
+    double lost = (s.observations() - s.used()) / (double) s.observations();
+    return s.robustScale() * (1 + 4 * lost);
+  }
+
+  /**
+   * Fits one model.
+   *
+   * @param problem kick, cameras and models
+   * @param kind which model
+   * @return the fit, or why there is none
+   */
+  public KickFit fit(FitProblem problem, KickKind kind) {
+    Kick kick = problem.kick();
+    long seed = settings.seed() + 7919L * kick.id();
+    FlightData data = FlightData.of(kick.observations(), problem.cameras());
+    int after = 0;
+    for (int i = 0; i < data.size; i++) {
+      after += data.time[i] > kick.time() ? 1 : 0;
+    }
+    if (after < FEWEST) {
+      return KickFit.failed(
+          kick,
+          kind,
+          "only " + after + " detections after the kick, at least " + FEWEST + " are needed",
+          seed);
+    }
+    double[] start =
+        kind == KickKind.FLAT
+            ? flatStart(kick, data)
+            : ChipStart.firstFlight(data, kick.time(), settings.lossScale());
+    if (start == null) {
+      return KickFit.failed(
+          kick, kind, "the detections after the kick do not look like a flight", seed);
+    }
+    List<Parameter> model = kind == KickKind.FLAT ? problem.flat() : problem.chip();
+    List<Parameter> parameters = FlightLayout.parameters(kind, start, model);
+    FlightFitter fitter = new FlightFitter(problem, kind, data, parameters, settings, seed);
+    return fitter.fit();
+  }
+
+  /** The kick as it was found, with the resting position taken from the detections before it, each camera's offset taken out. */
+  private static double[] flatStart(Kick kick, FlightData data) {
+    List<double[]> rest = new ArrayList<>();
+    for (int i = 0; i < data.size && data.time[i] < kick.time() - 0.01; i++) {
+      rest.add(new double[] {data.x[i], data.y[i]});
+    }
+    double x = kick.x();
+    double y = kick.y();
+    if (kick.fromRest() && rest.size() >= 3) {
+      x = rest.stream().mapToDouble(p -> p[0]).sorted().skip(rest.size() / 2).findFirst().orElse(x);
+      y = rest.stream().mapToDouble(p -> p[1]).sorted().skip(rest.size() / 2).findFirst().orElse(y);
+    }
+    return new double[] {x, y, kick.vx(), kick.vy(), kick.time()};
+  }
+}

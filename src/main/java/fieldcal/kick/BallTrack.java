@@ -1,0 +1,120 @@
+package fieldcal.kick;
+
+/**
+ * The last second or two of what one camera saw of one ball: a ring of detections.
+ *
+ * <p>Per camera, because cameras disagree by centimetres and because an airborne ball is projected to different places by each.
+ */
+final class BallTrack {
+  /** 160 detections are two seconds at 75 Hz: more than the rest that a kick keeps plus the delay of its detection. */
+  private static final int CAPACITY = 160;
+
+  private final int camera;
+  private final double[] time = new double[CAPACITY];
+  private final double[] x = new double[CAPACITY];
+  private final double[] y = new double[CAPACITY];
+  private final double[] pixelX = new double[CAPACITY];
+  private final double[] pixelY = new double[CAPACITY];
+  private int count;
+  private final JumpDetector jumps = new JumpDetector();
+
+  BallTrack(int camera) {
+    this.camera = camera;
+  }
+
+  int camera() {
+    return camera;
+  }
+
+  JumpDetector jumps() {
+    return jumps;
+  }
+
+  void add(double t, double px, double py, double u, double v) {
+    int i = count++ % CAPACITY;
+    time[i] = t;
+    x[i] = px;
+    y[i] = py;
+    pixelX[i] = u;
+    pixelY[i] = v;
+  }
+
+  /** How many detections are still held. */
+  int size() {
+    return Math.min(count, CAPACITY);
+  }
+
+  /** How many detections there ever were. */
+  int total() {
+    return count;
+  }
+
+  private int slot(int age) {
+    return (count - 1 - age) % CAPACITY;
+  }
+
+  /** Capture time of the detection {@code age} places before the newest, s. */
+  double time(int age) {
+    return time[slot(age)];
+  }
+
+  double x(int age) {
+    return x[slot(age)];
+  }
+
+  double y(int age) {
+    return y[slot(age)];
+  }
+
+  double lastTime() {
+    return time(0);
+  }
+
+  /** Fits a line to the detections of the given ages, {@code newest <= age <= oldest}. */
+  boolean fit(int newest, int oldest, LineFit line) {
+    line.clear(time(newest));
+    for (int age = newest; age <= oldest; age++) {
+      line.add(time(age), x(age), y(age));
+    }
+    return line.solve();
+  }
+
+  /** Fits a line to at most {@code most} newest detections that are at most {@code span} seconds older than the newest. */
+  boolean fitNewest(int most, double span, LineFit line) {
+    int oldest = 0;
+    while (oldest + 1 < Math.min(most, size()) && lastTime() - time(oldest + 1) <= span) {
+      oldest++;
+    }
+    return fit(0, oldest, line);
+  }
+
+  /** Where the camera reports, or would report, this ball at {@code t}; false when the track says nothing about that time. */
+  boolean positionAt(double t, double reach, LineFit scratch, double[] xy) {
+    if (t > lastTime()) {
+      if (t - lastTime() > reach || !fitNewest(6, 0.1, scratch)) {
+        return false;
+      }
+      xy[0] = scratch.x(t);
+      xy[1] = scratch.y(t);
+      return true;
+    }
+    for (int age = 1; age < size(); age++) {
+      if (time(age) <= t) {
+        double gap = time(age - 1) - time(age);
+        if (gap > 0.1) {
+          return false;
+        }
+        double f = (t - time(age)) / gap;
+        xy[0] = x(age) + f * (x(age - 1) - x(age));
+        xy[1] = y(age) + f * (y(age - 1) - y(age));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void copyTo(int age, Observations.Builder to) {
+    int i = slot(age);
+    to.add(time[i], camera, x[i], y[i], pixelX[i], pixelY[i]);
+  }
+}

@@ -1,0 +1,334 @@
+package fieldcal.kick;
+
+import fieldcal.camera.Camera;
+import fieldcal.vision.BallDetection;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Consumer;
+
+/**
+ * Finds kicks in a stream of frames, frame by frame, with bounded memory.
+ *
+ * <p>A kick is a jump of the ball's velocity that a robot nearby, or the ball's rest before, explains, and after which the ball
+ * moves away from that robot. Bounces of a chip, false detections and balls that are pushed or carried are none. Not thread-safe;
+ * frames of one camera must come in order, those of different cameras roughly so.
+ */
+public final class KickFinder {
+  /** A camera that sends nothing for that long has a gap; if all do, the recording has, s. */
+  private static final double RECORDING_GAP = 0.25;
+
+  /** Two cameras see the same kick within that time and distance, s and m. */
+  private static final double SAME_TIME = 0.12;
+
+  private static final double SAME_PLACE = 0.35;
+
+  /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
+  private static final double LEAST_GAIN = 0.2;
+
+  private final KickFinderSettings settings;
+  private final Consumer<Kick> sink;
+  private final Map<Integer, CameraTracks> cameras = new HashMap<>();
+  private final Map<Integer, Camera> views = new HashMap<>();
+  private final RobotPoses robots = new RobotPoses();
+  private final PlayingArea area = new PlayingArea();
+  private final List<ActiveKick> active = new ArrayList<>();
+  private final TrackMatcher matcher = new TrackMatcher(views);
+  private final KickFinderCounts counts = new KickFinderCounts();
+  private double now = Double.NEGATIVE_INFINITY;
+  private int found;
+
+  /**
+   * Starts with nothing seen.
+   *
+   * @param settings thresholds
+   * @param sink receives each kick once its ball has stopped, left, been touched or been lost; numbered from 1 in that order
+   */
+  public KickFinder(KickFinderSettings settings, Consumer<Kick> sink) {
+    this.settings = Objects.requireNonNull(settings, "settings");
+    this.sink = Objects.requireNonNull(sink, "sink");
+  }
+
+  /**
+   * Learns the field's lines and where the cameras hang.
+   *
+   * @param geometry as published; may come again and may change
+   * @param cameraModels the cameras by id
+   */
+  public void geometry(FieldGeometry geometry, Map<Integer, Camera> cameraModels) {
+    area.update(geometry);
+    views.putAll(cameraModels);
+  }
+
+  /**
+   * What was skipped so far, and why.
+   *
+   * @return running counts, live
+   */
+  public KickFinderCounts counts() {
+    return counts;
+  }
+
+  /**
+   * Takes the next frame.
+   *
+   * @param frame of any camera
+   */
+  public void accept(VisionFrame frame) {
+    double t = frame.captureTime();
+    CameraTracks tracks = cameras.computeIfAbsent(frame.cameraId(), CameraTracks::new);
+    if (!tracks.inOrder(t)) {
+      if (tracks.lastTime() - t < 1.0) {
+        counts.staleFrames++;
+        return;
+      }
+      counts.clockJumps++;
+      restart();
+      tracks = cameras.computeIfAbsent(frame.cameraId(), CameraTracks::new);
+    }
+    if (t - now > RECORDING_GAP && now > Double.NEGATIVE_INFINITY) {
+      counts.recordingGaps++;
+      endAll(KickEnd.RECORDING_ENDED);
+      cameras.values().forEach(CameraTracks::clear);
+      robots.clear();
+    }
+    now = Math.max(now, t);
+    robots.update(frame);
+    for (BallDetection ball : frame.balls()) {
+      tracks.offer(ball);
+    }
+    for (BallTrack track : tracks.associate(t)) {
+      follow(track);
+    }
+    endLost();
+  }
+
+  /** Ends what is still being followed: the recording is over. The finder may be used for another recording afterwards. */
+  public void finish() {
+    restart();
+  }
+
+  private void restart() {
+    endAll(KickEnd.RECORDING_ENDED);
+    cameras.clear();
+    robots.clear();
+    now = Double.NEGATIVE_INFINITY;
+  }
+
+  private void follow(BallTrack track) {
+    ActiveKick owner = ownerOf(track);
+    if (owner == null) {
+      owner = adopt(track);
+    } else {
+      KickEnd end = owner.update(track, robots, area);
+      if (end != null) {
+        end(owner, end, track.lastTime());
+      }
+    }
+    JumpDetector.Jump jump = track.jumps().update(track, settings);
+    if (jump != null) {
+      consider(jump, track, active.contains(owner) ? owner : null);
+    }
+  }
+
+  private ActiveKick ownerOf(BallTrack track) {
+    for (ActiveKick kick : active) {
+      if (kick.has(track)) {
+        return kick;
+      }
+    }
+    return null;
+  }
+
+  /** A track that belongs to no kick yet may be the ball of one, entering this camera's view. */
+  private ActiveKick adopt(BallTrack track) {
+    if (track.size() < 3) {
+      return null;
+    }
+    for (ActiveKick kick : active) {
+      if (track.lastTime() > kick.time()
+          && !kick.sees(track.camera(), track.lastTime())
+          && matcher.same(kick, track)) {
+        kick.join(track);
+        return kick;
+      }
+    }
+    return null;
+  }
+
+  private void consider(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
+    ActiveKick same = sameKick(jump);
+    if (same != null) {
+      if (owner == null) {
+        same.join(track);
+      }
+      return;
+    }
+    RobotId robot =
+        robots.kicker(jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), settings.robotReach());
+    boolean plausible =
+        robot != null || jump.fromRest() && jump.speed() > 1.5 * settings.minSpeed();
+    if (!plausible || jump.born() && owner != null) {
+      return;
+    }
+    if (owner != null) {
+      end(owner, KickEnd.TOUCHED_ROBOT, jump.time() - 0.005);
+    }
+    ActiveKick kick = new ActiveKick(jump, robot, settings);
+    kick.join(track);
+    active.add(kick);
+    for (CameraTracks camera : cameras.values()) {
+      for (BallTrack other : camera.tracks()) {
+        if (other != track
+            && ownerOf(other) == null
+            && other.size() >= 3
+            && matcher.same(kick, other)) {
+          kick.join(other);
+        }
+      }
+    }
+  }
+
+  private ActiveKick sameKick(JumpDetector.Jump jump) {
+    for (ActiveKick kick : active) {
+      JumpDetector.Jump known = kick.jump();
+      if (Math.abs(known.time() - jump.time()) < SAME_TIME
+          && Math.hypot(known.x() - jump.x(), known.y() - jump.y()) < SAME_PLACE) {
+        return kick;
+      }
+    }
+    return null;
+  }
+
+  private void endLost() {
+    for (int i = active.size() - 1; i >= 0; i--) {
+      ActiveKick kick = active.get(i);
+      if (now - kick.lastTime() > settings.lostAfter()) {
+        end(kick, kick.vanished(area, robots, KickEnd.LOST), kick.lastTime());
+      }
+    }
+  }
+
+  private void endAll(KickEnd reason) {
+    active.sort(Comparator.comparingDouble(ActiveKick::time));
+    while (!active.isEmpty()) {
+      ActiveKick kick = active.get(0);
+      end(kick, kick.vanished(area, robots, reason), kick.lastTime());
+    }
+  }
+
+  private void end(ActiveKick kick, KickEnd reason, double time) {
+    active.remove(kick);
+    Kick finished = kick.finish(reason, time);
+    if (finished == null) {
+      counts.tooShort++;
+    } else {
+      sink.accept(finished.withId(++found));
+    }
+  }
+
+  /** The tracks of one camera. */
+  private static final class CameraTracks {
+    private static final double FORGET_TENTATIVE = 0.15;
+    private static final double FORGET = 0.6;
+
+    /** No ball is faster: the rules allow 6.5 m/s, chips project faster, m/s. */
+    private static final double MAX_SPEED = 10;
+
+    private final int camera;
+    private final List<BallTrack> tracks = new ArrayList<>();
+    private final List<BallDetection> offered = new ArrayList<>();
+    private final List<BallTrack> updated = new ArrayList<>();
+    private final LineFit line = new LineFit();
+    private double last = Double.NEGATIVE_INFINITY;
+
+    CameraTracks(int camera) {
+      this.camera = camera;
+    }
+
+    boolean inOrder(double t) {
+      return t > last;
+    }
+
+    double lastTime() {
+      return last;
+    }
+
+    List<BallTrack> tracks() {
+      return tracks;
+    }
+
+    void clear() {
+      tracks.clear();
+    }
+
+    void offer(BallDetection ball) {
+      offered.add(ball);
+    }
+
+    /** Gives each offered detection to the track that it is nearest to, or to a new one; returns the tracks that got one. */
+    List<BallTrack> associate(double t) {
+      last = t;
+      updated.clear();
+      for (Iterator<BallTrack> it = tracks.iterator(); it.hasNext(); ) {
+        BallTrack track = it.next();
+        if (t - track.lastTime() > (track.total() < 4 ? FORGET_TENTATIVE : FORGET)) {
+          it.remove();
+        }
+      }
+      while (assignNearest(t)) {
+        // One pair at a time, the nearest first: there are rarely more than two balls and a few
+        // tracks.
+      }
+      for (BallDetection ball : offered) {
+        BallTrack track = new BallTrack(camera);
+        add(track, t, ball);
+        tracks.add(track);
+      }
+      offered.clear();
+      return updated;
+    }
+
+    private boolean assignNearest(double t) {
+      BallTrack bestTrack = null;
+      BallDetection bestBall = null;
+      double nearest = 1;
+      for (BallTrack track : tracks) {
+        if (updated.contains(track)) {
+          continue;
+        }
+        double dt = t - track.lastTime();
+        double gate = 0.03 + Math.min(0.45, MAX_SPEED * dt);
+        boolean predicted = track.size() > 2 && track.fitNewest(5, 0.1, line);
+        double px = predicted ? line.x(t) : track.x(0);
+        double py = predicted ? line.y(t) : track.y(0);
+        for (BallDetection ball : offered) {
+          double relative = Math.hypot(ball.x() - px, ball.y() - py) / gate;
+          if (relative < nearest) {
+            nearest = relative;
+            bestTrack = track;
+            bestBall = ball;
+          }
+        }
+      }
+      if (bestTrack == null) {
+        return false;
+      }
+      add(bestTrack, t, bestBall);
+      offered.remove(bestBall);
+      return true;
+    }
+
+    private void add(BallTrack track, double t, BallDetection ball) {
+      track.add(t, ball.x(), ball.y(), ball.pixelX(), ball.pixelY());
+      updated.add(track);
+    }
+  }
+}
