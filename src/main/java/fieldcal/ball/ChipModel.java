@@ -18,10 +18,16 @@ import java.util.OptionalDouble;
 public record ChipModel(
     double dampingXyFirstHop, double dampingXyOtherHops, double dampingZ, double accRoll) {
 
-  /** A hop with a lower apex than this counts as rolling, m. The value all teams use since TIGERs Mannheim published the model. */
+  /**
+   * A hop with a lower apex than this counts as rolling, m. The limit of TIGERs Mannheim, from whom the model comes (Sumatra,
+   * {@code BallParameters}: 10 mm).
+   */
   public static final double MIN_HOP_HEIGHT = 0.01;
 
-  /** More flights than this are not followed: a real ball makes 3 to 6, and {@code dampingZ} close to 1 must not hang a solver. */
+  /**
+   * More flights than this are not followed. A real ball makes a handful; chosen so that a {@code dampingZ} close to 1 does not
+   * hang a solver.
+   */
   public static final int MAX_FLIGHTS = 100;
 
   private static final String MATCHES =

@@ -187,7 +187,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
    * @return the number of flights, the kick's own (or the rest of the one the state was in) included
    */
   public int hops() {
-    return segmentCount() - 1;
+    return movingCount() - 1;
   }
 
   /**
@@ -197,8 +197,8 @@ public final class ChipTrajectory extends SegmentedTrajectory {
    */
   public List<Landing> landings() {
     List<Landing> landings = new ArrayList<>(hops());
-    for (int i = 1; i < segmentCount(); i++) {
-      Segment after = segment(i);
+    for (int i = 1; i <= hops(); i++) {
+      Segment after = segment(i + 1);
       landings.add(new Landing(after.start, after.x, after.y));
     }
     return List.copyOf(landings);
@@ -232,8 +232,8 @@ public final class ChipTrajectory extends SegmentedTrajectory {
       return;
     }
     int index = indexAt(t);
-    if (index < hops()) {
-      ChipTakeoff from = takeoffs[index];
+    if (index <= hops()) {
+      ChipTakeoff from = takeoffs[index - 1];
       double tau = t - segment(index).start;
       double reach = from.reach() + from.pace() * tau;
       overGround(from, tau, reach, reach, speed * from.pace(), dx, dy);
@@ -241,7 +241,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
     } else {
       ChipTakeoff from = takeoffs[hops()];
       double r = model.accRoll();
-      double sigma = Math.min(t, restTime()) - segment(hops()).start;
+      double sigma = Math.min(t, restTime()) - segment(hops() + 1).start;
       // Once the ball rests, a later landing no longer costs way: it comes to rest later, too.
       double v = t < restTime() ? speed * from.pace() + r * sigma : 0;
       double bySpeed = from.reach() + from.pace() * sigma;

@@ -8,7 +8,8 @@ import java.util.List;
  * <p>Both accelerations act against the motion and do not depend on the speed. A kick without spin is followed by sliding down
  * to the fraction {@code kSwitch} of the kick speed. For a ball with the moment of inertia {@code β·m·r²} the friction that
  * takes {@code Δv} from its speed gives it the rolling speed {@code Δv/β}; the two meet at {@code v = v_kick/(1 + β)}, hence
- * {@code kSwitch = 1/(1 + β)} (Coulomb friction on a sphere, e.g. Landau and Lifshitz, Mechanics, §38).
+ * {@code kSwitch = 1/(1 + β)} (Coulomb friction on a sphere; G. G. Coriolis, Théorie mathématique des effets du jeu de billard,
+ * 1835: 5/7 for a solid ball).
  *
  * @param accSlide acceleration along the direction of travel while sliding, m/s², negative
  * @param accRoll acceleration along the direction of travel while rolling, m/s², negative
@@ -68,8 +69,8 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
   }
 
   /**
-   * The numbers as parameters, in the order of the record. The bounds are chosen wide: at least twice and at most half of what
-   * was ever reported from a field or a simulator.
+   * The numbers as parameters, in the order of the record. The bounds are chosen several times wider than the carpets and
+   * simulators known so far.
    *
    * @return accSlide, accRoll, kSwitch
    */

@@ -180,7 +180,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
    * @return time on the caller's clock, s
    */
   public double tSwitch() {
-    return segment(1).start;
+    return segment(2).start;
   }
 
   /**

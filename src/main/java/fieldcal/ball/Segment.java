@@ -1,7 +1,7 @@
 package fieldcal.ball;
 
 /**
- * A piece of a path with constant acceleration: one flight, the sliding or the rolling phase. Evaluated at the time {@code tau}
+ * A piece of a path with constant acceleration: one flight, the sliding or the rolling phase, or a rest. Evaluated at the time {@code tau}
  * since its start.
  *
  * <p>Length of the path over the ground: with {@code q} the component of the horizontal velocity along the horizontal
@@ -69,6 +69,16 @@ final class Segment {
     double perSpeed = speed > 0 ? accRoll / speed : 0;
     return new Segment(
         Phase.ROLLING, start, -speed / accRoll, at, at.vx() * perSpeed, at.vy() * perSpeed, 0);
+  }
+
+  /** Lying still. */
+  static Segment rest(Phase phase, double start, double x, double y, double z) {
+    return new Segment(phase, start, 0, new BallState(x, y, z, 0, 0, 0), 0, 0, 0);
+  }
+
+  /** Time since the start, within the duration; for a rest, which has none, 0 at all times, infinite ones too. */
+  double tauAt(double t) {
+    return Math.max(0, Math.min(t - start, duration));
   }
 
   double end() {

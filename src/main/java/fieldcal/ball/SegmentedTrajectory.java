@@ -2,91 +2,65 @@ package fieldcal.ball;
 
 import java.util.OptionalDouble;
 
-/** A path made of pieces with constant acceleration, one after the other; all questions are answered piece by piece. */
+/**
+ * A path made of pieces with constant acceleration, one after the other, with the rests before and after; all questions are
+ * answered piece by piece.
+ */
 abstract class SegmentedTrajectory implements BallTrajectory {
+  /** The rest before the kick, the moving pieces, the rest after them. */
   private final Segment[] segments;
+
   private final double[] ends;
   private final double[] startDistances;
-  private final double kickX;
-  private final double kickY;
-  private final double kickZ;
-  private final double restX;
-  private final double restY;
-  private final double kickTime;
-  private final double restTime;
-  private final double restDistance;
 
   /**
    * A path.
    *
-   * @param segments at least one, each beginning where and when the one before ends, the last one ending at rest; not copied
+   * @param moving at least one, each beginning where and when the one before ends, the last one ending at rest
    */
-  SegmentedTrajectory(Segment[] segments) {
-    this.segments = segments;
-    this.ends = new double[segments.length];
-    this.startDistances = new double[segments.length];
-    double distance = 0;
-    for (int i = 0; i < segments.length; i++) {
+  SegmentedTrajectory(Segment[] moving) {
+    int count = moving.length;
+    Segment first = moving[0];
+    Segment last = moving[count - 1];
+    segments = new Segment[count + 2];
+    segments[0] = Segment.rest(Phase.RESTING_BEFORE_KICK, first.start, first.x, first.y, first.z);
+    System.arraycopy(moving, 0, segments, 1, count);
+    double restX = last.xAt(last.duration);
+    double restY = last.yAt(last.duration);
+    segments[count + 1] = Segment.rest(Phase.STOPPED, last.end(), restX, restY, 0);
+    ends = new double[count + 1];
+    startDistances = new double[count + 2];
+    for (int i = 0; i <= count; i++) {
       ends[i] = segments[i].end();
-      startDistances[i] = distance;
-      distance += segments[i].length(segments[i].duration);
+      startDistances[i + 1] = startDistances[i] + segments[i].length(segments[i].duration);
     }
-    Segment first = segments[0];
-    Segment last = segments[segments.length - 1];
-    kickX = first.x;
-    kickY = first.y;
-    kickZ = first.z;
-    restX = last.xAt(last.duration);
-    restY = last.yAt(last.duration);
-    kickTime = first.start;
-    restTime = last.end();
-    restDistance = distance;
   }
 
   @Override
   public final double kickTime() {
-    return kickTime;
+    return ends[0];
   }
 
   @Override
   public final double restTime() {
-    return restTime;
+    return ends[ends.length - 1];
   }
 
   @Override
   public final double restDistance() {
-    return restDistance;
+    return startDistances[ends.length];
   }
 
   @Override
   public final BallState stateAt(double t) {
-    if (t < kickTime) {
-      return new BallState(kickX, kickY, kickZ, 0, 0, 0);
-    }
-    int i = indexAt(t);
-    if (i == segments.length) {
-      return new BallState(restX, restY, 0, 0, 0, 0);
-    }
-    return segments[i].stateAt(t - segments[i].start);
+    Segment segment = segments[indexAt(t)];
+    return segment.stateAt(segment.tauAt(t));
   }
 
   @Override
   public final void positionAt(double t, double[] xyz) {
-    if (t < kickTime) {
-      xyz[0] = kickX;
-      xyz[1] = kickY;
-      xyz[2] = kickZ;
-      return;
-    }
-    int i = indexAt(t);
-    if (i == segments.length) {
-      xyz[0] = restX;
-      xyz[1] = restY;
-      xyz[2] = 0;
-      return;
-    }
-    Segment segment = segments[i];
-    double tau = t - segment.start;
+    Segment segment = segments[indexAt(t)];
+    double tau = segment.tauAt(t);
     xyz[0] = segment.xAt(tau);
     xyz[1] = segment.yAt(tau);
     xyz[2] = segment.zAt(tau);
@@ -94,32 +68,23 @@ abstract class SegmentedTrajectory implements BallTrajectory {
 
   @Override
   public final Phase phaseAt(double t) {
-    if (t < kickTime) {
-      return Phase.RESTING_BEFORE_KICK;
-    }
-    int i = indexAt(t);
-    return i == segments.length ? Phase.STOPPED : segments[i].phase;
+    return segments[indexAt(t)].phase;
   }
 
   @Override
   public final double distanceAt(double t) {
-    if (t < kickTime) {
-      return 0;
-    }
     int i = indexAt(t);
-    return i == segments.length
-        ? restDistance
-        : startDistances[i] + segments[i].length(t - segments[i].start);
+    return startDistances[i] + segments[i].length(segments[i].tauAt(t));
   }
 
   @Override
   public final OptionalDouble timeAtDistance(double distance) {
     Checks.notNegative("distance", distance);
-    if (distance > restDistance) {
+    if (distance > restDistance()) {
       return OptionalDouble.empty();
     }
     int i = 0;
-    while (i + 1 < segments.length && distance > startDistances[i + 1]) {
+    while (distance > startDistances[i + 1]) {
       i++;
     }
     double tau = segments[i].timeAtLength(distance - startDistances[i]);
@@ -133,10 +98,8 @@ abstract class SegmentedTrajectory implements BallTrajectory {
   }
 
   /**
-   * Which piece holds at a time that is not before the kick.
-   *
-   * @return its index, or the number of pieces when the ball rests
-   * @throws IllegalArgumentException when {@code t} is NaN
+   * Number of the piece that holds at a time: 0 = before the kick, 1 = the first moving one, {@code movingCount() + 1} = after
+   * the rest.
    */
   final int indexAt(double t) {
     for (int i = 0; i < ends.length; i++) {
@@ -150,8 +113,8 @@ abstract class SegmentedTrajectory implements BallTrajectory {
     return ends.length;
   }
 
-  final int segmentCount() {
-    return segments.length;
+  final int movingCount() {
+    return segments.length - 2;
   }
 
   final Segment segment(int index) {

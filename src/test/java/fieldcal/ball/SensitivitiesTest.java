@@ -3,7 +3,6 @@ package fieldcal.ball;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -19,51 +18,6 @@ class SensitivitiesTest {
 
   private final double[] xyz = new double[3];
   private final double[][] rows = new double[3][];
-
-  private static FlatTrajectory flat(double[] n) {
-    return FlatTrajectory.fromKick(new FlatModel(n[5], n[6], n[7]), n[4], n[0], n[1], n[2], n[3]);
-  }
-
-  private static ChipTrajectory chip(double[] n, int flights) {
-    ChipModel model = new ChipModel(n[6], n[7], n[8], n[9]);
-    return ChipTrajectory.fromKickWithHops(model, n[5], n[0], n[1], n[2], n[3], n[4], flights);
-  }
-
-  private static double uniform(Random random, double min, double max) {
-    return min + (max - min) * random.nextDouble();
-  }
-
-  private static double[] flatNumbers(Random random) {
-    double speed = uniform(random, 0.5, 7);
-    double direction = uniform(random, -Math.PI, Math.PI);
-    return new double[] {
-      uniform(random, -6, 6),
-      uniform(random, -4.5, 4.5),
-      speed * Math.cos(direction),
-      speed * Math.sin(direction),
-      uniform(random, -1, 1),
-      uniform(random, -6, -2),
-      uniform(random, -0.8, -0.1),
-      uniform(random, 0.4, 0.8)
-    };
-  }
-
-  private static double[] chipNumbers(Random random) {
-    double speed = uniform(random, 1, 5);
-    double direction = uniform(random, -Math.PI, Math.PI);
-    return new double[] {
-      uniform(random, -6, 6),
-      uniform(random, -4.5, 4.5),
-      speed * Math.cos(direction),
-      speed * Math.sin(direction),
-      uniform(random, 1, 5),
-      uniform(random, -1, 1),
-      uniform(random, 0.4, 1),
-      uniform(random, 0.5, 1),
-      uniform(random, 0.3, 0.8),
-      uniform(random, -0.8, -0.1)
-    };
-  }
 
   private static boolean clearOfKinks(double t, double... kinks) {
     for (double kink : kinks) {
@@ -86,14 +40,14 @@ class SensitivitiesTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5})
   void ofAFlatKickAreThoseOfCentralDifferences(long seed) {
-    Random random = new Random(seed);
+    RandomKicks kicks = new RandomKicks(seed);
     for (int i = 0; i < CASES; i++) {
-      double[] numbers = flatNumbers(random);
-      FlatTrajectory path = flat(numbers);
+      double[] numbers = kicks.flatNumbers();
+      FlatTrajectory path = RandomKicks.flat(numbers);
       // A third of the observations each while sliding, while rolling and around the rest.
       double[] from = {path.kickTime() - 0.1, path.tSwitch(), path.restTime() - 0.2};
       double[] to = {path.tSwitch(), path.restTime(), path.restTime() + 1};
-      double t = uniform(random, from[i % 3], to[i % 3]);
+      double t = kicks.uniform(from[i % 3], to[i % 3]);
       if (!clearOfKinks(t, path.kickTime(), path.tSwitch())) {
         continue;
       }
@@ -106,8 +60,7 @@ class SensitivitiesTest {
       double tolerance = tolerance(path, t);
       for (int k = 0; k < numbers.length; k++) {
         String label = "seed " + seed + " case " + i;
-        FiniteDifferences.check(
-            SensitivitiesTest::flat, numbers, k, t, column(k), tolerance, label);
+        FiniteDifferences.check(RandomKicks::flat, numbers, k, t, column(k), tolerance, label);
       }
     }
   }
@@ -115,16 +68,16 @@ class SensitivitiesTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5})
   void ofAChipAreThoseOfCentralDifferences(long seed) {
-    Random random = new Random(seed);
+    RandomKicks kicks = new RandomKicks(seed);
     for (int i = 0; i < CASES; i++) {
-      double[] numbers = chipNumbers(random);
-      int flights = 1 + random.nextInt(5);
-      ChipTrajectory path = chip(numbers, flights);
+      double[] numbers = kicks.chipNumbers();
+      int flights = kicks.integer(1, 5);
+      ChipTrajectory path = RandomKicks.chip(numbers, flights);
       double rollStart = path.landings().get(flights - 1).time();
       double t =
           i % 2 == 0
-              ? uniform(random, path.kickTime() - 0.1, rollStart)
-              : uniform(random, rollStart, path.restTime() + 0.5);
+              ? kicks.uniform(path.kickTime() - 0.1, rollStart)
+              : kicks.uniform(rollStart, path.restTime() + 0.5);
       double[] kinks = path.landings().stream().mapToDouble(Landing::time).toArray();
       if (!clearOfKinks(t, kinks) || !clearOfKinks(t, path.kickTime())) {
         continue;
@@ -136,7 +89,8 @@ class SensitivitiesTest {
       double tolerance = tolerance(path, t);
       for (int k = 0; k < numbers.length; k++) {
         String label = "seed " + seed + " case " + i + " flights " + flights;
-        FiniteDifferences.check(n -> chip(n, flights), numbers, k, t, column(k), tolerance, label);
+        FiniteDifferences.check(
+            n -> RandomKicks.chip(n, flights), numbers, k, t, column(k), tolerance, label);
       }
     }
   }
