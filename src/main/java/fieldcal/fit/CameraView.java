@@ -21,7 +21,7 @@ public record CameraView(
    */
   public static final double DEFAULT_NOISE = 0.0015;
 
-  /** Checks the numbers. */
+  /** Checks the numbers. {@inheritDoc} */
   public CameraView {
     if (!Double.isFinite(offsetX) || !Double.isFinite(offsetY)) {
       throw new IllegalArgumentException(

@@ -15,7 +15,7 @@ import java.util.Optional;
 public record Estimate(
     Parameter parameter, double standardError, Optional<String> undetermined, boolean atBound) {
 
-  /** Checks that nothing is missing. */
+  /** Checks that nothing is missing. {@inheritDoc} */
   public Estimate {
     Objects.requireNonNull(parameter, "parameter");
     Objects.requireNonNull(undetermined, "undetermined");

@@ -18,7 +18,7 @@ import java.util.Objects;
 public record FitProblem(
     Kick kick, CameraViews cameras, List<Parameter> flat, List<Parameter> chip) {
 
-  /** Copies the lists and checks their length. */
+  /** Copies the lists and checks their length. {@inheritDoc} */
   public FitProblem {
     Objects.requireNonNull(kick, "kick");
     Objects.requireNonNull(cameras, "cameras");

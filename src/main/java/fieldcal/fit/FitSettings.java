@@ -16,7 +16,7 @@ public record FitSettings(
     double outlierDistance,
     double lossScale) {
 
-  /** Checks the ranges. */
+  /** Checks the ranges. {@inheritDoc} */
   public FitSettings {
     if (searchEvaluations < 50 || searchObservations < 20) {
       throw new IllegalArgumentException(

@@ -32,7 +32,7 @@ public record Kick(
     double endTime,
     Observations observations) {
 
-  /** Checks that nothing is missing. */
+  /** Checks that nothing is missing. {@inheritDoc} */
   public Kick {
     Objects.requireNonNull(robot, "robot");
     Objects.requireNonNull(end, "end");

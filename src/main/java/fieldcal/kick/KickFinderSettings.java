@@ -21,7 +21,7 @@ public record KickFinderSettings(
     double lostAfter,
     double restSpan) {
 
-  /** Checks that all are positive. */
+  /** Checks that all are positive. {@inheritDoc} */
   public KickFinderSettings {
     for (double v :
         new double[] {minSpeed, minJump, robotReach, stopSpeed, stopSpan, lostAfter, restSpan}) {

@@ -18,7 +18,7 @@ public record AirLaw(
   public static final AirLaw NONE = new AirLaw(0, 0, STANDARD_DENSITY, 0);
 
   /**
-   * Checks the ranges.
+   * Checks the ranges. {@inheritDoc}
    *
    * @throws IllegalArgumentException when a value is out of any physical range
    */

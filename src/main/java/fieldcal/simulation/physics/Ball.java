@@ -13,7 +13,7 @@ public record Ball(double mass, double radius, double inertiaFactor) {
   public static final Ball GOLF_BALL = new Ball(0.046, 0.0215, 0.4);
 
   /**
-   * Checks the ranges.
+   * Checks the ranges. {@inheritDoc}
    *
    * @throws IllegalArgumentException when a value is not positive (or NaN)
    */

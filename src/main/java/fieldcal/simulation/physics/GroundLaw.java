@@ -32,7 +32,7 @@ public record GroundLaw(
     double verticalSpinDecay) {
 
   /**
-   * Checks the ranges.
+   * Checks the ranges. {@inheritDoc}
    *
    * @throws IllegalArgumentException when friction is not positive or a value lies outside what keeps the ball slowing down
    */

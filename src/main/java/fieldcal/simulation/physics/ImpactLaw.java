@@ -26,7 +26,7 @@ public record ImpactLaw(
   public static final double LEAGUE_MIN_HOP_HEIGHT = 0.01;
 
   /**
-   * Checks the ranges.
+   * Checks the ranges. {@inheritDoc}
    *
    * @throws IllegalArgumentException when a value is out of range
    */
@@ -50,7 +50,7 @@ public record ImpactLaw(
    */
   public record FixedLoss(double firstHop, double otherHops) implements Tangential {
     /**
-     * Checks the ranges.
+     * Checks the ranges. {@inheritDoc}
      *
      * @throws IllegalArgumentException when a value is not in [0, 1.5]
      */
@@ -69,7 +69,7 @@ public record ImpactLaw(
    */
   public record Contact(double restitution, double friction, double loss) implements Tangential {
     /**
-     * Checks the ranges.
+     * Checks the ranges. {@inheritDoc}
      *
      * @throws IllegalArgumentException when a value is out of range
      */

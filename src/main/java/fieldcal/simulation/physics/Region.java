@@ -14,7 +14,7 @@ public record Region(double x0, double x1, double y0, double y1) {
   public static final Region NONE = new Region(0, 0, 0, 0);
 
   /**
-   * Checks the order.
+   * Checks the order. {@inheritDoc}
    *
    * @throws IllegalArgumentException when a bound is not finite or the upper one lies below the lower one
    */
