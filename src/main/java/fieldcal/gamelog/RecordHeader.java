@@ -1,0 +1,82 @@
+package fieldcal.gamelog;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+import java.time.Instant;
+
+/** The 16 bytes before each message: int64 time (ns), int32 type, int32 size, all big endian; and what such bytes can look like. */
+final class RecordHeader {
+  static final int LENGTH = 16;
+
+  /** No message is larger, bytes: UDP packets end at 64 KiB; 4 MiB leaves room for what recorders may add. An index may be larger. */
+  static final int MAX_PAYLOAD = 1 << 22;
+
+  /** Larger ones are not looked for in damaged data, bytes: a false hit would swallow more than it could save. */
+  static final int MAX_SEARCHED_PAYLOAD = 1 << 17;
+
+  private static final int MAX_TYPE = 63;
+  private static final long DAY = 86_400_000_000_000L;
+  private static final long HOUR = 3_600_000_000_000L;
+  private static final long YEAR_2000 =
+      Instant.parse("2000-01-01T00:00:00Z").getEpochSecond() * 1_000_000_000L;
+  private static final long YEAR_2100 =
+      Instant.parse("2100-01-01T00:00:00Z").getEpochSecond() * 1_000_000_000L;
+
+  private static final VarHandle LONG =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
+  private static final VarHandle INT =
+      MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
+
+  private RecordHeader() {}
+
+  static long nanos(byte[] buffer, int at) {
+    return (long) LONG.get(buffer, at);
+  }
+
+  static int type(byte[] buffer, int at) {
+    return (int) INT.get(buffer, at + 8);
+  }
+
+  static int size(byte[] buffer, int at) {
+    return (int) INT.get(buffer, at + 12);
+  }
+
+  static void write(byte[] buffer, long nanos, int type, int size) {
+    LONG.set(buffer, 0, nanos);
+    INT.set(buffer, 8, type);
+    INT.set(buffer, 12, size);
+  }
+
+  /** Whether these bytes, found where a header is due, are one. Zeros are not: they are what a crashed recorder leaves. */
+  static boolean isPlausible(byte[] buffer, int at) {
+    int type = type(buffer, at);
+    int size = size(buffer, at);
+    boolean zeros = type == 0 && size == 0 && nanos(buffer, at) == 0;
+    return type >= 0
+        && type <= MAX_TYPE
+        && size >= 0
+        && (size <= MAX_PAYLOAD || type == MessageType.SSL_INDEX_2021.code())
+        && !zeros;
+  }
+
+  /** The same for bytes found where no header is due: a known type, a usual size, and a time near the last good one or of our century. */
+  static boolean isLikely(byte[] buffer, int at, long lastNanos) {
+    if (buffer[at + 8] != 0 || buffer[at + 9] != 0 || buffer[at + 10] != 0) {
+      return false;
+    }
+    int type = buffer[at + 11];
+    int size = size(buffer, at);
+    long nanos = nanos(buffer, at);
+    return type >= MessageType.UNKNOWN.code()
+        && type <= MessageType.SSL_INDEX_2021.code()
+        && size > 0
+        && size <= MAX_SEARCHED_PAYLOAD
+        && (nanos >= YEAR_2000 && nanos <= YEAR_2100 || Math.abs(nanos - lastNanos) <= DAY);
+  }
+
+  /** Whether the header at one place can be followed by the one at another. */
+  static boolean canFollow(byte[] buffer, int at, int next) {
+    return isPlausible(buffer, next) && Math.abs(nanos(buffer, next) - nanos(buffer, at)) <= HOUR;
+  }
+}

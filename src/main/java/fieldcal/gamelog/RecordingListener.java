@@ -1,0 +1,53 @@
+package fieldcal.gamelog;
+
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionFrame;
+
+/**
+ * Is told what a recording holds, in order. All methods do nothing unless overridden.
+ *
+ * <p>Times count from the {@linkplain RecordingReader#epoch() recording's epoch}.
+ */
+public interface RecordingListener {
+
+  /**
+   * A frame of one camera. Frames come in the order of their capture times over all cameras, within the reader's tolerance; duplicates
+   * and stray ones are left out.
+   *
+   * @param frame what the camera saw
+   * @param receivedTime when the recorder received it, s, on the recorder's clock
+   */
+  default void onFrame(VisionFrame frame, double receivedTime) {}
+
+  /**
+   * The field's geometry: the first one, and each that differs from the one before. Comes before the frames that were received after it.
+   *
+   * @param geometry the field from now on
+   */
+  default void onGeometry(FieldGeometry geometry) {}
+
+  /**
+   * A message of the referee, some ten times a second.
+   *
+   * @param state what it says
+   * @param receivedTime when the recorder received it, s, on the recorder's clock
+   */
+  default void onReferee(RefereeState state, double receivedTime) {}
+
+  /**
+   * A camera's clock jumped against the recorder's; the camera's next frame is on the new time. Nothing may be concluded from the
+   * difference of times before and after.
+   *
+   * @param cameraId the camera
+   * @param jump how far the clock went, s; negative: back
+   */
+  default void onClockJump(int cameraId, double jump) {}
+
+  /**
+   * How far the reading is; called every now and then, and at the end.
+   *
+   * @param bytesRead of the file, as it lies on the disk
+   * @param totalBytes the file's size
+   */
+  default void onProgress(long bytesRead, long totalBytes) {}
+}

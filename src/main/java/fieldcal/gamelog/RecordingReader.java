@@ -1,0 +1,347 @@
+package fieldcal.gamelog;
+
+import fieldcal.vision.DecodingCounts;
+import fieldcal.vision.DecodingProblem;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionDecoder;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.BitSet;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/**
+ * Streams a recording as values: frames in the order of their capture times, geometry when it changes, referee messages.
+ *
+ * <p>Memory does not grow with the recording. What is damaged, doubled or impossible is left out, and counted with its place in the
+ * {@link ProblemAccount}. Reads once; not thread-safe.
+ *
+ * <pre>{@code
+ * try (RecordingReader recording = RecordingReader.open(file)) {
+ *   RecordingSummary summary = recording.read(listener);
+ * }
+ * }</pre>
+ */
+public final class RecordingReader implements Closeable {
+  /** How much later than a younger one a frame may be received and still be put into order, s; vision computers differ by some 10 ms. */
+  public static final double DEFAULT_TOLERANCE = 0.1;
+
+  private static final long PROGRESS_STEP = 1 << 18;
+
+  private final GameLogReader log;
+  private final Epoch epoch;
+  private final boolean hasMessages;
+  private final ProblemAccount problems;
+  private final VisionDecoder vision;
+  private final DecodingCounts counts;
+  private final RefereeDecoder referee;
+  private final CameraClock[] clocks = new CameraClock[VisionDecoder.MAX_CAMERA_ID + 1];
+  private final long[] messages = new long[MessageType.values().length];
+
+  private RecordingListener listener;
+  private CaptureOrder order;
+  private FieldGeometry geometry;
+  private final BitSet calibrated = new BitSet();
+  private boolean isRead;
+  private long frames;
+  private double lastTime = Double.NaN;
+  private long nextProgress;
+  private long offset; // of the message at hand; kept, because at the end there is none
+
+  private RecordingReader(GameLogReader log, Epoch epoch, boolean hasMessages) {
+    this.log = log;
+    this.epoch = epoch;
+    this.hasMessages = hasMessages;
+    problems = log.problems();
+    vision = new VisionDecoder(epoch);
+    counts = vision.counts();
+    referee = new RefereeDecoder(epoch);
+  }
+
+  /**
+   * Opens a recording. Its epoch is the full second of its first message.
+   *
+   * @param file a {@code .log} or {@code .log.gz}
+   * @return a reader at the recording's start
+   * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
+   */
+  public static RecordingReader open(Path file) throws GameLogException {
+    return open(file, Optional.empty());
+  }
+
+  /**
+   * Opens a recording whose times shall count from a given epoch, so that several recordings share it.
+   *
+   * @param file a {@code .log} or {@code .log.gz}
+   * @param epoch the epoch
+   * @return a reader at the recording's start
+   * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
+   */
+  public static RecordingReader open(Path file, Epoch epoch) throws GameLogException {
+    return open(file, Optional.of(epoch));
+  }
+
+  private static RecordingReader open(Path file, Optional<Epoch> epoch) throws GameLogException {
+    GameLogReader log = GameLogReader.open(file);
+    boolean hasMessages = log.next();
+    Epoch first = Epoch.atSecondOf(hasMessages ? log.receivedNanos() : 0);
+    return new RecordingReader(log, epoch.orElse(first), hasMessages);
+  }
+
+  /**
+   * The instant that all times of this recording count from.
+   *
+   * @return the epoch
+   */
+  public Epoch epoch() {
+    return epoch;
+  }
+
+  /**
+   * Reads all of it.
+   *
+   * @param to is told what is in it
+   * @return what was read
+   * @throws GameLogException if the file system fails
+   * @throws IllegalStateException if it was read already
+   */
+  public RecordingSummary read(RecordingListener to) throws GameLogException {
+    return read(to, DEFAULT_TOLERANCE);
+  }
+
+  /**
+   * Reads all of it.
+   *
+   * @param to is told what is in it
+   * @param tolerance how long a frame waits for older ones, s of capture time; 0 keeps the order of reception
+   * @return what was read
+   * @throws GameLogException if the file system fails
+   * @throws IllegalStateException if it was read already
+   * @throws IllegalArgumentException if the tolerance is negative or NaN
+   */
+  public RecordingSummary read(RecordingListener to, double tolerance) throws GameLogException {
+    if (isRead) {
+      throw new IllegalStateException("a recording is read once; open it again");
+    }
+    if (!(tolerance >= 0)) {
+      throw new IllegalArgumentException("tolerance must not be negative, got " + tolerance);
+    }
+    isRead = true;
+    listener = Objects.requireNonNull(to, "listener");
+    order = new CaptureOrder(tolerance, new Counter());
+    double firstTime = hasMessages ? epoch.secondsOfNanos(log.receivedNanos()) : Double.NaN;
+    for (boolean more = hasMessages; more; more = log.next()) {
+      take();
+      if (log.bytesRead() >= nextProgress) {
+        listener.onProgress(log.bytesRead(), log.totalBytes());
+        nextProgress = log.bytesRead() + PROGRESS_STEP;
+      }
+    }
+    for (CameraClock clock : clocks) {
+      if (clock != null && clock.hasSuspect()) {
+        stray(clock.takeSuspect());
+      }
+    }
+    order.flush();
+    listener.onProgress(log.totalBytes(), log.totalBytes());
+    return summary(firstTime);
+  }
+
+  @Override
+  public void close() throws IOException {
+    log.close();
+  }
+
+  private void take() {
+    double received = epoch.secondsOfNanos(log.receivedNanos());
+    double last = lastTime;
+    offset = log.offset();
+    if (received < lastTime - CameraClock.MAX_STEP) {
+      problem(
+          LogProblem.CLOCK_JUMP_BACK,
+          () -> String.format("the recorder's clock, by %.3f s", last - received));
+    }
+    lastTime = received;
+    MessageType type = log.type();
+    messages[type.ordinal()]++;
+    switch (type) {
+      case SSL_VISION_2010 -> takeVision(received, false);
+      case SSL_VISION_2014 -> takeVision(received, true);
+      case SSL_REFBOX_2013 -> takeReferee(received);
+      case UNKNOWN -> problem(LogProblem.UNKNOWN_MESSAGE_TYPE, () -> "type " + log.typeCode());
+      default -> {
+        // Fillers, indices and trackers' frames are counted by type; nothing in them is needed.
+      }
+    }
+  }
+
+  private void takeVision(double received, boolean hasGeometry) {
+    long before = counts.total();
+    long[] known = before == 0 ? null : snapshot();
+    VisionPacket packet = vision.decode(log.buffer(), log.payloadOffset(), log.payloadLength());
+    if (counts.total() != before) {
+      reportDecoding(known);
+    }
+    // The geometry message of 2010 had other fields under the same numbers.
+    if (hasGeometry && packet.geometry().isPresent()) {
+      takeGeometry(packet.geometry().get());
+    }
+    if (packet.frame().isPresent()) {
+      takeFrame(packet.frame().get(), received);
+    }
+  }
+
+  private void takeGeometry(FieldGeometry next) {
+    // The decoder gives the same object for the same bytes.
+    if (next == geometry || next.equals(geometry)) {
+      return;
+    }
+    if (geometry != null) {
+      FieldGeometry before = geometry;
+      problem(LogProblem.GEOMETRY_CHANGED, () -> difference(before, next));
+    }
+    geometry = next;
+    calibrated.clear();
+    next.cameras().forEach(camera -> calibrated.set(camera.id()));
+    order.add(next);
+  }
+
+  private void takeFrame(VisionFrame frame, double received) {
+    if (geometry == null) {
+      problem(LogProblem.FRAME_BEFORE_GEOMETRY, () -> "camera " + frame.cameraId());
+    } else if (!calibrated.get(frame.cameraId())) {
+      problem(LogProblem.UNCALIBRATED_CAMERA, () -> "camera " + frame.cameraId());
+    }
+    CameraClock clock = clocks[frame.cameraId()];
+    if (clock == null) {
+      clock = new CameraClock();
+      clocks[frame.cameraId()] = clock;
+    }
+    switch (clock.judge(frame, received)) {
+      case GOOD -> {
+        if (clock.hasSuspect()) {
+          stray(clock.takeSuspect());
+        }
+        order.add(frame, received);
+      }
+      case DUPLICATE -> problem(LogProblem.DUPLICATE_FRAME, () -> describe(frame));
+      case JUMPED -> jump(clock, frame, received);
+      default -> {
+        if (clock.hasSuspect()) {
+          stray(clock.takeSuspect());
+        }
+        clock.keepSuspect(frame, received);
+      }
+    }
+  }
+
+  private void jump(CameraClock clock, VisionFrame frame, double received) {
+    double suspectReceived = clock.suspectReceived();
+    VisionFrame suspect = clock.takeSuspect();
+    double jump = clock.jump(suspect, suspectReceived);
+    problem(
+        jump > 0 ? LogProblem.CLOCK_JUMP_FORWARD : LogProblem.CLOCK_JUMP_BACK,
+        () -> String.format("camera %d, by %.3f s", frame.cameraId(), Math.abs(jump)));
+    clock.accept(suspect, suspectReceived);
+    clock.accept(frame, received);
+    order.flush();
+    listener.onClockJump(frame.cameraId(), jump);
+    order.add(suspect, suspectReceived);
+    order.add(frame, received);
+  }
+
+  private void takeReferee(double received) {
+    Optional<RefereeState> state =
+        referee.decode(log.buffer(), log.payloadOffset(), log.payloadLength());
+    if (state.isPresent()) {
+      order.add(state.get(), received);
+    } else {
+      problem(LogProblem.MALFORMED_REFEREE, () -> log.payloadLength() + " bytes");
+    }
+  }
+
+  private void stray(VisionFrame frame) {
+    problem(LogProblem.STRAY_TIME, () -> describe(frame));
+  }
+
+  private void problem(LogProblem kind, Supplier<String> detail) {
+    problems.add(kind, offset, detail);
+  }
+
+  private long[] snapshot() {
+    DecodingProblem[] kinds = DecodingProblem.values();
+    long[] copy = new long[kinds.length];
+    for (DecodingProblem kind : kinds) {
+      copy[kind.ordinal()] = counts.of(kind);
+    }
+    return copy;
+  }
+
+  private void reportDecoding(long[] before) {
+    for (DecodingProblem kind : DecodingProblem.values()) {
+      long known = before == null ? 0 : before[kind.ordinal()];
+      for (long i = known; i < counts.of(kind); i++) {
+        problems.add(kind, offset, () -> "");
+      }
+    }
+  }
+
+  private RecordingSummary summary(double firstTime) {
+    Map<MessageType, Long> byType = new EnumMap<>(MessageType.class);
+    for (MessageType type : MessageType.values()) {
+      if (messages[type.ordinal()] > 0) {
+        byType.put(type, messages[type.ordinal()]);
+      }
+    }
+    return new RecordingSummary(
+        epoch,
+        firstTime,
+        lastTime,
+        byType,
+        frames,
+        Optional.ofNullable(geometry),
+        log.totalBytes(),
+        log.logBytes(),
+        problems);
+  }
+
+  private static String describe(VisionFrame frame) {
+    return String.format("camera %d, frame %d", frame.cameraId(), frame.frameNumber());
+  }
+
+  private static String difference(FieldGeometry before, FieldGeometry after) {
+    if (!before.cameras().equals(after.cameras())) {
+      return "cameras";
+    }
+    if (!before.flat().equals(after.flat()) || !before.chip().equals(after.chip())) {
+      return "ball models";
+    }
+    return "field";
+  }
+
+  /** Counts frames on their way to the listener. */
+  private final class Counter implements RecordingListener {
+    @Override
+    public void onFrame(VisionFrame frame, double receivedTime) {
+      frames++;
+      listener.onFrame(frame, receivedTime);
+    }
+
+    @Override
+    public void onGeometry(FieldGeometry field) {
+      listener.onGeometry(field);
+    }
+
+    @Override
+    public void onReferee(RefereeState state, double receivedTime) {
+      listener.onReferee(state, receivedTime);
+    }
+  }
+}
