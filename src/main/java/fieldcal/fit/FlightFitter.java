@@ -14,7 +14,7 @@ import java.util.Optional;
 /** One fit of one kick by one model, from the start to the result; used once. */
 final class FlightFitter {
   /** Without rest before the kick, its time is known only from where two lines cross, s. */
-  private static final double TIME_PRIOR = 0.004;
+  static final double TIME_PRIOR = 0.004;
 
   /** A parameter is undetermined when its error exceeds this share of its scale. */
   private static final double DETERMINED = 0.5;
@@ -79,6 +79,16 @@ final class FlightFitter {
             ? better(polish(0, found), polish(0, start))
             : bestFlights(found, start);
     return finish(best);
+  }
+
+  /** Without a search: from the values of an earlier fit, those that are held replaced. */
+  KickFit refit(double[] values) {
+    double[] start = values.clone();
+    for (int k = 0; k < size; k++) {
+      Parameter p = parameters.get(k);
+      start[k] = p.estimated() ? p.clamp(start[k]) : p.value();
+    }
+    return finish(kind == KickKind.FLAT ? polish(0, start) : bestFlights(start, start));
   }
 
   private FlightProblem prepared(FlightData of, FlightCurve curve) {

@@ -15,6 +15,8 @@ final class FlightProblem {
   private final int size;
   private final boolean[] used;
   private double lossScale = Double.POSITIVE_INFINITY;
+  private final int curveSize;
+  private final int[] slot;
   private final double[] priorValue;
   private final double[] priorWeight;
   private final double[] xyz = new double[3];
@@ -26,9 +28,21 @@ final class FlightProblem {
   private int evaluations;
 
   FlightProblem(FlightData data, FlightCurve curve, int size) {
+    this(data, curve, size, null, 0);
+  }
+
+  /**
+   * A problem whose last unknowns are offsets of cameras, (x, y) for each of {@code cameras}, that come on top of those already
+   * taken out.
+   *
+   * @param slot which of the cameras made each observation; null without such unknowns
+   */
+  FlightProblem(FlightData data, FlightCurve curve, int curveSize, int[] slot, int cameras) {
     this.data = data;
     this.curve = curve;
-    this.size = size;
+    this.curveSize = curveSize;
+    this.slot = slot;
+    size = curveSize + 2 * cameras;
     used = new boolean[data.size];
     Arrays.fill(used, true);
     priorValue = new double[size];
@@ -67,13 +81,6 @@ final class FlightProblem {
     priorWeight[index] = 1 / (standardDeviation * standardDeviation);
   }
 
-  /** The same loss and priors as another problem with the same unknowns. */
-  void likeIn(FlightProblem other) {
-    lossScale = other.lossScale;
-    System.arraycopy(other.priorValue, 0, priorValue, 0, size);
-    System.arraycopy(other.priorWeight, 0, priorWeight, 0, size);
-  }
-
   double cost(double[] theta) {
     evaluations++;
     curve.set(theta);
@@ -81,7 +88,7 @@ final class FlightProblem {
     double k2 = lossScale * lossScale;
     for (int i = 0; i < data.size; i++) {
       if (used[i]) {
-        double s = squaredDistance(i);
+        double s = squaredDistance(theta, i);
         cost += k2 < 1e18 ? k2 * Math.log1p(s / k2) : s;
       }
     }
@@ -97,11 +104,22 @@ final class FlightProblem {
     return cost;
   }
 
-  private double squaredDistance(int i) {
-    curve.position(data.time[i], xyz);
+  private double residualX(double[] theta, int i) {
     double f = data.cameraHeight[i] / (data.cameraHeight[i] - xyz[2]);
     double rx = data.x[i] - data.cameraX[i] - (xyz[0] - data.cameraX[i]) * f;
+    return slot == null ? rx : rx - theta[curveSize + 2 * slot[i]];
+  }
+
+  private double residualY(double[] theta, int i) {
+    double f = data.cameraHeight[i] / (data.cameraHeight[i] - xyz[2]);
     double ry = data.y[i] - data.cameraY[i] - (xyz[1] - data.cameraY[i]) * f;
+    return slot == null ? ry : ry - theta[curveSize + 2 * slot[i] + 1];
+  }
+
+  private double squaredDistance(double[] theta, int i) {
+    curve.position(data.time[i], xyz);
+    double rx = residualX(theta, i);
+    double ry = residualY(theta, i);
     double r1 = data.w11[i] * rx;
     double r2 = data.w21[i] * rx + data.w22[i] * ry;
     return r1 * r1 + r2 * r2;
@@ -111,7 +129,7 @@ final class FlightProblem {
   void squaredDistances(double[] theta, double[] out) {
     curve.set(theta);
     for (int i = 0; i < data.size; i++) {
-      out[i] = squaredDistance(i);
+      out[i] = squaredDistance(theta, i);
     }
   }
 
@@ -120,9 +138,8 @@ final class FlightProblem {
     curve.set(theta);
     for (int i = 0; i < data.size; i++) {
       curve.position(data.time[i], xyz);
-      double f = data.cameraHeight[i] / (data.cameraHeight[i] - xyz[2]);
-      rx[i] = data.x[i] - data.cameraX[i] - (xyz[0] - data.cameraX[i]) * f;
-      ry[i] = data.y[i] - data.cameraY[i] - (xyz[1] - data.cameraY[i]) * f;
+      rx[i] = residualX(theta, i);
+      ry[i] = residualY(theta, i);
     }
   }
 
@@ -142,8 +159,8 @@ final class FlightProblem {
       double f = h / (h - xyz[2]);
       double px = xyz[0] - data.cameraX[i];
       double py = xyz[1] - data.cameraY[i];
-      double rx = data.x[i] - data.cameraX[i] - px * f;
-      double ry = data.y[i] - data.cameraY[i] - py * f;
+      double rx = residualX(theta, i);
+      double ry = residualY(theta, i);
       double r1 = data.w11[i] * rx;
       double r2 = data.w21[i] * rx + data.w22[i] * ry;
       double s = r1 * r1 + r2 * r2;
@@ -155,11 +172,14 @@ final class FlightProblem {
         to.cost += s;
       }
       double fz = f * f / h;
-      for (int k = 0; k < size; k++) {
+      for (int k = 0; k < curveSize; k++) {
         double gx = f * dx[k] + px * fz * dz[k];
         double gy = f * dy[k] + py * fz * dz[k];
         j1[k] = data.w11[i] * gx;
         j2[k] = data.w21[i] * gx + data.w22[i] * gy;
+      }
+      if (slot != null) {
+        offsetColumns(i);
       }
       accumulate(to, weight, r1, r2);
     }
@@ -168,6 +188,17 @@ final class FlightProblem {
       to.a[k][k] += priorWeight[k];
       to.b[k] += priorWeight[k] * (priorValue[k] - theta[k]);
     }
+  }
+
+  private void offsetColumns(int i) {
+    for (int k = curveSize; k < size; k++) {
+      j1[k] = 0;
+      j2[k] = 0;
+    }
+    int k = curveSize + 2 * slot[i];
+    j1[k] = data.w11[i];
+    j2[k] = data.w21[i];
+    j2[k + 1] = data.w22[i];
   }
 
   private void accumulate(NormalEquations to, double weight, double r1, double r2) {

@@ -97,6 +97,22 @@ public final class KickFitter {
     return fitter.fit();
   }
 
+  /**
+   * Fits again from where another fit of the same kick ended, without a search: for cameras whose offsets changed a little.
+   *
+   * @param problem the same kick
+   * @param before its fit, not a failed one
+   * @return the fit, of the same kind
+   */
+  public KickFit refit(FitProblem problem, KickFit before) {
+    KickKind kind = before.kind();
+    FlightData data = FlightData.of(problem.kick().observations(), problem.cameras());
+    List<Parameter> model = kind == KickKind.FLAT ? problem.flat() : problem.chip();
+    List<Parameter> parameters = FlightLayout.parameters(kind, before.values(), model);
+    return new FlightFitter(problem, kind, data, parameters, settings, before.statistics().seed())
+        .refit(before.values());
+  }
+
   /** The kick as it was found, with the resting position taken from the detections before it, each camera's offset taken out. */
   private static double[] flatStart(Kick kick, FlightData data) {
     List<double[]> rest = new ArrayList<>();

@@ -1,0 +1,87 @@
+package fieldcal.calibration;
+
+import java.util.List;
+
+/**
+ * Weighted mean of samples of unequal precision, with its standard error.
+ *
+ * <p>Random-effects model: a sample scatters about the mean by its own error and by what differs from kick to kick, with variance
+ * τ² (DerSimonian and Laird 1986); weights are {@code 1/(σᵢ² + τ²)}. With τ = 0 it is the inverse-variance mean; where kicks differ
+ * more than their errors say, it approaches the plain mean. A plain mean of samples whose precision differs tenfold, as with kick
+ * speed, would be a poor estimate.
+ *
+ * @param mean in the parameter's unit; NaN without samples
+ * @param standardError of the mean; NaN without samples
+ * @param scatter τ, what differs from kick to kick beyond the fits' errors
+ * @param n how many samples
+ */
+public record Average(double mean, double standardError, double scatter, int n) {
+
+  /**
+   * Averages.
+   *
+   * @param values the samples
+   * @param errors their standard errors, positive; same length
+   * @return the average; NaN when empty
+   */
+  public static Average of(double[] values, double[] errors) {
+    int n = values.length;
+    if (n == 0) {
+      return new Average(Double.NaN, Double.NaN, Double.NaN, 0);
+    }
+    double[] weights = new double[n];
+    for (int i = 0; i < n; i++) {
+      weights[i] = 1 / (errors[i] * errors[i]);
+    }
+    double fixed = weightedMean(values, weights);
+    double w = 0;
+    double w2 = 0;
+    double q = 0;
+    for (int i = 0; i < n; i++) {
+      w += weights[i];
+      w2 += weights[i] * weights[i];
+      q += weights[i] * (values[i] - fixed) * (values[i] - fixed);
+    }
+    double tau2 = n > 1 ? Math.max(0, (q - (n - 1)) / (w - w2 / w)) : 0;
+    double sum = 0;
+    for (int i = 0; i < n; i++) {
+      weights[i] = 1 / (errors[i] * errors[i] + tau2);
+      sum += weights[i];
+    }
+    return new Average(weightedMean(values, weights), 1 / Math.sqrt(sum), Math.sqrt(tau2), n);
+  }
+
+  /**
+   * Averages the samples that are not dropped.
+   *
+   * @param samples of one parameter
+   * @return the average
+   */
+  public static Average of(List<Sample> samples) {
+    List<Sample> used = samples.stream().filter(s -> s.dropped().isEmpty()).toList();
+    return of(
+        used.stream().mapToDouble(Sample::value).toArray(),
+        used.stream().mapToDouble(Sample::standardError).toArray());
+  }
+
+  private static double weightedMean(double[] values, double[] weights) {
+    double sum = 0;
+    double total = 0;
+    for (int i = 0; i < values.length; i++) {
+      sum += weights[i] * values[i];
+      total += weights[i];
+    }
+    return sum / total;
+  }
+
+  /**
+   * How far a sample is from the mean, in units of what is expected of it: its own error and the scatter between kicks.
+   *
+   * @param sample of the same parameter
+   * @return distance, 0 or more
+   */
+  public double sigmas(Sample sample) {
+    double spread = Math.hypot(sample.standardError(), scatter);
+    return Math.abs(sample.value() - mean) / spread;
+  }
+}

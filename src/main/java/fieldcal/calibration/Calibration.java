@@ -1,0 +1,80 @@
+package fieldcal.calibration;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.JointFit;
+import fieldcal.kick.KickKind;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The answer to a {@link CalibrationProblem}.
+ *
+ * @param kicks every kick, used or not, in order of time
+ * @param flat average of each flat parameter by name; {@code n} is 0 where no kick determines it
+ * @param chip average of each chip parameter by name
+ * @param joint fit of all good kicks at once; empty when there is none
+ * @param cameras noise and offsets that the fits were made with
+ * @param seed of the random search
+ */
+public record Calibration(
+    List<CalibratedKick> kicks,
+    Map<String, Average> flat,
+    Map<String, Average> chip,
+    Optional<JointFit> joint,
+    CameraViews cameras,
+    long seed) {
+
+  /** Copies the collections, keeping their order. */
+  public Calibration {
+    kicks = List.copyOf(kicks);
+    flat = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(flat));
+    chip = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(chip));
+  }
+
+  /**
+   * The kicks of one kind.
+   *
+   * @param kind flat or chip
+   * @return in order of time
+   */
+  public List<CalibratedKick> kicks(KickKind kind) {
+    return kicks.stream().filter(k -> k.fit().kind() == kind).toList();
+  }
+
+  /**
+   * The averaged flat model.
+   *
+   * @return empty unless every parameter was determined by a kick
+   */
+  public Optional<FlatModel> flatModel() {
+    double[] v = means(flat, "accSlide", "accRoll", "kSwitch");
+    return v == null ? Optional.empty() : Optional.of(new FlatModel(v[0], v[1], v[2]));
+  }
+
+  /**
+   * The averaged chip model.
+   *
+   * @param accRoll to go with it, m/s²
+   * @return empty unless every damping was determined by a kick
+   */
+  public Optional<ChipModel> chipModel(double accRoll) {
+    double[] v = means(chip, "dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
+    return v == null ? Optional.empty() : Optional.of(new ChipModel(v[0], v[1], v[2], accRoll));
+  }
+
+  private static double[] means(Map<String, Average> averages, String... names) {
+    double[] values = new double[names.length];
+    for (int i = 0; i < names.length; i++) {
+      Average a = averages.get(names[i]);
+      if (a == null || a.n() == 0) {
+        return null;
+      }
+      values[i] = a.mean();
+    }
+    return values;
+  }
+}

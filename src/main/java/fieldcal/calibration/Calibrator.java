@@ -1,0 +1,173 @@
+package fieldcal.calibration;
+
+import fieldcal.fit.CameraNoise;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.JointFit;
+import fieldcal.fit.JointFitter;
+import fieldcal.fit.JointProblem;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.fit.OverlapOffsets;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Consumer;
+
+/**
+ * Calibrates the ball: camera noise and offsets, each kick, selection, average, joint fit.
+ *
+ * <p>Order matters. Offsets between cameras come before any kick is judged, since they are far above the noise; flat kicks come
+ * before chips, which roll with the accRoll of the flat ones; and when the joint fit has refined the offsets, every kick is fitted
+ * once more with them. Immutable and thread-safe; kicks are fitted in parallel, with the same result as one by one.
+ */
+public final class Calibrator {
+  /** Offsets that move less than that are settled: a fourteenth of the noise of good cameras, m. */
+  private static final double OFFSET_SETTLED = 5e-5;
+
+  /** An accRoll that moves less than that is settled, m/s². */
+  private static final double ROLL_SETTLED = 1e-4;
+
+  private static final int MAX_ROUNDS = 4;
+
+  private final FitSettings settings;
+  private final KickFitter fitter;
+  private final JointFitter joint;
+
+  /**
+   * A calibrator.
+   *
+   * @param settings of the fits, with the seed
+   */
+  public Calibrator(FitSettings settings) {
+    this.settings = Objects.requireNonNull(settings, "settings");
+    fitter = new KickFitter(settings);
+    joint = new JointFitter(settings);
+  }
+
+  /**
+   * Calibrates.
+   *
+   * @param problem kicks, cameras, start
+   * @param progress told about every kick when it is first fitted, from any thread
+   * @return the calibration; without kicks one that is empty
+   */
+  public Calibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {
+    CameraViews views = measuredCameras(problem);
+    List<KickFit> fits = fitAll(problem, views, progress);
+    OptionalDouble roll = OptionalDouble.empty();
+    Optional<JointFit> together = Optional.empty();
+    for (int round = 0; round < MAX_ROUNDS; round++) {
+      if (round > 0) {
+        fits = refitAll(problem, views, fits, roll);
+      }
+      List<KickFit> good = Selection.trusted(fits, problem);
+      OptionalDouble newRoll = rollOfFlats(problem, views, good);
+      together = jointly(problem, views, good, newRoll);
+      CameraViews next = together.isPresent() ? withOffsets(views, together.get()) : views;
+      boolean settled = moved(views, next) < OFFSET_SETTLED && near(roll, newRoll);
+      roll = newRoll;
+      if (settled) {
+        break;
+      }
+      views = next;
+    }
+    List<CalibratedKick> selected = Selection.select(fits, problem);
+    return new Calibration(
+        selected,
+        Selection.averages(selected, KickKind.FLAT),
+        Selection.averages(selected, KickKind.CHIP),
+        together,
+        views,
+        settings.seed());
+  }
+
+  private static CameraViews measuredCameras(CalibrationProblem problem) {
+    Map<Integer, Double> noise = CameraNoise.atRest(problem.kicks(), problem.cameras());
+    CameraViews measured =
+        problem.cameras().map(v -> noise.containsKey(v.id()) ? v.withNoise(noise.get(v.id())) : v);
+    return OverlapOffsets.estimate(problem.kicks(), measured);
+  }
+
+  private List<KickFit> fitAll(
+      CalibrationProblem problem, CameraViews views, Consumer<Kick> progress) {
+    return problem.kicks().parallelStream()
+        .map(
+            kick -> {
+              FitProblem one = FitProblem.of(kick, views, problem.flat(), problem.chip());
+              KickFit fit =
+                  problem
+                      .kind()
+                      .map(kind -> fitter.fit(one, kind))
+                      .orElseGet(() -> fitter.fit(one));
+              progress.accept(kick);
+              return fit;
+            })
+        .toList();
+  }
+
+  private List<KickFit> refitAll(
+      CalibrationProblem problem, CameraViews views, List<KickFit> before, OptionalDouble roll) {
+    return before.parallelStream()
+        .map(
+            fit -> {
+              if (fit.failure().isPresent()) {
+                return fit;
+              }
+              FitProblem one = FitProblem.of(fit.kick(), views, problem.flat(), problem.chip());
+              return fitter.refit(
+                  roll.isPresent() ? one.withChipRollFixed(roll.getAsDouble()) : one, fit);
+            })
+        .toList();
+  }
+
+  private OptionalDouble rollOfFlats(
+      CalibrationProblem problem, CameraViews views, List<KickFit> good) {
+    List<KickFit> flats = good.stream().filter(f -> f.kind() == KickKind.FLAT).toList();
+    Optional<Estimate> roll =
+        jointly(problem, views, flats, OptionalDouble.empty()).flatMap(j -> j.flat("accRoll"));
+    return roll.filter(Estimate::usable)
+        .map(e -> OptionalDouble.of(e.value()))
+        .orElse(OptionalDouble.empty());
+  }
+
+  private Optional<JointFit> jointly(
+      CalibrationProblem problem, CameraViews views, List<KickFit> fits, OptionalDouble chipRoll) {
+    if (fits.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        joint.fit(new JointProblem(fits, views, problem.flat(), problem.chip(), chipRoll, true)));
+  }
+
+  private static CameraViews withOffsets(CameraViews views, JointFit joint) {
+    return views.map(
+        v -> {
+          JointFit.Offset o = joint.offsets().get(v.id());
+          return o == null ? v : v.withOffset(o.x(), o.y());
+        });
+  }
+
+  private static double moved(CameraViews from, CameraViews to) {
+    double most = 0;
+    for (CameraView view : to.all()) {
+      CameraView old = from.get(view.id());
+      most =
+          Math.max(
+              most, Math.hypot(view.offsetX() - old.offsetX(), view.offsetY() - old.offsetY()));
+    }
+    return most;
+  }
+
+  private static boolean near(OptionalDouble a, OptionalDouble b) {
+    return a.isPresent() == b.isPresent()
+        && (a.isEmpty() || Math.abs(a.getAsDouble() - b.getAsDouble()) < ROLL_SETTLED);
+  }
+}

@@ -1,0 +1,33 @@
+package fieldcal.calibration;
+
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What one kick says of one parameter, and whether it is used.
+ *
+ * @param kickId running number of the kick
+ * @param parameter name as in the model's record
+ * @param value in the parameter's unit
+ * @param standardError of the value
+ * @param dropped why it is not averaged; empty when it is
+ */
+public record Sample(
+    int kickId, String parameter, double value, double standardError, Optional<String> dropped) {
+
+  /** Checks that nothing is missing. */
+  public Sample {
+    Objects.requireNonNull(parameter, "parameter");
+    Objects.requireNonNull(dropped, "dropped");
+  }
+
+  /**
+   * The same sample, not used.
+   *
+   * @param reason for people
+   * @return the changed copy
+   */
+  public Sample drop(String reason) {
+    return new Sample(kickId, parameter, value, standardError, Optional.of(reason));
+  }
+}

@@ -1,0 +1,136 @@
+package fieldcal.calibration;
+
+import fieldcal.fit.Estimate;
+import fieldcal.fit.FitStatistics;
+import fieldcal.fit.KickFit;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Which kicks and which of their samples a model is made from. */
+final class Selection {
+  /** A kick fitted that many times worse than its fellows is something else: a ball that hit a robot, two balls. */
+  private static final double WORSE_THAN_OTHERS = 3;
+
+  /** More outliers than that, and the rest is not trusted either. */
+  private static final double MOST_OUTLIERS = 0.25;
+
+  private Selection() {}
+
+  /** Kicks whose fit can be believed and that nobody dropped: these enter the joint fit, whatever they determine. */
+  static List<KickFit> trusted(List<KickFit> fits, CalibrationProblem problem) {
+    return fits.stream().filter(f -> distrust(f, fits, problem).isEmpty()).toList();
+  }
+
+  private static Optional<String> distrust(
+      KickFit fit, List<KickFit> all, CalibrationProblem problem) {
+    if (fit.failure().isPresent()) {
+      return fit.failure();
+    }
+    String key = key(fit, problem);
+    Optional<String> byHand = problem.selection().droppedBecause(key);
+    if (byHand.isPresent() || problem.selection().isKept(key)) {
+      return byHand.map(r -> "by hand: " + r);
+    }
+    FitStatistics s = fit.statistics();
+    double median = medianRms(all, fit.kind());
+    if (s.rmsMm() > WORSE_THAN_OTHERS * median) {
+      return Optional.of(
+          String.format(
+              Locale.ROOT, "fits to %.1f mm only, the others to %.1f mm", s.rmsMm(), median));
+    }
+    double outliers = 1 - s.used() / (double) s.observations();
+    if (outliers > MOST_OUTLIERS) {
+      return Optional.of(
+          String.format(Locale.ROOT, "%.0f %% of its detections do not fit", 100 * outliers));
+    }
+    return Optional.empty();
+  }
+
+  private static double medianRms(List<KickFit> fits, KickKind kind) {
+    double[] rms =
+        fits.stream()
+            .filter(f -> f.failure().isEmpty() && f.kind() == kind)
+            .mapToDouble(KickFit::rmsMm)
+            .sorted()
+            .toArray();
+    return rms.length == 0 ? Double.NaN : rms[rms.length / 2];
+  }
+
+  private static String key(KickFit fit, CalibrationProblem problem) {
+    return HandSelection.key(problem.epoch().unixSeconds(fit.kick().time()));
+  }
+
+  /** Every kick with its samples; the 2σ rule applied to each parameter until nothing leaves. */
+  static List<CalibratedKick> select(List<KickFit> fits, CalibrationProblem problem) {
+    Map<String, List<Sample>> byParameter = new LinkedHashMap<>();
+    Map<KickFit, Optional<String>> distrusted = new HashMap<>();
+    for (KickFit fit : fits) {
+      Optional<String> reason = distrust(fit, fits, problem);
+      distrusted.put(fit, reason);
+      for (Estimate e : fit.modelEstimates()) {
+        if (e.usable()) {
+          Sample s = new Sample(fit.kick().id(), e.name(), e.value(), e.standardError(), reason);
+          byParameter
+              .computeIfAbsent(fit.kind().id() + " " + e.name(), n -> new ArrayList<>())
+              .add(s);
+        }
+      }
+    }
+    Map<Integer, List<Sample>> byKick = new HashMap<>();
+    for (List<Sample> samples : byParameter.values()) {
+      List<Sample> kept = TwoSigma.repeated(samples);
+      for (int i = 0; i < kept.size(); i++) {
+        Sample sample = byHand(samples.get(i), kept.get(i), fits, problem);
+        byKick.computeIfAbsent(sample.kickId(), id -> new ArrayList<>()).add(sample);
+      }
+    }
+    return fits.stream()
+        .map(f -> calibrated(f, byKick.getOrDefault(f.kick().id(), List.of()), distrusted.get(f)))
+        .toList();
+  }
+
+  /** A kick kept by hand keeps its samples. */
+  private static Sample byHand(
+      Sample before, Sample after, List<KickFit> fits, CalibrationProblem problem) {
+    KickFit fit =
+        fits.stream().filter(f -> f.kick().id() == before.kickId()).findFirst().orElseThrow();
+    return problem.selection().isKept(key(fit, problem)) ? before : after;
+  }
+
+  private static CalibratedKick calibrated(
+      KickFit fit, List<Sample> samples, Optional<String> distrusted) {
+    if (distrusted.isPresent()) {
+      return new CalibratedKick(fit, samples, distrusted);
+    }
+    if (samples.isEmpty()) {
+      return new CalibratedKick(fit, samples, Optional.of("determines no parameter"));
+    }
+    boolean any = samples.stream().anyMatch(s -> s.dropped().isEmpty());
+    return new CalibratedKick(fit, samples, any ? Optional.empty() : samples.get(0).dropped());
+  }
+
+  /** The average of each parameter over the kicks of one kind. */
+  static Map<String, Average> averages(List<CalibratedKick> kicks, KickKind kind) {
+    List<String> names =
+        kind == KickKind.FLAT
+            ? List.of("accSlide", "accRoll", "kSwitch")
+            : List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
+    Map<String, Average> averages = new LinkedHashMap<>();
+    for (String name : names) {
+      List<Sample> samples =
+          kicks.stream()
+              .filter(k -> k.fit().kind() == kind)
+              .flatMap(k -> k.samples().stream())
+              .filter(s -> s.parameter().equals(name))
+              .toList();
+      averages.put(name, Average.of(samples));
+    }
+    return averages;
+  }
+}

@@ -1,0 +1,62 @@
+package fieldcal.calibration;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * The 2σ rule: samples of one parameter that are more than two standard deviations from the mean of the others leave; repeated
+ * until nothing leaves.
+ *
+ * <p>A sample's standard deviation is that of its own fit and the scatter between kicks together, so that an imprecise sample is
+ * not dropped for being imprecise. Of Gaussian samples 5 % leave in the first round.
+ */
+public final class TwoSigma {
+  /** Fewer samples have no scatter to speak of. */
+  private static final int FEWEST = 4;
+
+  private static final double LIMIT = 2;
+
+  private TwoSigma() {}
+
+  /**
+   * One round.
+   *
+   * @param samples of one parameter
+   * @return the same samples in the same order, those that leave dropped with a reason
+   */
+  public static List<Sample> once(List<Sample> samples) {
+    Average average = Average.of(samples);
+    if (average.n() < FEWEST) {
+      return samples;
+    }
+    List<Sample> next = new ArrayList<>();
+    for (Sample s : samples) {
+      double sigmas = average.sigmas(s);
+      boolean leaves = s.dropped().isEmpty() && sigmas > LIMIT;
+      next.add(
+          leaves
+              ? s.drop(
+                  String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.parameter(), sigmas))
+              : s);
+    }
+    return next;
+  }
+
+  /**
+   * Rounds until nothing leaves.
+   *
+   * @param samples of one parameter
+   * @return the same samples in the same order, those that leave dropped with a reason
+   */
+  public static List<Sample> repeated(List<Sample> samples) {
+    List<Sample> now = samples;
+    while (true) {
+      List<Sample> next = once(now);
+      if (next.equals(now)) {
+        return now;
+      }
+      now = next;
+    }
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * From many kicks to one ball model.
+ *
+ * <p>{@link fieldcal.calibration.Calibrator} estimates what each camera adds to its positions, fits every kick, flat ones first,
+ * selects samples per parameter (two sigma, repeated; and by hand), averages what remains and fits all kicks jointly beside it.
+ * {@link fieldcal.calibration.Calibration} holds all of it: nothing is thrown away, what was not used says why.
+ *
+ * <p>Used by the operator tools and by {@code diagnosis}.
+ */
+package fieldcal.calibration;

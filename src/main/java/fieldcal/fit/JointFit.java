@@ -1,0 +1,71 @@
+package fieldcal.fit;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The answer to a {@link JointProblem}.
+ *
+ * @param flat accSlide, accRoll, kSwitch; empty without flat kicks
+ * @param chip dampingXyFirstHop, dampingXyOtherHops, dampingZ, accRoll; empty without chips
+ * @param offsets offset of each camera that saw a kick, by id, in total (those taken out before included)
+ * @param rmsMm residual per axis over all used observations, mm
+ * @param rmsFlatMm the same over flat kicks; NaN without any
+ * @param rmsChipMm the same over chips; NaN without any
+ * @param used observations in the fit
+ * @param rejected outliers left out
+ * @param reducedChiSquare chi-square per degree of freedom against the cameras' noise
+ * @param iterations steps taken
+ * @param converged whether the last step was too small to matter
+ */
+public record JointFit(
+    List<Estimate> flat,
+    List<Estimate> chip,
+    Map<Integer, Offset> offsets,
+    double rmsMm,
+    double rmsFlatMm,
+    double rmsChipMm,
+    int used,
+    int rejected,
+    double reducedChiSquare,
+    int iterations,
+    boolean converged) {
+
+  /**
+   * What a camera adds to every position, relative to the mean of all cameras.
+   *
+   * @param x m
+   * @param y m
+   * @param errorX standard error, m
+   * @param errorY standard error, m
+   */
+  public record Offset(double x, double y, double errorX, double errorY) {}
+
+  /** Copies the collections. */
+  public JointFit {
+    flat = List.copyOf(flat);
+    chip = List.copyOf(chip);
+    offsets = Map.copyOf(offsets);
+  }
+
+  /**
+   * One parameter of the flat model.
+   *
+   * @param name as in the model's record
+   * @return empty without flat kicks
+   */
+  public Optional<Estimate> flat(String name) {
+    return flat.stream().filter(e -> e.name().equals(name)).findFirst();
+  }
+
+  /**
+   * One parameter of the chip model.
+   *
+   * @param name as in the model's record
+   * @return empty without chips
+   */
+  public Optional<Estimate> chip(String name) {
+    return chip.stream().filter(e -> e.name().equals(name)).findFirst();
+  }
+}

@@ -1,0 +1,35 @@
+package fieldcal.fit;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalDouble;
+
+/**
+ * Many kicks, of both kinds, that share one model and the offsets of the cameras.
+ *
+ * @param fits each kick fitted on its own: the start, the observations to use and the number of flights; failed ones are left out
+ * @param cameras geometry, noise and the offsets already taken out; must be those of the fits
+ * @param flat start of the flat model
+ * @param chip start of the chip model
+ * @param chipRoll accRoll that chips roll with; free when absent
+ * @param offsets whether the cameras' offsets are estimated, too
+ */
+public record JointProblem(
+    List<KickFit> fits,
+    CameraViews cameras,
+    FlatModel flat,
+    ChipModel chip,
+    OptionalDouble chipRoll,
+    boolean offsets) {
+
+  /** Leaves failed fits out and checks that nothing is missing. */
+  public JointProblem {
+    fits = fits.stream().filter(f -> f.failure().isEmpty()).toList();
+    Objects.requireNonNull(cameras, "cameras");
+    Objects.requireNonNull(flat, "flat");
+    Objects.requireNonNull(chip, "chip");
+    Objects.requireNonNull(chipRoll, "chipRoll");
+  }
+}
