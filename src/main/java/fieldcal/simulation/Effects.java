@@ -1,0 +1,165 @@
+package fieldcal.simulation;
+
+import fieldcal.simulation.KickBehaviour.Bias;
+import fieldcal.simulation.imaging.CameraErrors;
+import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.physics.GroundLaw;
+import fieldcal.simulation.robot.RobotLimits;
+import fieldcal.vision.Team;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** Puts effects into a simulation's settings. Each sets its quantity or adds to it; zero changes nothing. */
+final class Effects {
+  private static final double MILLI = 1e-3;
+
+  private Effects() {}
+
+  static BallPhysics physics(BallPhysics base, List<EffectSetting> effects) {
+    BallPhysics p = base;
+    for (EffectSetting e : effects) {
+      p =
+          switch (e.effect()) {
+            case AIR_DRAG ->
+                p.withAir(p.air().withDrag(p.air().dragCoefficient() + e.number("cd")));
+            case MAGNUS -> p.withAir(p.air().withLift(p.air().liftCoefficient() + e.number("cl")));
+            case SPEED_DEPENDENT_RESTITUTION ->
+                p.withImpact(p.impact().withSpeedSlope(e.number("slope")));
+            case BOUNCE_SPIN_COUPLING ->
+                p.withImpact(p.impact().withSpinCoupling(e.number("coefficient")));
+            default -> p.withGround(ground(p.ground(), e));
+          };
+    }
+    return p;
+  }
+
+  private static GroundLaw ground(GroundLaw g, EffectSetting e) {
+    return switch (e.effect()) {
+      case FIELD_SLOPE -> g.withSlope(e.number("percent"), e.number("direction"));
+      case CARPET_NAP -> g.withNap(e.number("amplitude"), e.number("direction"));
+      case SPEED_DEPENDENT_ROLL ->
+          g.withSpeedDependentRoll(
+              g.rollingPerSpeed() + e.number("slope"), g.rollingPerSpeedSquared());
+      case WORN_REGION -> g.withWornRegion(e.number("change"), e.region());
+      case DRIFT -> g.withDrift(e.number("percent_per_10min") / 100 / 600);
+      default -> g;
+    };
+  }
+
+  static KickBehaviour kicks(KickBehaviour base, List<EffectSetting> effects) {
+    KickBehaviour k = base;
+    for (EffectSetting e : effects) {
+      k =
+          switch (e.effect()) {
+            case KICK_SPIN ->
+                k.withRollSpin(
+                    k.rollSpin() + e.number("fraction"),
+                    Math.hypot(k.rollSpinScatter(), e.number("scatter")));
+            case SIDE_SPIN ->
+                k.withSideSpin(
+                    k.sideSpin() + e.number("fraction"),
+                    Math.hypot(k.sideSpinScatter(), e.number("scatter")));
+            case ROBOT_KICK_BIAS -> k.withBiases(biases(k.biases(), e));
+            default -> k;
+          };
+    }
+    return k;
+  }
+
+  private static List<Bias> biases(List<Bias> base, EffectSetting e) {
+    List<Bias> biases = new ArrayList<>(base);
+    OptionalInt robot = e.robot();
+    Optional<Integer> number = robot.isPresent() ? Optional.of(robot.getAsInt()) : Optional.empty();
+    for (Team team : Team.values()) {
+      if (e.concernsTeam(team)) {
+        biases.add(new Bias(e.number("percent") / 100, e.number("yaw"), team, number));
+      }
+    }
+    return biases;
+  }
+
+  static CameraSettings cameras(CameraSettings base, List<EffectSetting> effects) {
+    CameraSettings c = base;
+    for (EffectSetting e : effects) {
+      if (e.effect() == SimulatedEffect.BALL_HEIGHT_ERROR) {
+        c = c.withRegistration(c.ballPlane() + MILLI * e.number("mm"), c.disagreement());
+      }
+    }
+    return c;
+  }
+
+  static double rollingShutter(double base, List<EffectSetting> effects) {
+    return base
+        + effects.stream()
+            .filter(e -> e.effect() == SimulatedEffect.ROLLING_SHUTTER)
+            .mapToDouble(e -> MILLI * e.number("ms"))
+            .sum();
+  }
+
+  static List<CameraErrors> cameraErrors(int cameras, List<EffectSetting> effects) {
+    List<CameraErrors> errors = new ArrayList<>(Collections.nCopies(cameras, CameraErrors.NONE));
+    for (EffectSetting e : effects) {
+      for (int id = 0; id < cameras; id++) {
+        errors.set(id, errors.get(id).plus(errorsOf(e, id, cameras)));
+      }
+    }
+    return errors;
+  }
+
+  private static CameraErrors errorsOf(EffectSetting e, int id, int cameras) {
+    boolean concerned = e.concernsCamera(id);
+    if (e.effect() == SimulatedEffect.CAMERA_OFFSET) {
+      // The parameters say how far the camera is from the mean of all, so the others stand back.
+      double share = concerned || cameras == 1 ? 1 : -1.0 / (cameras - 1);
+      return new CameraErrors(
+          0,
+          0,
+          0,
+          0,
+          0,
+          0,
+          share * MILLI * e.number("x_mm"),
+          share * MILLI * e.number("y_mm"),
+          0,
+          0);
+    }
+    if (!concerned) {
+      return CameraErrors.NONE;
+    }
+    return switch (e.effect()) {
+      case CAMERA_TIME_OFFSET ->
+          new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, MILLI * e.number("ms"), 0);
+      case CAMERA_POSE_ERROR ->
+          new CameraErrors(
+              MILLI * e.number("tilt_mrad"),
+              e.number("axis"),
+              MILLI * e.number("height_mm"),
+              MILLI * e.number("shift_x_mm"),
+              MILLI * e.number("shift_y_mm"),
+              0,
+              0,
+              0,
+              0,
+              0);
+      case LENS_DISTORTION_ERROR -> new CameraErrors(0, 0, 0, 0, 0, e.number("delta"), 0, 0, 0, 0);
+      case CLOCK_SKEW -> new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 1e-6 * e.number("ppm"));
+      default -> CameraErrors.NONE;
+    };
+  }
+
+  static RobotLimits limits(RobotLimits base, Team team, List<EffectSetting> effects) {
+    RobotLimits limits = base;
+    for (EffectSetting e : effects) {
+      if (e.effect() == SimulatedEffect.TORQUE_LIMITED && e.concernsTeam(team)) {
+        limits = limits.withTorqueLoss(e.number("coefficient"));
+      } else if (e.effect() == SimulatedEffect.DIRECTIONAL && e.concernsTeam(team)) {
+        limits = limits.withDirectionality(e.number("coefficient"));
+      }
+    }
+    return limits;
+  }
+}

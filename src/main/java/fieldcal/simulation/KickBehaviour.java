@@ -1,0 +1,120 @@
+package fieldcal.simulation;
+
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How a kick differs from its command.
+ *
+ * @param speedScatter standard deviation of speed over commanded speed (–)
+ * @param directionScatter standard deviation, rad
+ * @param elevationScatter standard deviation, rad; chips only
+ * @param rollSpin mean spin about the rolling axis in units of rolling spin, negative = backspin
+ * @param rollSpinScatter its standard deviation from kick to kick
+ * @param sideSpin mean spin about the direction of travel in the same unit
+ * @param sideSpinScatter its standard deviation from kick to kick
+ * @param biases robots that kick faster or aside of what they are told
+ */
+public record KickBehaviour(
+    double speedScatter,
+    double directionScatter,
+    double elevationScatter,
+    double rollSpin,
+    double rollSpinScatter,
+    double sideSpin,
+    double sideSpinScatter,
+    List<Bias> biases) {
+
+  /** Scatter of a good kicker, no spin. */
+  public static final KickBehaviour DEFAULT =
+      new KickBehaviour(0.015, 0.006, 0.02, 0, 0, 0, 0, List.of());
+
+  /**
+   * Copies the list and checks the scatters. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when a scatter is negative or NaN
+   */
+  public KickBehaviour {
+    double[] scatters = {
+      speedScatter, directionScatter, elevationScatter, rollSpinScatter, sideSpinScatter
+    };
+    for (double scatter : scatters) {
+      if (!(scatter >= 0 && scatter < 10)) {
+        throw new IllegalArgumentException("scatter must not be negative, but is " + scatter);
+      }
+    }
+    biases = List.copyOf(biases);
+  }
+
+  /**
+   * One robot's (or one team's) bias.
+   *
+   * @param speed relative excess of speed (–)
+   * @param yaw to the left, rad
+   * @param team whose
+   * @param number which; empty = all of the team
+   */
+  public record Bias(double speed, double yaw, Team team, Optional<Integer> number) {
+    boolean concerns(RobotId robot) {
+      return robot.team() == team && (number.isEmpty() || number.get() == robot.number());
+    }
+  }
+
+  /**
+   * Another spin about the rolling axis.
+   *
+   * @param mean in units of rolling spin
+   * @param scatter from kick to kick
+   * @return the changed behaviour
+   */
+  public KickBehaviour withRollSpin(double mean, double scatter) {
+    return new KickBehaviour(
+        speedScatter,
+        directionScatter,
+        elevationScatter,
+        mean,
+        scatter,
+        sideSpin,
+        sideSpinScatter,
+        biases);
+  }
+
+  /**
+   * Another spin about the direction of travel.
+   *
+   * @param mean in units of rolling spin
+   * @param scatter from kick to kick
+   * @return the changed behaviour
+   */
+  public KickBehaviour withSideSpin(double mean, double scatter) {
+    return new KickBehaviour(
+        speedScatter,
+        directionScatter,
+        elevationScatter,
+        rollSpin,
+        rollSpinScatter,
+        mean,
+        scatter,
+        biases);
+  }
+
+  /**
+   * Other biases.
+   *
+   * @param newBiases instead of the present ones
+   * @return the changed behaviour
+   */
+  public KickBehaviour withBiases(List<Bias> newBiases) {
+    return new KickBehaviour(
+        speedScatter,
+        directionScatter,
+        elevationScatter,
+        rollSpin,
+        rollSpinScatter,
+        sideSpin,
+        sideSpinScatter,
+        newBiases);
+  }
+}

@@ -1,0 +1,165 @@
+package fieldcal.simulation;
+
+import fieldcal.simulation.robot.RobotLimits;
+import java.util.Objects;
+
+/**
+ * Details of a scenario.
+ *
+ * @param kind what the robots do
+ * @param kicks number of kicks to collect; a match ends after its time instead
+ * @param flatSpeedMin slowest flat kick, m/s
+ * @param flatSpeedMax fastest flat kick, m/s
+ * @param chipSpeedMin slowest chip, m/s
+ * @param chipSpeedMax fastest chip, m/s
+ * @param elevation of chips, rad
+ * @param reception share of the kicks that the receiver tries to stop
+ * @param teamSize robots per team in a match
+ * @param minutes length of a match, without breaks it adds
+ * @param yellow limits of yellow robots
+ * @param blue limits of blue robots
+ */
+public record ScenarioSettings(
+    ScenarioKind kind,
+    int kicks,
+    double flatSpeedMin,
+    double flatSpeedMax,
+    double chipSpeedMin,
+    double chipSpeedMax,
+    double elevation,
+    double reception,
+    int teamSize,
+    double minutes,
+    RobotLimits yellow,
+    RobotLimits blue) {
+
+  /**
+   * Checks the ranges. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is out of range or NaN
+   */
+  public ScenarioSettings {
+    Objects.requireNonNull(kind, "kind");
+    Objects.requireNonNull(yellow, "yellow");
+    Objects.requireNonNull(blue, "blue");
+    range("kicks", kicks, 0, 100_000);
+    range("flatSpeedMin", flatSpeedMin, 0.3, 10);
+    range("flatSpeedMax", flatSpeedMax, flatSpeedMin, 10);
+    range("chipSpeedMin", chipSpeedMin, 1, 10);
+    range("chipSpeedMax", chipSpeedMax, chipSpeedMin, 10);
+    range("elevation", elevation, 0.1, 1.4);
+    range("reception", reception, 0, 1);
+    range("teamSize", teamSize, 1, 16);
+    range("minutes", minutes, 0.1, 10_000);
+  }
+
+  private static void range(String name, double value, double min, double max) {
+    if (!(value >= min && value <= max)) {
+      throw new IllegalArgumentException(
+          name + " must lie in [" + min + ", " + max + "], but is " + value);
+    }
+  }
+
+  /**
+   * Usual details.
+   *
+   * @param kind what the robots do
+   * @param kicks number of kicks
+   * @return flat 2–6.5 m/s, chips 3–6.5 m/s at 45°; matches of 6 against 6
+   */
+  public static ScenarioSettings of(ScenarioKind kind, int kicks) {
+    return new ScenarioSettings(
+        kind,
+        kicks,
+        2,
+        6.5,
+        3,
+        6.5,
+        Math.PI / 4,
+        0.7,
+        6,
+        2,
+        RobotLimits.DEFAULT,
+        RobotLimits.DEFAULT);
+  }
+
+  /**
+   * Other kick speeds.
+   *
+   * @param min slowest, m/s
+   * @param max fastest, m/s
+   * @return the changed settings, for flat kicks and chips
+   */
+  public ScenarioSettings withSpeeds(double min, double max) {
+    return new ScenarioSettings(
+        kind, kicks, min, max, min, max, elevation, reception, teamSize, minutes, yellow, blue);
+  }
+
+  /**
+   * Another share of receptions.
+   *
+   * @param share 0 = the receiver stays away
+   * @return the changed settings
+   */
+  public ScenarioSettings withReception(double share) {
+    return new ScenarioSettings(
+        kind,
+        kicks,
+        flatSpeedMin,
+        flatSpeedMax,
+        chipSpeedMin,
+        chipSpeedMax,
+        elevation,
+        share,
+        teamSize,
+        minutes,
+        yellow,
+        blue);
+  }
+
+  /**
+   * Another match.
+   *
+   * @param size robots per team
+   * @param length minutes
+   * @return the changed settings
+   */
+  public ScenarioSettings withMatch(int size, double length) {
+    return new ScenarioSettings(
+        kind,
+        kicks,
+        flatSpeedMin,
+        flatSpeedMax,
+        chipSpeedMin,
+        chipSpeedMax,
+        elevation,
+        reception,
+        size,
+        length,
+        yellow,
+        blue);
+  }
+
+  /**
+   * Other robots.
+   *
+   * @param yellowLimits of yellow
+   * @param blueLimits of blue
+   * @return the changed settings
+   */
+  public ScenarioSettings withLimits(RobotLimits yellowLimits, RobotLimits blueLimits) {
+    return new ScenarioSettings(
+        kind,
+        kicks,
+        flatSpeedMin,
+        flatSpeedMax,
+        chipSpeedMin,
+        chipSpeedMax,
+        elevation,
+        reception,
+        teamSize,
+        minutes,
+        yellowLimits,
+        blueLimits);
+  }
+}

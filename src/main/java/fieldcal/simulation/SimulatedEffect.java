@@ -1,0 +1,124 @@
+package fieldcal.simulation;
+
+import static fieldcal.simulation.EffectParameter.camera;
+import static fieldcal.simulation.EffectParameter.number;
+import static fieldcal.simulation.EffectParameter.region;
+import static fieldcal.simulation.EffectParameter.robot;
+import static fieldcal.simulation.EffectParameter.team;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * What can be switched on in the simulated field: the causes of the design's table with its names and parameters, and the two of robots. A parameter that is not given is
+ * zero (camera: 0), so that a cause without parameters changes nothing.
+ */
+public enum SimulatedEffect {
+  /** Drag on the ground and in flight. */
+  AIR_DRAG(number("cd", -5, 5)),
+  /** Lift of a spinning ball. */
+  MAGNUS(number("cl", -5, 5)),
+  /** Spin right after the kick about the rolling axis; its mean and its scatter from kick to kick. */
+  KICK_SPIN(number("fraction", -5, 5), number("scatter", 0, 5)),
+  /** Spin right after the kick about the direction of travel; its mean and its scatter from kick to kick. */
+  SIDE_SPIN(number("fraction", -5, 5), number("scatter", 0, 5)),
+  /** The field is not level; a rolling ball feels 1/(1+β) of it. */
+  FIELD_SLOPE(number("percent", -20, 20), number("direction", -10, 10)),
+  /** Rolling resistance depends on the direction of travel. */
+  CARPET_NAP(number("amplitude", -0.9, 0.9), number("direction", -10, 10)),
+  /** Rolling resistance grows with speed. */
+  SPEED_DEPENDENT_ROLL(number("slope", -0.2, 2)),
+  /** Friction differs in a rectangle. */
+  WORN_REGION(number("change", -0.9, 10), region("region")),
+  /** One camera reports everything shifted, relative to the mean of all cameras. */
+  CAMERA_OFFSET(number("x_mm", -500, 500), number("y_mm", -500, 500), camera()),
+  /** One camera's time stamps are late. */
+  CAMERA_TIME_OFFSET(number("ms", -100, 100), camera()),
+  /** One camera's published pose differs from the true one. */
+  CAMERA_POSE_ERROR(
+      number("tilt_mrad", -100, 100),
+      number("axis", -10, 10),
+      number("height_mm", -1000, 1000),
+      number("shift_x_mm", -500, 500),
+      number("shift_y_mm", -500, 500),
+      camera()),
+  /** One camera's published distortion differs from the true one. */
+  LENS_DISTORTION_ERROR(number("delta", -0.2, 0.2), camera()),
+  /** Vision projects balls onto a plane that is too high. */
+  BALL_HEIGHT_ERROR(number("mm", -100, 100)),
+  /** Vertical restitution depends on the impact's speed. */
+  SPEED_DEPENDENT_RESTITUTION(number("slope", -0.5, 0.5)),
+  /** Tangential restitution depends on spin. */
+  BOUNCE_SPIN_COUPLING(number("coefficient", -2, 2)),
+  /** Rolling resistance changes over the session. */
+  DRIFT(number("percent_per_10min", -500, 500)),
+  /** One robot kicks faster or aside of its command. */
+  ROBOT_KICK_BIAS(number("percent", -90, 200), number("yaw", -1, 1), team(), robot()),
+  /** One camera's clock runs fast. */
+  CLOCK_SKEW(number("ppm", -100_000, 100_000), camera()),
+  /** Image rows are exposed one after another. */
+  ROLLING_SHUTTER(number("ms", 0, 50)),
+  /** Robots accelerate less the faster they drive. */
+  TORQUE_LIMITED(number("coefficient", 0, 0.95), team()),
+  /** Robots accelerate less sideways. */
+  DIRECTIONAL(number("coefficient", 0, 0.95), team());
+
+  private final List<EffectParameter> parameters;
+
+  SimulatedEffect(EffectParameter... parameters) {
+    this.parameters = List.of(parameters);
+  }
+
+  /**
+   * The effect's name in commands and files.
+   *
+   * @return lower case with underscores
+   */
+  public String id() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * What can be set.
+   *
+   * @return the magnitude first
+   */
+  public List<EffectParameter> parameters() {
+    return parameters;
+  }
+
+  /**
+   * A parameter by name.
+   *
+   * @param name its name
+   * @return the parameter, if there is one
+   */
+  public Optional<EffectParameter> parameter(String name) {
+    return parameters.stream().filter(p -> p.name().equals(name)).findFirst();
+  }
+
+  /**
+   * The effect of an id.
+   *
+   * @param id as in {@link #id}
+   * @return the effect
+   * @throws IllegalArgumentException when there is none; the message lists all
+   */
+  public static SimulatedEffect of(String id) {
+    return Arrays.stream(values())
+        .filter(e -> e.id().equals(id))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    "unknown effect '"
+                        + id
+                        + "'; known are "
+                        + Arrays.stream(values())
+                            .map(SimulatedEffect::id)
+                            .collect(Collectors.joining(", "))));
+  }
+}

@@ -1,0 +1,255 @@
+package fieldcal.simulation.robot;
+
+import fieldcal.simulation.imaging.RobotView;
+import fieldcal.simulation.robot.RobotCommand.Target;
+import fieldcal.simulation.robot.RobotCommand.Velocity;
+import fieldcal.vision.RobotId;
+
+/** A robot that moves in the plane within its limits. Mutable, for one thread. */
+public final class SimulatedRobot {
+  /** Distance from the centre to the dribbler's plane, m (typical of the league's robots). */
+  public static final double FRONT = 0.075;
+
+  /** Half the width of the mouth in front, m. */
+  public static final double MOUTH = 0.055;
+
+  private final RobotId id;
+  private final RobotLimits limits;
+  private final double height;
+  private double x;
+  private double y;
+  private double orientation;
+  private double vx;
+  private double vy;
+  private double angular;
+  private RobotCommand command = RobotCommand.HALT;
+
+  /**
+   * A robot at rest.
+   *
+   * @param id team and number
+   * @param limits what it can do
+   * @param height of its top, m
+   * @param x m
+   * @param y m
+   * @param orientation rad
+   */
+  public SimulatedRobot(
+      RobotId id, RobotLimits limits, double height, double x, double y, double orientation) {
+    this.id = id;
+    this.limits = limits;
+    this.height = height;
+    this.x = x;
+    this.y = y;
+    this.orientation = orientation;
+  }
+
+  /**
+   * Tells it what to do until told otherwise.
+   *
+   * @param next the command
+   */
+  public void command(RobotCommand next) {
+    command = next;
+  }
+
+  /**
+   * What it was told last.
+   *
+   * @return the command
+   */
+  public RobotCommand command() {
+    return command;
+  }
+
+  /**
+   * Puts it somewhere at rest, as a hand does.
+   *
+   * @param newX m
+   * @param newY m
+   * @param newOrientation rad
+   */
+  public void place(double newX, double newY, double newOrientation) {
+    x = newX;
+    y = newY;
+    orientation = newOrientation;
+    vx = 0;
+    vy = 0;
+    angular = 0;
+  }
+
+  /**
+   * Moves it.
+   *
+   * @param step s
+   */
+  public void move(double step) {
+    double wantedX;
+    double wantedY;
+    double wantedAngular;
+    if (command.motion() instanceof Velocity velocity) {
+      wantedX = velocity.vx();
+      wantedY = velocity.vy();
+      wantedAngular = velocity.angular();
+    } else {
+      Target target = (Target) command.motion();
+      double dx = target.x() - x;
+      double dy = target.y() - y;
+      double distance = Math.hypot(dx, dy);
+      // Brake a little earlier than the limits demand, so that the target is not overshot.
+      double braking = 0.8 * limits.braking() * (1 - limits.directionality());
+      double speed =
+          Math.min(Math.min(target.maxSpeed(), Math.sqrt(2 * braking * distance)), distance / 0.05);
+      wantedX = distance == 0 ? 0 : speed * dx / distance;
+      wantedY = distance == 0 ? 0 : speed * dy / distance;
+      double turn = Math.IEEEremainder(target.orientation() - orientation, 2 * Math.PI);
+      double rate =
+          Math.min(
+              Math.sqrt(1.6 * limits.angularAcceleration() * Math.abs(turn)),
+              Math.abs(turn) / 0.04);
+      wantedAngular = Math.copySign(rate, turn);
+    }
+    accelerate(wantedX, wantedY, wantedAngular, step);
+    x += step * vx;
+    y += step * vy;
+    orientation += step * angular;
+  }
+
+  private void accelerate(double wantedX, double wantedY, double wantedAngular, double step) {
+    double wanted = Math.hypot(wantedX, wantedY);
+    double cap = wanted > limits.velocity() ? limits.velocity() / wanted : 1;
+    double changeX = cap * wantedX - vx;
+    double changeY = cap * wantedY - vy;
+    double change = Math.hypot(changeX, changeY);
+    if (change > 0) {
+      double sine = Math.sin(Math.atan2(changeY, changeX) - orientation);
+      double direction = 1 - limits.directionality() * sine * sine;
+      boolean brakes = changeX * vx + changeY * vy < 0;
+      double most =
+          brakes
+              ? limits.braking()
+              : limits.acceleration()
+                  * Math.max(
+                      0.05, 1 - limits.torqueLoss() * Math.hypot(vx, vy) / limits.velocity());
+      double share = Math.min(1, most * direction * step / change);
+      vx += share * changeX;
+      vy += share * changeY;
+    }
+    double turn =
+        Math.max(-limits.angularVelocity(), Math.min(limits.angularVelocity(), wantedAngular));
+    double most = limits.angularAcceleration() * step;
+    angular += Math.max(-most, Math.min(most, turn - angular));
+  }
+
+  /**
+   * Distance of a point ahead of the centre.
+   *
+   * @param px m
+   * @param py m
+   * @return m along the robot's front
+   */
+  public double ahead(double px, double py) {
+    return Math.cos(orientation) * (px - x) + Math.sin(orientation) * (py - y);
+  }
+
+  /**
+   * Distance of a point to the left of the centre.
+   *
+   * @param px m
+   * @param py m
+   * @return m across the robot's front
+   */
+  public double aside(double px, double py) {
+    return -Math.sin(orientation) * (px - x) + Math.cos(orientation) * (py - y);
+  }
+
+  /**
+   * What cameras see.
+   *
+   * @return its pose and height now
+   */
+  public RobotView view() {
+    return new RobotView(id, x, y, orientation, height);
+  }
+
+  /**
+   * Its name.
+   *
+   * @return team and number
+   */
+  public RobotId id() {
+    return id;
+  }
+
+  /**
+   * What it can do.
+   *
+   * @return the limits
+   */
+  public RobotLimits limits() {
+    return limits;
+  }
+
+  /**
+   * Height of its top.
+   *
+   * @return m
+   */
+  public double height() {
+    return height;
+  }
+
+  /**
+   * Position.
+   *
+   * @return m
+   */
+  public double x() {
+    return x;
+  }
+
+  /**
+   * Position.
+   *
+   * @return m
+   */
+  public double y() {
+    return y;
+  }
+
+  /**
+   * Orientation.
+   *
+   * @return rad, not normalised
+   */
+  public double orientation() {
+    return orientation;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return m/s
+   */
+  public double vx() {
+    return vx;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return m/s
+   */
+  public double vy() {
+    return vy;
+  }
+
+  /**
+   * Speed.
+   *
+   * @return m/s
+   */
+  public double speed() {
+    return Math.hypot(vx, vy);
+  }
+}

@@ -1,0 +1,57 @@
+package fieldcal.simulation.truth;
+
+import fieldcal.simulation.KickBehaviour;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.vision.Epoch;
+import java.util.List;
+
+/**
+ * Everything that is true of a simulated recording.
+ *
+ * @param settings what was asked for
+ * @param physics the laws that the ball obeyed, effects included
+ * @param kickBehaviour how kicks differed from commands, effects included
+ * @param ballPlane height of the ball's centre that vision assumed, m
+ * @param rollingShutter s
+ * @param epoch session time zero
+ * @param duration s
+ * @param cameras by number
+ * @param robots yellow first, by number
+ * @param phases what the referee said
+ * @param kicks by time
+ */
+public record Truth(
+    SimulationSettings settings,
+    BallPhysics physics,
+    KickBehaviour kickBehaviour,
+    double ballPlane,
+    double rollingShutter,
+    Epoch epoch,
+    double duration,
+    List<CameraTruth> cameras,
+    List<RobotTruth> robots,
+    List<RefereePhase> phases,
+    List<KickTruth> kicks) {
+
+  /**
+   * Copies the lists. {@inheritDoc}
+   *
+   * @throws NullPointerException when one is null
+   */
+  public Truth {
+    cameras = List.copyOf(cameras);
+    robots = List.copyOf(robots);
+    phases = List.copyOf(phases);
+    kicks = List.copyOf(kicks);
+  }
+
+  /**
+   * The kicks that a robot was told to make.
+   *
+   * @return without deflections
+   */
+  public List<KickTruth> commandedKicks() {
+    return kicks.stream().filter(kick -> kick.kind() != KickKind.DEFLECTION).toList();
+  }
+}
