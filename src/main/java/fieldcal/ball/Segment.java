@@ -76,9 +76,12 @@ final class Segment {
     return new Segment(phase, start, 0, new BallState(x, y, z, 0, 0, 0), 0, 0, 0);
   }
 
-  /** Time since the start, within the duration; for a rest, which has none, 0 at all times, infinite ones too. */
+  /**
+   * Time since the start, for a time at which this piece holds; for a rest, which lasts no time of the path, always 0, at
+   * infinite times too.
+   */
   double tauAt(double t) {
-    return Math.max(0, Math.min(t - start, duration));
+    return duration > 0 ? t - start : 0;
   }
 
   double end() {
@@ -95,7 +98,8 @@ final class Segment {
 
   /** Never below the carpet, not even by a rounding error at the end of a flight. */
   double zAt(double tau) {
-    return Math.max(0, z + tau * (vz + 0.5 * az * tau));
+    double height = z + tau * (vz + 0.5 * az * tau);
+    return height > 0 ? height : 0;
   }
 
   BallState stateAt(double tau) {
