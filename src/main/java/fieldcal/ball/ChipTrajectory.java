@@ -242,8 +242,9 @@ public final class ChipTrajectory extends SegmentedTrajectory {
       ChipTakeoff from = takeoffs[hops()];
       double r = model.accRoll();
       double sigma = Math.min(t, restTime()) - segment(hops() + 1).start;
-      // Once the ball rests, a later landing no longer costs way: it comes to rest later, too.
-      double v = t < restTime() ? speed * from.pace() + r * sigma : 0;
+      // Zero once the ball rests: a later landing then no longer costs way, since the rest comes
+      // later, too.
+      double v = speed * from.pace() + r * sigma;
       double bySpeed = from.reach() + from.pace() * sigma;
       double reach = speed > 0 ? bySpeed + 0.5 * r * sigma * sigma / speed : bySpeed;
       overGround(from, sigma, reach, bySpeed, v, dx, dy);

@@ -228,7 +228,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
     if (t < tSwitch()) {
       slidingSensitivities(tau, dx, dy);
     } else {
-      rollingSensitivities(Math.min(t, restTime()) - tSwitch(), t < restTime(), dx, dy);
+      rollingSensitivities(Math.min(t, restTime()) - tSwitch(), dx, dy);
     }
   }
 
@@ -240,13 +240,14 @@ public final class FlatTrajectory extends SegmentedTrajectory {
   }
 
   /** Way since the kick: L = s²(k² − 1)/(2a) + k·s·σ + ½·r·σ² with the rolling time σ = τ − s(k − 1)/a. */
-  private void rollingSensitivities(double sigma, boolean moving, double[] dx, double[] dy) {
+  private void rollingSensitivities(double sigma, double[] dx, double[] dy) {
     double a = model.accSlide();
     double r = model.accRoll();
     double k = model.kSwitch();
     double s = speed;
-    // Once the ball rests, a later switch no longer costs way: it comes to rest later, too.
-    double v = moving ? k * s + r * sigma : 0;
+    // Zero once the ball rests: a later switch then no longer costs way, since the rest comes
+    // later, too.
+    double v = k * s + r * sigma;
     double slideWay = s * s * (k * k - 1) / (2 * a);
     double slideTime = s * (k - 1) / a;
     double way = slideWay + sigma * (k * s + 0.5 * r * sigma);
