@@ -35,12 +35,8 @@ public record ChipModel(
   private static final ChipModel TYPICAL = new ChipModel(0.70, 0.87, 0.47, -0.28);
 
   /**
-   * Checks the numbers.
+   * Checks the numbers. {@inheritDoc}
    *
-   * @param dampingXyFirstHop horizontal velocity after the first impact as a fraction of that before, positive
-   * @param dampingXyOtherHops the same at each later impact, positive
-   * @param dampingZ vertical velocity after each impact as a fraction of that before, above 0 and below 1
-   * @param accRoll acceleration along the direction of travel while rolling, m/s², negative
    * @throws IllegalArgumentException when a damping is not positive, {@code dampingZ} not below 1 or the acceleration not negative
    */
   public ChipModel {

@@ -22,11 +22,8 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
   private static final FlatModel TYPICAL = new FlatModel(-3.3, -0.28, 0.66);
 
   /**
-   * Checks the numbers.
+   * Checks the numbers. {@inheritDoc}
    *
-   * @param accSlide acceleration along the direction of travel while sliding, m/s², negative
-   * @param accRoll acceleration along the direction of travel while rolling, m/s², negative
-   * @param kSwitch speed at the start of rolling as a fraction of the speed of a kick without spin, above 0 and below 1
    * @throws IllegalArgumentException when an acceleration is not negative or {@code kSwitch} is not between 0 and 1
    */
   public FlatModel {

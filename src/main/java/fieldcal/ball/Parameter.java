@@ -28,16 +28,8 @@ public record Parameter(
     String source) {
 
   /**
-   * Checks the numbers.
+   * Checks the numbers. {@inheritDoc}
    *
-   * @param name the field's name for it, as in the model's record
-   * @param unit its unit, empty when it has none
-   * @param value its value, finite
-   * @param scale a change of this size is about equally noticeable for every parameter; a solver divides by it; positive
-   * @param min the smallest value an estimator may answer
-   * @param max the largest value an estimator may answer, above {@code min}
-   * @param estimated true when it is to be estimated, false when it is held at its value
-   * @param source where the default and the bounds come from
    * @throws IllegalArgumentException when a number is not finite, the scale is not positive, or the bounds are empty
    */
   public Parameter {
