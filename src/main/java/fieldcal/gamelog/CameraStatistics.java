@@ -1,0 +1,41 @@
+package fieldcal.gamelog;
+
+/**
+ * How well one camera works, as seen in a recording.
+ *
+ * @param id the camera
+ * @param frames how many it sent, duplicates not counted
+ * @param rate frames per second outside of gaps; NaN if too few
+ * @param lostFrames how many are missing by their numbers, outside of gaps
+ * @param gaps how often it was silent for more than {@link RecordingStatistics#GAP}
+ * @param longestGap s; 0 without gaps
+ * @param jitter standard deviation of the capture times about an even pace, robust, s; NaN if too few
+ * @param latency median delay from capture to reception, s; it contains the difference of the clocks; NaN if too few
+ * @param ballDetections how many balls, true and false, it reported
+ * @param robotDetections how many robots it reported
+ * @param ballNoise standard deviation per axis of the position of a resting ball, robust, m; NaN if none rested long enough
+ * @param restingBlocks how many stretches of the resting ball that noise is from
+ */
+public record CameraStatistics(
+    int id,
+    long frames,
+    double rate,
+    long lostFrames,
+    long gaps,
+    double longestGap,
+    double jitter,
+    double latency,
+    long ballDetections,
+    long robotDetections,
+    double ballNoise,
+    long restingBlocks) {
+
+  /**
+   * The share of frames that is missing.
+   *
+   * @return 0 … 1; 0 without frames
+   */
+  public double loss() {
+    return frames == 0 ? 0 : lostFrames / (double) (frames + lostFrames);
+  }
+}

@@ -1,0 +1,73 @@
+package fieldcal.gamelog;
+
+import fieldcal.proto.Referee;
+import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/** Watches a recording go by and tells how good it is. Memory is constant; not thread-safe. */
+public final class RecordingStatistics implements RecordingListener {
+  /** A camera that is silent for longer has a gap, s: more than thirty frames of any camera in use. */
+  public static final double GAP = 0.5;
+
+  /** A match has 14 stages; a referee that plays around must not fill the memory. */
+  private static final int MAX_STAGES = 200;
+
+  private final Map<Integer, CameraObserver> cameras = new TreeMap<>();
+  private final Map<Referee.Command, Long> commands = new EnumMap<>(Referee.Command.class);
+  private final List<RefereeStatistics.StageStart> stages = new ArrayList<>();
+  private long refereeMessages;
+  private RefereeState lastReferee;
+
+  /** Starts with nothing seen. */
+  public RecordingStatistics() {}
+
+  @Override
+  public void onFrame(VisionFrame frame, double receivedTime) {
+    cameras.computeIfAbsent(frame.cameraId(), CameraObserver::new).add(frame, receivedTime);
+  }
+
+  @Override
+  public void onClockJump(int cameraId, double jump) {
+    cameras.computeIfAbsent(cameraId, CameraObserver::new).clockJumped();
+  }
+
+  @Override
+  public void onReferee(RefereeState state, double receivedTime) {
+    if (lastReferee == null
+        || state.commandCounter() != lastReferee.commandCounter()
+        || state.command() != lastReferee.command()) {
+      commands.merge(state.command(), 1L, Long::sum);
+    }
+    if ((lastReferee == null || state.stage() != lastReferee.stage())
+        && stages.size() < MAX_STAGES) {
+      stages.add(new RefereeStatistics.StageStart(receivedTime, state.stage()));
+    }
+    refereeMessages++;
+    lastReferee = state;
+  }
+
+  /**
+   * The cameras that sent frames.
+   *
+   * @return one entry each, by id
+   */
+  public List<CameraStatistics> cameras() {
+    return cameras.values().stream().map(CameraObserver::statistics).toList();
+  }
+
+  /**
+   * What the referee did.
+   *
+   * @return nothing if it was silent
+   */
+  public Optional<RefereeStatistics> referee() {
+    return lastReferee == null
+        ? Optional.empty()
+        : Optional.of(new RefereeStatistics(refereeMessages, commands, stages, lastReferee));
+  }
+}
