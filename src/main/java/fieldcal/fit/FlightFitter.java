@@ -115,18 +115,23 @@ final class FlightFitter {
     return new Candidate(flights, flight, theta, cost);
   }
 
-  /** The objective of a chip is smooth only at a fixed number of flights: tries the neighbours until it gets no better. */
+  /**
+   * The objective of a chip is smooth only at a fixed number of flights: tries the neighbours until it gets no better. The number
+   * may differ by one from what the 10 mm rule says, since the rule is sharp and the ball is not; not by more, or frictionless
+   * hops of a millimetre would be found to explain anything.
+   */
   private Candidate bestFlights(double[] found, double[] start) {
-    int byRule = ruleFlights(found);
-    Candidate best = polish(byRule, found);
-    int byStart = ruleFlights(start);
-    best = better(best, polish(byStart, start));
+    Candidate best = polish(ruleFlights(found), found);
+    if (start != found) {
+      best = better(best, polish(ruleFlights(start), start));
+    }
     for (int direction : new int[] {-1, 1}) {
       for (int flights = best.flights + direction;
           flights >= 1 && flights <= ChipModel.MAX_FLIGHTS;
           flights += direction) {
         Candidate next = polish(flights, best.theta);
-        if (!(next.cost < best.cost * (1 - 1e-9))) {
+        boolean plausible = Math.abs(flights - ruleFlights(next.theta)) <= 1;
+        if (!plausible || !(next.cost < best.cost * (1 - 1e-9))) {
           break;
         }
         best = next;
@@ -290,6 +295,7 @@ final class FlightFitter {
             chiSquare,
             degrees,
             scale,
+            meanLoss(best),
             best.flights,
             evaluations,
             solver.iterations(),
@@ -297,6 +303,17 @@ final class FlightFitter {
             seed);
     return new KickFit(
         problem.kick(), kind, estimates, scaled, trajectory(best), rx, ry, used, statistics);
+  }
+
+  private double meanLoss(Candidate best) {
+    double[] squared = new double[data.size];
+    best.flight.squaredDistances(best.theta, squared);
+    double k2 = settings.lossScale() * settings.lossScale();
+    double sum = 0;
+    for (double s : squared) {
+      sum += k2 * Math.log1p(s / k2);
+    }
+    return sum / data.size;
   }
 
   private BallTrajectory trajectory(Candidate best) {

@@ -26,6 +26,9 @@ public final class JointFitter {
   /** The offsets' mean is held at zero to that precision; otherwise all kicks could move along, m. */
   private static final double GAUGE = 1e-6;
 
+  /** Unknowns of the flat (3) and the chip model (4), before those of the cameras. */
+  private static final int MODEL = 7;
+
   private final FitSettings settings;
 
   /**
@@ -56,6 +59,7 @@ public final class JointFitter {
     private final JointProblem problem;
     private final List<Parameter> shared;
     private final int[] cameraIds;
+    private final int[] group;
     private final int size;
     private final List<JointKick> kicks = new ArrayList<>();
     private final double[] values;
@@ -72,6 +76,7 @@ public final class JointFitter {
               .distinct()
               .sorted()
               .toArray();
+      group = groups();
       shared = sharedParameters();
       size = shared.size();
       values = shared.stream().mapToDouble(Parameter::value).toArray();
@@ -123,7 +128,7 @@ public final class JointFitter {
         map[k] = (flat ? 0 : 3) + k;
       }
       for (int k = model; k < map.length; k++) {
-        map[k] = 7 + k - model;
+        map[k] = MODEL + k - model;
       }
       Observations seen = fit.kick().observations();
       int[] slot = new int[seen.size()];
@@ -221,20 +226,36 @@ public final class JointFitter {
       return cost;
     }
 
+    /** Holds the mean offset of each group of cameras that saw kicks in common at zero. */
     private void gauge(double[][] a, double[] b) {
       double weight = 1 / (GAUGE * GAUGE);
       for (int axis = 0; axis < 2; axis++) {
-        double sum = 0;
         for (int c = 0; c < cameraIds.length; c++) {
-          sum += values[7 + 2 * c + axis];
-        }
-        for (int c = 0; c < cameraIds.length; c++) {
-          b[7 + 2 * c + axis] -= weight * sum;
+          double sum = 0;
           for (int d = 0; d < cameraIds.length; d++) {
-            a[7 + 2 * c + axis][7 + 2 * d + axis] += weight;
+            sum += group[c] == group[d] ? values[MODEL + 2 * d + axis] : 0;
+            a[MODEL + 2 * c + axis][MODEL + 2 * d + axis] += group[c] == group[d] ? weight : 0;
+          }
+          b[MODEL + 2 * c + axis] -= weight * sum;
+        }
+      }
+    }
+
+    /** Cameras that saw the same kick belong together, also through others. */
+    private int[] groups() {
+      int[] of = new int[cameraIds.length];
+      Arrays.setAll(of, c -> c);
+      for (KickFit fit : problem.fits()) {
+        int[] seen = fit.kick().observations().cameras();
+        int first = of[Arrays.binarySearch(cameraIds, seen[0])];
+        for (int id : seen) {
+          int other = of[Arrays.binarySearch(cameraIds, id)];
+          for (int c = 0; c < of.length; c++) {
+            of[c] = of[c] == other ? first : of[c];
           }
         }
       }
+      return of;
     }
 
     private double[] solve(double[][] a, double[] b) {
@@ -290,6 +311,11 @@ public final class JointFitter {
       }
       gauge(a, b);
       NormalEquations n = shared(a, b);
+      for (int k = 0; k < MODEL; k++) {
+        // What no kick determines would make the matrix singular; so it only comes out with an
+        // error beyond all bounds.
+        n.a[k][k] += 1 / (1e6 * shared.get(k).scale() * shared.get(k).scale());
+      }
       boolean[] active = active(n);
       double[][] inverse = n.inverse(scales(), active);
       double[] all = new double[2];
@@ -309,7 +335,7 @@ public final class JointFitter {
       double[] errors = errors(inverse, scatter, reduced);
       return new JointFit(
           estimates(0, 3, errors),
-          estimates(3, 7, errors),
+          estimates(3, MODEL, errors),
           offsets(errors),
           rms(all),
           rms(flat),
@@ -360,7 +386,7 @@ public final class JointFitter {
       Map<Integer, JointFit.Offset> offsets = new LinkedHashMap<>();
       for (int c = 0; c < cameraIds.length; c++) {
         CameraView view = problem.cameras().get(cameraIds[c]);
-        int k = 7 + 2 * c;
+        int k = MODEL + 2 * c;
         offsets.put(
             cameraIds[c],
             new JointFit.Offset(

@@ -201,7 +201,9 @@ final class JointKick {
       tieTime(fit);
       double[] theta = at(keptValues, sharedValues).clone();
       double cost = polish.minimize(problem, theta);
-      if (cost < best - 1e-6 * best) {
+      int byRule =
+          fieldcal.ball.ChipTrajectory.flightsByRule(FlightLayout.chipModel(theta), theta[4]);
+      if (Math.abs(byRule - other) <= 1 && cost < best - 1e-6 * best) {
         best = cost;
         changed = true;
         flights = other;

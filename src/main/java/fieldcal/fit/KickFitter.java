@@ -21,6 +21,8 @@ public final class KickFitter {
   /** A flat model that explains a kick to within that many times the noise needs no chip beside it. */
   private static final double FLAT_ENOUGH = 1.5;
 
+  private static final double FEW_OUTLIERS = 0.03;
+
   /** A ball that leaves slower upwards hops less than 13 mm: no chip, m/s. */
   private static final double LOWEST_CHIP = 0.5;
 
@@ -43,22 +45,22 @@ public final class KickFitter {
    */
   public KickFit fit(FitProblem problem) {
     KickFit flat = fit(problem, KickKind.FLAT);
-    if (flat.failure().isEmpty() && flat.statistics().robustScale() < FLAT_ENOUGH) {
+    if (flat.failure().isEmpty() && flatEnough(flat.statistics())) {
       return flat;
     }
     KickFit chip = fit(problem, KickKind.CHIP);
     if (chip.failure().isPresent() || chip.estimate("vz").value() < LOWEST_CHIP) {
       return flat;
     }
-    boolean better = flat.failure().isPresent() || spread(chip) < spread(flat);
+    boolean better =
+        flat.failure().isPresent() || chip.statistics().meanLoss() < flat.statistics().meanLoss();
     return better ? chip : flat;
   }
 
-  /** Typical whitened residual, outliers counted by their share: a model that calls half the data outliers explains little. */
-  private static double spread(KickFit fit) {
-    FitStatistics s = fit.statistics();
-    double lost = (s.observations() - s.used()) / (double) s.observations();
-    return s.robustScale() * (1 + 4 * lost);
+  /** A good fit to most of a chip, its hops called outliers, is not enough. */
+  private static boolean flatEnough(FitStatistics s) {
+    return s.robustScale() < FLAT_ENOUGH
+        && s.observations() - s.used() < FEW_OUTLIERS * s.observations();
   }
 
   /**

@@ -6,13 +6,19 @@ import fieldcal.vision.VisionFrame;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Where each robot was seen last, by whichever camera, and how fast it drives. */
+/**
+ * Where each robot was seen last, by each camera, and how fast it drives.
+ *
+ * <p>Per camera, because cameras that disagree by centimetres would make a robot that both see look as if it jumped to and fro.
+ */
 final class RobotPoses {
   /** A robot not seen for that long may be anywhere, s. */
   private static final double FORGET = 0.6;
 
   /** Robots drive at most so fast; more is an identity swap, m/s. */
   private static final double MAX_SPEED = 5;
+
+  private record Key(RobotId robot, int camera) {}
 
   private static final class Pose {
     private double time;
@@ -22,11 +28,11 @@ final class RobotPoses {
     private double vy;
   }
 
-  private final Map<RobotId, Pose> poses = new HashMap<>();
+  private final Map<Key, Pose> poses = new HashMap<>();
 
   void update(VisionFrame frame) {
     for (RobotDetection robot : frame.robots()) {
-      Pose pose = poses.computeIfAbsent(robot.id(), id -> new Pose());
+      Pose pose = poses.computeIfAbsent(new Key(robot.id(), frame.cameraId()), key -> new Pose());
       double dt = frame.captureTime() - pose.time;
       if (dt > 0.004 && dt < FORGET) {
         // A light low pass: cameras that disagree by centimetres would otherwise look like robots
@@ -55,8 +61,8 @@ final class RobotPoses {
   /** Centre-to-centre distance between a ball and the nearest robot at {@code t}, m; infinite without robots. */
   double distance(double t, double x, double y, RobotId except) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (Map.Entry<RobotId, Pose> e : poses.entrySet()) {
-      if (!e.getKey().equals(except)) {
+    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
+      if (!e.getKey().robot().equals(except)) {
         nearest = Math.min(nearest, distance(e.getValue(), t, x, y));
       }
     }
@@ -80,13 +86,13 @@ final class RobotPoses {
   RobotId kicker(double t, double x, double y, double vx, double vy, double reach) {
     RobotId best = null;
     double nearest = reach;
-    for (Map.Entry<RobotId, Pose> e : poses.entrySet()) {
+    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
       Pose p = e.getValue();
       double d = distance(p, t, x, y);
       double away = (x - p.x) * (vx - p.vx) + (y - p.y) * (vy - p.vy);
       if (d < nearest && away > 0.3 * d) {
         nearest = d;
-        best = e.getKey();
+        best = e.getKey().robot();
       }
     }
     return best;

@@ -1,0 +1,55 @@
+package fieldcal.app.recording;
+
+import fieldcal.vision.VisionFrame;
+
+/** Counts the frames of one camera and measures its rate, recording gaps left out. */
+public final class CameraStream {
+  /** Frames further apart than that have a gap between them: eight frames lost at 75 Hz. */
+  private static final double GAP = 0.12;
+
+  private long frames;
+  private long balls;
+  private long intervals;
+  private double sum;
+  private double last = Double.NaN;
+
+  CameraStream() {}
+
+  void accept(VisionFrame frame) {
+    frames++;
+    balls += frame.balls().size();
+    double dt = frame.captureTime() - last;
+    if (dt > 0 && dt < GAP) {
+      intervals++;
+      sum += dt;
+    }
+    last = frame.captureTime();
+  }
+
+  /**
+   * Frames received.
+   *
+   * @return count
+   */
+  public long frames() {
+    return frames;
+  }
+
+  /**
+   * Balls detected, false ones included.
+   *
+   * @return count
+   */
+  public long balls() {
+    return balls;
+  }
+
+  /**
+   * Mean frame rate between gaps.
+   *
+   * @return Hz; NaN with fewer than two frames
+   */
+  public double rateHz() {
+    return intervals > 0 ? intervals / sum : Double.NaN;
+  }
+}

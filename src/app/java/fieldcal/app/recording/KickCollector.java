@@ -1,0 +1,266 @@
+package fieldcal.app.recording;
+
+import fieldcal.camera.Camera;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.CameraViews;
+import fieldcal.gamelog.GameLogException;
+import fieldcal.gamelog.LogProblem;
+import fieldcal.gamelog.ProblemAccount;
+import fieldcal.gamelog.RecordingListener;
+import fieldcal.gamelog.RecordingReader;
+import fieldcal.gamelog.RecordingSummary;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickFinder;
+import fieldcal.kick.KickFinderSettings;
+import fieldcal.vision.BallModels;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.ProblemKind;
+import fieldcal.vision.VisionFrame;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * Reads recordings and finds their kicks.
+ *
+ * <p>Camera ids repeat from field to field, and a camera may be calibrated anew midway. Such a camera is another one for the fit:
+ * it gets a number of its own, from 100 on, and the operator is told. Reads once.
+ */
+public final class KickCollector {
+  /** First number of cameras whose id is taken by one with another calibration; the league has far fewer cameras. */
+  private static final int FIRST_RENUMBERED = 100;
+
+  /** Told how far the reading is. */
+  public interface Progress {
+    /**
+     * Some more was read.
+     *
+     * @param log which recording
+     * @param bytesRead of that file
+     * @param totalBytes of that file
+     */
+    void read(Path log, long bytesRead, long totalBytes);
+  }
+
+  private final Progress progress;
+  private final List<Kick> kicks = new ArrayList<>();
+  private final Map<Integer, String> sources = new HashMap<>();
+  private final Map<Integer, CameraCalibration> calibrations = new TreeMap<>();
+  private final Map<Integer, Camera> cameras = new HashMap<>();
+  private final Map<Integer, CameraStream> streams = new TreeMap<>();
+  private final List<DataProblem> problems = new ArrayList<>();
+  private Optional<FieldGeometry> geometry = Optional.empty();
+  private BallModels published = BallModels.NONE;
+  private Epoch epoch;
+  private double duration;
+
+  /**
+   * A collector.
+   *
+   * @param progress told how far the reading is
+   */
+  public KickCollector(Progress progress) {
+    this.progress = progress;
+  }
+
+  /**
+   * Reads the recordings in their order.
+   *
+   * @param logs at least one
+   * @return what was found
+   * @throws GameLogException when one cannot be read at all; the message names file and place
+   * @throws IOException when a file cannot be closed
+   */
+  public CollectedKicks collect(List<Path> logs) throws IOException {
+    for (Path log : logs) {
+      try (RecordingReader recording =
+          epoch == null ? RecordingReader.open(log) : RecordingReader.open(log, epoch)) {
+        epoch = recording.epoch();
+        OneRecording one = new OneRecording(log);
+        RecordingSummary summary = recording.read(one);
+        one.finish();
+        duration += Double.isFinite(summary.duration()) ? summary.duration() : 0;
+        account(log, summary, one);
+      }
+    }
+    List<CameraView> views = new ArrayList<>();
+    streams
+        .keySet()
+        .forEach(id -> views.add(CameraView.of(id, Optional.ofNullable(cameras.get(id)))));
+    return new CollectedKicks(
+        epoch,
+        kicks,
+        sources,
+        CameraViews.of(views),
+        streams,
+        geometry,
+        published,
+        problems,
+        duration);
+  }
+
+  private void account(Path log, RecordingSummary summary, OneRecording one) {
+    ProblemAccount account = summary.problems();
+    for (ProblemKind kind : account.kinds()) {
+      ProblemAccount.Occurrence first = account.first(kind).get(0);
+      String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
+      String advice =
+          kind == LogProblem.GEOMETRY_CHANGED ? "cameras that changed are treated as new ones" : "";
+      problems.add(
+          new DataProblem(
+              log + ", byte " + first.offset(), kind.text() + detail, account.count(kind), advice));
+    }
+    if (summary.frames() == 0) {
+      problems.add(
+          new DataProblem(
+              log.toString(),
+              "no vision frame in the recording",
+              1,
+              "record SSL-Vision's multicast, message type 4"));
+    } else if (summary.geometry().isEmpty()) {
+      problems.add(
+          new DataProblem(
+              log.toString(),
+              "no geometry in the recording",
+              1,
+              "chips cannot be fitted without camera positions; record some seconds longer"));
+    }
+    if (one.found == 0 && summary.frames() > 0) {
+      problems.add(
+          new DataProblem(
+              log.toString(), "no kick found", 1, "is the ball seen, and faster than 0.7 m/s?"));
+    }
+    one.blind()
+        .forEach(
+            id ->
+                problems.add(new DataProblem(log + ", camera " + id, "never saw the ball", 1, "")));
+    if (one.finder.counts().recordingGaps() > 0) {
+      problems.add(
+          new DataProblem(
+              log.toString(),
+              "all cameras silent for more than 0.25 s",
+              one.finder.counts().recordingGaps(),
+              ""));
+    }
+  }
+
+  /** Feeds the frames of one recording to a kick finder. */
+  private final class OneRecording implements RecordingListener {
+    private final Path log;
+    private final KickFinder finder = new KickFinder(KickFinderSettings.defaults(), this::found);
+    private final Map<Integer, Integer> numbers = new HashMap<>();
+    private final Map<Integer, Long> ballsBefore = new HashMap<>();
+    private int found;
+
+    OneRecording(Path log) {
+      this.log = log;
+      streams.forEach((id, s) -> ballsBefore.put(id, s.balls()));
+    }
+
+    private void found(Kick kick) {
+      Kick numbered = kick.withId(kicks.size() + 1);
+      kicks.add(numbered);
+      sources.put(numbered.id(), log.toString());
+      found++;
+    }
+
+    @Override
+    public void onGeometry(FieldGeometry next) {
+      if (geometry.isEmpty()) {
+        geometry = Optional.of(next);
+      }
+      if (published.equals(BallModels.NONE)) {
+        published = new BallModels(next.flat(), next.chip());
+      }
+      Map<Integer, Camera> known = new HashMap<>();
+      for (CameraCalibration c : next.cameras()) {
+        int number = numberOf(c);
+        if (cameras.containsKey(number)) {
+          known.put(number, cameras.get(number));
+        }
+      }
+      finder.geometry(next, known);
+    }
+
+    private int numberOf(CameraCalibration c) {
+      int number = c.id();
+      int renumbered = FIRST_RENUMBERED;
+      while (calibrations.containsKey(number) && !calibrations.get(number).equals(c)) {
+        number = renumbered++;
+      }
+      if (!calibrations.containsKey(number)) {
+        calibrations.put(number, c);
+        open(number, c);
+      }
+      if (!Integer.valueOf(number).equals(numbers.put(c.id(), number)) && number != c.id()) {
+        problems.add(
+            new DataProblem(
+                log.toString(),
+                "camera " + c.id() + " has another calibration than before",
+                1,
+                "it is called camera " + number + " here"));
+      }
+      return number;
+    }
+
+    private void open(int number, CameraCalibration c) {
+      try {
+        Camera camera = Camera.of(c);
+        cameras.put(number, camera);
+        if (!camera.hasPixels()) {
+          problems.add(new DataProblem(log + ", camera " + number, camera.consistency(), 1, ""));
+        }
+      } catch (IllegalArgumentException unusable) {
+        problems.add(
+            new DataProblem(
+                log + ", camera " + number,
+                unusable.getMessage(),
+                1,
+                "its view of airborne balls cannot be used; calibrate it"));
+      }
+    }
+
+    @Override
+    public void onFrame(VisionFrame frame, double receivedTime) {
+      int number = numbers.getOrDefault(frame.cameraId(), frame.cameraId());
+      VisionFrame known = number == frame.cameraId() ? frame : renumbered(frame, number);
+      streams.computeIfAbsent(number, id -> new CameraStream()).accept(known);
+      finder.accept(known);
+    }
+
+    private VisionFrame renumbered(VisionFrame f, int number) {
+      return new VisionFrame(
+          number,
+          f.frameNumber(),
+          f.captureTime(),
+          f.sentTime(),
+          f.cameraClockTime(),
+          f.balls(),
+          f.robots());
+    }
+
+    @Override
+    public void onProgress(long bytesRead, long totalBytes) {
+      progress.read(log, bytesRead, totalBytes);
+    }
+
+    void finish() {
+      finder.finish();
+    }
+
+    List<Integer> blind() {
+      return streams.entrySet().stream()
+          .filter(e -> e.getValue().balls() == ballsBefore.getOrDefault(e.getKey(), 0L))
+          .filter(e -> numbers.isEmpty() || numbers.containsValue(e.getKey()))
+          .map(Map.Entry::getKey)
+          .toList();
+    }
+  }
+}
