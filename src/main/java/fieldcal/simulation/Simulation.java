@@ -9,6 +9,7 @@ import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.scenario.CalibrationScenario;
 import fieldcal.simulation.scenario.Scenario;
 import fieldcal.simulation.truth.CameraTruth;
+import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.simulation.truth.RobotTruth;
 import fieldcal.simulation.truth.Truth;
 import fieldcal.vision.Epoch;
@@ -135,6 +136,15 @@ public final class Simulation {
             field.boundary(),
             published)
         .withModels(settings.publishedModels().flat(), settings.publishedModels().chip());
+  }
+
+  /**
+   * What the referee said up to now, for whoever writes it down while the simulation runs.
+   *
+   * @return by time; empty without a referee
+   */
+  public List<RefereePhase> phases() {
+    return scenario.phases();
   }
 
   /**

@@ -4,7 +4,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
 /** The command line of fieldcal. */
-@Command(name = "fieldcal", mixinStandardHelpOptions = true)
+@Command(
+    name = "fieldcal",
+    mixinStandardHelpOptions = true,
+    subcommands = {SimulateCommand.class})
 public final class Main implements Runnable {
 
   /**

@@ -1,0 +1,312 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.simulation.RecordingFiles;
+import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.FieldSize;
+import fieldcal.simulation.Preset;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.ScenarioSettings;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.imaging.Nuisance;
+import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.truth.Truth;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.function.DoubleConsumer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal simulate}: a recording with known truth beside it. */
+@Command(
+    name = "simulate",
+    mixinStandardHelpOptions = true,
+    sortOptions = false,
+    description =
+        "Simulates a field and writes a game log, with the truth and the robots' commands beside"
+            + " it.",
+    footer = {
+      "",
+      "Effects (zero = absent): air_drag:cd magnus:cl kick_spin:fraction,scatter"
+          + " side_spin:fraction,scatter",
+      "field_slope:percent,direction carpet_nap:amplitude,direction speed_dependent_roll:slope",
+      "worn_region:change,region=[x0,x1,y0,y1] camera_offset:x_mm,y_mm,camera"
+          + " camera_time_offset:ms,camera",
+      "camera_pose_error:tilt_mrad,axis,height_mm,shift_x_mm,shift_y_mm,camera"
+          + " lens_distortion_error:delta,camera",
+      "ball_height_error:mm speed_dependent_restitution:slope bounce_spin_coupling:coefficient",
+      "drift:percent_per_10min robot_kick_bias:percent,yaw,team,robot clock_skew:ppm,camera"
+          + " rolling_shutter:ms",
+      "torque_limited:coefficient,team directional:coefficient,team",
+      "",
+      "Example: fieldcal simulate --scenario flat --kicks 24 --effect air_drag:cd=0.45 --seed 7"
+          + " --out drag.log.gz"
+    })
+public final class SimulateCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--scenario",
+      required = true,
+      paramLabel = "KIND",
+      description = "flat, chip, mixed or match")
+  private String scenario;
+
+  @Option(
+      names = "--kicks",
+      paramLabel = "N",
+      description = "number of kicks (default ${DEFAULT-VALUE}); a match has --minutes instead")
+  private int kicks = 24;
+
+  @Option(
+      names = "--effect",
+      paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
+      description = "switches an effect on; may be repeated")
+  private final List<String> effects = new ArrayList<>();
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      description = "of all luck; same seed, same bytes (default ${DEFAULT-VALUE})")
+  private long seed = 1;
+
+  @Option(
+      names = "--out",
+      required = true,
+      paramLabel = "FILE",
+      description = "NAME.log or NAME.log.gz; NAME.truth.json and NAME.commands.csv come beside it")
+  private Path out;
+
+  @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      description = "a field as it was found: lab, german-open-2026 or robocup-2026")
+  private String preset;
+
+  @Option(
+      names = "--physics",
+      paramLabel = "NAME",
+      description =
+          "ideal: obeys the league's models; contact: solid sphere with bounces by contact (default"
+              + " ideal)")
+  private String physics;
+
+  @Option(
+      names = "--flat-model",
+      paramLabel = "ACC_SLIDE,ACC_ROLL,K_SWITCH",
+      split = ",",
+      description = "ideal physics with these parameters, for example -3.1,-0.28,0.65")
+  private double[] flatModel;
+
+  @Option(
+      names = "--chip-model",
+      paramLabel = "E_XY1,E_XY,E_Z",
+      split = ",",
+      description = "ideal physics with these parameters, for example 0.75,0.95,0.52")
+  private double[] chipModel;
+
+  @Option(names = "--cameras", paramLabel = "N", description = "1 to 8 (default 4)")
+  private Integer cameras;
+
+  @Option(
+      names = "--noise-mm",
+      paramLabel = "MM",
+      description = "noise of a ball straight below a camera (default 2)")
+  private Double noiseMm;
+
+  @Option(
+      names = "--camera-height",
+      paramLabel = "M",
+      description = "metres above the carpet (default 5.3)")
+  private Double cameraHeight;
+
+  @Option(
+      names = "--distortion",
+      paramLabel = "K",
+      description = "radial distortion, either sign (default 0.12)")
+  private Double distortion;
+
+  @Option(
+      names = "--disagreement-mm",
+      paramLabel = "MM",
+      description = "by how much neighbouring cameras report the same ball apart (default 0)")
+  private Double disagreementMm;
+
+  @Option(names = "--division", paramLabel = "A|B", description = "field size (default A)")
+  private String division = "A";
+
+  @Option(names = "--speed-min", paramLabel = "M/S", description = "slowest kick")
+  private Double speedMin;
+
+  @Option(names = "--speed-max", paramLabel = "M/S", description = "fastest kick")
+  private Double speedMax;
+
+  @Option(
+      names = "--reception",
+      paramLabel = "SHARE",
+      description = "share of kicks that the receiver tries to stop (default 0.7)")
+  private Double reception;
+
+  @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default 2)")
+  private Double minutes;
+
+  @Option(names = "--team-size", paramLabel = "N", description = "robots per team (default 6)")
+  private Integer teamSize;
+
+  @Option(
+      names = "--clean",
+      description = "no lost frames, false balls, jitter, shadows: noise only")
+  private boolean clean;
+
+  @Override
+  public Integer call() {
+    SimulationSettings settings;
+    try {
+      settings = settings();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+    PrintWriter print = spec.commandLine().getOut();
+    try {
+      RecordingFiles files = RecordingFiles.besides(out);
+      Truth truth = files.write(settings, progress());
+      print.printf(
+          Locale.ROOT,
+          "%s: %.1f s, %d kicks, %d frames of %d cameras, seed %d%n",
+          files.log(),
+          truth.duration(),
+          truth.commandedKicks().size(),
+          truth.cameras().stream().mapToLong(c -> c.frames()).sum(),
+          truth.cameras().size(),
+          settings.seed());
+      settings.effects().forEach(e -> print.printf("effect %s%n", e));
+      print.printf("truth %s%ncommands %s%n", files.truth(), files.commands());
+      print.flush();
+      return 0;
+    } catch (IOException e) {
+      spec.commandLine().getErr().printf("%s: cannot be written: %s%n", out, e.getMessage());
+      return 1;
+    }
+  }
+
+  private SimulationSettings settings() {
+    SimulationSettings s =
+        SimulationSettings.DEFAULT.withSeed(seed).withField(field()).withScenario(scenario());
+    if (preset != null) {
+      s = Preset.of(preset).applyTo(s);
+    }
+    if (physics != null || flatModel != null || chipModel != null) {
+      s = s.withPhysics(physics());
+    }
+    s = s.withCameras(cameras(s.cameras()));
+    if (clean) {
+      s = s.withNuisance(Nuisance.NONE);
+    }
+    return s.withEffects(effects.stream().map(EffectSetting::parse).toList());
+  }
+
+  private ScenarioSettings scenario() {
+    ScenarioKind kind;
+    try {
+      kind = ScenarioKind.valueOf(scenario.toUpperCase(Locale.ROOT));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          "unknown scenario '" + scenario + "'; known are flat, chip, mixed, match", e);
+    }
+    ScenarioSettings s = ScenarioSettings.of(kind, kicks);
+    if (speedMin != null || speedMax != null) {
+      double min = speedMin == null ? s.flatSpeedMin() : speedMin;
+      double max = speedMax == null ? s.flatSpeedMax() : speedMax;
+      s = s.withSpeeds(min, max);
+    }
+    if (reception != null) {
+      s = s.withReception(reception);
+    }
+    if (minutes != null || teamSize != null) {
+      s =
+          s.withMatch(
+              teamSize == null ? s.teamSize() : teamSize, minutes == null ? s.minutes() : minutes);
+    }
+    return s;
+  }
+
+  private FieldSize field() {
+    return switch (division.toUpperCase(Locale.ROOT)) {
+      case "A" -> FieldSize.DIVISION_A;
+      case "B" -> FieldSize.DIVISION_B;
+      default ->
+          throw new IllegalArgumentException("division must be A or B, but is '" + division + "'");
+    };
+  }
+
+  private BallPhysics physics() {
+    String name = physics == null ? "ideal" : physics;
+    if (name.equals("contact")) {
+      if (flatModel != null || chipModel != null) {
+        throw new IllegalArgumentException(
+            "--flat-model and --chip-model belong to --physics ideal");
+      }
+      return BallPhysics.contact(0.3, 0.28, 0.52);
+    }
+    if (!name.equals("ideal")) {
+      throw new IllegalArgumentException("physics must be ideal or contact, but is '" + name + "'");
+    }
+    double[] flat = three("--flat-model", flatModel, new double[] {-3.1, -0.28, 0.65});
+    double[] chip = three("--chip-model", chipModel, new double[] {0.75, 0.95, 0.52});
+    return BallPhysics.ideal(flat[0], flat[1], flat[2], chip[0], chip[1], chip[2]);
+  }
+
+  private static double[] three(String option, double[] given, double[] usual) {
+    if (given == null) {
+      return usual;
+    }
+    if (given.length != 3) {
+      throw new IllegalArgumentException(option + " takes three numbers, but got " + given.length);
+    }
+    return given;
+  }
+
+  private CameraSettings cameras(CameraSettings base) {
+    CameraSettings c = base;
+    if (cameras != null) {
+      c = c.withCount(cameras);
+    }
+    if (noiseMm != null) {
+      c = c.withNoise(noiseMm / 1000, 1.75 * noiseMm / 1000);
+    }
+    if (cameraHeight != null) {
+      c = c.withHeight(cameraHeight);
+    }
+    if (distortion != null) {
+      c = c.withDistortion(distortion);
+    }
+    if (disagreementMm != null) {
+      c = c.withRegistration(c.ballPlane(), disagreementMm / 1000);
+    }
+    return c;
+  }
+
+  /** Told to people only: a line on the terminal that counts the simulated seconds. */
+  private DoubleConsumer progress() {
+    if (System.console() == null) {
+      return time -> {};
+    }
+    PrintWriter err = spec.commandLine().getErr();
+    double[] shown = {0};
+    return time -> {
+      if (time >= shown[0]) {
+        shown[0] = time + 5;
+        err.printf(Locale.ROOT, "\rsimulated %.0f s ", time);
+        err.flush();
+      }
+    };
+  }
+}
