@@ -14,6 +14,7 @@ import fieldcal.simulation.truth.RobotTruth;
 import fieldcal.simulation.truth.Truth;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
 import fieldcal.vision.VisionPacket;
 import java.util.ArrayList;
@@ -82,7 +83,12 @@ public final class Simulation {
   }
 
   private static Scenario scenario(SimulationSettings settings) {
-    return new CalibrationScenario(settings);
+    ScenarioSettings s = settings.scenario();
+    ScenarioSettings withEffects =
+        s.withLimits(
+            Effects.limits(s.yellow(), Team.YELLOW, settings.effects()),
+            Effects.limits(s.blue(), Team.BLUE, settings.effects()));
+    return new CalibrationScenario(settings.withScenario(withEffects));
   }
 
   /**

@@ -43,7 +43,7 @@ final class Forces {
     phase = ball.phase();
     stepTime = time;
     frozen = false;
-    worn = ground.worn().contains(ball.state[0], ball.state[1]);
+    worn = ground.wornAt(ball.state[0], ball.state[1]);
     wear = worn ? 1 + ground.wornChange() : 1;
   }
 
@@ -55,7 +55,7 @@ final class Forces {
   }
 
   boolean sameRegion(double[] s) {
-    return ground.worn().contains(s[0], s[1]) == worn;
+    return ground.wornAt(s[0], s[1]) == worn;
   }
 
   double inertiaFactor() {

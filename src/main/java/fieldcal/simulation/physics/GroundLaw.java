@@ -176,6 +176,11 @@ public record GroundLaw(
         verticalSpinDecay);
   }
 
+  /** Whether friction differs at a place. */
+  boolean wornAt(double x, double y) {
+    return wornChange != 0 && worn.contains(x, y);
+  }
+
   /** Rolling deceleration at a velocity and a session time, m/s². */
   double rollingDecelerationAt(double vx, double vy, double sessionTime) {
     double speed = Math.sqrt(vx * vx + vy * vy);
