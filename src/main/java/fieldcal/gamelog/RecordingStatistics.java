@@ -38,6 +38,11 @@ public final class RecordingStatistics implements RecordingListener {
 
   @Override
   public void onReferee(RefereeState state, double receivedTime) {
+    refereeMessages++;
+    if (lastReferee != null && state.time() <= lastReferee.time()) {
+      // Some controllers send the old state once more beside the new one.
+      return;
+    }
     if (lastReferee == null
         || state.commandCounter() != lastReferee.commandCounter()
         || state.command() != lastReferee.command()) {
@@ -47,7 +52,6 @@ public final class RecordingStatistics implements RecordingListener {
         && stages.size() < MAX_STAGES) {
       stages.add(new RefereeStatistics.StageStart(receivedTime, state.stage()));
     }
-    refereeMessages++;
     lastReferee = state;
   }
 

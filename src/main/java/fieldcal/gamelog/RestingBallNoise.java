@@ -11,7 +11,7 @@ import fieldcal.vision.VisionFrame;
  * median over the stretches shrugs off those in which the ball was covered or nudged.
  */
 final class RestingBallNoise {
-  private static final int BLOCK = 32;
+  private static final int BLOCK = 16;
   private static final int HALF = BLOCK / 2;
 
   /** Two detections farther apart are not of the same resting ball, m: above ten times the worst cameras' noise. */
@@ -20,10 +20,10 @@ final class RestingBallNoise {
   /** A ball that was hidden for longer may have been moved, s. */
   private static final double MAX_PAUSE = 0.3;
 
-  /** How many standard deviations the halves' means may differ; 3 keeps 99.7 % of the resting stretches. */
-  private static final double MAX_DRIFT = 3;
+  /** How many standard deviations the halves' means may differ; 2 keeps 95 % of the resting stretches per axis. */
+  private static final double MAX_DRIFT = 2;
 
-  /** A stretch's variance has a χ² distribution of 62 degrees of freedom, whose median is that much below its mean (Wilson and Hilferty). */
+  /** The mean variance of both axes has a χ² distribution of 2·(BLOCK − 1) degrees of freedom, whose median is that much below its mean (Wilson and Hilferty). */
   private static final double MEDIAN_TO_MEAN = Math.pow(1 - 2 / (9.0 * 2 * (BLOCK - 1)), 3);
 
   private final double[] xs = new double[BLOCK];

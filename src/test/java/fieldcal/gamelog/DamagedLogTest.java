@@ -178,7 +178,7 @@ class DamagedLogTest {
     SplittableRandom random = new SplittableRandom(seed);
     byte[] plain = records(40).bytes();
     byte[] packed = LogBuilder.gzip(plain);
-    for (int round = 0; round < 4000; round++) {
+    for (int round = 0; round < 3000; round++) {
       byte[] bytes = (round % 4 == 0 ? packed : plain).clone();
       for (int hits = 1 + random.nextInt(6); hits > 0; hits--) {
         bytes[random.nextInt(bytes.length)] = (byte) random.nextInt();

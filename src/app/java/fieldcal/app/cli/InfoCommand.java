@@ -1,0 +1,46 @@
+package fieldcal.app.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal info LOG}. */
+@Command(
+    name = "info",
+    description =
+        "Tells what is in a recording: duration, cameras, rates, noise on the resting ball, gaps,"
+            + " geometry, models, referee, problems.",
+    mixinStandardHelpOptions = true)
+final class InfoCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Parameters(paramLabel = "LOG", description = "An SSL game log, .log or .log.gz.")
+  private Path log;
+
+  @Option(names = "--json", description = "Prints JSON instead of text.")
+  private boolean json;
+
+  InfoCommand() {}
+
+  @Override
+  public Integer call() throws IOException {
+    RecordingInfo info;
+    try (TerminalProgress progress = TerminalProgress.ofBytes("reading")) {
+      info = RecordingInfo.of(log, progress);
+    }
+    PrintWriter out = spec.commandLine().getOut();
+    if (json) {
+      out.println(new InfoJson().of(info));
+      out.flush();
+    } else {
+      new InfoText(out).print(info);
+    }
+    return 0;
+  }
+}

@@ -1,0 +1,77 @@
+package fieldcal.app.cli;
+
+import fieldcal.camera.Camera;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.gamelog.CameraStatistics;
+import fieldcal.gamelog.GameLogException;
+import fieldcal.gamelog.RecordingListener;
+import fieldcal.gamelog.RecordingReader;
+import fieldcal.gamelog.RecordingStatistics;
+import fieldcal.gamelog.RecordingSummary;
+import fieldcal.gamelog.RefereeState;
+import fieldcal.gamelog.RefereeStatistics;
+import fieldcal.vision.VisionFrame;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What {@code info} tells of a recording.
+ *
+ * @param file the log
+ * @param summary what was read
+ * @param cameras the cameras that sent frames
+ * @param referee what the referee did
+ */
+record RecordingInfo(
+    Path file,
+    RecordingSummary summary,
+    List<CameraStatistics> cameras,
+    Optional<RefereeStatistics> referee) {
+
+  /** Reads the whole log. */
+  static RecordingInfo of(Path file, TerminalProgress progress) throws IOException {
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      RecordingStatistics statistics = new RecordingStatistics();
+      RecordingSummary summary = read(reader, statistics, progress);
+      return new RecordingInfo(file, summary, statistics.cameras(), statistics.referee());
+    }
+  }
+
+  private static RecordingSummary read(
+      RecordingReader reader, RecordingStatistics statistics, TerminalProgress progress)
+      throws GameLogException {
+    return reader.read(
+        new RecordingListener() {
+          @Override
+          public void onFrame(VisionFrame frame, double receivedTime) {
+            statistics.onFrame(frame, receivedTime);
+          }
+
+          @Override
+          public void onClockJump(int cameraId, double jump) {
+            statistics.onClockJump(cameraId, jump);
+          }
+
+          @Override
+          public void onReferee(RefereeState state, double receivedTime) {
+            statistics.onReferee(state, receivedTime);
+          }
+
+          @Override
+          public void onProgress(long bytesRead, long totalBytes) {
+            progress.at(bytesRead, totalBytes);
+          }
+        });
+  }
+
+  /** What the operator should know of a camera's published pose; empty if all is well. */
+  static String poseNote(CameraCalibration calibration) {
+    try {
+      return Camera.of(calibration).consistency();
+    } catch (IllegalArgumentException e) {
+      return e.getMessage();
+    }
+  }
+}

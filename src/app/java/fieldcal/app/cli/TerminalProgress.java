@@ -1,0 +1,69 @@
+package fieldcal.app.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import me.tongfei.progressbar.ConsoleProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+
+/** A progress bar on the error stream, if that is a terminal; otherwise nothing. */
+final class TerminalProgress implements AutoCloseable {
+  private static final Path ERROR_STREAM = Path.of("/proc/self/fd/2");
+  private static final long MEGABYTE = 1_000_000;
+
+  private final String task;
+  private final boolean shown;
+  private ProgressBar bar;
+
+  private TerminalProgress(String task, boolean shown) {
+    this.task = task;
+    this.shown = shown;
+  }
+
+  /** A bar that counts bytes; it appears with the first call of {@link #at}. */
+  static TerminalProgress ofBytes(String task) {
+    return new TerminalProgress(task, isTerminal());
+  }
+
+  void at(long done, long total) {
+    if (!shown) {
+      return;
+    }
+    if (bar == null) {
+      bar =
+          new ProgressBarBuilder()
+              .setTaskName(task)
+              .setInitialMax(total)
+              .setUnit(" MB", MEGABYTE)
+              .setStyle(ProgressBarStyle.UNICODE_BLOCK)
+              .setConsumer(new ConsoleProgressBarConsumer(System.err))
+              .clearDisplayOnFinish()
+              .build();
+    }
+    bar.stepTo(done);
+  }
+
+  @Override
+  public void close() {
+    if (bar != null) {
+      bar.close();
+    }
+  }
+
+  /** Java tells only whether both standard input and output are terminals; Linux tells of each stream. */
+  private static boolean isTerminal() {
+    try {
+      if (Files.exists(ERROR_STREAM)) {
+        String target = Files.readSymbolicLink(ERROR_STREAM).toString();
+        return target.startsWith("/dev/pts/")
+            || target.startsWith("/dev/tty")
+            || target.equals("/dev/console");
+      }
+    } catch (IOException e) {
+      // No Linux after all: fall through to Java's own answer.
+    }
+    return System.console() != null;
+  }
+}
