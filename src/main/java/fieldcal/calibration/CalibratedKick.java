@@ -14,7 +14,7 @@ import java.util.Optional;
  */
 public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String> rejected) {
 
-  /** Copies the samples. */
+  /** Copies the samples. {@inheritDoc} */
   public CalibratedKick {
     Objects.requireNonNull(fit, "fit");
     samples = List.copyOf(samples);

@@ -28,7 +28,7 @@ public record Calibration(
     CameraViews cameras,
     long seed) {
 
-  /** Copies the collections, keeping their order. */
+  /** Copies the collections, keeping their order. {@inheritDoc} */
   public Calibration {
     kicks = List.copyOf(kicks);
     flat = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(flat));

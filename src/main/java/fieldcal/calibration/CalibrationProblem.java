@@ -30,7 +30,7 @@ public record CalibrationProblem(
     Optional<KickKind> kind,
     HandSelection selection) {
 
-  /** Copies the kicks and checks that nothing is missing. */
+  /** Copies the kicks and checks that nothing is missing. {@inheritDoc} */
   public CalibrationProblem {
     kicks = List.copyOf(kicks);
     Objects.requireNonNull(epoch, "epoch");

@@ -15,7 +15,7 @@ import java.util.Optional;
 public record Sample(
     int kickId, String parameter, double value, double standardError, Optional<String> dropped) {
 
-  /** Checks that nothing is missing. */
+  /** Checks that nothing is missing. {@inheritDoc} */
   public Sample {
     Objects.requireNonNull(parameter, "parameter");
     Objects.requireNonNull(dropped, "dropped");

@@ -42,7 +42,7 @@ public record JointFit(
    */
   public record Offset(double x, double y, double errorX, double errorY) {}
 
-  /** Copies the collections. */
+  /** Copies the collections. {@inheritDoc} */
   public JointFit {
     flat = List.copyOf(flat);
     chip = List.copyOf(chip);

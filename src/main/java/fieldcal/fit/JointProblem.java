@@ -24,7 +24,7 @@ public record JointProblem(
     OptionalDouble chipRoll,
     boolean offsets) {
 
-  /** Leaves failed fits out and checks that nothing is missing. */
+  /** Leaves failed fits out and checks that nothing is missing. {@inheritDoc} */
   public JointProblem {
     fits = fits.stream().filter(f -> f.failure().isEmpty()).toList();
     Objects.requireNonNull(cameras, "cameras");

@@ -7,7 +7,7 @@ import picocli.CommandLine.Command;
 @Command(
     name = "fieldcal",
     mixinStandardHelpOptions = true,
-    subcommands = {SimulateCommand.class})
+    subcommands = {CalibrateCommand.class, SimulateCommand.class})
 public final class Main implements Runnable {
 
   /**

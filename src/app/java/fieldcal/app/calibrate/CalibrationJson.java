@@ -1,0 +1,221 @@
+package fieldcal.app.calibrate;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.recording.CameraStream;
+import fieldcal.app.recording.DataProblem;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.Sample;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.JointFit;
+import fieldcal.fit.KickFit;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Builds {@code calibration.json}. SI units; what is not known is left out, never NaN. */
+final class CalibrationJson {
+  static final String SCHEMA = "fieldcal.calibration/1";
+
+  private final CalibrationOutcome outcome;
+  private final JsonNodeFactory nodes = JsonNodeFactory.instance;
+
+  CalibrationJson(CalibrationOutcome outcome) {
+    this.outcome = outcome;
+  }
+
+  ObjectNode build() {
+    Calibration calibration = outcome.calibration();
+    ObjectNode root = nodes.objectNode();
+    root.put("schema", SCHEMA);
+    ArrayNode sources = root.putArray("sources");
+    outcome.logs().forEach(log -> sources.add(log.toString()));
+    root.put("seed", calibration.seed());
+    ArrayNode cameras = root.putArray("cameras");
+    calibration.cameras().all().forEach(view -> cameras.add(camera(view)));
+    ArrayNode kicks = root.putArray("kicks");
+    calibration.kicks().forEach(kick -> kicks.add(kick(kick)));
+    root.set("flat", averages(calibration.flat()));
+    root.set("chip", averages(calibration.chip()));
+    root.set("joint", joint(calibration.joint()));
+    root.set("published", published());
+    ArrayNode problems = root.putArray("problems");
+    for (DataProblem p : outcome.data().problems()) {
+      problems.addObject().put("where", p.where()).put("what", p.what()).put("count", p.count());
+    }
+    return root;
+  }
+
+  private ObjectNode camera(CameraView view) {
+    ObjectNode node = nodes.objectNode();
+    node.put("id", view.id());
+    put(node, "noise_mm", 1000 * view.noise());
+    CameraStream stream = outcome.data().streams().get(view.id());
+    put(node, "rate_hz", stream == null ? Double.NaN : stream.rateHz());
+    JointFit.Offset offset =
+        outcome.calibration().joint().map(j -> j.offsets().get(view.id())).orElse(null);
+    if (offset != null && Double.isFinite(offset.errorX())) {
+      node.set("offset_mm", pair(1000 * offset.x(), 1000 * offset.y()));
+      node.set("offset_standard_error_mm", pair(1000 * offset.errorX(), 1000 * offset.errorY()));
+    }
+    view.camera().ifPresent(c -> node.put("note", c.consistency()));
+    return node;
+  }
+
+  private ArrayNode pair(double... values) {
+    ArrayNode array = nodes.arrayNode();
+    for (double v : values) {
+      array.add(v);
+    }
+    return array;
+  }
+
+  private ObjectNode kick(CalibratedKick calibrated) {
+    KickFit fit = calibrated.fit();
+    Kick kick = fit.kick();
+    boolean fitted = fit.failure().isEmpty();
+    ObjectNode node = nodes.objectNode();
+    node.put("id", kick.id());
+    node.put("kind", fit.kind().id());
+    node.put(
+        "t", outcome.data().epoch().unixSeconds(fitted ? fit.estimate("t0").value() : kick.time()));
+    kick.robot()
+        .ifPresent(
+            r ->
+                node.put("team", r.team().name().toLowerCase(java.util.Locale.ROOT))
+                    .put("robot", r.number()));
+    node.put("end", kick.end().id());
+    node.put("source", outcome.data().sources().get(kick.id()));
+    node.put("observations", kick.observations().size());
+    if (fitted) {
+      fitted(node, fit);
+    } else {
+      node.set("kick_position", pair(kick.x(), kick.y()));
+      node.set("kick_velocity", pair(kick.vx(), kick.vy(), 0));
+      node.set("parameters", nodes.objectNode());
+      node.set("standard_errors", nodes.objectNode());
+    }
+    node.put("selected", calibrated.selected());
+    node.put("rejected_because", calibrated.rejected().orElse(null));
+    ObjectNode dropped = nodes.objectNode();
+    for (Sample s : calibrated.samples()) {
+      s.dropped().ifPresent(reason -> dropped.put(ParameterNames.inFiles(s.parameter()), reason));
+    }
+    node.set("dropped_parameters", dropped);
+    outcome.command(kick).ifPresent(c -> node.set("commanded", commanded(c)));
+    return node;
+  }
+
+  private ObjectNode commanded(CommandFile.Command c) {
+    ObjectNode node = nodes.objectNode();
+    node.put("t", c.unixTime());
+    node.put("kind", c.kind());
+    node.put("speed", c.speed());
+    node.put("direction", c.direction());
+    node.put("elevation", c.elevation());
+    return node;
+  }
+
+  private void fitted(ObjectNode node, KickFit fit) {
+    node.put("rejected_observations", fit.statistics().observations() - fit.statistics().used());
+    put(node, "rms_mm", fit.rmsMm());
+    node.set("kick_position", pair(fit.estimate("x").value(), fit.estimate("y").value()));
+    double vz = fit.kind() == KickKind.CHIP ? fit.estimate("vz").value() : 0;
+    node.set("kick_velocity", pair(fit.estimate("vx").value(), fit.estimate("vy").value(), vz));
+    put(node, "t_standard_error", fit.estimate("t0").standardError());
+    if (fit.kind() == KickKind.CHIP) {
+      node.put("flights", fit.statistics().flights());
+    }
+    ObjectNode parameters = node.putObject("parameters");
+    ObjectNode errors = node.putObject("standard_errors");
+    ObjectNode undetermined = nodes.objectNode();
+    for (Estimate e : fit.modelEstimates()) {
+      String name = ParameterNames.inFiles(e.name());
+      if (e.usable()) {
+        parameters.put(name, e.value());
+        errors.put(name, e.standardError());
+      } else if (e.parameter().estimated()) {
+        undetermined.put(name, e.undetermined().orElse("the estimate ran into its bound"));
+      }
+    }
+    node.set("undetermined", undetermined);
+  }
+
+  private ObjectNode averages(Map<String, Average> averages) {
+    ObjectNode node = nodes.objectNode();
+    averages.forEach(
+        (name, a) -> {
+          if (a.n() > 0) {
+            ObjectNode one = node.putObject(ParameterNames.inFiles(name));
+            one.put("mean", a.mean());
+            one.put("standard_error", a.standardError());
+            one.put("n", a.n());
+            one.put("scatter", a.scatter());
+          }
+        });
+    return node;
+  }
+
+  private ObjectNode joint(Optional<JointFit> joint) {
+    ObjectNode node = nodes.objectNode();
+    node.set("flat", joint.map(j -> estimates(j.flat())).orElse(nodes.objectNode()));
+    node.set("chip", joint.map(j -> estimates(j.chip())).orElse(nodes.objectNode()));
+    joint.ifPresent(
+        j -> {
+          put(node, "rms_mm", j.rmsMm());
+          put(node, "rms_flat_mm", j.rmsFlatMm());
+          put(node, "rms_chip_mm", j.rmsChipMm());
+          node.put("observations", j.used());
+          node.put("rejected_observations", j.rejected());
+          put(node, "reduced_chi_square", j.reducedChiSquare());
+          node.put("converged", j.converged());
+        });
+    return node;
+  }
+
+  private ObjectNode estimates(List<Estimate> estimates) {
+    ObjectNode node = nodes.objectNode();
+    for (Estimate e : estimates) {
+      ObjectNode one = node.putObject(ParameterNames.inFiles(e.name()));
+      if (!e.parameter().estimated()) {
+        one.put("mean", e.value()).put("fixed", true);
+      } else if (e.usable()) {
+        one.put("mean", e.value()).put("standard_error", e.standardError());
+      } else {
+        one.put("undetermined", e.undetermined().orElse("the estimate ran into its bound"));
+      }
+    }
+    return node;
+  }
+
+  private ObjectNode published() {
+    ObjectNode node = nodes.objectNode();
+    outcome
+        .initial()
+        .flat()
+        .ifPresent(
+            m ->
+                m.parameters().forEach(p -> node.put(ParameterNames.inFiles(p.name()), p.value())));
+    outcome
+        .initial()
+        .chip()
+        .ifPresent(
+            m ->
+                m.parameters()
+                    .subList(0, 3)
+                    .forEach(p -> node.put(ParameterNames.inFiles(p.name()), p.value())));
+    return node;
+  }
+
+  private static void put(ObjectNode node, String name, double value) {
+    if (Double.isFinite(value)) {
+      node.put(name, value);
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package fieldcal.app.calibrate;
+
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.ball.ChipModel;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.HandSelection;
+import fieldcal.fit.Estimate;
+import fieldcal.kick.Kick;
+import fieldcal.vision.BallModels;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A calibration and everything it was made from.
+ *
+ * @param logs the recordings
+ * @param data what was found in them
+ * @param initial the model that it started from and is compared with; may hold none
+ * @param selection decisions by hand
+ * @param commands what the robots were told; may be empty
+ * @param calibration the result
+ */
+public record CalibrationOutcome(
+    List<Path> logs,
+    CollectedKicks data,
+    BallModels initial,
+    HandSelection selection,
+    List<CommandFile.Command> commands,
+    Calibration calibration) {
+
+  /** Copies the lists. {@inheritDoc} */
+  public CalibrationOutcome {
+    logs = List.copyOf(logs);
+    commands = List.copyOf(commands);
+  }
+
+  /**
+   * What a kick's robot was told.
+   *
+   * @param kick one of the calibration's
+   * @return the command, when there is one
+   */
+  public Optional<CommandFile.Command> command(Kick kick) {
+    return CommandFile.of(commands, data.epoch().unixSeconds(kick.time()), kick.robot());
+  }
+
+  /**
+   * The averaged model as the league's messages carry it.
+   *
+   * @return with the models that are complete; a part that these kicks do not determine is taken from the initial model, if that
+   *     has one
+   */
+  public BallModels models() {
+    double roll =
+        calibration
+            .joint()
+            .flatMap(j -> j.chip("accRoll"))
+            .map(Estimate::value)
+            .orElse(ChipModel.typical().accRoll());
+    return new BallModels(calibration.flatModel(), calibration.chipModel(roll));
+  }
+}

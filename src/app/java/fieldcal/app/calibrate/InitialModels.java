@@ -1,0 +1,69 @@
+package fieldcal.app.calibrate;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.vision.BallModels;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Reads a published ball model: {@code SSL_GeometryModels}, binary or text, or a {@code calibration.json}. */
+public final class InitialModels {
+  private InitialModels() {}
+
+  /**
+   * Reads.
+   *
+   * @param file from where
+   * @return the models in it, at least one
+   * @throws InputException when it holds none
+   * @throws IOException when it cannot be read
+   */
+  public static BallModels read(Path file) throws IOException {
+    byte[] content;
+    try {
+      content = Files.readAllBytes(file);
+    } catch (NoSuchFileException e) {
+      throw new InputException(file + ": no such file");
+    }
+    boolean json = content.length > 0 && content[0] == '{';
+    try {
+      return json ? fromJson(file) : BallModels.fromFile(content);
+    } catch (IllegalArgumentException e) {
+      throw new InputException(
+          file
+              + ": "
+              + e.getMessage()
+              + "; give SSL_GeometryModels (binary or text) or a calibration.json");
+    }
+  }
+
+  private static BallModels fromJson(Path file) throws IOException {
+    JsonNode root = JsonFiles.read(file);
+    if (!CalibrationJson.SCHEMA.equals(root.path("schema").asText())) {
+      throw new InputException(file + ": schema is not " + CalibrationJson.SCHEMA);
+    }
+    double roll = mean(root, "flat", "acc_roll");
+    double slide = mean(root, "flat", "acc_slide");
+    double kSwitch = mean(root, "flat", "k_switch");
+    double first = mean(root, "chip", "damping_xy_first_hop");
+    double other = mean(root, "chip", "damping_xy_other_hops");
+    double up = mean(root, "chip", "damping_z");
+    boolean flat = Double.isFinite(slide + roll + kSwitch);
+    boolean chip = Double.isFinite(first + other + up);
+    if (!flat && !chip) {
+      throw new IllegalArgumentException("holds no complete model");
+    }
+    double chipRoll = Double.isFinite(roll) ? roll : FlatModel.typical().accRoll();
+    return new BallModels(
+        flat ? Optional.of(new FlatModel(slide, roll, kSwitch)) : Optional.empty(),
+        chip ? Optional.of(new ChipModel(first, other, up, chipRoll)) : Optional.empty());
+  }
+
+  private static double mean(JsonNode root, String kind, String parameter) {
+    return root.path(kind).path(parameter).path("mean").asDouble(Double.NaN);
+  }
+}

@@ -1,0 +1,81 @@
+package fieldcal.app.calibrate;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+
+/** Reads and writes the JSON files of the tools, with errors that name file and line. */
+public final class JsonFiles {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  private JsonFiles() {}
+
+  /**
+   * Writes a document so that a crash leaves either the old file or the new one.
+   *
+   * @param document what to write
+   * @param file where; its directory is made if needed
+   * @throws IOException when it cannot be written
+   */
+  public static void write(JsonNode document, Path file) throws IOException {
+    DefaultPrettyPrinter printer = new DefaultPrettyPrinter();
+    printer.indentArraysWith(DefaultPrettyPrinter.FixedSpaceIndenter.instance);
+    printer.indentObjectsWith(new DefaultIndenter("  ", "\n"));
+    byte[] bytes =
+        (MAPPER.writer(printer).writeValueAsString(document) + "\n")
+            .getBytes(StandardCharsets.UTF_8);
+    write(bytes, file);
+  }
+
+  /**
+   * Writes bytes so that a crash leaves either the old file or the new one.
+   *
+   * @param bytes what to write
+   * @param file where; its directory is made if needed
+   * @throws IOException when it cannot be written
+   */
+  public static void write(byte[] bytes, Path file) throws IOException {
+    Path directory = file.toAbsolutePath().getParent();
+    Files.createDirectories(directory);
+    // Beside the file, so that the move is one step; not a temporary file, which only its owner
+    // could read.
+    Path unfinished = directory.resolve(file.getFileName() + ".part");
+    try {
+      Files.write(unfinished, bytes);
+      Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(unfinished);
+    }
+  }
+
+  /**
+   * Reads a document.
+   *
+   * @param file from where
+   * @return its root
+   * @throws InputException when there is no such file or it is not JSON
+   * @throws IOException when it cannot be read
+   */
+  public static JsonNode read(Path file) throws IOException {
+    try {
+      return MAPPER.readTree(Files.readAllBytes(file));
+    } catch (NoSuchFileException e) {
+      throw new InputException(file + ": no such file");
+    } catch (JsonProcessingException e) {
+      throw new InputException(
+          file
+              + ", line "
+              + (e.getLocation() == null ? 1 : e.getLocation().getLineNr())
+              + ": no valid JSON: "
+              + e.getOriginalMessage());
+    }
+  }
+}

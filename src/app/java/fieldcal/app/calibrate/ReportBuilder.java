@@ -1,0 +1,210 @@
+package fieldcal.app.calibrate;
+
+import fieldcal.app.recording.CameraStream;
+import fieldcal.app.report.CalibrationReport;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.JointFit;
+import fieldcal.kick.KickKind;
+import fieldcal.kick.Observations;
+import fieldcal.vision.FieldGeometry;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Turns a calibration into what the report shows. */
+final class ReportBuilder {
+  /** Offsets above that are worth a warning: they are larger than what a good camera calibration leaves, mm. */
+  private static final double NOTABLE_OFFSET_MM = 5;
+
+  private final CalibrationOutcome outcome;
+  private final Calibration calibration;
+
+  ReportBuilder(CalibrationOutcome outcome) {
+    this.outcome = outcome;
+    calibration = outcome.calibration();
+  }
+
+  CalibrationReport build() {
+    List<CalibrationReport.Model> models = new ArrayList<>();
+    if (!calibration.kicks(KickKind.FLAT).isEmpty()) {
+      models.add(model(KickKind.FLAT));
+    }
+    if (!calibration.kicks(KickKind.CHIP).isEmpty()) {
+      models.add(model(KickKind.CHIP));
+    }
+    KickReportBuilder kicks = new KickReportBuilder(outcome);
+    return new CalibrationReport(
+        new CalibrationReport.Provenance(
+            outcome.logs().stream().map(Object::toString).toList(),
+            "fieldcal " + version(),
+            calibration.seed(),
+            outcome.data().epoch().unixSeconds(0),
+            outcome.data().duration()),
+        models,
+        calibration.cameras().all().stream().map(this::camera).toList(),
+        outcome.data().geometry().map(this::field),
+        calibration.kicks().stream().map(kicks::kick).toList(),
+        warnings(),
+        outcome.data().problems().stream()
+            .map(p -> new CalibrationReport.Problem(p.where(), p.what(), p.count(), p.advice()))
+            .toList());
+  }
+
+  private static String version() {
+    String version = Calibration.class.getPackage().getImplementationVersion();
+    return version == null ? "(development)" : version;
+  }
+
+  private CalibrationReport.Model model(KickKind kind) {
+    boolean flat = kind == KickKind.FLAT;
+    Map<String, Average> averages = flat ? calibration.flat() : calibration.chip();
+    List<Parameter> names =
+        flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
+    List<CalibrationReport.ModelParameter> parameters = new ArrayList<>();
+    for (Parameter p : names) {
+      Average a = averages.get(p.name());
+      Optional<Estimate> joint =
+          calibration.joint().flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()));
+      parameters.add(
+          new CalibrationReport.ModelParameter(
+              p.name(),
+              p.unit(),
+              a.mean(),
+              a.standardError(),
+              a.n(),
+              a.scatter(),
+              joint.filter(Estimate::usable).map(Estimate::value).orElse(Double.NaN),
+              joint.filter(Estimate::usable).map(Estimate::standardError).orElse(Double.NaN),
+              published(kind, p.name()),
+              ""));
+    }
+    double rms =
+        calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
+    return new CalibrationReport.Model(
+        flat ? CalibrationReport.Kind.FLAT : CalibrationReport.Kind.CHIP,
+        parameters,
+        rms,
+        flat ? "" : rollNote());
+  }
+
+  private String rollNote() {
+    Optional<Estimate> roll = calibration.joint().flatMap(j -> j.chip("accRoll"));
+    return roll.map(
+            e ->
+                e.parameter().estimated()
+                    ? String.format(
+                        Locale.ROOT,
+                        "There are no flat kicks; the chips themselves give accRoll %.4f ± %.4f"
+                            + " m/s².",
+                        e.value(),
+                        e.standardError())
+                    : String.format(
+                        Locale.ROOT,
+                        "Chips roll with accRoll %.4f m/s² of the flat kicks.",
+                        e.value()))
+        .orElse("");
+  }
+
+  private double published(KickKind kind, String name) {
+    List<Parameter> parameters =
+        kind == KickKind.FLAT
+            ? outcome.initial().flat().map(FlatModel::parameters).orElse(List.of())
+            : outcome.initial().chip().map(ChipModel::parameters).orElse(List.of());
+    return parameters.stream()
+        .filter(p -> p.name().equals(name))
+        .mapToDouble(Parameter::value)
+        .findFirst()
+        .orElse(Double.NaN);
+  }
+
+  private CalibrationReport.Camera camera(CameraView view) {
+    CameraStream stream = outcome.data().streams().get(view.id());
+    long seen = 0;
+    for (CalibratedKick kick : calibration.kicks()) {
+      Observations observations = kick.fit().kick().observations();
+      for (int i = 0; i < observations.size(); i++) {
+        seen += observations.camera(i) == view.id() ? 1 : 0;
+      }
+    }
+    JointFit.Offset o =
+        calibration
+            .joint()
+            .map(j -> j.offsets().get(view.id()))
+            .filter(f -> Double.isFinite(f.errorX()))
+            .orElse(new JointFit.Offset(Double.NaN, Double.NaN, Double.NaN, Double.NaN));
+    return new CalibrationReport.Camera(
+        view.id(),
+        1000 * view.noise(),
+        stream == null ? Double.NaN : stream.rateHz(),
+        seen,
+        1000 * o.x(),
+        1000 * o.errorX(),
+        1000 * o.y(),
+        1000 * o.errorY(),
+        view.camera().map(c -> c.positionX()).orElse(Double.NaN),
+        view.camera().map(c -> c.positionY()).orElse(Double.NaN),
+        view.camera().map(c -> c.consistency()).orElse("no geometry published for this camera"));
+  }
+
+  private CalibrationReport.Field field(FieldGeometry g) {
+    return new CalibrationReport.Field(
+        g.length(),
+        g.width(),
+        g.boundaryWidth(),
+        g.goalWidth(),
+        g.goalDepth(),
+        Double.NaN,
+        Double.NaN,
+        // The rules' centre circle is one metre wide in all divisions.
+        0.5);
+  }
+
+  private List<String> warnings() {
+    List<String> warnings = new ArrayList<>();
+    Map<Integer, JointFit.Offset> offsets = new HashMap<>();
+    calibration.joint().ifPresent(j -> offsets.putAll(j.offsets()));
+    for (CameraView view : calibration.cameras().all()) {
+      JointFit.Offset o = offsets.get(view.id());
+      double size = o == null ? 0 : 1000 * Math.hypot(o.x(), o.y());
+      if (size > NOTABLE_OFFSET_MM) {
+        warnings.add(
+            String.format(
+                Locale.ROOT,
+                "Camera %d reports everything %.0f mm aside of the mean of all cameras. It is taken"
+                    + " out here; in the match it is not: calibrate the camera.",
+                view.id(),
+                size));
+      }
+    }
+    calibration
+        .joint()
+        .filter(j -> j.reducedChiSquare() > 1.5 * 1.5)
+        .ifPresent(
+            j ->
+                warnings.add(
+                    String.format(
+                        Locale.ROOT,
+                        "Residuals are %.1f times the cameras' noise on the resting ball: the model"
+                            + " does not explain everything.",
+                        Math.sqrt(j.reducedChiSquare()))));
+    calibration
+        .joint()
+        .filter(j -> !j.converged())
+        .ifPresent(
+            j ->
+                warnings.add(
+                    "The joint fit did not converge; look at the single kicks before you"
+                        + " publish."));
+    return warnings;
+  }
+}

@@ -1,0 +1,122 @@
+package fieldcal.app.calibrate;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.HandSelection;
+import fieldcal.vision.Epoch;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * Decisions about kicks as a file that people edit: {@code selection.json}.
+ *
+ * <p>One entry per kick with its key, number, kind and state, and {@code decision}: {@code auto} (the rules decide), {@code drop} or
+ * {@code keep}, with a {@code reason} where there is one. Entries of kicks that are not in the present recordings are kept.
+ */
+public final class SelectionFile {
+  private static final String SCHEMA = "fieldcal.selection/1";
+
+  private SelectionFile() {}
+
+  /**
+   * Reads the decisions.
+   *
+   * @param file from where
+   * @return the decisions in it
+   * @throws InputException when it is no selection file, with the place
+   * @throws IOException when it cannot be read
+   */
+  public static HandSelection read(Path file) throws IOException {
+    JsonNode root = JsonFiles.read(file);
+    if (!SCHEMA.equals(root.path("schema").asText()) || !root.path("kicks").isArray()) {
+      throw new InputException(
+          file + ": no selection file (schema " + SCHEMA + " with a list of kicks)");
+    }
+    HandSelection selection = HandSelection.none();
+    int number = 0;
+    for (JsonNode kick : root.path("kicks")) {
+      number++;
+      String key = kick.path("key").asText();
+      String decision = kick.path("decision").asText("auto");
+      if (!key.matches("-?\\d+\\.\\d\\d")) {
+        throw new InputException(
+            file
+                + ", kick "
+                + number
+                + ": key must be a time in seconds with two decimals, not \""
+                + key
+                + "\"");
+      }
+      switch (decision) {
+        case "auto" -> {}
+        case "drop" ->
+            selection = selection.drop(key, kick.path("reason").asText("no reason given"));
+        case "keep" -> selection = selection.keep(key);
+        default ->
+            throw new InputException(
+                file
+                    + ", kick "
+                    + number
+                    + ": decision must be auto, drop or keep, not \""
+                    + decision
+                    + "\"");
+      }
+    }
+    return selection;
+  }
+
+  /**
+   * Writes the decisions beside what became of each kick.
+   *
+   * @param calibration the kicks
+   * @param selection the decisions it was made with
+   * @param epoch of the kicks' times
+   * @param file where
+   * @throws IOException when it cannot be written
+   */
+  public static void write(Calibration calibration, HandSelection selection, Epoch epoch, Path file)
+      throws IOException {
+    ObjectNode root = JsonNodeFactory.instance.objectNode();
+    root.put("schema", SCHEMA);
+    root.put(
+        "help",
+        "decision: auto = the rules decide, drop = never used, keep = used whatever the rules say");
+    ArrayNode kicks = root.putArray("kicks");
+    Map<String, String> strangers = new LinkedHashMap<>(selection.dropped());
+    selection.kept().forEach(key -> strangers.put(key, null));
+    for (CalibratedKick kick : calibration.kicks()) {
+      String key = HandSelection.key(epoch.unixSeconds(kick.fit().kick().time()));
+      ObjectNode entry = kicks.addObject();
+      entry.put("key", key);
+      entry.put("id", kick.fit().kick().id());
+      entry.put("kind", kick.fit().kind().id());
+      entry.put("used", kick.selected());
+      entry.put(
+          "decision",
+          selection.isKept(key)
+              ? "keep"
+              : selection.droppedBecause(key).isPresent() ? "drop" : "auto");
+      selection
+          .droppedBecause(key)
+          .or(kick::rejected)
+          .ifPresent(reason -> entry.put("reason", reason));
+      strangers.keySet().removeIf(other -> HandSelection.none().keep(other).isKept(key));
+    }
+    strangers.forEach(
+        (key, reason) -> {
+          ObjectNode entry = kicks.addObject();
+          entry.put("key", key);
+          entry.put("decision", reason == null ? "keep" : "drop");
+          if (reason != null) {
+            entry.put("reason", reason);
+          }
+        });
+    JsonFiles.write(root, file);
+  }
+}

@@ -1,0 +1,128 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.calibration.HandSelection;
+import fieldcal.fit.FitSettings;
+import fieldcal.kick.KickKind;
+import fieldcal.vision.BallModels;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal calibrate}: recordings to a ball model. */
+@Command(
+    name = "calibrate",
+    mixinStandardHelpOptions = true,
+    description =
+        "Finds the kicks of one recording or several, fits them, and gives a ball model with"
+            + " standard errors.")
+final class CalibrateCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Parameters(arity = "1..*", paramLabel = "LOG", description = "SSL game logs, .log or .log.gz")
+  private List<Path> logs;
+
+  @Option(
+      names = "--kind",
+      paramLabel = "auto|flat|chip",
+      defaultValue = "auto",
+      description = "what the kicks are; auto (default) decides for each kick")
+  private String kind;
+
+  @Option(
+      names = "--commands",
+      paramLabel = "CSV",
+      description =
+          "what the robots were told: t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg")
+  private Path commands;
+
+  @Option(
+      names = "--initial",
+      paramLabel = "FILE",
+      description =
+          "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
+              + " or a calibration.json; without it, what the recording publishes")
+  private Path initial;
+
+  @Option(
+      names = "--selection",
+      paramLabel = "FILE",
+      description =
+          "kicks dropped or kept by hand; without it, DIR/selection.json of --out if that exists")
+  private Path selection;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "seed of the random search (default: ${DEFAULT-VALUE})",
+      defaultValue = "20260101")
+  private long seed;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description =
+          "writes report.html, calibration.json, geometry_models.pb, geometry_models.txt and"
+              + " selection.json there")
+  private Path out;
+
+  @Option(names = "--json", paramLabel = "FILE", description = "writes calibration.json there")
+  private Path json;
+
+  @Override
+  public Integer call() throws IOException {
+    Optional<KickKind> forced = forcedKind();
+    HandSelection byHand = readSelection();
+    Optional<BallModels> start =
+        initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
+    List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
+    CalibrationSession session = new CalibrationSession(FitSettings.defaults().withSeed(seed));
+    CalibrationOutcome outcome;
+    try (WorkProgress progress = new WorkProgress()) {
+      outcome = session.run(logs, forced, start, byHand, told, progress);
+    }
+    if (out != null) {
+      CalibrationSession.writeAll(outcome, out);
+    }
+    if (json != null) {
+      CalibrationSession.writeJson(outcome, json);
+    }
+    new CalibrationText(spec.commandLine().getOut()).print(outcome, out);
+    return 0;
+  }
+
+  private Optional<KickKind> forcedKind() {
+    return switch (kind.toLowerCase(Locale.ROOT)) {
+      case "auto" -> Optional.empty();
+      case "flat" -> Optional.of(KickKind.FLAT);
+      case "chip" -> Optional.of(KickKind.CHIP);
+      default ->
+          throw new ParameterException(
+              spec.commandLine(), "--kind must be auto, flat or chip, not '" + kind + "'");
+    };
+  }
+
+  private HandSelection readSelection() throws IOException {
+    if (selection != null) {
+      return SelectionFile.read(selection);
+    }
+    Path former = out == null ? null : out.resolve("selection.json");
+    return former != null && Files.exists(former)
+        ? SelectionFile.read(former)
+        : HandSelection.none();
+  }
+}

@@ -1,0 +1,153 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.recording.DataProblem;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.JointFit;
+import fieldcal.kick.KickKind;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Prints a calibration for the operator's terminal. */
+final class CalibrationText {
+  private final PrintWriter out;
+
+  CalibrationText(PrintWriter out) {
+    this.out = out;
+  }
+
+  void print(CalibrationOutcome outcome, Path directory) {
+    Calibration calibration = outcome.calibration();
+    for (KickKind kind : KickKind.values()) {
+      if (!calibration.kicks(kind).isEmpty()) {
+        model(outcome, kind);
+      }
+    }
+    if (calibration.kicks().isEmpty()) {
+      line("No kick found, no model.");
+    }
+    cameras(calibration);
+    rejected(calibration);
+    if (!outcome.data().problems().isEmpty()) {
+      line("%nIn the data:");
+      for (DataProblem p : outcome.data().problems()) {
+        line("  %s", p);
+      }
+    }
+    line("%nseed %d", calibration.seed());
+    if (directory != null) {
+      line("report: %s", directory.resolve("report.html"));
+    }
+    out.flush();
+  }
+
+  private void line(String format, Object... args) {
+    out.println(String.format(Locale.ROOT, format, args));
+  }
+
+  private void model(CalibrationOutcome outcome, KickKind kind) {
+    Calibration calibration = outcome.calibration();
+    boolean flat = kind == KickKind.FLAT;
+    List<CalibratedKick> kicks = calibration.kicks(kind);
+    long used = kicks.stream().filter(CalibratedKick::selected).count();
+    double rms =
+        calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
+    line(
+        "%s model from %d of %d kicks, joint fit %.2f mm RMS per axis",
+        flat ? "Flat" : "Chip", used, kicks.size(), rms);
+    line("  %-22s %-24s %4s  %-22s %s", "", "mean", "n", "joint fit", "published");
+    List<Parameter> names =
+        flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
+    Map<String, Average> averages = flat ? calibration.flat() : calibration.chip();
+    List<Parameter> published =
+        flat
+            ? outcome.initial().flat().map(FlatModel::parameters).orElse(List.of())
+            : outcome.initial().chip().map(ChipModel::parameters).orElse(List.of());
+    for (Parameter p : names) {
+      Average a = averages.get(p.name());
+      String mean =
+          a.n() == 0
+              ? "undetermined"
+              : String.format(
+                  Locale.ROOT, "%9.4f ± %.4f %s", a.mean(), a.standardError(), p.unit());
+      Optional<Estimate> joint =
+          calibration.joint().flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()));
+      String together =
+          joint
+              .filter(Estimate::usable)
+              .map(e -> String.format(Locale.ROOT, "%9.4f ± %.4f", e.value(), e.standardError()))
+              .orElse("undetermined");
+      line(
+          "  %-22s %-24s %4d  %-22s %s",
+          p.name(), mean, a.n(), together, compared(published, p.name(), a));
+    }
+    line("");
+  }
+
+  private static String compared(List<Parameter> published, String name, Average a) {
+    return published.stream()
+        .filter(p -> p.name().equals(name))
+        .map(
+            p ->
+                a.n() == 0
+                    ? String.format(Locale.ROOT, "%.4f", p.value())
+                    : String.format(
+                        Locale.ROOT,
+                        "%.4f (%+.1f %%)",
+                        p.value(),
+                        100 * (a.mean() / p.value() - 1)))
+        .findFirst()
+        .orElse("-");
+  }
+
+  private void cameras(Calibration calibration) {
+    Map<Integer, JointFit.Offset> offsets =
+        calibration.joint().map(JointFit::offsets).orElse(Map.of());
+    calibration
+        .cameras()
+        .all()
+        .forEach(
+            view -> {
+              JointFit.Offset o = offsets.get(view.id());
+              boolean known = o != null && Double.isFinite(o.errorX());
+              line(
+                  "camera %d: noise %.2f mm%s%s",
+                  view.id(),
+                  1000 * view.noise(),
+                  known
+                      ? String.format(
+                          Locale.ROOT,
+                          ", offset x %+.2f ± %.2f mm, y %+.2f ± %.2f mm (taken out)",
+                          1000 * o.x(),
+                          1000 * o.errorX(),
+                          1000 * o.y(),
+                          1000 * o.errorY())
+                      : "",
+                  view.camera()
+                      .map(c -> c.hasPixels() ? "" : "; only its published position is used")
+                      .orElse("; no geometry"));
+            });
+  }
+
+  private void rejected(Calibration calibration) {
+    List<CalibratedKick> out = calibration.kicks().stream().filter(k -> !k.selected()).toList();
+    if (!out.isEmpty()) {
+      line("%nKicks not used:");
+      out.forEach(
+          k ->
+              line(
+                  "  %d (%s): %s",
+                  k.fit().kick().id(), k.fit().kind().id(), k.rejected().orElse("")));
+    }
+  }
+}
