@@ -27,9 +27,9 @@ import java.util.Optional;
  * }</pre>
  */
 public final class GameLogReader implements Closeable {
-  static final byte[] MAGIC = "SSL_LOG_FILE".getBytes(StandardCharsets.US_ASCII);
+  static final String MAGIC = "SSL_LOG_FILE";
   static final int VERSION = 1;
-  static final int FILE_HEADER_LENGTH = MAGIC.length + Integer.BYTES;
+  static final int FILE_HEADER_LENGTH = MAGIC.length() + Integer.BYTES;
 
   private static final int INITIAL_BUFFER = 1 << 18;
   private static final int HEADER = RecordHeader.LENGTH;
@@ -249,8 +249,9 @@ public final class GameLogReader implements Closeable {
     if (available == 0) {
       throw new GameLogException(file, 0, "nothing in it can be decompressed; get the file again");
     }
-    int compared = Math.min(available, MAGIC.length);
-    if (!Arrays.equals(buffer, 0, compared, MAGIC, 0, compared)) {
+    int compared = Math.min(available, MAGIC.length());
+    String start = new String(buffer, 0, compared, StandardCharsets.US_ASCII);
+    if (!MAGIC.startsWith(start)) {
       throw new GameLogException(
           file,
           0,
@@ -263,11 +264,11 @@ public final class GameLogReader implements Closeable {
           available,
           "ends within the header of a game log; record again or choose another file");
     }
-    int version = ByteBuffer.wrap(buffer, MAGIC.length, Integer.BYTES).getInt();
+    int version = ByteBuffer.wrap(buffer, MAGIC.length(), Integer.BYTES).getInt();
     if (version != VERSION) {
       throw new GameLogException(
           file,
-          MAGIC.length,
+          MAGIC.length(),
           "is a game log of version "
               + version
               + ", but only version "

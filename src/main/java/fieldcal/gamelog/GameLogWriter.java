@@ -4,6 +4,7 @@ import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.zip.GZIPOutputStream;
@@ -17,7 +18,7 @@ public final class GameLogWriter implements Closeable {
 
   private GameLogWriter(OutputStream out) throws IOException {
     this.out = out;
-    out.write(GameLogReader.MAGIC);
+    out.write(GameLogReader.MAGIC.getBytes(StandardCharsets.US_ASCII));
     out.write(new byte[] {0, 0, 0, GameLogReader.VERSION});
   }
 

@@ -104,16 +104,7 @@ final class FrameReader {
         skip(in, tag);
       }
     }
-    if (!hasCapture || camera == ABSENT) {
-      counts.add(DecodingProblem.INCOMPLETE_FRAME);
-      return null;
-    }
-    if (camera > VisionDecoder.MAX_CAMERA_ID) {
-      counts.add(DecodingProblem.BAD_CAMERA_ID);
-      return null;
-    }
-    if (!isUnixTime(capture)) {
-      counts.add(DecodingProblem.BAD_CAPTURE_TIME);
+    if (!isUsable(hasCapture && camera != ABSENT, camera, capture)) {
       return null;
     }
     if (hasSent && !isUnixTime(sent)) {
@@ -132,6 +123,20 @@ final class FrameReader {
         robots);
   }
 
+  /** Counts the reason if not. */
+  private boolean isUsable(boolean complete, long camera, double capture) {
+    if (!complete) {
+      counts.add(DecodingProblem.INCOMPLETE_FRAME);
+    } else if (camera > VisionDecoder.MAX_CAMERA_ID) {
+      counts.add(DecodingProblem.BAD_CAMERA_ID);
+    } else if (!isUnixTime(capture)) {
+      counts.add(DecodingProblem.BAD_CAPTURE_TIME);
+    } else {
+      return true;
+    }
+    return false;
+  }
+
   private void readBall(CodedInputStream in) throws IOException {
     int oldLimit = in.pushLimit(in.readRawVarint32());
     float confidence = 1;
@@ -141,10 +146,8 @@ final class FrameReader {
     boolean hasX = false;
     boolean hasY = false;
     float z = Float.NaN;
-    boolean hasZ = false;
     float pixelX = Float.NaN;
     float pixelY = Float.NaN;
-    boolean hasPixel = false;
     for (int tag = in.readTag(); tag != 0; tag = in.readTag()) {
       if (tag == BALL_X) {
         x = in.readFloat();
@@ -153,18 +156,15 @@ final class FrameReader {
         y = in.readFloat();
         hasY = true;
       } else if (tag == BALL_CONFIDENCE) {
-        confidence = in.readFloat();
+        confidence = readDetail(in);
       } else if (tag == BALL_AREA) {
         area = in.readUInt32();
       } else if (tag == BALL_PIXEL_X) {
-        pixelX = in.readFloat();
-        hasPixel = true;
+        pixelX = readDetail(in);
       } else if (tag == BALL_PIXEL_Y) {
-        pixelY = in.readFloat();
-        hasPixel = true;
+        pixelY = readDetail(in);
       } else if (tag == BALL_Z) {
-        z = in.readFloat();
-        hasZ = true;
+        z = readDetail(in);
       } else {
         skip(in, tag);
       }
@@ -174,20 +174,15 @@ final class FrameReader {
     if (!isUsable(hasX && hasY, x, y, DecodingProblem.INCOMPLETE_BALL)) {
       return;
     }
-    if (!Float.isFinite(confidence)
-        || hasZ && !Float.isFinite(z)
-        || hasPixel && !(Float.isFinite(pixelX) && Float.isFinite(pixelY))) {
-      counts.add(DecodingProblem.NON_FINITE_DETAIL);
-    }
     balls.add(
         new BallDetection(
             x / MM_PER_M,
             y / MM_PER_M,
-            finiteOrNaN(z) / MM_PER_M,
-            Float.isFinite(confidence) ? confidence : 0,
+            z / MM_PER_M,
+            Float.isNaN(confidence) ? 0 : confidence,
             Math.max(area, 0),
-            finiteOrNaN(pixelX),
-            finiteOrNaN(pixelY)));
+            pixelX,
+            pixelY));
   }
 
   private void readRobot(CodedInputStream in, Team team, List<RobotDetection> into)
@@ -200,9 +195,7 @@ final class FrameReader {
     boolean hasX = false;
     boolean hasY = false;
     float orientation = Float.NaN;
-    boolean hasOrientation = false;
     float height = Float.NaN;
-    boolean hasHeight = false;
     for (int tag = in.readTag(); tag != 0; tag = in.readTag()) {
       if (tag == ROBOT_X) {
         x = in.readFloat();
@@ -211,15 +204,13 @@ final class FrameReader {
         y = in.readFloat();
         hasY = true;
       } else if (tag == ROBOT_ORIENTATION) {
-        orientation = in.readFloat();
-        hasOrientation = true;
+        orientation = readDetail(in);
       } else if (tag == ROBOT_ID) {
         number = Integer.toUnsignedLong(in.readUInt32());
       } else if (tag == ROBOT_CONFIDENCE) {
-        confidence = in.readFloat();
+        confidence = readDetail(in);
       } else if (tag == ROBOT_HEIGHT) {
-        height = in.readFloat();
-        hasHeight = true;
+        height = readDetail(in);
       } else {
         skip(in, tag);
       }
@@ -233,19 +224,14 @@ final class FrameReader {
       counts.add(DecodingProblem.IMPOSSIBLE_ROBOT);
       return;
     }
-    if (!Float.isFinite(confidence)
-        || hasOrientation && !Float.isFinite(orientation)
-        || hasHeight && !Float.isFinite(height)) {
-      counts.add(DecodingProblem.NON_FINITE_DETAIL);
-    }
     into.add(
         new RobotDetection(
             robotId(team, (int) number),
             x / MM_PER_M,
             y / MM_PER_M,
-            finiteOrNaN(orientation),
-            Float.isFinite(confidence) ? confidence : 0,
-            finiteOrNaN(height) / MM_PER_M));
+            orientation,
+            Float.isNaN(confidence) ? 0 : confidence,
+            height / MM_PER_M));
   }
 
   /** Counts the reason if not; the problems of balls and robots come in the same order. */
@@ -271,6 +257,16 @@ final class FrameReader {
     return known[number];
   }
 
+  /** A value that a detection can do without: NaN, and counted, if it is not finite. */
+  private float readDetail(CodedInputStream in) throws IOException {
+    float value = in.readFloat();
+    if (Float.isFinite(value)) {
+      return value;
+    }
+    counts.add(DecodingProblem.NON_FINITE_DETAIL);
+    return Float.NaN;
+  }
+
   static void skip(CodedInputStream in, int tag) throws IOException {
     if (!in.skipField(tag)) {
       // An end-group tag without its start: no message ends like this.
@@ -280,10 +276,6 @@ final class FrameReader {
 
   private static boolean isUnixTime(double seconds) {
     return Math.abs(seconds) <= MAX_UNIX_SECONDS;
-  }
-
-  private static float finiteOrNaN(float value) {
-    return Float.isFinite(value) ? value : Float.NaN;
   }
 
   private static int tag(int field, int wireType) {

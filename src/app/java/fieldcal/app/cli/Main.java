@@ -1,14 +1,24 @@
 package fieldcal.app.cli;
 
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.FileSystemException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ParseResult;
 
 /** The command line of fieldcal. */
 @Command(
     name = "fieldcal",
+    description = "Calibrates the motion models of an SSL team on the field it plays on.",
     mixinStandardHelpOptions = true,
-    subcommands = {CalibrateCommand.class, SimulateCommand.class})
-public final class Main implements Runnable {
+    version = "fieldcal 0.1.0",
+    subcommands = {InfoCommand.class, CalibrateCommand.class, SimulateCommand.class})
+public final class Main {
+  private static final int BAD_INPUT = 1;
+
+  /** The commands themselves hold the options. */
+  public Main() {}
 
   /**
    * Runs a command.
@@ -16,11 +26,34 @@ public final class Main implements Runnable {
    * @param args command and options
    */
   public static void main(String[] args) {
-    System.exit(new CommandLine(new Main()).execute(args));
+    System.exit(commandLine().execute(args));
   }
 
-  @Override
-  public void run() {
-    CommandLine.usage(this, System.out);
+  /**
+   * The commands, ready to run: bad usage gives 2, bad input one line on the error stream and 1.
+   *
+   * @return a new command line, whose output may be redirected
+   */
+  public static CommandLine commandLine() {
+    return new CommandLine(new Main()).setExecutionExceptionHandler(Main::explain);
+  }
+
+  private static int explain(Exception exception, CommandLine command, ParseResult parsed) {
+    PrintWriter err = command.getErr();
+    if (exception instanceof FileSystemException failure && failure.getReason() == null) {
+      // The name alone: the reason is in the type.
+      String reason = failure.getClass().getSimpleName().replace("Exception", "");
+      err.println("fieldcal: " + failure.getFile() + ": " + reason);
+    } else if (exception instanceof IOException) {
+      err.println("fieldcal: " + exception.getMessage());
+    } else {
+      err.println("fieldcal: this is a defect, please report it: " + exception);
+      StackTraceElement[] trace = exception.getStackTrace();
+      if (trace.length > 0) {
+        err.println("fieldcal: at " + trace[0]);
+      }
+    }
+    err.flush();
+    return BAD_INPUT;
   }
 }

@@ -1,0 +1,93 @@
+package fieldcal.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+class InfoCommandTest {
+  private static final Path DATA =
+      Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data");
+
+  @TempDir Path folder;
+
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+
+  private int run(String... args) {
+    CommandLine commands = Main.commandLine();
+    commands.setOut(new PrintWriter(out));
+    commands.setErr(new PrintWriter(err));
+    return commands.execute(args);
+  }
+
+  @Test
+  void tellsWhatIsInARecording() {
+    assertThat(run("info", DATA.resolve("erforce-flat.log.gz").toString())).isZero();
+
+    assertThat(out.toString())
+        .contains("SSL_VISION_2014 22998")
+        .contains("12.04 × 9.02 m")
+        .contains("66.7 Hz")
+        .contains("only the published position is used")
+        .contains("referee     silent");
+    assertThat(err.toString()).isEmpty();
+  }
+
+  @Test
+  void speaksJson() throws IOException {
+    assertThat(run("info", "--json", DATA.resolve("world-null-chip.log.gz").toString())).isZero();
+
+    JsonNode info = new ObjectMapper().readTree(out.toString());
+    assertThat(info.get("schema").asText()).isEqualTo("fieldcal.info/1");
+    assertThat(info.get("messages").get("ssl_vision_2014").asInt()).isEqualTo(37466);
+    assertThat(info.get("cameras")).hasSize(4);
+    assertThat(info.get("cameras").get(2).get("noise_mm").asDouble()).isCloseTo(2, within(0.5));
+    assertThat(info.get("geometry").get("length_m").asDouble()).isEqualTo(12);
+    assertThat(info.get("geometry").get("models").get("chip").get("damping_z").asDouble())
+        .isEqualTo(0.47);
+    assertThat(info.get("referee").isNull()).isTrue();
+  }
+
+  @Test
+  void damageIsTold() throws IOException {
+    byte[] packed = Files.readAllBytes(DATA.resolve("world-null-flat.log.gz"));
+    Path cut = Files.write(folder.resolve("cut.log.gz"), Arrays.copyOf(packed, packed.length / 3));
+
+    assertThat(run("info", cut.toString())).isZero();
+    assertThat(out.toString()).contains("1 × the gzip file ends early; read up to there");
+  }
+
+  @Test
+  void badInputIsOneLineAndOne() throws IOException {
+    Path text = Files.writeString(folder.resolve("notes.txt"), "no log");
+
+    assertThat(run("info", text.toString())).isEqualTo(1);
+    assertThat(err.toString().lines())
+        .containsExactly(
+            "fieldcal: "
+                + text
+                + " (byte 0): is no SSL game log (it does not start with SSL_LOG_FILE); choose a"
+                + " .log or .log.gz file");
+    assertThat(run("info", folder.resolve("none.log").toString())).isEqualTo(1);
+  }
+
+  @Test
+  void badUsageIsTwo() {
+    assertThat(run("info")).isEqualTo(2);
+    assertThat(run("info", "--colour", "x.log")).isEqualTo(2);
+    assertThat(run("nonsense")).isEqualTo(2);
+    assertThat(run()).isEqualTo(2);
+    assertThat(run("info", "--help")).isZero();
+  }
+}
