@@ -52,8 +52,10 @@ final class RecordHeader {
   static boolean isPlausible(byte[] buffer, int at) {
     int type = type(buffer, at);
     int size = size(buffer, at);
-    boolean zeros = type == 0 && size == 0 && nanos(buffer, at) == 0;
-    return type >= 0
+    long nanos = nanos(buffer, at);
+    boolean zeros = type == 0 && size == 0 && nanos == 0;
+    return nanos >= 0
+        && type >= 0
         && type <= MAX_TYPE
         && size >= 0
         && (size <= MAX_PAYLOAD || type == MessageType.SSL_INDEX_2021.code())
