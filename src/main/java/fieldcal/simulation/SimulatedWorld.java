@@ -8,7 +8,6 @@ import fieldcal.simulation.physics.BallHistory;
 import fieldcal.simulation.physics.BallIntegrator;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.BallTrace;
-import fieldcal.simulation.physics.MotionPhase;
 import fieldcal.simulation.robot.Contact;
 import fieldcal.simulation.robot.RobotCommand.Kick;
 import fieldcal.simulation.robot.SimulatedRobot;
@@ -140,7 +139,7 @@ public final class SimulatedWorld implements Scene {
         holder.x() + ahead * cos - holdAside * sin, holder.y() + ahead * sin + holdAside * cos);
     history.node(next, ball);
     if (!holder.command().dribbler() && !holder.command().kick().armed()) {
-      holder = null;
+      release();
     }
   }
 
@@ -166,8 +165,13 @@ public final class SimulatedWorld implements Scene {
     }
   }
 
-  private void kick(SimulatedRobot robot, Kick order) {
+  private void release() {
     holder = null;
+    kicks.endHold(time);
+  }
+
+  private void kick(SimulatedRobot robot, Kick order) {
+    release();
     KickCommand command =
         new KickCommand(
             order.speed(), Math.IEEEremainder(robot.orientation(), 2 * Math.PI), order.elevation());
@@ -178,6 +182,7 @@ public final class SimulatedWorld implements Scene {
 
   private void stop(SimulatedRobot robot) {
     kicks.end(time, EndReason.TOUCHED_ROBOT, Optional.of(robot.id()));
+    kicks.beginHold(time, robot.id());
     holder = robot;
     holdAside = robot.aside(ball.x(), ball.y());
     ball.place(ball.x(), ball.y());
@@ -191,8 +196,6 @@ public final class SimulatedWorld implements Scene {
     if (approach >= 0) {
       return;
     }
-    boolean moving = ball.phase() != MotionPhase.RESTING;
-    kicks.end(time, EndReason.TOUCHED_ROBOT, Optional.of(robot.id()));
     // Plastic against foam or plate; chosen, robots differ.
     double restitution = contact.atMouth() ? 0.25 : 0.4;
     double push = -(1 + restitution) * approach;
@@ -208,16 +211,15 @@ public final class SimulatedWorld implements Scene {
         0.5 * ball.spinY(),
         0.5 * ball.spinZ());
     history.node(time, ball);
-    double speed = ball.groundSpeed();
-    if (moving || speed > 0.05) {
-      kicks.begin(
-          KickKind.DEFLECTION,
-          "deflection",
-          time,
-          ball,
-          robot,
-          new KickCommand(speed, Math.atan2(ball.vy(), ball.vx()), 0));
+    // What robots do to a ball outside the field is nobody's kick.
+    if (isInside()) {
+      kicks.deflect(time, ball, robot);
     }
+  }
+
+  private boolean isInside() {
+    return Math.abs(ball.x()) < field.length() / 2 + OUT
+        && Math.abs(ball.y()) < field.width() / 2 + OUT;
   }
 
   private void leaveField() {
@@ -258,7 +260,7 @@ public final class SimulatedWorld implements Scene {
    */
   public void carryBall(double x, double y, double duration) {
     kicks.end(time, EndReason.PLACED, Optional.empty());
-    holder = null;
+    release();
     ball.place(ball.x(), ball.y());
     history.node(time, ball);
     carriedUntil = time + duration;
@@ -274,7 +276,7 @@ public final class SimulatedWorld implements Scene {
    */
   public void placeBall(double x, double y) {
     kicks.end(time, EndReason.PLACED, Optional.empty());
-    holder = null;
+    release();
     ball.place(x, y);
     history.node(time, ball);
   }
@@ -291,6 +293,7 @@ public final class SimulatedWorld implements Scene {
   /** The recording is over: closes the open kick. */
   public void finish() {
     kicks.end(time, EndReason.RECORDING_ENDED, Optional.empty());
+    kicks.endHold(time);
   }
 
   /**

@@ -7,6 +7,7 @@ import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.imaging.SimulatedCamera;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.scenario.CalibrationScenario;
+import fieldcal.simulation.scenario.MatchScenario;
 import fieldcal.simulation.scenario.Scenario;
 import fieldcal.simulation.truth.CameraTruth;
 import fieldcal.simulation.truth.RefereePhase;
@@ -88,7 +89,8 @@ public final class Simulation {
         s.withLimits(
             Effects.limits(s.yellow(), Team.YELLOW, settings.effects()),
             Effects.limits(s.blue(), Team.BLUE, settings.effects()));
-    return new CalibrationScenario(settings.withScenario(withEffects));
+    SimulationSettings all = settings.withScenario(withEffects);
+    return s.kind() == ScenarioKind.MATCH ? new MatchScenario(all) : new CalibrationScenario(all);
   }
 
   /**
@@ -225,6 +227,7 @@ public final class Simulation {
         cameraTruths,
         world.robots().stream().map(r -> new RobotTruth(r.id(), r.height(), r.limits())).toList(),
         scenario.phases(),
-        world.kicks().finished());
+        world.kicks().finished(),
+        world.kicks().holds());
   }
 }

@@ -17,6 +17,7 @@ import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.GroundLaw;
 import fieldcal.simulation.physics.ImpactLaw;
 import fieldcal.simulation.robot.RobotLimits;
+import fieldcal.simulation.truth.BallHold;
 import fieldcal.simulation.truth.CameraTruth;
 import fieldcal.simulation.truth.KickTruth;
 import fieldcal.simulation.truth.KickTruth.Vector3;
@@ -68,6 +69,13 @@ public final class TruthJson {
     truth.robots().forEach(robot -> robots.add(robot(robot)));
     ArrayNode phases = root.putArray("phases");
     truth.phases().forEach(phase -> phases.add(phase(phase)));
+    ArrayNode holds = root.putObject("info").putArray("ball_carried");
+    for (BallHold hold : truth.holds()) {
+      ObjectNode node = robotId(hold.robot());
+      node.put("t0", rounded(hold.from(), 4));
+      node.put("t1", rounded(hold.to(), 4));
+      holds.add(node);
+    }
     ArrayNode kicks = root.putArray("kicks");
     truth.kicks().forEach(kick -> kicks.add(kick(kick, truth)));
     return root;

@@ -96,8 +96,8 @@ public final class SimulatedRobot {
       double dx = target.x() - x;
       double dy = target.y() - y;
       double distance = Math.hypot(dx, dy);
-      // Brake a little earlier than the limits demand, so that the target is not overshot.
-      double braking = 0.8 * limits.braking() * (1 - limits.directionality());
+      // Brake a trifle earlier than the limits demand, so that the target is not overshot.
+      double braking = 0.97 * limits.braking() * (1 - limits.directionality());
       double speed =
           Math.min(Math.min(target.maxSpeed(), Math.sqrt(2 * braking * distance)), distance / 0.05);
       wantedX = distance == 0 ? 0 : speed * dx / distance;

@@ -15,11 +15,18 @@ import java.util.Optional;
 
 /** Writes down the kicks while the world runs. Not thread-safe. */
 public final class KickLog implements BallTrace {
+  /** Two touches of one robot within this time are one push, s. */
+  private static final double PUSH = 0.15;
+
   private final BallHistory history;
   private final List<KickTruth> finished = new ArrayList<>();
   private final double[] sample = new double[3];
 
+  private final List<BallHold> holds = new ArrayList<>();
+
   private KickTruth open;
+  private RobotId holder;
+  private double holdStart;
   private List<BallEvent> events = new ArrayList<>();
   private List<Vector3> path = new ArrayList<>();
 
@@ -77,6 +84,28 @@ public final class KickLog implements BallTrace {
   }
 
   /**
+   * The ball bounces off a robot: what was under way ends, a deflection begins. A robot that pushes the ball along touches it many times in a row; only the last of these counts.
+   *
+   * @param time session time, s
+   * @param ball right after the contact
+   * @param robot who
+   */
+  public void deflect(double time, BallBody ball, SimulatedRobot robot) {
+    boolean pushed =
+        open != null
+            && open.kind() == KickKind.DEFLECTION
+            && open.robot().equals(robot.id())
+            && time - open.time() < PUSH;
+    if (pushed) {
+      open = null;
+    } else {
+      end(time, EndReason.TOUCHED_ROBOT, Optional.of(robot.id()));
+    }
+    KickCommand command = new KickCommand(ball.groundSpeed(), Math.atan2(ball.vy(), ball.vx()), 0);
+    begin(KickKind.DEFLECTION, "deflection", time, ball, robot, command);
+  }
+
+  /**
    * The open kick is over; without one, nothing happens.
    *
    * @param time session time, s
@@ -107,6 +136,39 @@ public final class KickLog implements BallTrace {
             o.pathStep(),
             path,
             robot));
+  }
+
+  /**
+   * A robot has the ball at its dribbler.
+   *
+   * @param time session time, s
+   * @param robot who
+   */
+  public void beginHold(double time, RobotId robot) {
+    endHold(time);
+    holder = robot;
+    holdStart = time;
+  }
+
+  /**
+   * Nobody has the ball at the dribbler any more.
+   *
+   * @param time session time, s
+   */
+  public void endHold(double time) {
+    if (holder != null) {
+      holds.add(new BallHold(holder, holdStart, time));
+      holder = null;
+    }
+  }
+
+  /**
+   * When robots had the ball at their dribblers.
+   *
+   * @return by time
+   */
+  public List<BallHold> holds() {
+    return Collections.unmodifiableList(holds);
   }
 
   /**

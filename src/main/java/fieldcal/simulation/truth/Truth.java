@@ -20,6 +20,7 @@ import java.util.List;
  * @param robots yellow first, by number
  * @param phases what the referee said
  * @param kicks by time
+ * @param holds when robots had the ball at their dribblers, by time
  */
 public record Truth(
     SimulationSettings settings,
@@ -32,7 +33,8 @@ public record Truth(
     List<CameraTruth> cameras,
     List<RobotTruth> robots,
     List<RefereePhase> phases,
-    List<KickTruth> kicks) {
+    List<KickTruth> kicks,
+    List<BallHold> holds) {
 
   /**
    * Copies the lists. {@inheritDoc}
@@ -44,6 +46,7 @@ public record Truth(
     robots = List.copyOf(robots);
     phases = List.copyOf(phases);
     kicks = List.copyOf(kicks);
+    holds = List.copyOf(holds);
   }
 
   /**

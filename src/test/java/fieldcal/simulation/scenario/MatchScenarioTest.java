@@ -1,0 +1,121 @@
+package fieldcal.simulation.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.ScenarioSettings;
+import fieldcal.simulation.SimulatedWorld;
+import fieldcal.simulation.Simulation;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.robot.RobotLimits;
+import fieldcal.simulation.robot.SimulatedRobot;
+import fieldcal.simulation.truth.KickTruth;
+import fieldcal.simulation.truth.RefereePhase;
+import fieldcal.simulation.truth.Truth;
+import fieldcal.vision.Team;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** A match has what monitors need: all kinds of kicks, restarts, and robots that use their limits. */
+class MatchScenarioTest {
+  private static SimulationSettings match(int size, double minutes, long seed) {
+    return SimulationSettings.DEFAULT
+        .withScenario(ScenarioSettings.of(ScenarioKind.MATCH, 0).withMatch(size, minutes))
+        .withCameras(CameraSettings.DEFAULT.withCount(2))
+        .withSeed(seed);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"6, 1", "6, 2", "11, 3"})
+  void isPlayed(int size, long seed) {
+    Truth truth = Simulation.of(match(size, 4, seed)).run(packet -> {});
+    Map<String, Long> purposes =
+        truth.kicks().stream()
+            .collect(Collectors.groupingBy(KickTruth::purpose, Collectors.counting()));
+    assertThat(purposes.getOrDefault("pass", 0L)).isGreaterThan(20);
+    assertThat(purposes.getOrDefault("chip_pass", 0L)).isGreaterThan(3);
+    assertThat(purposes).containsKey("redirect");
+    assertThat(truth.commandedKicks()).hasSizeGreaterThan(40);
+    assertThat(truth.holds()).hasSizeGreaterThan(10);
+    assertThat(truth.robots()).hasSize(2 * size);
+    List<String> commands = truth.phases().stream().map(RefereePhase::command).toList();
+    assertThat(commands).contains("HALT", "STOP", "NORMAL_START").startsWith("HALT");
+    assertThat(commands.get(commands.size() - 1)).isEqualTo("HALT");
+    assertThat(truth.phases().stream().map(RefereePhase::stage))
+        .contains("NORMAL_FIRST_HALF", "NORMAL_HALF_TIME", "NORMAL_SECOND_HALF", "POST_GAME");
+    assertThat(truth.duration()).isEqualTo(4 * 60 + 10, within(10.0));
+    // Kicks do not overlap, except that one ends when the next begins.
+    for (int i = 1; i < truth.kicks().size(); i++) {
+      KickTruth before = truth.kicks().get(i - 1);
+      assertThat(truth.kicks().get(i).time())
+          .isGreaterThanOrEqualTo(before.time() + before.duration() - 1e-9);
+    }
+  }
+
+  @Test
+  void nobodyKicksWhileTheGameIsHalted() {
+    Truth truth = Simulation.of(match(6, 4, 5)).run(packet -> {});
+    for (KickTruth kick : truth.commandedKicks()) {
+      RefereePhase phase = truth.phases().get(0);
+      for (RefereePhase p : truth.phases()) {
+        phase = p.time() <= kick.time() - SimulatedWorld.TICK ? p : phase;
+      }
+      assertThat(phase.command()).as("kick at %s", kick.time()).isNotIn("HALT", "STOP");
+    }
+  }
+
+  @Test
+  void robotsUseTheirLimitsAndStayWithin() {
+    RobotLimits yellow = RobotLimits.uniform(2.4, 2.6, 4.5);
+    RobotLimits blue = RobotLimits.uniform(3.2, 3.8, 5.5).withTorqueLoss(0.4);
+    SimulationSettings settings = match(6, 2, 6);
+    settings = settings.withScenario(settings.scenario().withLimits(yellow, blue));
+    MatchScenario scenario = new MatchScenario(settings);
+    SimulatedWorld world =
+        new SimulatedWorld(
+            settings.field(),
+            settings.physics(),
+            settings.kickBehaviour(),
+            scenario.robots(),
+            settings.seed());
+    List<double[]> before = new ArrayList<>();
+    scenario.robots().forEach(r -> before.add(new double[2]));
+    double[] fastest = new double[2];
+    double[] acceleration = new double[2];
+    double[] braking = new double[2];
+    while (!scenario.finished(world)) {
+      scenario.tick(world);
+      world.tick();
+      for (int i = 0; i < scenario.robots().size(); i++) {
+        SimulatedRobot robot = scenario.robots().get(i);
+        double[] last = before.get(i);
+        int team = robot.id().team() == Team.YELLOW ? 0 : 1;
+        double speed = Math.hypot(last[0], last[1]);
+        double change = Math.hypot(robot.vx() - last[0], robot.vy() - last[1]);
+        double rate = change / SimulatedWorld.TICK;
+        fastest[team] = Math.max(fastest[team], robot.speed());
+        // Not while it turns round: then a tick brakes and accelerates.
+        if (speed > 0.2 && robot.speed() > speed + 0.9 * change) {
+          acceleration[team] = Math.max(acceleration[team], rate);
+        } else if (robot.speed() < speed - 0.9 * change) {
+          braking[team] = Math.max(braking[team], rate);
+        }
+        last[0] = robot.vx();
+        last[1] = robot.vy();
+      }
+    }
+    RobotLimits[] limits = {yellow, blue};
+    for (int team = 0; team < 2; team++) {
+      assertThat(fastest[team]).isEqualTo(limits[team].velocity(), within(1e-6));
+      assertThat(acceleration[team]).isEqualTo(limits[team].acceleration(), within(0.1));
+      assertThat(braking[team]).isEqualTo(limits[team].braking(), within(0.05));
+    }
+  }
+}
