@@ -181,6 +181,17 @@ public record EffectSetting(SimulatedEffect effect, Map<String, String> values) 
   }
 
   /**
+   * A number with another default.
+   *
+   * @param name of the parameter
+   * @param otherwise when not given
+   * @return its value
+   */
+  public double number(String name, double otherwise) {
+    return values.containsKey(name) ? number(name) : otherwise;
+  }
+
+  /**
    * The rectangle.
    *
    * @return {@link Region#NONE} when not given

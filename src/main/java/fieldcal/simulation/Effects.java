@@ -46,6 +46,8 @@ final class Effects {
               g.rollingPerSpeed() + e.number("slope"), g.rollingPerSpeedSquared());
       case WORN_REGION -> g.withWornRegion(e.number("change"), e.region());
       case DRIFT -> g.withDrift(e.number("percent_per_10min") / 100 / 600);
+      case SLIP_DEPENDENT_FRICTION -> g.withSlipSlope(e.number("slope"));
+      case CARPET_WAVES -> g.withWaves(e.number("amplitude"), e.number("wavelength", 2));
       default -> g;
     };
   }
@@ -111,43 +113,28 @@ final class Effects {
   }
 
   private static CameraErrors errorsOf(EffectSetting e, int id, int cameras) {
+    CameraErrors none = CameraErrors.NONE;
     boolean concerned = e.concernsCamera(id);
     if (e.effect() == SimulatedEffect.CAMERA_OFFSET) {
       // The parameters say how far the camera is from the mean of all, so the others stand back.
-      double share = concerned || cameras == 1 ? 1 : -1.0 / (cameras - 1);
-      return new CameraErrors(
-          0,
-          0,
-          0,
-          0,
-          0,
-          0,
-          share * MILLI * e.number("x_mm"),
-          share * MILLI * e.number("y_mm"),
-          0,
-          0);
+      double share = MILLI * (concerned || cameras == 1 ? 1 : -1.0 / (cameras - 1));
+      return none.withOffset(share * e.number("x_mm"), share * e.number("y_mm"));
     }
     if (!concerned) {
-      return CameraErrors.NONE;
+      return none;
     }
     return switch (e.effect()) {
-      case CAMERA_TIME_OFFSET ->
-          new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, MILLI * e.number("ms"), 0);
+      case CAMERA_TIME_OFFSET -> none.withTiming(MILLI * e.number("ms"), 0);
       case CAMERA_POSE_ERROR ->
-          new CameraErrors(
-              MILLI * e.number("tilt_mrad"),
-              e.number("axis"),
-              MILLI * e.number("height_mm"),
-              MILLI * e.number("shift_x_mm"),
-              MILLI * e.number("shift_y_mm"),
-              0,
-              0,
-              0,
-              0,
-              0);
-      case LENS_DISTORTION_ERROR -> new CameraErrors(0, 0, 0, 0, 0, e.number("delta"), 0, 0, 0, 0);
-      case CLOCK_SKEW -> new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 1e-6 * e.number("ppm"));
-      default -> CameraErrors.NONE;
+          none.withTilt(MILLI * e.number("tilt_mrad"), e.number("axis"))
+              .withShift(
+                  MILLI * e.number("shift_x_mm"),
+                  MILLI * e.number("shift_y_mm"),
+                  MILLI * e.number("height_mm"));
+      case LENS_DISTORTION_ERROR -> none.withDistortion(e.number("delta"));
+      case CLOCK_SKEW -> none.withTiming(0, 1e-6 * e.number("ppm"));
+      case CAMERA_SHAKE -> none.withShake(MILLI * e.number("amplitude_mm"), e.number("hz", 1));
+      default -> none;
     };
   }
 

@@ -8,6 +8,7 @@ import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.GroundLaw;
 import fieldcal.simulation.physics.ImpactLaw;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
@@ -111,6 +112,7 @@ public enum Preset {
   }
 
   private static Nuisance tournamentNuisance(double jitter) {
-    return new Nuisance(0.003, 0.001, 0.004, 0.003, 0.004, 0.01, jitter, 0.05e-3, 0.002, true);
+    return new Nuisance(
+        0.003, 0.001, 0.004, 0.003, 0.004, 0.01, jitter, 0.05e-3, 0.002, true, List.of());
   }
 }

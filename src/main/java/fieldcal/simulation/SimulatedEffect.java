@@ -7,14 +7,16 @@ import static fieldcal.simulation.EffectParameter.robot;
 import static fieldcal.simulation.EffectParameter.team;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What can be switched on in the simulated field: the causes of the design's table with its names and parameters, and the two of robots. A parameter that is not given is
- * zero (camera: 0), so that a cause without parameters changes nothing.
+ * What can be switched on in the simulated field: the causes of the design's table with its names and parameters, the two of robots, and some that are in no catalogue. A parameter that is not
+ * given is zero (camera: 0) if nothing else is said.
  */
 public enum SimulatedEffect {
   /** Drag on the ground and in flight. */
@@ -64,7 +66,16 @@ public enum SimulatedEffect {
   /** Robots accelerate less the faster they drive. */
   TORQUE_LIMITED(number("coefficient", 0, 0.95), team()),
   /** Robots accelerate less sideways. */
-  DIRECTIONAL(number("coefficient", 0, 0.95), team());
+  DIRECTIONAL(number("coefficient", 0, 0.95), team()),
+  /** Not in the catalogue: sliding friction grows with the speed of slipping. */
+  SLIP_DEPENDENT_FRICTION(number("slope", -0.1, 1)),
+  /** Not in the catalogue: strips of carpet, 1 m wide each unless said otherwise, roll differently. */
+  CARPET_WAVES(number("amplitude", -0.9, 0.9), number("wavelength", 0.05, 100)),
+  /** Not in the catalogue: one camera's mount swings, at 1 Hz unless said otherwise. */
+  CAMERA_SHAKE(number("amplitude_mm", -100, 100), number("hz", 0.01, 30), camera());
+
+  private static final Set<SimulatedEffect> UNKNOWN_TO_THE_CATALOGUE =
+      EnumSet.of(SLIP_DEPENDENT_FRICTION, CARPET_WAVES, CAMERA_SHAKE);
 
   private final List<EffectParameter> parameters;
 
@@ -79,6 +90,15 @@ public enum SimulatedEffect {
    */
   public String id() {
     return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * Whether the design's table lists it. The others exist to show that a diagnosis blames no known cause for an unknown one.
+   *
+   * @return false for causes that no diagnosis can name
+   */
+  public boolean catalogued() {
+    return !UNKNOWN_TO_THE_CATALOGUE.contains(this);
   }
 
   /**

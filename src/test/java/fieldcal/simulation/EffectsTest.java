@@ -32,10 +32,14 @@ class EffectsTest {
   private static final SimulationSettings CHIP =
       FLAT.withScenario(ScenarioSettings.of(ScenarioKind.CHIP, 2).withReception(0));
 
+  private static final SimulationSettings NOISY =
+      SimulationSettings.DEFAULT.withScenario(ScenarioKind.MIXED, 2);
+
+  private static final SimulatedRecording WITHOUT = Simulation.record(NOISY);
+
   @ParameterizedTest
   @EnumSource(SimulatedEffect.class)
   void zeroIsAbsentToTheLastBit(SimulatedEffect effect) {
-    SimulationSettings noisy = SimulationSettings.DEFAULT.withScenario(ScenarioKind.MIXED, 2);
     EffectSetting zero = EffectSetting.of(effect, effect.parameters().get(0).name(), 0);
     for (EffectParameter parameter : effect.parameters()) {
       switch (parameter.kind()) {
@@ -46,10 +50,9 @@ class EffectsTest {
         }
       }
     }
-    SimulatedRecording without = Simulation.record(noisy);
-    SimulatedRecording with = Simulation.record(noisy.withEffects(List.of(zero)));
-    assertThat(with.packets()).isEqualTo(without.packets());
-    assertThat(with.truth().kicks()).isEqualTo(without.truth().kicks());
+    SimulatedRecording with = Simulation.record(NOISY.withEffects(List.of(zero)));
+    assertThat(with.packets()).isEqualTo(WITHOUT.packets());
+    assertThat(with.truth().kicks()).isEqualTo(WITHOUT.truth().kicks());
   }
 
   @ParameterizedTest
@@ -290,6 +293,24 @@ class EffectsTest {
             .max()
             .orElseThrow();
     assertThat(ahead).isBetween(0.01, 0.07);
+  }
+
+  @Test
+  void causesOutsideTheCatalogueActToo() {
+    assertThat(SimulatedEffect.CAMERA_SHAKE.catalogued()).isFalse();
+    assertThat(SimulatedEffect.AIR_DRAG.catalogued()).isTrue();
+    assertThat(length(FLAT.withEffects("slip_dependent_friction:slope=0.2")))
+        .isLessThan(length(FLAT) - 0.02);
+    assertThat(length(FLAT.withEffects("carpet_waves:amplitude=0.5,wavelength=3")))
+        .isNotEqualTo(length(FLAT));
+    double swing =
+        SimulationTest.residuals(
+                Simulation.record(FLAT.withEffects("camera_shake:amplitude_mm=10,camera=all")))
+            .stream()
+            .mapToDouble(r -> Math.abs(r.dx()))
+            .max()
+            .orElseThrow();
+    assertThat(swing).isEqualTo(0.010, within(3e-4));
   }
 
   @Test

@@ -164,7 +164,8 @@ class SimulationTest {
   @Test
   void nuisanceLosesFramesAndAddsFalseBalls() {
     SimulatedRecording clean = Simulation.record(FLAT.withNuisance(Nuisance.NONE));
-    Nuisance bad = new Nuisance(0.05, 0.001, 0.1, 0.05, 0.1, 0.2, 1e-3, 1e-4, 0.02, true);
+    Nuisance bad =
+        new Nuisance(0.05, 0.001, 0.1, 0.05, 0.1, 0.2, 1e-3, 1e-4, 0.02, true, List.of());
     SimulatedRecording dirty = Simulation.record(FLAT.withNuisance(bad));
     assertThat(dirty.frames().size()).isLessThan((int) (0.95 * clean.frames().size()));
     assertThat(clean.frames().stream().mapToInt(f -> f.balls().size()).max().orElse(0))
@@ -177,6 +178,21 @@ class SimulationTest {
             .distinct()
             .count();
     assertThat(distinct).isLessThan(dirty.frames().size());
+  }
+
+  @Test
+  void anOutageSilencesOneCamera() {
+    SimulatedRecording recording =
+        Simulation.record(
+            FLAT.withNuisance(Nuisance.NONE.withOutages(List.of(new Nuisance.Outage(2, 3, 5)))));
+    for (int camera = 0; camera < 4; camera++) {
+      int id = camera;
+      long during =
+          recording.frames().stream()
+              .filter(f -> f.cameraId() == id && f.captureTime() > 3.1 && f.captureTime() < 7.9)
+              .count();
+      assertThat(during).isBetween(id == 2 ? 0L : 300L, id == 2 ? 0L : 400L);
+    }
   }
 
   private static String bytes(SimulationSettings settings) {

@@ -10,6 +10,7 @@ import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.truth.Truth;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -46,6 +47,9 @@ import picocli.CommandLine.Spec;
       "drift:percent_per_10min robot_kick_bias:percent,yaw,team,robot clock_skew:ppm,camera"
           + " rolling_shutter:ms",
       "torque_limited:coefficient,team directional:coefficient,team",
+      "In no catalogue: slip_dependent_friction:slope carpet_waves:amplitude,wavelength"
+          + " camera_shake:amplitude_mm,hz,camera",
+      "camera may be all. Spin acts on bounces with --physics contact only.",
       "",
       "Example: fieldcal simulate --scenario flat --kicks 24 --effect air_drag:cd=0.45 --seed 7"
           + " --out drag.log.gz"
@@ -162,9 +166,30 @@ public final class SimulateCommand implements Callable<Integer> {
   private Integer teamSize;
 
   @Option(
+      names = "--yellow-limits",
+      paramLabel = "V,A,B",
+      split = ",",
+      description =
+          "yellow robots: speed m/s, acceleration and braking m/s² (match: drawn from the seed)")
+  private double[] yellowLimits;
+
+  @Option(
+      names = "--blue-limits",
+      paramLabel = "V,A,B",
+      split = ",",
+      description = "the same of blue robots")
+  private double[] blueLimits;
+
+  @Option(
       names = "--clean",
       description = "no lost frames, false balls, jitter, shadows: noise only")
   private boolean clean;
+
+  @Option(
+      names = "--outage",
+      paramLabel = "CAMERA:FROM:SECONDS",
+      description = "a camera sends nothing for a while; may be repeated")
+  private final List<String> outages = new ArrayList<>();
 
   @Override
   public Integer call() {
@@ -210,6 +235,9 @@ public final class SimulateCommand implements Callable<Integer> {
     if (clean) {
       s = s.withNuisance(Nuisance.NONE);
     }
+    s =
+        s.withNuisance(
+            s.nuisance().withOutages(outages.stream().map(SimulateCommand::outage).toList()));
     return s.withEffects(effects.stream().map(EffectSetting::parse).toList());
   }
 
@@ -235,7 +263,8 @@ public final class SimulateCommand implements Callable<Integer> {
           s.withMatch(
               teamSize == null ? s.teamSize() : teamSize, minutes == null ? s.minutes() : minutes);
     }
-    return s;
+    return s.withLimits(
+        limits("--yellow-limits", yellowLimits), limits("--blue-limits", blueLimits));
   }
 
   private FieldSize field() {
@@ -264,6 +293,19 @@ public final class SimulateCommand implements Callable<Integer> {
     return BallPhysics.ideal(flat[0], flat[1], flat[2], chip[0], chip[1], chip[2]);
   }
 
+  private static Nuisance.Outage outage(String text) {
+    String[] parts = text.split(":", -1);
+    try {
+      if (parts.length == 3) {
+        return new Nuisance.Outage(
+            Integer.parseInt(parts[0]), Double.parseDouble(parts[1]), Double.parseDouble(parts[2]));
+      }
+    } catch (NumberFormatException e) {
+      // The message below says what is expected.
+    }
+    throw new IllegalArgumentException("outage must be CAMERA:FROM:SECONDS, but is '" + text + "'");
+  }
+
   private static double[] three(String option, double[] given, double[] usual) {
     if (given == null) {
       return usual;
@@ -272,6 +314,14 @@ public final class SimulateCommand implements Callable<Integer> {
       throw new IllegalArgumentException(option + " takes three numbers, but got " + given.length);
     }
     return given;
+  }
+
+  private static RobotLimits limits(String option, double[] given) {
+    if (given == null) {
+      return RobotLimits.DEFAULT;
+    }
+    double[] values = three(option, given, given);
+    return RobotLimits.uniform(values[0], values[1], values[2]);
   }
 
   private CameraSettings cameras(CameraSettings base) {

@@ -123,6 +123,9 @@ public final class TruthJson {
         .add(ground.worn().y0())
         .add(ground.worn().y1());
     node.put("roll_scale_rate", ground.driftPerSecond());
+    node.put("slip_slope", ground.slipSlope());
+    node.put("wave_amplitude", ground.waveAmplitude());
+    node.put("wave_length", ground.waveLength());
     ImpactLaw impact = physics.impact();
     node.put("e_z", impact.dampingZFirstHop());
     node.put("e_z_other", impact.dampingZOtherHops());
@@ -167,7 +170,10 @@ public final class TruthJson {
                 g.worn(),
                 0,
                 0,
-                g.verticalSpinDecay()));
+                g.verticalSpinDecay(),
+                0,
+                0,
+                g.waveLength()));
     boolean noSpin =
         k.rollSpin() == 0
             && k.rollSpinScatter() == 0
@@ -283,6 +289,8 @@ public final class TruthJson {
     node.put("offset_y_mm", 1000 * e.offsetY());
     node.put("time_offset_ms", 1000 * e.timeOffset());
     node.put("clock_skew_ppm", 1e6 * e.clockSkew());
+    node.put("shake_mm", 1000 * e.shakeAmplitude());
+    node.put("shake_hz", e.shakeRate());
     return node;
   }
 

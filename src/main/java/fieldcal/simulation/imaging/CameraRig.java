@@ -69,17 +69,8 @@ public final class CameraRig {
       CameraErrors own = id < errors.size() ? errors.get(id) : CameraErrors.NONE;
       CameraErrors all =
           own.plus(
-              new CameraErrors(
-                  0,
-                  0,
-                  0,
-                  0,
-                  0,
-                  0,
-                  apart * Math.cos(direction),
-                  apart * Math.sin(direction),
-                  0,
-                  0));
+              CameraErrors.NONE.withOffset(
+                  apart * Math.cos(direction), apart * Math.sin(direction)));
       cameras.add(
           SimulatedCamera.create(id, pose, lens, all, rollingShutter, settings, nuisance, seed));
     }

@@ -1,5 +1,7 @@
 package fieldcal.simulation.imaging;
 
+import java.util.List;
+
 /**
  * What goes wrong in every real recording.
  *
@@ -13,6 +15,7 @@ package fieldcal.simulation.imaging;
  * @param stampNoise standard deviation of the time stamp from the exposure, s
  * @param duplicates share of frames that arrive twice
  * @param shadows whether robots hide the ball
+ * @param outages cameras that are gone for a while
  */
 public record Nuisance(
     double falseBallRate,
@@ -24,14 +27,16 @@ public record Nuisance(
     double jitter,
     double stampNoise,
     double duplicates,
-    boolean shadows) {
+    boolean shadows,
+    List<Outage> outages) {
 
   /** Nothing goes wrong. */
-  public static final Nuisance NONE = new Nuisance(0, 0, 0, 0, 0, 0, 0, 0, 0, false);
+  public static final Nuisance NONE = new Nuisance(0, 0, 0, 0, 0, 0, 0, 0, 0, false, List.of());
 
   /** A normal field. */
   public static final Nuisance TYPICAL =
-      new Nuisance(0.002, 0.0004, 0.004, 0.002, 0.003, 0.01, 0.25e-3, 0.02e-3, 0.0005, true);
+      new Nuisance(
+          0.002, 0.0004, 0.004, 0.002, 0.003, 0.01, 0.25e-3, 0.02e-3, 0.0005, true, List.of());
 
   /**
    * Checks the ranges. {@inheritDoc}
@@ -39,6 +44,7 @@ public record Nuisance(
    * @throws IllegalArgumentException when a share is not in [0, 1] or a time is negative (or NaN)
    */
   public Nuisance {
+    outages = List.copyOf(outages);
     double[] shares = {falseBallRate, falseClusterRate, ballMiss, robotMiss, frameDrop, duplicates};
     for (double share : shares) {
       if (!(share >= 0 && share <= 1)) {
@@ -54,5 +60,58 @@ public record Nuisance(
               + ", "
               + stampNoise);
     }
+  }
+
+  /**
+   * A camera sends nothing for a while.
+   *
+   * @param camera its number
+   * @param from session time, s
+   * @param duration s
+   */
+  public record Outage(int camera, double from, double duration) {
+
+    /**
+     * Checks the ranges. {@inheritDoc}
+     *
+     * @throws IllegalArgumentException when one is negative or NaN
+     */
+    public Outage {
+      if (!(camera >= 0 && from >= 0 && duration >= 0)) {
+        throw new IllegalArgumentException(
+            "outage must not be negative: camera "
+                + camera
+                + ", "
+                + from
+                + " s, "
+                + duration
+                + " s");
+      }
+    }
+
+    boolean covers(int id, double time) {
+      return id == camera && time >= from && time < from + duration;
+    }
+  }
+
+  /**
+   * The same trouble with other outages.
+   *
+   * @param list cameras that are gone for a while
+   * @return the changed nuisance
+   */
+  public Nuisance withOutages(List<Outage> list) {
+    return new Nuisance(
+        falseBallRate,
+        falseClusterRate,
+        ballMiss,
+        robotMiss,
+        frameDrop,
+        burstRate,
+        jitter,
+        stampNoise,
+        duplicates,
+        shadows,
+        list);
   }
 }

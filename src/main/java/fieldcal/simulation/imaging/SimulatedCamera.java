@@ -193,7 +193,9 @@ public final class SimulatedCamera {
     if (timing.happens(nuisance.burstRate() / rate)) {
       blindUntil = beat + timing.uniform(0.05, 0.4);
     }
-    lost = timing.happens(nuisance.frameDrop()) || beat < blindUntil;
+    boolean dropped = timing.happens(nuisance.frameDrop());
+    boolean gone = nuisance.outages().stream().anyMatch(o -> o.covers(trueCalibration.id(), beat));
+    lost = dropped || gone || beat < blindUntil;
   }
 
   /** Frames must stay in order. */
@@ -246,7 +248,7 @@ public final class SimulatedCamera {
       return null;
     }
     return new BallDetection(
-        Millimetres.rounded(ground[0] + errors.offsetX()),
+        Millimetres.rounded(ground[0] + errors.offsetX() + errors.shakeAt(exposure)),
         Millimetres.rounded(ground[1] + errors.offsetY()),
         Double.NaN,
         (float) confidence,
@@ -278,7 +280,7 @@ public final class SimulatedCamera {
     detections.add(
         new RobotDetection(
             robot.id(),
-            Millimetres.rounded(ground[0] + errors.offsetX() + noiseX),
+            Millimetres.rounded(ground[0] + errors.offsetX() + errors.shakeAt(exposure) + noiseX),
             Millimetres.rounded(ground[1] + errors.offsetY() + noiseY),
             (float) turn,
             (float) confidence,

@@ -131,14 +131,18 @@ final class Forces {
   private void slide(double[] s, double[] rate) {
     double directionX = frozenX;
     double directionY = frozenY;
+    double slipX = slipX(s);
+    double slipY = slipY(s);
+    double slip = Math.sqrt(slipX * slipX + slipY * slipY);
     if (!frozen) {
-      double slipX = slipX(s);
-      double slipY = slipY(s);
-      double slip = Math.sqrt(slipX * slipX + slipY * slipY);
       directionX = slip == 0 ? 0 : slipX / slip;
       directionY = slip == 0 ? 0 : slipY / slip;
     }
-    double friction = ground.slidingFriction() * wear * Math.max(0, G - externalZ);
+    double friction =
+        ground.slidingFriction()
+            * (1 + ground.slipSlope() * slip)
+            * wear
+            * Math.max(0, G - externalZ);
     double frictionX = -friction * directionX;
     double frictionY = -friction * directionY;
     rate[3] = frictionX + externalX;
@@ -163,7 +167,10 @@ final class Forces {
     }
     double pressure = Math.max(0, 1 - externalZ / G);
     double deceleration =
-        wear * pressure * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
+        wear
+            * ground.waveAt(s[0])
+            * pressure
+            * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
     rate[3] = -deceleration * directionX + externalX / (1 + beta);
     rate[4] = -deceleration * directionY + externalY / (1 + beta);
     rate[5] = 0;

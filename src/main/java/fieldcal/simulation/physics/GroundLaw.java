@@ -16,6 +16,9 @@ package fieldcal.simulation.physics;
  * @param wornChange relative change of friction in the rectangle (–)
  * @param driftPerSecond relative change of the rolling deceleration per second of session time, 1/s
  * @param verticalSpinDecay deceleration of spin about the vertical while on the ground, 1/s
+ * @param slipSlope growth of μ with the slip speed, relative, s/m
+ * @param waveAmplitude rolling deceleration is multiplied by 1 + waveAmplitude·sin(2π·x/waveLength): strips of carpet laid side by side
+ * @param waveLength m
  */
 public record GroundLaw(
     double slidingFriction,
@@ -29,7 +32,10 @@ public record GroundLaw(
     Region worn,
     double wornChange,
     double driftPerSecond,
-    double verticalSpinDecay) {
+    double verticalSpinDecay,
+    double slipSlope,
+    double waveAmplitude,
+    double waveLength) {
 
   /**
    * Checks the ranges. {@inheritDoc}
@@ -48,6 +54,9 @@ public record GroundLaw(
     Check.range("wornChange", wornChange, -0.9, 10);
     Check.range("driftPerSecond", driftPerSecond, -0.1, 0.1);
     Check.range("verticalSpinDecay", verticalSpinDecay, 0, 1000);
+    Check.range("slipSlope", slipSlope, -0.1, 1);
+    Check.range("waveAmplitude", waveAmplitude, -0.9, 0.9);
+    Check.range("waveLength", waveLength, 0.05, 100);
   }
 
   /**
@@ -59,7 +68,7 @@ public record GroundLaw(
    */
   public static GroundLaw uniform(double slidingFriction, double rollingDeceleration) {
     return new GroundLaw(
-        slidingFriction, rollingDeceleration, 0, 0, 0, 0, 0, 0, Region.NONE, 0, 0, 8);
+        slidingFriction, rollingDeceleration, 0, 0, 0, 0, 0, 0, Region.NONE, 0, 0, 8, 0, 0, 1);
   }
 
   /**
@@ -82,7 +91,10 @@ public record GroundLaw(
         worn,
         wornChange,
         driftPerSecond,
-        verticalSpinDecay);
+        verticalSpinDecay,
+        slipSlope,
+        waveAmplitude,
+        waveLength);
   }
 
   /**
@@ -105,7 +117,10 @@ public record GroundLaw(
         worn,
         wornChange,
         driftPerSecond,
-        verticalSpinDecay);
+        verticalSpinDecay,
+        slipSlope,
+        waveAmplitude,
+        waveLength);
   }
 
   /**
@@ -128,7 +143,10 @@ public record GroundLaw(
         worn,
         wornChange,
         driftPerSecond,
-        verticalSpinDecay);
+        verticalSpinDecay,
+        slipSlope,
+        waveAmplitude,
+        waveLength);
   }
 
   /**
@@ -151,7 +169,10 @@ public record GroundLaw(
         region,
         change,
         driftPerSecond,
-        verticalSpinDecay);
+        verticalSpinDecay,
+        slipSlope,
+        waveAmplitude,
+        waveLength);
   }
 
   /**
@@ -173,7 +194,66 @@ public record GroundLaw(
         worn,
         wornChange,
         perSecond,
-        verticalSpinDecay);
+        verticalSpinDecay,
+        slipSlope,
+        waveAmplitude,
+        waveLength);
+  }
+
+  /**
+   * Lets sliding friction depend on how fast the contact point slips; in no catalogue of causes, so a diagnosis must not name one.
+   *
+   * @param slope relative growth per m/s of slip, s/m
+   * @return the changed law
+   */
+  public GroundLaw withSlipSlope(double slope) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        rollingPerSpeed,
+        rollingPerSpeedSquared,
+        slopeX,
+        slopeY,
+        napAmplitude,
+        napDirection,
+        worn,
+        wornChange,
+        driftPerSecond,
+        verticalSpinDecay,
+        slope,
+        waveAmplitude,
+        waveLength);
+  }
+
+  /**
+   * Lets rolling resistance vary across strips of carpet; in no catalogue of causes, so a diagnosis must not name one.
+   *
+   * @param amplitude relative change (–)
+   * @param length from strip to strip, m
+   * @return the changed law
+   */
+  public GroundLaw withWaves(double amplitude, double length) {
+    return new GroundLaw(
+        slidingFriction,
+        rollingDeceleration,
+        rollingPerSpeed,
+        rollingPerSpeedSquared,
+        slopeX,
+        slopeY,
+        napAmplitude,
+        napDirection,
+        worn,
+        wornChange,
+        driftPerSecond,
+        verticalSpinDecay,
+        slipSlope,
+        amplitude,
+        length);
+  }
+
+  /** Factor on the rolling deceleration at a place. */
+  double waveAt(double x) {
+    return waveAmplitude == 0 ? 1 : 1 + waveAmplitude * Math.sin(2 * Math.PI * x / waveLength);
   }
 
   /** Whether friction differs at a place. */

@@ -118,7 +118,9 @@ class SimulateCommandTest {
         "--cameras=9 | count must lie in",
         "--kicks=-1 | kicks must lie in",
         "--division=C | division must be A or B",
-        "--flat-model=1,2 | takes three numbers"
+        "--flat-model=1,2 | takes three numbers",
+        "--blue-limits=1,-2,3 | limit must be positive",
+        "--outage=1:x:3 | outage must be CAMERA:FROM:SECONDS"
       })
   void wrongInputIsNamed(String argument, String message) {
     List<String> args = new ArrayList<>(List.of("--out=" + directory.resolve("x.log")));
