@@ -156,6 +156,15 @@ public final class Simulation {
   }
 
   /**
+   * How far the simulation is.
+   *
+   * @return share of the scenario that is done, 0 … 1
+   */
+  public double progress() {
+    return scenario.progress(world);
+  }
+
+  /**
    * Runs to the scenario's end.
    *
    * @param sink gets the packets in the order of their arrival

@@ -19,7 +19,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import java.util.function.DoubleConsumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -54,7 +53,7 @@ import picocli.CommandLine.Spec;
       "Example: fieldcal simulate --scenario flat --kicks 24 --effect air_drag:cd=0.45 --seed 7"
           + " --out drag.log.gz"
     })
-public final class SimulateCommand implements Callable<Integer> {
+final class SimulateCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Option(
@@ -191,35 +190,35 @@ public final class SimulateCommand implements Callable<Integer> {
       description = "a camera sends nothing for a while; may be repeated")
   private final List<String> outages = new ArrayList<>();
 
+  SimulateCommand() {}
+
   @Override
-  public Integer call() {
+  public Integer call() throws IOException {
     SimulationSettings settings;
     try {
       settings = settings();
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }
-    PrintWriter print = spec.commandLine().getOut();
-    try {
-      RecordingFiles files = RecordingFiles.besides(out);
-      Truth truth = files.write(settings, progress());
-      print.printf(
-          Locale.ROOT,
-          "%s: %.1f s, %d kicks, %d frames of %d cameras, seed %d%n",
-          files.log(),
-          truth.duration(),
-          truth.commandedKicks().size(),
-          truth.cameras().stream().mapToLong(c -> c.frames()).sum(),
-          truth.cameras().size(),
-          settings.seed());
-      settings.effects().forEach(e -> print.printf("effect %s%n", e));
-      print.printf("truth %s%ncommands %s%n", files.truth(), files.commands());
-      print.flush();
-      return 0;
-    } catch (IOException e) {
-      spec.commandLine().getErr().printf("%s: cannot be written: %s%n", out, e.getMessage());
-      return 1;
+    RecordingFiles files = RecordingFiles.besides(out);
+    Truth truth;
+    try (TerminalProgress progress = TerminalProgress.ofPercent("simulating")) {
+      truth = files.write(settings, share -> progress.at(Math.round(100 * share), 100));
     }
+    PrintWriter print = spec.commandLine().getOut();
+    print.printf(
+        Locale.ROOT,
+        "%s: %.1f s, %d kicks, %d frames of %d cameras, seed %d%n",
+        files.log(),
+        truth.duration(),
+        truth.commandedKicks().size(),
+        truth.cameras().stream().mapToLong(c -> c.frames()).sum(),
+        truth.cameras().size(),
+        settings.seed());
+    settings.effects().forEach(e -> print.printf("effect %s%n", e));
+    print.printf("truth %s%ncommands %s%n", files.truth(), files.commands());
+    print.flush();
+    return 0;
   }
 
   private SimulationSettings settings() {
@@ -342,21 +341,5 @@ public final class SimulateCommand implements Callable<Integer> {
       c = c.withRegistration(c.ballPlane(), disagreementMm / 1000);
     }
     return c;
-  }
-
-  /** Told to people only: a line on the terminal that counts the simulated seconds. */
-  private DoubleConsumer progress() {
-    if (System.console() == null) {
-      return time -> {};
-    }
-    PrintWriter err = spec.commandLine().getErr();
-    double[] shown = {0};
-    return time -> {
-      if (time >= shown[0]) {
-        shown[0] = time + 5;
-        err.printf(Locale.ROOT, "\rsimulated %.0f s ", time);
-        err.flush();
-      }
-    };
   }
 }

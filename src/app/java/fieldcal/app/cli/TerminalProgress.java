@@ -15,16 +15,25 @@ final class TerminalProgress implements AutoCloseable {
 
   private final String task;
   private final boolean shown;
+  private final String unit;
+  private final long unitSize;
   private ProgressBar bar;
 
-  private TerminalProgress(String task, boolean shown) {
+  private TerminalProgress(String task, String unit, long unitSize) {
     this.task = task;
-    this.shown = shown;
+    this.unit = unit;
+    this.unitSize = unitSize;
+    shown = isTerminal();
   }
 
   /** A bar that counts bytes; it appears with the first call of {@link #at}. */
   static TerminalProgress ofBytes(String task) {
-    return new TerminalProgress(task, isTerminal());
+    return new TerminalProgress(task, " MB", MEGABYTE);
+  }
+
+  /** A bar that counts from 0 to 100; it appears with the first call of {@link #at}. */
+  static TerminalProgress ofPercent(String task) {
+    return new TerminalProgress(task, " %", 1);
   }
 
   void at(long done, long total) {
@@ -36,7 +45,7 @@ final class TerminalProgress implements AutoCloseable {
           new ProgressBarBuilder()
               .setTaskName(task)
               .setInitialMax(total)
-              .setUnit(" MB", MEGABYTE)
+              .setUnit(unit, unitSize)
               .setStyle(ProgressBarStyle.UNICODE_BLOCK)
               .setConsumer(new ConsoleProgressBarConsumer(System.err))
               .clearDisplayOnFinish()

@@ -48,7 +48,7 @@ public record RecordingFiles(Path log, Path truth, Path commands) {
    * Simulates and writes all three files; existing ones are replaced.
    *
    * @param settings what is to be simulated
-   * @param progress is told the session time, s
+   * @param progress is told which share is done, 0 … 1
    * @return what really happened
    * @throws IOException when a file cannot be written
    * @throws IllegalArgumentException when the settings contradict each other
@@ -124,7 +124,7 @@ public record RecordingFiles(Path log, Path truth, Path commands) {
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
-      progress.accept(packet.receivedTime());
+      progress.accept(simulation.progress());
     }
   }
 

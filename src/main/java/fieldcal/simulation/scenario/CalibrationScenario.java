@@ -108,6 +108,11 @@ public final class CalibrationScenario implements Scenario {
   }
 
   @Override
+  public double progress(SimulatedWorld world) {
+    return plans.isEmpty() ? 1 : (double) next / plans.size();
+  }
+
+  @Override
   public void tick(SimulatedWorld world) {
     noteRest(world);
     switch (state) {

@@ -12,7 +12,9 @@ import java.util.List;
 
 /** Runs a match: kick-offs, restarts, halts, time-outs, half-time, score. */
 final class MatchReferee {
-  private static final double BREAK = 8;
+  /** Length of the half-time break, s. */
+  static final double BREAK = 8;
+
   private static final double STUCK = 12;
 
   private final FieldSize field;

@@ -22,6 +22,7 @@ public final class MatchScenario implements Scenario {
   private final TeamPlay yellow;
   private final TeamPlay blue;
   private final List<SimulatedRobot> robots;
+  private final double duration;
   private boolean yellowAtTheBall = true;
 
   /**
@@ -32,6 +33,7 @@ public final class MatchScenario implements Scenario {
   public MatchScenario(SimulationSettings all) {
     ScenarioSettings settings = all.scenario();
     FieldSize field = all.field();
+    duration = 60 * settings.minutes() + MatchReferee.BREAK;
     referee =
         new MatchReferee(field, settings.minutes(), RandomStream.of(all.seed(), "match referee"));
     RandomStream random = RandomStream.of(all.seed(), "match teams");
@@ -90,6 +92,11 @@ public final class MatchScenario implements Scenario {
   @Override
   public boolean finished(SimulatedWorld world) {
     return referee.over(world.time());
+  }
+
+  @Override
+  public double progress(SimulatedWorld world) {
+    return Math.min(1, world.time() / duration);
   }
 
   @Override

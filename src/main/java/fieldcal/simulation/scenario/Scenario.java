@@ -31,6 +31,14 @@ public interface Scenario {
   boolean finished(SimulatedWorld world);
 
   /**
+   * How far it is.
+   *
+   * @param world the world
+   * @return share that is done, 0 … 1
+   */
+  double progress(SimulatedWorld world);
+
+  /**
    * What the referee said so far.
    *
    * @return by time; empty without a referee

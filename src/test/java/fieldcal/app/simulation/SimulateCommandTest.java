@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import fieldcal.app.cli.SimulateCommand;
+import fieldcal.app.cli.Main;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.MessageType;
 import fieldcal.vision.Epoch;
@@ -22,7 +22,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import picocli.CommandLine;
 
 /** The command's files, read back, and its answers to wrong input. */
 class SimulateCommandTest {
@@ -32,10 +31,12 @@ class SimulateCommandTest {
   private final StringWriter err = new StringWriter();
 
   private int run(String... args) {
-    return new CommandLine(new SimulateCommand())
+    List<String> all = new ArrayList<>(List.of("simulate"));
+    all.addAll(List.of(args));
+    return Main.commandLine()
         .setOut(new PrintWriter(out))
         .setErr(new PrintWriter(err))
-        .execute(args);
+        .execute(all.toArray(String[]::new));
   }
 
   @Test
