@@ -20,7 +20,7 @@ import java.util.SplittableRandom;
 
 /**
  * Kicks of an ideal ball with known truth, seen by two cameras at 73 Hz: what the benchmark of the fit is measured on. The ball is
- * integrated by the simulation, whose physics shares nothing with the closed forms.
+ * integrated by the simulation, whose physics shares nothing with the closed forms. Used by the tests of the fit, too.
  */
 final class IdealKicks {
   /** What may be wrong with the observations. */
@@ -55,7 +55,17 @@ final class IdealKicks {
   }
 
   Sample draw(KickKind kind, int id, Conditions conditions, SplittableRandom random) {
-    double[] truth = kind == KickKind.FLAT ? flatTruth(random) : chipTruth(random);
+    return observe(
+        kind,
+        kind == KickKind.FLAT ? flatTruth(random) : chipTruth(random),
+        id,
+        conditions,
+        random);
+  }
+
+  /** The kick with this truth, in the order of the sensitivities. */
+  Sample observe(
+      KickKind kind, double[] truth, int id, Conditions conditions, SplittableRandom random) {
     BallPhysics physics =
         kind == KickKind.FLAT
             ? BallPhysics.ideal(truth[5], truth[6], truth[7], 0.75, 0.95, 0.5)
@@ -155,7 +165,7 @@ final class IdealKicks {
     outliers.add(wild);
   }
 
-  private static double[] flatTruth(SplittableRandom r) {
+  static double[] flatTruth(SplittableRandom r) {
     double speed = 2 + 4.5 * r.nextDouble();
     double side = r.nextBoolean() ? 1 : -1;
     double direction = (side > 0 ? 0 : Math.PI) + 0.9 * (r.nextDouble() - 0.5);
@@ -171,7 +181,7 @@ final class IdealKicks {
     };
   }
 
-  private static double[] chipTruth(SplittableRandom r) {
+  static double[] chipTruth(SplittableRandom r) {
     double speed = 3 + 3.5 * r.nextDouble();
     double elevation = Math.toRadians(40 + 10 * r.nextDouble());
     double side = r.nextBoolean() ? 1 : -1;
