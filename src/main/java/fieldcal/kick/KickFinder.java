@@ -181,6 +181,10 @@ public final class KickFinder {
     if (owner != null) {
       end(owner, KickEnd.TOUCHED_ROBOT, jump.time() - 0.005);
     }
+    if (isDeflection(jump)) {
+      counts.deflections++;
+      return;
+    }
     ActiveKick kick = new ActiveKick(jump, robot, settings);
     kick.join(track);
     active.add(kick);
@@ -194,6 +198,10 @@ public final class KickFinder {
         }
       }
     }
+  }
+
+  private static boolean isDeflection(JumpDetector.Jump jump) {
+    return !jump.fromRest() && !jump.born() && jump.speed() < jump.speedBefore() + LEAST_GAIN;
   }
 
   private ActiveKick sameKick(JumpDetector.Jump jump) {
