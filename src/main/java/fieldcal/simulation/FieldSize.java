@@ -1,5 +1,9 @@
 package fieldcal.simulation;
 
+import fieldcal.vision.FieldArc;
+import fieldcal.vision.FieldLine;
+import java.util.List;
+
 /**
  * The simulated field.
  *
@@ -11,6 +15,9 @@ package fieldcal.simulation;
  */
 public record FieldSize(
     double length, double width, double boundary, double goalWidth, double goalDepth) {
+
+  /** Width of the painted lines, m. */
+  private static final double PAINT = 0.01;
 
   /** Division A of the league's rules. */
   public static final FieldSize DIVISION_A = new FieldSize(12, 9, 0.3, 1.8, 0.18);
@@ -37,5 +44,39 @@ public record FieldSize(
               + ", "
               + goalDepth);
     }
+  }
+
+  /**
+   * The painted lines with the league's names.
+   *
+   * @return touch, goal, halfway and centre line, penalty areas (a fifth of the width by 0.15 of the length on either side)
+   */
+  List<FieldLine> lines() {
+    double x = length / 2;
+    double y = width / 2;
+    double depth = 0.15 * length;
+    double half = 0.2 * width;
+    return List.of(
+        line("TopTouchLine", -x, y, x, y),
+        line("BottomTouchLine", -x, -y, x, -y),
+        line("LeftGoalLine", -x, -y, -x, y),
+        line("RightGoalLine", x, -y, x, y),
+        line("HalfwayLine", 0, -y, 0, y),
+        line("CenterLine", -x, 0, x, 0),
+        line("LeftPenaltyStretch", depth - x, -half, depth - x, half),
+        line("RightPenaltyStretch", x - depth, -half, x - depth, half),
+        line("LeftFieldLeftPenaltyStretch", -x, -half, depth - x, -half),
+        line("LeftFieldRightPenaltyStretch", -x, half, depth - x, half),
+        line("RightFieldLeftPenaltyStretch", x, half, x - depth, half),
+        line("RightFieldRightPenaltyStretch", x, -half, x - depth, -half));
+  }
+
+  /** The centre circle. */
+  List<FieldArc> arcs() {
+    return List.of(new FieldArc("CenterCircle", 0, 0, 0.5, 0, 2 * Math.PI, PAINT));
+  }
+
+  private static FieldLine line(String name, double x1, double y1, double x2, double y2) {
+    return new FieldLine(name, x1, y1, x2, y2, PAINT);
   }
 }

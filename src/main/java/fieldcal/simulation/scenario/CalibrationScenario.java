@@ -26,7 +26,11 @@ public final class CalibrationScenario implements Scenario {
   /** How far from its place a kicker fetches the ball itself, m. */
   private static final double FETCH = 1.2;
 
-  private static final double DRIVE_UP_SPEED = 0.3;
+  /** Distance of the dribbler from the ball's near side while a kicker waits: radius of the ball and 4 mm. */
+  private static final double CLOSE = 0.0255;
+
+  /** Time to get there, s. */
+  private static final double SETTLING = 0.7;
 
   /** A kick that fails this often is left out: a robot that cannot do it must not go on for ever. */
   private static final int MAX_ATTEMPTS = 4;
@@ -237,15 +241,18 @@ public final class CalibrationScenario implements Scenario {
       enter(State.FOLLOW, world);
       return;
     }
-    double reach = SimulatedRobot.FRONT;
-    kicker()
-        .command(
-            RobotCommand.driveTo(
-                    ball.x() - reach * Math.cos(aim),
-                    ball.y() - reach * Math.sin(aim),
-                    aim,
-                    DRIVE_UP_SPEED)
-                .kicking(new Kick(plan().speed(), plan().elevation())));
+    // With the kick to come, up to the ball or just short of it; then, or on contact, the kick.
+    boolean waits = world.time() - since < plan().standing() + SETTLING;
+    boolean stands = plan().standing() > 0 && waits;
+    double reach = SimulatedRobot.FRONT + (stands ? CLOSE : 0);
+    RobotCommand approach =
+        RobotCommand.driveTo(
+            ball.x() - reach * Math.cos(aim),
+            ball.y() - reach * Math.sin(aim),
+            aim,
+            plan().driveUpSpeed());
+    Kick order = new Kick(plan().speed(), plan().elevation());
+    kicker().command(stands ? approach : approach.kicking(order));
     world.purpose("calibration");
     if (world.time() - since > 3) {
       giveUp(world);

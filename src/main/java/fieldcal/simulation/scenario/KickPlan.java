@@ -15,6 +15,8 @@ import java.util.List;
  * @param mirrored flat kicks: along the other diagonal
  * @param aside aim beside the receiver, rad
  * @param received whether the receiver tries to stop the ball
+ * @param driveUpSpeed how fast the kicker drives to the ball, m/s
+ * @param standing how long it stands at the ball before it kicks, s; 0 = it kicks on arrival
  */
 record KickPlan(
     boolean chip,
@@ -22,7 +24,9 @@ record KickPlan(
     double elevation,
     boolean mirrored,
     double aside,
-    boolean received) {
+    boolean received,
+    double driveUpSpeed,
+    double standing) {
 
   /** Kicks with evenly spread speeds in random order; flat kicks before chips, one diagonal after the other. */
   static List<KickPlan> of(ScenarioSettings s, RandomStream random) {
@@ -64,7 +68,15 @@ record KickPlan(
       double elevation = chip ? s.elevation() + random.gaussian(0.012) : 0;
       double aside = random.gaussian(0.02);
       plans.add(
-          new KickPlan(chip, speed, elevation, mirrored, aside, random.happens(s.reception())));
+          new KickPlan(
+              chip,
+              speed,
+              elevation,
+              mirrored,
+              aside,
+              random.happens(s.reception()),
+              random.uniform(0.15, 0.5),
+              random.happens(0.4) ? random.uniform(0.2, 0.8) : 0));
     }
   }
 }

@@ -1,0 +1,163 @@
+package fieldcal.simulation;
+
+import fieldcal.camera.CameraCalibration;
+import fieldcal.simulation.imaging.CameraErrors;
+import fieldcal.simulation.imaging.CameraRig;
+import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.imaging.SimulatedCamera;
+import fieldcal.simulation.truth.CameraTruth;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.PriorityQueue;
+import java.util.function.Consumer;
+
+/** All cameras over a simulated world and the vision behind them: frames and geometry in the order of their arrival. Not thread-safe. */
+public final class VisionSystem {
+  /** From vision to the recorder, s. */
+  private static final double NETWORK = 0.0003;
+
+  /** How long after its exposure a frame may still be on its way, s. */
+  private static final double SAFE_LAG = 0.1;
+
+  private static final double GEOMETRY_INTERVAL = 1;
+
+  private final SimulatedWorld world;
+  private final List<SimulatedCamera> cameras;
+  private final FieldGeometry geometry;
+  private final double ballPlane;
+  private final double rollingShutter;
+  private final long[] frameCounts;
+  private final List<VisionFrame> frames = new ArrayList<>(2);
+  private final PriorityQueue<Arrival> waiting =
+      new PriorityQueue<>(
+          Comparator.comparingDouble((Arrival a) -> a.packet().receivedTime())
+              .thenComparingLong(Arrival::order));
+  private long order;
+  private double nextGeometry = 0.004;
+
+  private record Arrival(SimulatedPacket packet, long order) {}
+
+  /**
+   * Cameras over a world.
+   *
+   * @param settings cameras, trouble, effects, published models, seed
+   * @param world what there is to see
+   */
+  public VisionSystem(SimulationSettings settings, SimulatedWorld world) {
+    this.world = world;
+    CameraSettings cameraSettings = Effects.cameras(settings.cameras(), settings.effects());
+    List<CameraErrors> errors = Effects.cameraErrors(cameraSettings.count(), settings.effects());
+    ballPlane = cameraSettings.ballPlane();
+    rollingShutter = Effects.rollingShutter(0, settings.effects());
+    FieldSize field = settings.field();
+    cameras =
+        CameraRig.over(
+            field, cameraSettings, settings.nuisance(), errors, rollingShutter, settings.seed());
+    frameCounts = new long[cameras.size()];
+    List<CameraCalibration> published =
+        cameras.stream().map(SimulatedCamera::publishedCalibration).toList();
+    geometry =
+        FieldGeometry.of(
+                field.length(),
+                field.width(),
+                field.goalWidth(),
+                field.goalDepth(),
+                field.boundary(),
+                published)
+            .withLines(field.lines(), field.arcs())
+            .withModels(settings.publishedModels().flat(), settings.publishedModels().chip());
+  }
+
+  /**
+   * The geometry as published.
+   *
+   * @return field, cameras, ball models
+   */
+  public FieldGeometry geometry() {
+    return geometry;
+  }
+
+  /**
+   * Height of the ball's centre that vision assumes.
+   *
+   * @return m
+   */
+  public double ballPlane() {
+    return ballPlane;
+  }
+
+  /**
+   * Time from the first to the last image row.
+   *
+   * @return s
+   */
+  public double rollingShutter() {
+    return rollingShutter;
+  }
+
+  /**
+   * Takes the frames that are due now; call it after each tick of the world.
+   *
+   * @param sink gets the packets that no other can overtake any more, in the order of their arrival
+   */
+  public void observe(Consumer<SimulatedPacket> sink) {
+    double now = world.time();
+    for (int i = 0; i < cameras.size(); i++) {
+      SimulatedCamera camera = cameras.get(i);
+      while (camera.nextExposure() + camera.exposureSpan() <= now) {
+        frames.clear();
+        camera.expose(world, frames);
+        for (VisionFrame frame : frames) {
+          frameCounts[i]++;
+          // A copy of the frame does not arrive at the very same moment.
+          double received = frame.sentTime() + NETWORK * (1 + 0.1 * (order % 7));
+          add(received, VisionPacket.of(frame));
+        }
+      }
+    }
+    if (now >= nextGeometry) {
+      add(nextGeometry, VisionPacket.of(geometry));
+      nextGeometry += GEOMETRY_INTERVAL;
+    }
+    deliver(now - SAFE_LAG, sink);
+  }
+
+  /**
+   * The recording is over.
+   *
+   * @param sink gets the packets that are still on their way
+   */
+  public void finish(Consumer<SimulatedPacket> sink) {
+    deliver(Double.POSITIVE_INFINITY, sink);
+  }
+
+  private void add(double received, VisionPacket packet) {
+    waiting.add(new Arrival(new SimulatedPacket(received, packet), order++));
+  }
+
+  private void deliver(double until, Consumer<SimulatedPacket> sink) {
+    while (!waiting.isEmpty() && waiting.peek().packet().receivedTime() <= until) {
+      sink.accept(waiting.poll().packet());
+    }
+  }
+
+  /**
+   * The cameras as they are.
+   *
+   * @return by number
+   */
+  public List<CameraTruth> truth() {
+    List<CameraTruth> truths = new ArrayList<>();
+    for (int i = 0; i < cameras.size(); i++) {
+      SimulatedCamera c = cameras.get(i);
+      truths.add(
+          new CameraTruth(
+              c.trueCalibration(), c.publishedCalibration(), c.errors(), c.rate(), frameCounts[i]));
+    }
+    return truths;
+  }
+}
