@@ -1,5 +1,7 @@
 package fieldcal.gamelog;
 
+import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Goal;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionDecoder;
@@ -8,6 +10,7 @@ import fieldcal.vision.VisionFrame;
 import fieldcal.vision.VisionPacket;
 import fieldcal.vision.VisionSamples;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
@@ -19,13 +22,17 @@ import java.util.Locale;
 /**
  * How fast a log of a gigabyte is read, on one core: records only, with all frames decoded, and as a recording in capture order.
  *
- * <p>Run with an optional size in MB. Writes the log into the temporary folder and deletes it. CPU time of the reading thread is what
+ * <p>Writes the log into the temporary folder and deletes it. CPU time of the reading thread is what
  * counts, so that a busy machine does not show; the heap in use afterwards shows whether memory grows with the log.
  */
 public final class ReadingBenchmark {
   private static final int CAMERAS = 4;
   private static final double FRAME_INTERVAL = 1 / 73.0;
   private static final long MB = 1_000_000;
+  private static final Goal RATE = Goal.atLeast(250, "%.0f MB/s");
+
+  /** A twentieth of the log: memory does not grow with it. */
+  private static final Goal HEAP = Goal.atMost(50, "%.0f MB");
 
   private ReadingBenchmark() {}
 
@@ -35,22 +42,28 @@ public final class ReadingBenchmark {
   }
 
   /**
-   * Runs it.
+   * Prints the table.
    *
-   * @param args optionally the log's size, MB
+   * @param settings size of the log
+   * @param out where to
    * @throws IOException if the log cannot be written
    */
-  public static void main(String[] args) throws IOException {
-    long size = (args.length > 0 ? Long.parseLong(args[0]) : 1100) * MB;
+  public static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
     Path file = Files.createTempFile("reading-benchmark", ".log");
     try {
-      write(file, size);
-      System.out.printf(
-          Locale.ROOT, "log of %.2f GB, %d cameras%n", Files.size(file) / 1e9, CAMERAS);
-      for (int round = 0; round < 2; round++) {
-        measure("records only", file, ReadingBenchmark::records);
-        measure("records, every frame decoded", file, ReadingBenchmark::decoded);
-        measure("recording in capture order", file, ReadingBenchmark::recording);
+      write(file, settings.megabytes() * MB);
+      out.printf(
+          Locale.ROOT,
+          "log of %.2f GB, %d cameras; MB of log per second of one core%n",
+          Files.size(file) / 1e9,
+          CAMERAS);
+      out.printf(
+          "%-30s %12s %12s %10s %10s %12s %9s  %s%n",
+          "", "CPU time", "wall time", "goal", "messages", "heap after", "goal", Goal.VERDICT);
+      for (int round = 1; round <= 2; round++) {
+        measure("records only", file, ReadingBenchmark::records, out);
+        measure("every frame decoded", file, ReadingBenchmark::decoded, out);
+        measure("recording in capture order", file, ReadingBenchmark::recording, out);
       }
     } finally {
       Files.delete(file);
@@ -96,7 +109,8 @@ public final class ReadingBenchmark {
     }
   }
 
-  private static void measure(String what, Path file, Reading reading) throws IOException {
+  private static void measure(String what, Path file, Reading reading, PrintStream out)
+      throws IOException {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     long cpu = threads.getCurrentThreadCpuTime();
     long wall = System.nanoTime();
@@ -104,16 +118,19 @@ public final class ReadingBenchmark {
     double cpuSeconds = (threads.getCurrentThreadCpuTime() - cpu) * 1e-9;
     double wallSeconds = (System.nanoTime() - wall) * 1e-9;
     System.gc();
-    long heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
-    System.out.printf(
+    double heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1e6;
+    double rate = Files.size(file) / 1e6 / cpuSeconds;
+    out.printf(
         Locale.ROOT,
-        "%-30s %5.0f MB/s of CPU time, %5.0f MB/s of wall time, %d messages, %.1f MB heap"
-            + " afterwards%n",
+        "%-30s %7.0f MB/s %7.0f MB/s %10s %10d %9.1f MB %9s  %s%n",
         what,
-        Files.size(file) / 1e6 / cpuSeconds,
+        rate,
         Files.size(file) / 1e6 / wallSeconds,
+        RATE,
         count,
-        heap / 1e6);
+        heap,
+        HEAP,
+        Goal.verdict(RATE.met(rate) && HEAP.met(heap)));
   }
 
   private static long records(Path file) throws IOException {

@@ -1,0 +1,90 @@
+package fieldcal.benchmark;
+
+import fieldcal.fit.FitAccuracy;
+import fieldcal.fit.WrongMinima;
+import fieldcal.gamelog.ReadingBenchmark;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Accuracy and speed against their goals. A goal that is missed is said, not punished: the program ends well, since a busy machine
+ * misses goals of time. Without names it runs everything.
+ */
+public final class Benchmarks {
+  private static final String USAGE =
+      "usage: [fit] [wrong-minima] [reading] [calibrate] [--kicks N] [--seed N] [--megabytes N]"
+          + " [--runs N]";
+
+  private Benchmarks() {}
+
+  /** One benchmark. */
+  private interface Part {
+    void run(BenchmarkSettings settings, PrintStream out) throws Exception;
+  }
+
+  /**
+   * Runs those that are named.
+   *
+   * @param args names and options
+   * @throws Exception when a benchmark cannot run at all
+   */
+  public static void main(String[] args) throws Exception {
+    PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
+    Map<String, Part> parts = new LinkedHashMap<>();
+    parts.put("fit", FitAccuracy::run);
+    parts.put("wrong-minima", WrongMinima::run);
+    parts.put("reading", ReadingBenchmark::run);
+    parts.put("calibrate", CalibrateBenchmark::run);
+    List<String> chosen = new ArrayList<>();
+    BenchmarkSettings settings;
+    try {
+      settings = parse(args, parts, chosen);
+    } catch (IllegalArgumentException wrong) {
+      System.err.println(wrong.getMessage());
+      System.err.println(USAGE);
+      System.exit(2);
+      return;
+    }
+    out.printf(
+        "seed %d, Java %s, %d cores%n",
+        settings.seed(), Runtime.version(), Runtime.getRuntime().availableProcessors());
+    for (String name : chosen.isEmpty() ? parts.keySet() : chosen) {
+      out.printf("%n== %s ==%n", name);
+      parts.get(name).run(settings, out);
+    }
+  }
+
+  private static BenchmarkSettings parse(
+      String[] args, Map<String, Part> parts, List<String> chosen) {
+    BenchmarkSettings s = BenchmarkSettings.defaults();
+    for (int i = 0; i < args.length; i++) {
+      if (parts.containsKey(args[i])) {
+        chosen.add(args[i]);
+        continue;
+      }
+      if (i + 1 == args.length) {
+        throw new IllegalArgumentException("'" + args[i] + "' is neither a name nor an option");
+      }
+      String value = args[++i];
+      s =
+          switch (args[i - 1]) {
+            case "--kicks" ->
+                new BenchmarkSettings(Integer.parseInt(value), s.seed(), s.megabytes(), s.runs());
+            case "--seed" ->
+                new BenchmarkSettings(s.kicks(), Long.parseLong(value), s.megabytes(), s.runs());
+            case "--megabytes" ->
+                new BenchmarkSettings(s.kicks(), s.seed(), Integer.parseInt(value), s.runs());
+            case "--runs" ->
+                new BenchmarkSettings(s.kicks(), s.seed(), s.megabytes(), Integer.parseInt(value));
+            default ->
+                throw new IllegalArgumentException(
+                    "'" + args[i - 1] + "' is neither a name nor an option");
+          };
+    }
+    return s;
+  }
+}
