@@ -52,9 +52,10 @@ public final class HandSelection {
    */
   public HandSelection drop(String key, String reason) {
     Map<String, String> d = new LinkedHashMap<>(dropped);
-    d.put(Objects.requireNonNull(key), Objects.requireNonNull(reason));
+    d.keySet().removeAll(neighbours(key));
+    d.put(key, Objects.requireNonNull(reason));
     Set<String> k = new TreeSet<>(kept);
-    k.remove(key);
+    k.removeAll(neighbours(key));
     return new HandSelection(d, k);
   }
 
@@ -66,9 +67,10 @@ public final class HandSelection {
    */
   public HandSelection keep(String key) {
     Map<String, String> d = new LinkedHashMap<>(dropped);
-    d.remove(key);
+    d.keySet().removeAll(neighbours(key));
     Set<String> k = new TreeSet<>(kept);
-    k.add(Objects.requireNonNull(key));
+    k.removeAll(neighbours(key));
+    k.add(key);
     return new HandSelection(d, k);
   }
 
