@@ -1,0 +1,103 @@
+package fieldcal.calibration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** The random-effects mean of DerSimonian and Laird. */
+class AverageTest {
+  private static final double EXACT = 1e-12;
+
+  @Test
+  void ofNothingThereIsNoMean() {
+    Average none = Average.of(new double[0], new double[0]);
+    assertThat(none.n()).isZero();
+    assertThat(none.mean()).isNaN();
+    assertThat(none.standardError()).isNaN();
+    assertThat(none.scatter()).isNaN();
+    assertThat(Average.of(List.of())).isEqualTo(none);
+  }
+
+  @Test
+  void ofOneSampleItIsTheSample() {
+    Average one = Average.of(new double[] {-3.1}, new double[] {0.2});
+    assertThat(one.n()).isEqualTo(1);
+    assertThat(one.mean()).isEqualTo(-3.1, within(EXACT));
+    assertThat(one.standardError()).isEqualTo(0.2, within(EXACT));
+    assertThat(one.scatter()).isZero();
+  }
+
+  /**
+   * By hand: values 1, 2, 6 with errors 1, 1, 2, so weights 1, 1, 1/4. Fixed mean (1 + 2 + 1.5)/2.25 = 2. Q = 1 + 0 + 16/4 = 5. w =
+   * 2.25, w2 = 2.0625, τ² = (5 − 2)/(2.25 − 2.0625/2.25) = 3/(4/3) = 2.25. New weights 1/3.25, 1/3.25, 1/6.25; mean = (3/3.25 +
+   * 6/6.25)/(2/3.25 + 1/6.25).
+   */
+  @Test
+  void agreesWithACalculationByHand() {
+    Average a = Average.of(new double[] {1, 2, 6}, new double[] {1, 1, 2});
+    double sum = 2 / 3.25 + 1 / 6.25;
+    assertThat(a.scatter()).isEqualTo(1.5, within(EXACT));
+    assertThat(a.mean()).isEqualTo((3 / 3.25 + 6 / 6.25) / sum, within(EXACT));
+    assertThat(a.standardError()).isEqualTo(1 / Math.sqrt(sum), within(EXACT));
+    assertThat(a.n()).isEqualTo(3);
+  }
+
+  /** Less scatter than the errors explain: τ = 0 and inverse variances, weights 1 and 4. */
+  @Test
+  void withoutScatterItIsTheInverseVarianceMean() {
+    Average a = Average.of(new double[] {1, 1.5}, new double[] {1, 0.5});
+    assertThat(a.scatter()).isZero();
+    assertThat(a.mean()).isEqualTo((1 + 4 * 1.5) / 5, within(EXACT));
+    assertThat(a.standardError()).isEqualTo(1 / Math.sqrt(5), within(EXACT));
+  }
+
+  @Test
+  void withMuchScatterItApproachesThePlainMean() {
+    Average a = Average.of(new double[] {0, 10, 20, 30}, new double[] {0.01, 0.1, 0.01, 0.1});
+    assertThat(a.mean()).isEqualTo(15, within(0.02));
+    assertThat(a.standardError()).isEqualTo(a.scatter() / 2, within(0.001));
+    // The values' own standard deviation is 12.9; the estimate weighs them by their errors.
+    assertThat(a.scatter()).isBetween(10.0, 16.0);
+  }
+
+  @Test
+  void samplesThatWereDroppedDoNotCount() {
+    Sample good = new Sample(1, "kSwitch", 0.6, 0.01, Optional.empty());
+    Sample bad = new Sample(2, "kSwitch", 9, 0.01, Optional.of("far off"));
+    assertThat(Average.of(List.of(good, bad))).isEqualTo(Average.of(List.of(good)));
+  }
+
+  @Test
+  void theErrorCoversTheTruth() {
+    SplittableRandom random = new SplittableRandom(1);
+    int inside = 0;
+    for (int trial = 0; trial < 2000; trial++) {
+      double[] values = new double[20];
+      double[] errors = new double[20];
+      for (int i = 0; i < 20; i++) {
+        errors[i] = random.nextDouble(0.02, 0.3);
+        // Kicks differ by 0.1 beyond their errors.
+        values[i] = Math.hypot(errors[i], 0.1) * gaussian(random);
+      }
+      Average a = Average.of(values, errors);
+      inside += Math.abs(a.mean()) < a.standardError() ? 1 : 0;
+    }
+    // τ is estimated from twenty samples, which costs a little coverage.
+    assertThat(inside / 2000.0).isEqualTo(0.67, within(0.04));
+  }
+
+  @Test
+  void sigmasCountTheSamplesErrorAndTheScatter() {
+    Average a = new Average(1, 0.1, 0.3, 5);
+    assertThat(a.sigmas(new Sample(1, "x", 2, 0.4, Optional.empty()))).isEqualTo(2, within(EXACT));
+    assertThat(a.sigmas(new Sample(1, "x", 0, 0.4, Optional.empty()))).isEqualTo(2, within(EXACT));
+  }
+
+  static double gaussian(SplittableRandom r) {
+    return Math.sqrt(-2 * Math.log(1 - r.nextDouble())) * Math.cos(2 * Math.PI * r.nextDouble());
+  }
+}
