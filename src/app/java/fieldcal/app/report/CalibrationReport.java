@@ -1,5 +1,6 @@
 package fieldcal.app.report;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -119,6 +120,14 @@ public record CalibrationReport(
       @Rounded(6) double jointStandardError,
       @Rounded(6) double published,
       String note) {
+    /**
+     * Smaller differences from the published model are not worth changing it, in percent. Chosen: 3 % of accSlide moves a
+     * ball kicked at 6 m/s by less than the width of a robot; the live monitor warns at 20 %.
+     */
+    public static final double NOTABLE_PERCENT = 3;
+
+    /** A difference within so many standard errors of the mean may be chance. */
+    private static final double NOTABLE_SIGMAS = 3;
 
     /** Checks that the texts are there. */
     public ModelParameter {
@@ -133,8 +142,21 @@ public record CalibrationReport(
      * @return mean / published − 1, in percent, positive when the mean is the larger in magnitude; NaN if either is
      *     unknown or the published one is zero
      */
+    @JsonProperty
+    @Rounded(2)
     public double differencePercent() {
       return published == 0 ? Double.NaN : (mean / published - 1) * 100;
+    }
+
+    /**
+     * Whether that matters: the difference is at least {@value #NOTABLE_PERCENT} % and more than chance.
+     *
+     * @return false also when there is nothing to compare with
+     */
+    @JsonProperty
+    public boolean differs() {
+      double sigmas = Math.abs(mean - published) / standardError;
+      return Math.abs(differencePercent()) >= NOTABLE_PERCENT && !(sigmas < NOTABLE_SIGMAS);
     }
   }
 

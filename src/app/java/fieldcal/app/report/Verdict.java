@@ -18,15 +18,6 @@ import java.util.stream.Collectors;
  * @param lines one sentence per model
  */
 public record Verdict(Advice advice, String title, List<String> lines) {
-  /**
-   * Smaller differences from the published model do not matter: 3 % of accSlide moves a ball kicked at 6 m/s by less than
-   * the width of a robot. Chosen; the live monitor warns at 20 %.
-   */
-  static final double NOTABLE_PERCENT = 3;
-
-  /** A difference within this many standard errors of the mean may be chance. */
-  static final double NOTABLE_SIGMAS = 3;
-
   /** A mean is called uncertain when its standard error exceeds this part of it; chosen, half of what the monitor warns at. */
   static final double UNCERTAIN_PERCENT = 10;
 
@@ -93,7 +84,7 @@ public record Verdict(Advice advice, String title, List<String> lines) {
     List<ModelParameter> estimated = estimated(model);
     boolean uncertain = estimated.stream().anyMatch(Verdict::isUncertain) || estimated.isEmpty();
     boolean compared = estimated.stream().allMatch(p -> Double.isFinite(p.differencePercent()));
-    boolean differs = estimated.stream().anyMatch(Verdict::differs);
+    boolean differs = estimated.stream().anyMatch(ModelParameter::differs);
     return uncertain ? Advice.RECORD_MORE : differs || !compared ? Advice.PUBLISH : Advice.KEEP;
   }
 
@@ -105,11 +96,6 @@ public record Verdict(Advice advice, String title, List<String> lines) {
   private static boolean isUncertain(ModelParameter p) {
     double percent = Math.abs(p.standardError() / p.mean()) * 100;
     return p.n() < FEW_KICKS || !(percent <= UNCERTAIN_PERCENT);
-  }
-
-  static boolean differs(ModelParameter p) {
-    double sigmas = Math.abs(p.mean() - p.published()) / p.standardError();
-    return Math.abs(p.differencePercent()) >= NOTABLE_PERCENT && !(sigmas < NOTABLE_SIGMAS);
   }
 
   private static String sentence(CalibrationReport report, Model model, Advice advice) {
@@ -130,7 +116,7 @@ public record Verdict(Advice advice, String title, List<String> lines) {
     List<ModelParameter> estimated = estimated(model);
     String differing =
         estimated.stream()
-            .filter(Verdict::differs)
+            .filter(ModelParameter::differs)
             .map(p -> p.name() + " " + percent(p.differencePercent()))
             .collect(Collectors.joining(", "));
     boolean nothingPublished = estimated.stream().allMatch(p -> Double.isNaN(p.published()));
@@ -165,17 +151,21 @@ public record Verdict(Advice advice, String title, List<String> lines) {
       return p.name() + " undetermined";
     }
     String unit = p.unit().isEmpty() ? "" : " " + p.unit();
-    // As many decimals as the error has with two digits: more would be invented, fewer would hide
-    // the difference.
-    int decimals =
-        p.standardError() > 0
-            ? (int) Math.max(0, Math.min(4, 1 - Math.floor(Math.log10(p.standardError()))))
-            : 3;
+    int decimals = decimals(p.standardError());
     String mean = String.format(Locale.ROOT, "%." + decimals + "f", p.mean()).replace('-', '−');
     return p.standardError() >= 0
         ? String.format(
             Locale.ROOT, "%s %s ± %." + decimals + "f%s", p.name(), mean, p.standardError(), unit)
         : p.name() + " " + mean + unit;
+  }
+
+  /** Decimals that show an error with two digits when it begins with 1 to 3, else with one. */
+  private static int decimals(double error) {
+    if (!(error > 0)) {
+      return 3;
+    }
+    int places = (int) -Math.floor(Math.log10(error));
+    return Math.max(0, Math.min(5, error * Math.pow(10, places) < 3.55 ? places + 1 : places));
   }
 
   private static String percent(double value) {

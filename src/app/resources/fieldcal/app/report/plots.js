@@ -1,1 +1,493 @@
-/* follows */
+/*
+ * The plots of a calibration: each function turns the view model (CalibrationReport as JSON) into an ECharts option.
+ * They know no page, so that the report and the console share them. Tooltips are DOM nodes with text content: nothing
+ * from a recording is ever read as markup.
+ */
+const Plots = (() => {
+  'use strict';
+
+  const SYMBOLS = ['circle', 'triangle', 'rect', 'diamond', 'circle', 'triangle', 'rect', 'diamond'];
+  const HALF_WINDOW = 0.05; // s; about seven frames at 70 Hz, enough to see a slope in 2 mm of noise
+  const END_WORDS = {
+    stopped: 'came to rest', left_field: 'left the field', touched_robot: 'touched a robot', lost: 'lost from view',
+    recording_ended: 'recording ended',
+  };
+
+  // ---- words and numbers ----
+
+  /** An element with attributes and children; strings become text. */
+  function el(tag, attributes, ...children) {
+    const node = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes || {})) {
+      if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
+      else if (value !== null && value !== undefined && value !== false) node.setAttribute(name, value);
+    }
+    node.append(...children.flat().filter(child => child !== null && child !== undefined && child !== ''));
+    return node;
+  }
+
+  const known = value => typeof value === 'number' && isFinite(value);
+
+  /** A number with a true minus sign; a dash when unknown. */
+  function number(value, decimals) {
+    if (!known(value)) return '–';
+    const text = value.toFixed(decimals).replace('-', '−');
+    return /^−0(\.0*)?$/.test(text) ? text.slice(1) : text;
+  }
+
+  const signed = (value, decimals) => (value > 0 ? '+' : '') + number(value, decimals);
+
+  /** Decimals that show an error as physicists do: with two digits when it begins with 1 to 3, else with one. */
+  function decimals(error, fallback = 3) {
+    if (!known(error) || error <= 0) return fallback;
+    const places = -Math.floor(Math.log10(error));
+    return Math.max(0, Math.min(5, error * Math.pow(10, places) < 3.55 ? places + 1 : places));
+  }
+
+  /** A published value: as it was written, but with two decimals at least. */
+  const asPublished = value => !known(value) ? '–' : number(value, Math.max(2, (String(value).split('.')[1] || '').length));
+
+  function withError(value, error, unit) {
+    if (!known(value)) return '–';
+    const digits = decimals(error);
+    return number(value, digits) + (known(error) ? ' ± ' + number(error, digits) : '') + (unit ? ' ' + unit : '');
+  }
+
+  const kickSpeed = kick => Math.hypot(kick.vx, kick.vy, kick.vz);
+  const kickDirection = kick => Math.atan2(kick.vy, kick.vx) * 180 / Math.PI;
+  const endWords = end => END_WORDS[end] || end || 'unknown';
+  const robotName = kick => (kick.robot < 0 && !kick.team ? 'unknown' : (kick.team + ' ' + (kick.robot < 0 ? '?' : kick.robot)).trim());
+  const tip = (title, ...lines) => el('div', {class: 'tip'}, el('b', {}, title), lines.filter(Boolean).map(line => el('div', {}, line)));
+
+  // ---- theme ----
+
+  /** Colours of the page as it is now; cameras keep their colour and symbol on all plots. */
+  function theme(cameraIds) {
+    const style = getComputedStyle(document.documentElement);
+    const colour = name => style.getPropertyValue('--' + name).trim();
+    return {
+      text: colour('text'), muted: colour('muted'), line: colour('line'), soft: colour('soft'), panel: colour('panel'),
+      accent: colour('accent'), good: colour('good'), warn: colour('warn'), bad: colour('bad'),
+      field: colour('field'), fieldLine: colour('field-line'),
+      camera(id) {
+        const index = Math.max(0, cameraIds.indexOf(id)) % SYMBOLS.length;
+        return {colour: colour('camera-' + index), symbol: SYMBOLS[index]};
+      },
+    };
+  }
+
+  function axis(theme, name, more) {
+    return Object.assign({
+      type: 'value', name, nameLocation: 'middle', nameGap: 26, scale: true,
+      nameTextStyle: {color: theme.muted, fontSize: 13},
+      axisLabel: {color: theme.text, fontSize: 13, hideOverlap: true, formatter: value => String(+value.toFixed(6)).replace('-', '−')},
+      axisLine: {show: true, onZero: false, lineStyle: {color: theme.line}},
+      axisTick: {lineStyle: {color: theme.line}},
+      splitLine: {lineStyle: {color: theme.soft}},
+    }, more);
+  }
+
+  function base(theme, xName, yName) {
+    return {
+      animation: false,
+      textStyle: {color: theme.text, fontFamily: 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif', fontSize: 13},
+      grid: {left: 62, right: 14, top: 12, bottom: 42},
+      tooltip: {
+        trigger: 'item', confine: true, backgroundColor: theme.panel, borderColor: theme.line, padding: [6, 10],
+        textStyle: {color: theme.text}, transitionDuration: 0, extraCssText: 'max-width: 360px;',
+      },
+      xAxis: axis(theme, xName),
+      yAxis: axis(theme, yName, {nameGap: 46}),
+      series: [],
+    };
+  }
+
+  // ---- the parameters over the kicks ----
+
+  const AXES = {
+    kick: {label: 'kick', name: 'kick number', of: kick => kick.id, minInterval: 1},
+    speed: {label: 'speed', name: 'kick speed [m/s]', of: kickSpeed},
+    direction: {label: 'direction', name: 'direction [°]', of: kickDirection},
+    place: {label: 'place', name: 'kick position x [m]', of: kick => kick.x},
+  };
+
+  /** Range that shows the band and all selected kicks; a dropped kick far away must not flatten the rest. */
+  function parameterRange(parameter, points) {
+    const spread = known(parameter.sigma) ? parameter.sigma : Math.abs(parameter.mean) * 0.02 || 0.01;
+    const values = points.filter(p => p.kick.selected).flatMap(p => [p.value - p.error, p.value + p.error]);
+    if (known(parameter.mean)) values.push(parameter.mean - 4 * spread, parameter.mean + 4 * spread);
+    if (known(parameter.published) && Math.abs(parameter.published - parameter.mean) < 12 * spread) values.push(parameter.published);
+    if (values.length === 0) values.push(...points.map(p => p.value));
+    if (values.length === 0) return [0, 1];
+    const low = Math.min(...values), high = Math.max(...values);
+    const margin = (high - low || Math.abs(high) || 1) * 0.06;
+    return [low - margin, high + margin];
+  }
+
+  function parameterTip(parameter, point) {
+    const kick = point.kick;
+    const sigmas = known(parameter.sigma) && parameter.sigma > 0 ? (point.value - parameter.mean) / parameter.sigma : NaN;
+    return tip('Kick ' + kick.id + ': ' + parameter.name + ' ' + (point.undetermined ? 'undetermined' : withError(point.value, point.error, parameter.unit)),
+      point.undetermined,
+      known(sigmas) && signed(sigmas, 1) + ' σ from the mean',
+      number(kickSpeed(kick), 2) + ' m/s at ' + number(kickDirection(kick), 0) + '°, ' + robotName(kick) + ', ' + endWords(kick.end),
+      kick.selected ? '' : 'Dropped: ' + kick.rejectedBecause);
+  }
+
+  /** One parameter over the kicks: error bars, mean, band of two sigma, what was dropped. Items carry {kick: id}. */
+  function parameter(theme, parameter, kicks, axisKey, selectedId) {
+    const horizontal = AXES[axisKey];
+    const points = [];
+    for (const kick of kicks) {
+      const fitted = kick.parameters.find(p => p.name === parameter.name);
+      if (!fitted) continue;
+      points.push({kick, x: horizontal.of(kick), value: fitted.value, error: fitted.standardError || 0, undetermined: known(fitted.value) ? '' : fitted.undetermined || 'undetermined'});
+    }
+    const seen = points.filter(p => !p.undetermined);
+    const [low, high] = parameterRange(parameter, seen);
+    const option = base(theme, horizontal.name, '');
+    option.yAxis.min = low;
+    option.yAxis.max = high;
+    option.yAxis.axisLabel.showMinLabel = option.yAxis.axisLabel.showMaxLabel = false;
+    option.yAxis.axisLabel.formatter = value => number(value, Math.max(1, Math.min(4, Math.ceil(-Math.log10((high - low) / 4)))));
+    option.grid.left = 58;
+    if (horizontal.minInterval) option.xAxis.minInterval = 1;
+    const shown = p => {
+      const y = p.undetermined ? low : Math.max(low, Math.min(high, p.value));
+      const outside = !p.undetermined && y !== p.value;
+      return {
+        value: [p.x, y], kick: p.kick.id, point: p,
+        symbol: p.undetermined ? 'path://M-5,-4L5,4M-5,4L5,-4' : outside ? 'triangle' : 'circle',
+        symbolRotate: outside && p.value < low ? 180 : 0,
+        symbolOffset: p.undetermined ? [0, -6] : outside ? [0, p.value < low ? -7 : 7] : [0, 0],
+      };
+    };
+    const bars = group => group.flatMap(p => [[p.x, p.value - p.error], [p.x, p.value + p.error], [p.x, null]]);
+    const line = (data, colour) => ({type: 'line', data, symbol: 'none', silent: true, lineStyle: {color: colour, width: 1.5}, z: 3, clip: true});
+    const selected = seen.filter(p => p.kick.selected), dropped = seen.filter(p => !p.kick.selected);
+    const reference = {type: 'scatter', data: [], silent: true, z: 1, markLine: {silent: true, symbol: 'none', data: [], animation: false}};
+    if (known(parameter.mean)) {
+      const band = 2 * (known(parameter.sigma) ? parameter.sigma : 0);
+      reference.markArea = {silent: true, itemStyle: {color: theme.good, opacity: 0.14}, data: [[{yAxis: Math.max(low, parameter.mean - band)}, {yAxis: Math.min(high, parameter.mean + band)}]]};
+      reference.markLine.data.push({yAxis: parameter.mean, lineStyle: {color: theme.good, width: 2, type: 'solid'}, label: {show: false}});
+    }
+    if (known(parameter.published) && parameter.published >= low && parameter.published <= high) {
+      reference.markLine.data.push({
+        yAxis: parameter.published, lineStyle: {color: theme.text, width: 2, type: 'dashed'}, label: {show: false},
+      });
+    }
+    const circled = points.filter(p => p.kick.id === selectedId);
+    option.tooltip.formatter = item => item.data.point ? parameterTip(parameter, item.data.point) : '';
+    option.series = [
+      reference,
+      line(bars(selected), theme.accent),
+      line(bars(dropped), theme.bad),
+      {type: 'scatter', symbolSize: 9, itemStyle: {color: theme.accent}, data: selected.map(shown), z: 4, cursor: 'pointer'},
+      {type: 'scatter', symbolSize: 11, itemStyle: {color: theme.panel, borderColor: theme.bad, borderWidth: 2}, data: dropped.map(shown), z: 5, cursor: 'pointer'},
+      {type: 'scatter', symbolSize: 8, itemStyle: {color: 'transparent', borderColor: theme.muted, borderWidth: 2}, data: points.filter(p => p.undetermined).map(shown), z: 4, cursor: 'pointer'},
+      {type: 'scatter', symbolSize: 20, silent: true, itemStyle: {color: 'transparent', borderColor: theme.text, borderWidth: 2.5}, z: 6,
+        data: circled.map(p => Object.assign(shown(p), {symbol: 'circle', symbolRotate: 0}))},
+    ];
+    return option;
+  }
+
+  // ---- one kick ----
+
+  /** Value of a column of the fitted path at time t; its ends beyond them. */
+  function along(path, column, t) {
+    const times = path.t, values = path[column];
+    if (times.length === 0) return NaN;
+    let low = 0, high = times.length - 1;
+    if (t <= times[0]) return values[0];
+    if (t >= times[high]) return values[high];
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= t) low = middle; else high = middle;
+    }
+    const part = (t - times[low]) / (times[high] - times[low] || 1);
+    return values[low] + part * (values[high] - values[low]);
+  }
+
+  /** Direction of travel at time t: of the last piece of the path that moves. */
+  function heading(kick) {
+    const path = kick.fitted;
+    const cosines = [], sines = [];
+    const speed = Math.hypot(kick.vx, kick.vy) || 1;
+    let cos = kick.vx / speed, sin = kick.vy / speed;
+    for (let i = 0; i < path.t.length; i++) {
+      const next = Math.min(i + 1, path.t.length - 1);
+      const dx = path.x[next] - path.x[i], dy = path.y[next] - path.y[i], length = Math.hypot(dx, dy);
+      if (length > 1e-3) { cos = dx / length; sin = dy / length; }
+      cosines.push(cos);
+      sines.push(sin);
+    }
+    if (cosines.length === 0) return () => [cos, sin];
+    const columns = {t: path.t, cos: cosines, sin: sines};
+    return t => [along(columns, 'cos', t), along(columns, 'sin', t)];
+  }
+
+  function slope(t, y, from, to) {
+    let n = 0, st = 0, sy = 0;
+    for (let i = from; i < to; i++) { n++; st += t[i]; sy += y[i]; }
+    let stt = 0, sty = 0;
+    for (let i = from; i < to; i++) { const d = t[i] - st / n; stt += d * d; sty += d * (y[i] - sy / n); }
+    return n >= 4 && stt > 0 ? sty / stt : NaN;
+  }
+
+  /**
+   * What the plots need of one kick, worked out once: per camera the residuals along and across the direction of travel, their
+   * running mean, and the speed seen. The speed is the fitted one plus the slope of the residual: for a ball in the air the slope of
+   * what the camera reports is not the ball's.
+   */
+  function prepare(kick) {
+    if (kick.prepared) return kick.prepared;
+    const direction = heading(kick);
+    const hasFit = kick.fitted.t.length > 0;
+    const cameras = kick.seen.map(seen => {
+      const rows = seen.t.map((t, i) => {
+        const [cos, sin] = direction(t);
+        const rx = seen.residualXMm[i], ry = seen.residualYMm[i];
+        const fits = known(rx) && known(ry);
+        return {
+          t, x: seen.x[i], y: seen.y[i], used: seen.used[i], height: seen.height.length ? seen.height[i] : null,
+          along: fits ? rx * cos + ry * sin : null, across: fits ? ry * cos - rx * sin : null,
+          travelled: (seen.x[i] - kick.x) * cos + (seen.y[i] - kick.y) * sin,
+        };
+      });
+      const used = rows.filter(row => row.used);
+      const times = used.map(row => row.t);
+      const offsets = used.map(row => hasFit && row.along !== null ? row.along / 1000 : row.travelled);
+      let from = 0, to = 0;
+      for (let i = 0; i < used.length; i++) {
+        const row = used[i];
+        // A window never reaches over the kick: on its other side the ball rests.
+        while (times[from] < row.t - HALF_WINDOW || (row.t >= 0 && times[from] < 0)) from++;
+        while (to < used.length && times[to] <= row.t + HALF_WINDOW && (row.t >= 0 || times[to] < 0)) to++;
+        const rate = slope(times, offsets, from, to);
+        row.speed = row.t < 0 ? (hasFit ? rate : NaN) : rate + (hasFit ? along(kick.fitted, 'speed', row.t) : 0);
+        for (const column of ['along', 'across']) {
+          let sum = 0;
+          for (let k = from; k < to; k++) sum += used[k][column];
+          row[column + 'Mean'] = sum / (to - from);
+        }
+      }
+      return {camera: seen.camera, rows, used, outliers: rows.filter(row => !row.used)};
+    });
+    const times = cameras.flatMap(camera => [camera.rows[0], camera.rows[camera.rows.length - 1]]).filter(Boolean).map(row => row.t);
+    const end = Math.max(0.1, ...times, ...kick.fitted.t.slice(-1));
+    const start = Math.min(0, ...times);
+    Object.defineProperty(kick, 'prepared', {value: {cameras, start, end}, enumerable: false});
+    return kick.prepared;
+  }
+
+  function eventName(event, number) {
+    return event.type === 'LANDING' ? 'landing ' + number : event.type === 'ROLLING' ? 'rolls' : 'stops';
+  }
+
+  /** Events with names; those too close to the one before have no label. */
+  function namedEvents(kick) {
+    const prepared = prepare(kick);
+    const all = [{name: 'kick', label: 'kick', t: 0, x: kick.x, y: kick.y, type: 'KICK'}];
+    let landings = 0;
+    for (const event of kick.events) {
+      if (event.type === 'LANDING') landings++;
+      const name = eventName(event, landings);
+      all.push({name, label: event.type === 'LANDING' ? String(landings) : name, t: event.t, x: event.x, y: event.y, type: event.type});
+    }
+    const room = (prepared.end - prepared.start) * 0.07;
+    let last = -Infinity;
+    return all.filter(event => event.t <= prepared.end).map(event => {
+      const shown = event.t - last >= room;
+      if (shown) last = event.t;
+      return Object.assign(event, {shown});
+    });
+  }
+
+  function eventLines(theme, kick) {
+    return {
+      type: 'scatter', data: [], silent: true, z: 1,
+      markLine: {
+        silent: true, symbol: 'none', animation: false,
+        data: namedEvents(kick).map(event => ({
+          xAxis: event.t, lineStyle: {color: theme.muted, width: 1, type: event.type === 'KICK' ? 'solid' : 'dashed'},
+          label: {show: event.shown, formatter: event.label, position: 'end', color: theme.muted, fontSize: 12, distance: 2},
+        })),
+      },
+    };
+  }
+
+  function timeAxes(option, kick) {
+    const {start, end} = prepare(kick);
+    option.grid.top = 20;
+    option.xAxis.min = Math.floor(start * 5) / 5;
+    option.xAxis.max = Math.ceil(end * 5) / 5;
+    option.xAxis.scale = false;
+    option.xAxis.axisLabel.showMinLabel = option.xAxis.axisLabel.showMaxLabel = false;
+    return option;
+  }
+
+  const seconds = row => number(row.t, 3) + ' s after the kick';
+  const points = (style, data, more) => Object.assign({
+    type: 'scatter', symbol: style.symbol, symbolSize: 5, itemStyle: {color: style.colour, opacity: 0.75}, data, z: 3,
+  }, more);
+
+  /** The field's lines as one polyline with gaps. */
+  function fieldLines(field) {
+    const l = field.length / 2, w = field.width / 2, lines = [];
+    const draw = (...corners) => lines.push(...corners, [null, null]);
+    draw([-l, -w], [l, -w], [l, w], [-l, w], [-l, -w]);
+    draw([0, -w], [0, w]);
+    draw([-l, 0], [l, 0]);
+    for (const side of [-1, 1]) {
+      const {penaltyAreaDepth: depth, penaltyAreaWidth: width, goalWidth, goalDepth} = field;
+      if (known(depth) && known(width)) draw([side * l, -width / 2], [side * (l - depth), -width / 2], [side * (l - depth), width / 2], [side * l, width / 2]);
+      if (known(goalWidth) && known(goalDepth)) draw([side * l, -goalWidth / 2], [side * (l + goalDepth), -goalWidth / 2], [side * (l + goalDepth), goalWidth / 2], [side * l, goalWidth / 2]);
+    }
+    if (known(field.centreCircleRadius)) {
+      draw(...Array.from({length: 61}, (_, i) => [field.centreCircleRadius * Math.cos(i * Math.PI / 30), field.centreCircleRadius * Math.sin(i * Math.PI / 30)]));
+    }
+    return lines;
+  }
+
+  /** What to draw of the field: all of it, or without geometry whatever the kick needs. */
+  function extent(field, kick) {
+    if (field) {
+      const border = Math.max(known(field.boundary) ? field.boundary : 0, known(field.goalDepth) ? field.goalDepth : 0) + 0.05;
+      return {x0: -field.length / 2 - border, x1: field.length / 2 + border, y0: -field.width / 2 - border, y1: field.width / 2 + border};
+    }
+    const xs = [kick.x, ...kick.fitted.x, ...kick.seen.flatMap(seen => seen.x)].filter(known);
+    const ys = [kick.y, ...kick.fitted.y, ...kick.seen.flatMap(seen => seen.y)].filter(known);
+    return {x0: Math.min(...xs) - 0.3, x1: Math.max(...xs) + 0.3, y0: Math.min(...ys) - 0.3, y1: Math.max(...ys) + 0.3};
+  }
+
+  /** Beside the path, and inside the drawing. */
+  function labelPosition(kick, event, box) {
+    const room = (box.x1 - box.x0) * 0.12;
+    if (event.x < box.x0 + room) return 'right';
+    if (event.x > box.x1 - room) return 'left';
+    return Math.abs(kick.vx) > Math.abs(kick.vy) ? (event.y > box.y1 - room ? 'bottom' : 'top') : 'right';
+  }
+
+  /** The path on the field, true to scale in a box of the given size in pixels. */
+  function path(theme, kick, others, field, size) {
+    const prepared = prepare(kick);
+    const box = extent(field, kick);
+    const option = base(theme, '', '');
+    const room = {left: 34, right: 8, top: 6, bottom: 24};
+    const scale = Math.min((size.width - room.left - room.right) / (box.x1 - box.x0), (size.height - room.top - room.bottom) / (box.y1 - box.y0));
+    const width = (box.x1 - box.x0) * scale, height = (box.y1 - box.y0) * scale;
+    option.grid = {left: room.left + (size.width - room.left - room.right - width) / 2, top: room.top, width, height, show: true, backgroundColor: theme.field, borderWidth: 0};
+    const plain = (min, max) => axis(theme, '', {
+      min, max, splitLine: {show: false}, axisLine: {show: false}, axisTick: {show: false},
+      axisLabel: {color: theme.muted, fontSize: 12, showMinLabel: false, showMaxLabel: false, formatter: value => number(value, 0) + (value === 0 ? ' m' : '')},
+      minInterval: 1,
+    });
+    option.xAxis = plain(box.x0, box.x1);
+    option.yAxis = plain(box.y0, box.y1);
+    option.dataZoom = [
+      {type: 'inside', xAxisIndex: 0, zoomOnMouseWheel: 'ctrl', moveOnMouseWheel: false, filterMode: 'none'},
+      {type: 'inside', yAxisIndex: 0, zoomOnMouseWheel: 'ctrl', moveOnMouseWheel: false, filterMode: 'none'},
+    ];
+    const line = (data, colour, lineWidth, z, more) => Object.assign({type: 'line', data, symbol: 'none', silent: true, lineStyle: {color: colour, width: lineWidth}, z}, more);
+    const every = others.flatMap(other => [...other.fitted.x.filter((_, i) => i % 4 === 0).map((x, i) => [x, other.fitted.y[i * 4]]), [null, null]]);
+    option.series.push(line(field ? fieldLines(field) : [], theme.fieldLine, 2, 1));
+    option.series.push(line(every, theme.muted, 1, 2, {lineStyle: {color: theme.muted, width: 1, opacity: 0.35}}));
+    for (const {camera, used, outliers} of prepared.cameras) {
+      const style = theme.camera(camera);
+      const data = rows => rows.map(row => ({value: [row.x, row.y], row, camera}));
+      option.series.push(points(style, data(used), {symbolSize: 5}));
+      option.series.push(points(style, data(outliers), {symbolSize: 7, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4}));
+    }
+    option.series.push(line(kick.fitted.x.map((x, i) => [x, kick.fitted.y[i]]), theme.text, 2, 5));
+    option.series.push({
+      type: 'scatter', z: 6,
+      data: namedEvents(kick).map(event => ({
+        value: [event.x, event.y], event,
+        symbol: event.type === 'KICK' ? 'circle' : event.type === 'LANDING' ? 'diamond' : event.type === 'STOP' ? 'rect' : 'circle',
+        symbolSize: event.type === 'KICK' ? 15 : event.type === 'LANDING' ? 13 : 9,
+        itemStyle: {color: event.type === 'KICK' ? 'transparent' : theme.panel, borderColor: theme.text, borderWidth: event.type === 'KICK' ? 3 : 2},
+        label: {show: event.shown, formatter: event.label, position: labelPosition(kick, event, box), color: theme.text, fontSize: 12, fontWeight: 600, textBorderColor: theme.field, textBorderWidth: 3},
+      })),
+    });
+    option.tooltip.formatter = ({data}) => data.event
+      ? tip(data.event.name, number(data.event.t, 3) + ' s, x ' + number(data.event.x, 3) + ' m, y ' + number(data.event.y, 3) + ' m')
+      : data.row ? tip('Camera ' + data.camera + (data.row.used ? '' : ', outlier'), seconds(data.row), 'x ' + number(data.row.x, 3) + ' m, y ' + number(data.row.y, 3) + ' m') : '';
+    return option;
+  }
+
+  /** Speed over the ground over time. */
+  function speed(theme, kick) {
+    const {cameras} = prepare(kick);
+    const option = timeAxes(base(theme, 'time since the kick [s]', 'speed [m/s]'), kick);
+    const top = Math.max(0.1, Math.hypot(kick.vx, kick.vy), ...kick.fitted.speed) * 1.1;
+    option.yAxis.min = 0;
+    option.yAxis.max = Math.ceil(top * 2) / 2;
+    option.series.push(eventLines(theme, kick));
+    for (const {camera, used} of cameras) {
+      const style = theme.camera(camera);
+      const data = used.filter(row => known(row.speed) && row.t >= 0).map(row => ({value: [row.t, Math.max(0, Math.min(option.yAxis.max, row.speed))], row, camera}));
+      option.series.push(points(style, data));
+    }
+    option.series.push({type: 'line', data: kick.fitted.t.map((t, i) => [t, kick.fitted.speed[i]]), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, z: 5});
+    option.tooltip.formatter = ({data}) => data.row ? tip(number(data.row.speed, 3) + ' m/s, camera ' + data.camera, seconds(data.row), 'fitted ' + number(along(kick.fitted, 'speed', data.row.t), 3) + ' m/s') : '';
+    return option;
+  }
+
+  /** Half the height of a residual plot: nearly all used observations, in round numbers. */
+  function residualRange(cameras) {
+    const sizes = cameras.flatMap(({used}) => used.flatMap(row => [Math.abs(row.along), Math.abs(row.across)])).filter(known).sort((a, b) => a - b);
+    const wanted = Math.max(4, (sizes[Math.floor(sizes.length * 0.995)] || 0) * 1.15);
+    return [4, 6, 8, 10, 15, 20, 30, 40, 60, 80, 100, 150, 200, 300].find(range => range >= wanted) || Math.ceil(wanted / 100) * 100;
+  }
+
+  /** Residuals along or across the direction of travel; what is outside the plot stands at its edge. */
+  function residual(theme, kick, column, noises) {
+    const {cameras} = prepare(kick);
+    const range = residualRange(cameras);
+    const option = timeAxes(base(theme, 'time since the kick [s]', column + ' [mm]'), kick);
+    Object.assign(option.yAxis, {min: -range, max: range, interval: range / 2});
+    const noise = Math.max(0, ...cameras.map(({camera}) => noises[camera]).filter(known));
+    option.series.push(Object.assign(eventLines(theme, kick), noise === 0 ? {} : {
+      markArea: {silent: true, itemStyle: {color: theme.good, opacity: 0.14}, data: [[{yAxis: -2 * noise}, {yAxis: 2 * noise}]]},
+    }));
+    for (const {camera, used, outliers} of cameras) {
+      const style = theme.camera(camera);
+      const shown = row => {
+        const value = Math.max(-range, Math.min(range, row[column]));
+        return {value: [row.t, value], row, camera, symbol: value === row[column] ? style.symbol : 'triangle', symbolRotate: row[column] < -range ? 180 : 0, symbolOffset: value === row[column] ? [0, 0] : [0, value > 0 ? 5 : -5]};
+      };
+      option.series.push(points(style, used.filter(row => row[column] !== null).map(shown), {itemStyle: {color: style.colour, opacity: 0.5}, symbolSize: 4}));
+      option.series.push(points(style, outliers.filter(row => row[column] !== null).map(shown), {symbolSize: 8, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4}));
+      const mean = [];
+      used.filter(row => known(row[column + 'Mean'])).forEach((row, i, all) => {
+        if (i > 0 && (row.t - all[i - 1].t > 4 * HALF_WINDOW || (row.t >= 0) !== (all[i - 1].t >= 0))) mean.push([row.t, null]);
+        mean.push([row.t, row[column + 'Mean']]);
+      });
+      option.series.push({type: 'line', data: mean, symbol: 'none', silent: true, lineStyle: {color: style.colour, width: 2}, z: 5});
+    }
+    option.tooltip.formatter = ({data}) => data.row ? tip('Camera ' + data.camera + (data.row.used ? '' : ', outlier'), seconds(data.row), signed(data.row.along, 1) + ' mm along, ' + signed(data.row.across, 1) + ' mm across') : '';
+    return option;
+  }
+
+  /** Height over time; the seen one is what the ray implies in the plane of the fitted path. */
+  function height(theme, kick) {
+    const {cameras} = prepare(kick);
+    const option = timeAxes(base(theme, 'time since the kick [s]', 'height [m]'), kick);
+    const top = Math.max(0.05, ...kick.fitted.z) * 1.15;
+    option.yAxis.min = 0;
+    option.yAxis.max = Math.ceil(top * 20) / 20;
+    option.series.push(eventLines(theme, kick));
+    for (const {camera, used} of cameras) {
+      const data = used.filter(row => known(row.height) && row.t >= 0).map(row => ({value: [row.t, Math.max(0, Math.min(option.yAxis.max, row.height))], row, camera}));
+      option.series.push(points(theme.camera(camera), data));
+    }
+    option.series.push({type: 'line', data: kick.fitted.t.map((t, i) => [t, kick.fitted.z[i]]), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, areaStyle: {color: theme.text, opacity: 0.06}, z: 5});
+    option.tooltip.formatter = ({data}) => data.row ? tip(number(data.row.height * 1000, 0) + ' mm high, camera ' + data.camera, seconds(data.row), 'fitted ' + number(along(kick.fitted, 'z', data.row.t) * 1000, 0) + ' mm') : '';
+    return option;
+  }
+
+  return {
+    AXES, el, known, number, signed, withError, decimals, asPublished, kickSpeed, kickDirection, endWords, robotName, theme, prepare,
+    parameter, path, speed, residual, height,
+  };
+})();

@@ -1,1 +1,429 @@
-/* follows */
+/* The report's page: puts the view model into tables and plots, and keeps one kick selected. */
+(() => {
+  'use strict';
+  const {el, known, number, signed, withError} = Plots;
+  const {verdict, report} = JSON.parse(document.getElementById('data').textContent);
+  const $ = id => document.getElementById(id);
+  const content = id => $(id).querySelector('.content');
+  const KINDS = {FLAT: 'flat', CHIP: 'chip'};
+  const cameraIds = [...new Set([...report.cameras.map(c => c.id), ...report.kicks.flatMap(k => k.seen.map(s => s.camera))])].sort((a, b) => a - b);
+  const noises = Object.fromEntries(report.cameras.map(c => [c.id, c.noiseMm]));
+  const kinds = Object.keys(KINDS).filter(kind => report.kicks.some(k => k.kind === kind));
+  const state = {kick: null, kind: kinds[0], axis: 'kick', filter: 'all', sort: {key: 'id', down: false}, shown: []};
+  let theme;
+
+  // ---- charts: created once per place, given options, resized together ----
+
+  const charts = new Map();
+
+  function draw(box, option, onClick) {
+    let chart = charts.get(box);
+    if (!chart) {
+      // Twice the pixels, also on plain screens, so that a printed page is sharp.
+      chart = echarts.init(box, null, {renderer: 'canvas', devicePixelRatio: Math.max(2, window.devicePixelRatio || 1)});
+      charts.set(box, chart);
+      if (onClick) chart.on('click', onClick);
+    }
+    chart.setOption(option, true);
+  }
+
+  function forget(container) {
+    for (const [box, chart] of charts) {
+      if (container.contains(box)) {
+        chart.dispose();
+        charts.delete(box);
+      }
+    }
+    container.replaceChildren();
+  }
+
+  function figure(container, title, explanation, className = 'chart') {
+    const box = el('div', {class: className, role: 'img', 'aria-label': title + (explanation ? ', ' + explanation : '')});
+    container.append(el('figure', {}, el('figcaption', {}, title, el('span', {}, explanation)), box));
+    return box;
+  }
+
+  function choices(group, values, current, choose) {
+    $(group).replaceChildren(...values.map(([key, label]) =>
+      el('button', {type: 'button', 'aria-pressed': String(key === current), onclick: () => choose(key)}, label)));
+  }
+
+  function badge(level, text) {
+    return el('span', {class: 'badge ' + level}, text);
+  }
+
+  /** A small picture of a symbol for a legend, drawn like in the plots. */
+  function swatch(shape, colour, hollow) {
+    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    svg.setAttribute('width', shape === 'line' || shape === 'dashes' || shape === 'band' ? 26 : 14);
+    svg.setAttribute('height', 14);
+    svg.setAttribute('aria-hidden', 'true');
+    const paths = {
+      circle: 'M2,7a5,5 0 1,0 10,0a5,5 0 1,0 -10,0', triangle: 'M7,2L12,12H2Z', rect: 'M2,2H12V12H2Z', diamond: 'M7,1L13,7L7,13L1,7Z',
+      line: 'M0,7H26', dashes: 'M0,7H7M10,7H17M20,7H26', band: 'M0,1H26V13H0Z', cross: 'M3,3L11,11M3,11L11,3',
+    };
+    const node = document.createElementNS('http://www.w3.org/2000/svg', 'path');
+    node.setAttribute('d', paths[shape]);
+    const stroke = hollow || ['line', 'dashes', 'cross'].includes(shape);
+    node.setAttribute('fill', stroke ? 'none' : colour);
+    if (stroke) { node.setAttribute('stroke', colour); node.setAttribute('stroke-width', 2); }
+    if (shape === 'band') node.setAttribute('opacity', 0.3);
+    svg.append(node);
+    return svg;
+  }
+
+  // ---- top: provenance, verdict, model, cameras ----
+
+  function showTop() {
+    const {sources, recordedUnix, duration, generatedBy, seed} = report.provenance;
+    const facts = [sources.join(', ')];
+    if (known(recordedUnix)) facts.push('recorded ' + new Date(recordedUnix * 1000).toISOString().slice(0, 16).replace('T', ' ') + ' UTC');
+    if (known(duration)) facts.push(Math.floor(duration / 60) + ' min ' + number(duration % 60, 0) + ' s');
+    $('provenance').textContent = facts.filter(Boolean).join(' · ');
+    $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Keys: j and k go to the next and the previous kick, t changes between light and dark.';
+    const ACTIONS = {PUBLISH: '✔ Publish', KEEP: '✔ Keep the published model', RECORD_MORE: '⚠ Record more kicks', NO_KICKS: '✘ No kick found'};
+    const box = $('verdict');
+    box.className = verdict.advice.toLowerCase();
+    box.replaceChildren(...verdict.lines.map((line, i) => el('p', {}, i === 0 ? el('b', {class: 'action'}, ACTIONS[verdict.advice]) : '', line)));
+    if (report.warnings.length) box.append(el('ul', {}, report.warnings.map(warning => el('li', {}, warning))));
+  }
+
+  function difference(parameter) {
+    const percent = parameter.differencePercent;
+    if (!known(percent)) return '–';
+    if (!parameter.differs) return badge('good', '≈ ' + signed(percent, 1) + ' %');
+    return badge(Math.abs(percent) >= 20 ? 'bad' : 'warn', (percent > 0 ? '▲ ' : '▼ ') + signed(percent, 1) + ' %');
+  }
+
+  function modelRow(parameter) {
+    const digits = Plots.decimals(parameter.standardError);
+    return el('tr', {},
+      el('td', {class: 'text'}, parameter.name, parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
+      el('td', {class: 'big', title: known(parameter.sigma) ? 'standard deviation of the kicks ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
+      el('td', {}, parameter.n),
+      el('td', {}, withError(parameter.joint, parameter.jointStandardError)),
+      el('td', {}, Plots.asPublished(parameter.published)),
+      el('td', {title: parameter.note || null}, difference(parameter)));
+  }
+
+  function showModel() {
+    const box = content('model');
+    if (report.models.length === 0) {
+      box.replaceChildren(el('p', {class: 'empty'}, 'No model: no kick could be used.'));
+      return;
+    }
+    const body = report.models.flatMap(model => {
+      const kicks = report.kicks.filter(k => k.kind === model.kind);
+      const used = kicks.filter(k => k.selected).length;
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks' + (known(model.jointRmsMm) ? ', joint fit leaves ' + number(model.jointRmsMm, 2) + ' mm per axis' : '');
+      return [el('tr', {class: 'group'}, el('th', {colspan: 6}, group)), ...model.parameters.map(modelRow)];
+    });
+    const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
+    box.replaceChildren(
+      el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, body))),
+      ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => p.name + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note)));
+  }
+
+  /** What an offset means, in words; nothing is said of one that is within its error or too small to matter. */
+  function offsetWords(camera) {
+    if (!known(camera.offsetXMm) && !known(camera.offsetYMm)) return 'offset not determined';
+    const parts = [['x', camera.offsetXMm, camera.offsetXErrorMm], ['y', camera.offsetYMm, camera.offsetYErrorMm]]
+      .filter(([, offset, error]) => Math.abs(offset) >= 2 && !(Math.abs(offset) < 3 * error))
+      .map(([name, offset]) => number(Math.abs(offset), 0) + ' mm too far towards ' + (offset > 0 ? '+' : '−') + name);
+    return parts.length ? 'reports ' + parts.join(' and ') : 'agrees with the others';
+  }
+
+  function showCameras() {
+    const box = content('cameras');
+    if (report.cameras.length === 0) {
+      box.replaceChildren(el('p', {class: 'empty'}, 'No camera saw a kick.'));
+      return;
+    }
+    const rows = report.cameras.flatMap(camera => {
+      const style = theme.camera(camera.id);
+      const apart = offsetWords(camera);
+      return [
+        el('tr', {},
+          el('td', {class: 'text'}, swatch(style.symbol, style.colour), ' ' + camera.id),
+          el('td', {}, number(camera.noiseMm, 1)), el('td', {}, number(camera.rateHz, 1)), el('td', {}, camera.observations),
+          el('td', {}, withError(camera.offsetXMm, camera.offsetXErrorMm)), el('td', {}, withError(camera.offsetYMm, camera.offsetYErrorMm))),
+        el('tr', {}, el('td', {class: 'text wrap', colspan: 6}, badge(apart.startsWith('reports') ? 'warn' : 'good', 'camera ' + camera.id + ' ' + apart), camera.note ? ' ' + camera.note : '')),
+      ];
+    });
+    const head = [['', ''], ['Noise', 'mm'], ['Rate', 'Hz'], ['Seen', 'balls'], ['Offset x', 'mm'], ['Offset y', 'mm']];
+    box.replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map(([h, unit]) => el('th', {scope: 'col'}, h, ' ', el('small', {}, unit))))), el('tbody', {}, rows))));
+  }
+
+  // ---- parameters over the kicks ----
+
+  function showParameters() {
+    const box = content('parameters');
+    forget(box);
+    choices('parameter-kind', kinds.map(kind => [kind, KINDS[kind]]), state.kind, kind => { state.kind = kind; showParameters(); });
+    choices('parameter-axis', Object.entries(Plots.AXES).map(([key, axis]) => [key, 'over ' + axis.label]), state.axis, key => { state.axis = key; showParameters(); });
+    $('parameter-legend').replaceChildren(
+      el('span', {}, swatch('circle', theme.accent), 'kick ± s.e.'), el('span', {}, swatch('circle', theme.bad, true), 'dropped'),
+      el('span', {}, swatch('cross', theme.muted), 'undetermined'), el('span', {}, swatch('triangle', theme.muted, true), 'beyond the plot'),
+      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), 'mean ± 2σ'), el('span', {}, swatch('dashes', theme.text), 'published'));
+    const model = report.models.find(m => m.kind === state.kind);
+    const kicks = report.kicks.filter(k => k.kind === state.kind);
+    if (!model || kicks.length === 0) {
+      box.append(el('p', {class: 'empty'}, report.kicks.length ? 'None of these kicks has a fit.' : 'No kicks.'));
+      return;
+    }
+    const fitted = model.parameters.filter(parameter => kicks.some(k => k.parameters.some(p => p.name === parameter.name)));
+    const places = fitted.map(parameter => figure(box, parameter.name + (parameter.unit ? ' [' + parameter.unit + ']' : ''),
+      withError(parameter.mean, parameter.standardError) + (known(parameter.published) ? ', published ' + Plots.asPublished(parameter.published) : '')));
+    // Drawn when all are there: their number decides how wide each is.
+    for (const [i, chart] of places.entries()) {
+      const parameter = fitted[i];
+      chart.dataset.parameter = parameter.name;
+      draw(chart, Plots.parameter(theme, parameter, kicks, state.axis, state.kick && state.kick.id), event => event.data && event.data.kick && select(event.data.kick));
+    }
+  }
+
+  function markParameters() {
+    const model = report.models.find(m => m.kind === state.kind);
+    for (const [chart] of charts) {
+      const parameter = model && model.parameters.find(p => p.name === chart.dataset.parameter);
+      if (parameter) draw(chart, Plots.parameter(theme, parameter, report.kicks.filter(k => k.kind === state.kind), state.axis, state.kick && state.kick.id));
+    }
+  }
+
+  // ---- the table of kicks ----
+
+  const COLUMNS = [
+    {key: 'id', label: '#', of: k => k.id, text: k => k.id},
+    {key: 'kind', label: 'Kind', of: k => k.kind, text: k => (k.kind === 'FLAT' ? '▬ ' : '⌒ ') + KINDS[k.kind], left: true},
+    {key: 'speed', label: 'm/s', title: 'Kick speed', of: Plots.kickSpeed, text: k => number(Plots.kickSpeed(k), 2)},
+    {key: 'robot', label: 'Robot', of: Plots.robotName, text: k => Plots.robotName(k), left: true},
+    {key: 'end', label: 'End', of: k => Plots.endWords(k.end), text: k => Plots.endWords(k.end), left: true},
+    {key: 'rms', label: 'mm', title: 'Residual per axis (rms)', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
+    {key: 'used', label: 'Used', of: k => k.selected ? 0 : 1, text: k => k.selected ? badge('good', '✔') : badge('bad', '✘'), left: true},
+  ];
+  const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', dropped: k => !k.selected};
+
+  function sorted(kicks) {
+    const column = COLUMNS.find(c => c.key === state.sort.key);
+    const compare = (a, b) => {
+      const x = column.of(a), y = column.of(b);
+      return (x < y ? -1 : x > y ? 1 : 0) * (state.sort.down ? -1 : 1) || a.id - b.id;
+    };
+    return [...kicks].sort(compare);
+  }
+
+  function showKicks() {
+    choices('kick-filter', Object.keys(FILTERS).map(key => [key, key + ' ' + report.kicks.filter(FILTERS[key]).length]), state.filter, key => { state.filter = key; showKicks(); });
+    state.shown = sorted(report.kicks.filter(FILTERS[state.filter]));
+    const box = content('kicks');
+    if (state.shown.length === 0) {
+      box.replaceChildren(el('p', {class: 'empty', style: 'padding-left: 12px'}, report.kicks.length ? 'None.' : 'No kick was found in the recording.'));
+      return;
+    }
+    const head = COLUMNS.map(column => {
+      const current = state.sort.key === column.key;
+      const sort = () => {
+        state.sort = {key: column.key, down: current && !state.sort.down};
+        showKicks();
+        box.querySelector('th[data-key="' + column.key + '"] button').focus();
+      };
+      return el('th', {scope: 'col', 'data-key': column.key, class: column.left ? 'text' : null, title: column.title, 'aria-sort': current ? (state.sort.down ? 'descending' : 'ascending') : null},
+        el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? ' ▾' : ' ▴') : '')));
+    });
+    const rows = state.shown.flatMap(kick => {
+      const row = el('tr', {'data-kick': kick.id, class: kick.selected ? null : 'dropped', onclick: () => select(kick.id)},
+        COLUMNS.map(column => el('td', {class: column.left ? 'text' : null}, column.text(kick))));
+      return kick.selected ? [row] : [row, el('tr', {class: 'why', onclick: () => select(kick.id)}, el('td', {colspan: COLUMNS.length}, kick.rejectedBecause || 'dropped'))];
+    });
+    const body = el('tbody', {}, rows);
+    body.addEventListener('keydown', tableKeys);
+    box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, head)), body));
+    markRow(false);
+  }
+
+  function tableKeys(event) {
+    const steps = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity};
+    if (!(event.key in steps) || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    step(steps[event.key], true);
+  }
+
+  /** Selects the kick so many rows further down in the table as it is shown. */
+  function step(rows, focus) {
+    if (state.shown.length === 0) return;
+    const now = state.shown.indexOf(state.kick);
+    const next = now < 0 ? 0 : Math.max(0, Math.min(state.shown.length - 1, now + rows));
+    select(state.shown[next].id, focus);
+  }
+
+  function markRow(focus) {
+    const box = content('kicks');
+    let reachable = null;
+    for (const row of box.querySelectorAll('tr[data-kick]')) {
+      const selected = state.kick && row.dataset.kick === String(state.kick.id);
+      row.setAttribute('aria-selected', String(Boolean(selected)));
+      row.tabIndex = selected ? 0 : -1;
+      if (selected) reachable = row;
+    }
+    if (!reachable) {
+      const first = box.querySelector('tr[data-kick]');
+      if (first) first.tabIndex = 0;
+      return;
+    }
+    // Scrolls the list only, never the page: the operator may be looking at the parameters above.
+    const list = reachable.closest('.content');
+    const head = list.querySelector('thead').offsetHeight;
+    const top = reachable.offsetTop - head;
+    if (top < list.scrollTop) list.scrollTop = top;
+    const bottom = reachable.offsetTop + reachable.offsetHeight * 2;
+    if (bottom > list.scrollTop + list.clientHeight) list.scrollTop = bottom - list.clientHeight;
+    if (focus) reachable.focus({preventScroll: true});
+  }
+
+  // ---- the selected kick ----
+
+  function select(id, focus) {
+    const kick = report.kicks.find(k => k.id === id);
+    if (!kick || kick === state.kick) return;
+    state.kick = kick;
+    try { history.replaceState(null, '', '#kick=' + id); } catch (refused) { /* some browsers refuse this for files */ }
+    if (kick.kind !== state.kind) {
+      state.kind = kick.kind;
+      showParameters();
+    } else {
+      markParameters();
+    }
+    markRow(focus);
+    showKick();
+  }
+
+  function kickParameterRow(kick, parameter) {
+    const model = report.models.find(m => m.kind === kick.kind);
+    const mean = model && model.parameters.find(p => p.name === parameter.name);
+    const sigmas = mean && mean.sigma > 0 && known(parameter.value) ? (parameter.value - mean.mean) / mean.sigma : NaN;
+    if (!known(parameter.value)) {
+      return el('tr', {}, el('td', {class: 'text'}, parameter.name), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
+    }
+    return el('tr', {}, el('td', {class: 'text'}, parameter.name), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
+      el('td', {}, known(sigmas) ? badge(Math.abs(sigmas) > 2 ? 'bad' : 'good', signed(sigmas, 1) + ' σ') : ''));
+  }
+
+  function showKick() {
+    const kick = state.kick;
+    const box = $('kick-charts');
+    const before = box.dataset.layout;
+    $('previous').disabled = $('next').disabled = !kick;
+    if (!kick) {
+      forget(box);
+      $('kick-title').textContent = 'Kick';
+      $('kick-facts').replaceChildren(el('p', {class: 'empty'}, 'No kick to show.'));
+      return;
+    }
+    const prepared = Plots.prepare(kick);
+    $('kick-title').textContent = 'Kick ' + kick.id + ' — ' + KINDS[kick.kind] + ', ' + number(Plots.kickSpeed(kick), 2) + ' m/s';
+    const elevation = Math.atan2(kick.vz, Math.hypot(kick.vx, kick.vy)) * 180 / Math.PI;
+    $('kick-facts').replaceChildren(
+      el('p', {class: 'status'}, kick.selected ? badge('good', '✔ in the model') : badge('bad', '✘ dropped'), kick.selected ? '' : ' ' + kick.rejectedBecause),
+      el('div', {},
+        el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(prepared.end, 1) + ' s.'),
+        el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' put aside as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
+        el('p', {class: 'note'}, kick.source + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
+      el('table', {}, el('tbody', {}, kick.parameters.map(p => kickParameterRow(kick, p)))));
+    $('kick-legend').replaceChildren(
+      ...prepared.cameras.map(({camera}) => el('span', {}, swatch(theme.camera(camera).symbol, theme.camera(camera).colour), 'camera ' + camera)),
+      el('span', {}, swatch('circle', theme.muted, true), 'outlier'), el('span', {}, swatch('line', theme.text), 'fitted'),
+      el('span', {}, swatch('band', theme.good), 'noise ± 2σ'));
+    const layout = kick.kind;
+    if (before !== layout) {
+      forget(box);
+      box.dataset.layout = layout;
+      const chip = kick.kind === 'CHIP';
+      figure(box, 'Path on the field', chip ? 'seen at the ground, fitted true path' : 'ctrl + wheel zooms', 'chart tall').dataset.plot = 'path';
+      figure(box, 'Speed', 'over the ground', 'chart tall').dataset.plot = 'speed';
+      if (chip) {
+        const wide = figure(box, 'Height', 'seen: where the ray meets the plane of the fitted path');
+        wide.dataset.plot = 'height';
+        wide.parentNode.classList.add('wide');
+      }
+      figure(box, 'Residual along', 'line: mean over 0.1 s').dataset.plot = 'along';
+      figure(box, 'Residual across', '+ is to the left').dataset.plot = 'across';
+    }
+    drawKick();
+  }
+
+  function drawKick() {
+    const kick = state.kick;
+    const others = report.kicks.filter(k => k.kind === kick.kind && k !== kick);
+    const options = {
+      path: box => Plots.path(theme, kick, others, report.field, {width: box.clientWidth, height: box.clientHeight}),
+      speed: () => Plots.speed(theme, kick), height: () => Plots.height(theme, kick),
+      along: () => Plots.residual(theme, kick, 'along', noises), across: () => Plots.residual(theme, kick, 'across', noises),
+    };
+    for (const box of $('kick-charts').querySelectorAll('[data-plot]')) draw(box, options[box.dataset.plot](box));
+  }
+
+  // ---- the end of the page, theme, keys ----
+
+  function showProblems() {
+    const box = content('problems');
+    if (report.problems.length === 0) {
+      box.replaceChildren(el('p', {class: 'empty'}, 'None: every record was read and used.'));
+      return;
+    }
+    const rows = report.problems.map(problem => el('tr', {}, el('td', {}, problem.count + ' ×'), el('td', {class: 'text wrap'}, problem.what), el('td', {class: 'text wrap'}, problem.where), el('td', {class: 'text wrap'}, problem.advice)));
+    box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, ['Count', 'What', 'Where', 'What it means'].map((h, i) => el('th', {scope: 'col', class: i ? 'text' : null}, h)))), el('tbody', {}, rows)));
+  }
+
+  function setTheme(name) {
+    document.documentElement.dataset.theme = name;
+    $('theme').textContent = name === 'dark' ? 'Light' : 'Dark';
+    theme = Plots.theme(cameraIds);
+  }
+
+  function showAll() {
+    showTop();
+    showModel();
+    showCameras();
+    showParameters();
+    showKicks();
+    showKick();
+    showProblems();
+  }
+
+  const dark = window.matchMedia('(prefers-color-scheme: dark)');
+  const wanted = new URLSearchParams(location.search).get('theme');
+  setTheme(wanted === 'dark' || wanted === 'light' ? wanted : dark.matches ? 'dark' : 'light');
+  const change = name => { setTheme(name); showAll(); };
+  const other = () => document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
+  dark.addEventListener('change', event => change(event.matches ? 'dark' : 'light'));
+  $('theme').addEventListener('click', () => change(other()));
+  $('print').addEventListener('click', () => window.print());
+  $('previous').addEventListener('click', () => step(-1));
+  $('next').addEventListener('click', () => step(1));
+  document.addEventListener('keydown', event => {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches('input, textarea, select')) return;
+    if (event.key === 'j') step(1);
+    else if (event.key === 'k') step(-1);
+    else if (event.key === 't') change(other());
+  });
+
+  // Paper is white, and a little narrower than the screen.
+  let beforePrint = null;
+  window.addEventListener('beforeprint', () => { beforePrint = document.documentElement.dataset.theme; if (beforePrint !== 'light') change('light'); });
+  window.addEventListener('afterprint', () => { if (beforePrint && beforePrint !== 'light') change(beforePrint); });
+
+  let resizing = 0;
+  window.addEventListener('resize', () => {
+    cancelAnimationFrame(resizing);
+    resizing = requestAnimationFrame(() => {
+      for (const chart of charts.values()) chart.resize();
+      if (state.kick) drawKick();
+    });
+  });
+
+  const asked = Number((/^#kick=(\d+)$/.exec(location.hash) || [])[1]);
+  state.kick = report.kicks.find(k => k.id === asked) || report.kicks.find(k => k.selected) || report.kicks[0] || null;
+  if (state.kick) state.kind = state.kick.kind;
+  showAll();
+  window.addEventListener('hashchange', () => select(Number((/^#kick=(\d+)$/.exec(location.hash) || [])[1])));
+})();
