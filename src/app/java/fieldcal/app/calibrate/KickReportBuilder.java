@@ -10,6 +10,7 @@ import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.ball.Landing;
 import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Sample;
 import fieldcal.camera.Camera;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.Estimate;
@@ -59,7 +60,7 @@ final class KickReportBuilder {
         fitted && fit.kind() == KickKind.CHIP ? fit.estimate("vz").value() : 0,
         fit.modelEstimates().stream()
             .filter(e -> e.parameter().estimated())
-            .map(KickReportBuilder::parameter)
+            .map(e -> parameter(e, calibrated.samples()))
             .toList(),
         calibrated.selected(),
         calibrated.rejected().orElse(""),
@@ -68,12 +69,19 @@ final class KickReportBuilder {
         fitted ? events(fit.trajectory(), t0, kick.endTime()) : List.of());
   }
 
-  private static CalibrationReport.KickParameter parameter(Estimate e) {
+  private static CalibrationReport.KickParameter parameter(Estimate e, List<Sample> samples) {
     if (e.usable()) {
-      return new CalibrationReport.KickParameter(e.name(), e.value(), e.standardError(), "");
+      String dropped =
+          samples.stream()
+              .filter(s -> s.parameter().equals(e.name()))
+              .findFirst()
+              .flatMap(Sample::dropped)
+              .orElse("");
+      return new CalibrationReport.KickParameter(
+          e.name(), e.value(), e.standardError(), "", dropped);
     }
     String reason = e.undetermined().orElse("the estimate ran into its bound");
-    return new CalibrationReport.KickParameter(e.name(), Double.NaN, Double.NaN, reason);
+    return new CalibrationReport.KickParameter(e.name(), Double.NaN, Double.NaN, reason, "");
   }
 
   private List<Observations> seen(KickFit fit, double t0) {

@@ -102,8 +102,8 @@ public record CalibrationReport(
    * @param mean average over the selected kicks; NaN if no kick determines it
    * @param standardError of the mean; NaN if unknown
    * @param n number of kicks in the mean
-   * @param sigma standard deviation of the selected kicks' values around the mean: the band drawn and selected by is
-   *     mean ± 2 sigma; NaN if unknown
+   * @param sigma scatter from kick to kick beyond what the fits' own errors explain: a kick is judged by its distance
+   *     from the mean in units of √(sigma² + its standard error²); NaN if unknown
    * @param joint value of the joint fit; NaN without one
    * @param jointStandardError its standard error; NaN if unknown
    * @param published value of the model in use; NaN if none is published
@@ -299,17 +299,20 @@ public record CalibrationReport(
    * @param value fitted value; NaN if undetermined
    * @param standardError from the fit's covariance; NaN if undetermined
    * @param undetermined why the kick does not determine it, in words; empty if it does
+   * @param dropped why this value is not averaged though the kick may be used for other parameters; empty if it is
    */
   public record KickParameter(
       String name,
       @Rounded(5) double value,
       @Rounded(5) double standardError,
-      String undetermined) {
+      String undetermined,
+      String dropped) {
 
     /** Checks that the texts are there. */
     public KickParameter {
       Objects.requireNonNull(name, "name");
       Objects.requireNonNull(undetermined, "undetermined");
+      Objects.requireNonNull(dropped, "dropped");
     }
   }
 

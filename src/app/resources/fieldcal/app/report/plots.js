@@ -57,6 +57,24 @@ const Plots = (() => {
   const kickDirection = kick => Math.atan2(kick.vy, kick.vx) * 180 / Math.PI;
   const endWords = end => END_WORDS[end] || end || 'unknown';
   const robotName = kick => (kick.robot < 0 && !kick.team ? 'unknown' : (kick.team + ' ' + (kick.robot < 0 ? '?' : kick.robot)).trim());
+  /** Last part of a path, for places where all of it is too long. */
+  const fileName = path => path.split(/[\\/]/).pop() || path;
+
+  /** Whether this value of this kick is averaged. */
+  const isUsed = (kick, fitted) => kick.selected && known(fitted.value) && !fitted.dropped;
+
+  /** Distance of a kick's value from the mean, in units of what is expected: its own error and the scatter between kicks. */
+  function sigmas(parameter, fitted) {
+    const spread = Math.hypot(fitted.standardError || 0, known(parameter.sigma) ? parameter.sigma : 0);
+    return spread > 0 ? (fitted.value - parameter.mean) / spread : NaN;
+  }
+
+  /** The spread expected of a typical kick; the band drawn is twice that. */
+  function typicalSpread(parameter, points) {
+    const errors = points.filter(p => p.used).map(p => p.error).sort((a, b) => a - b);
+    return Math.hypot(errors[Math.floor(errors.length / 2)] || 0, known(parameter.sigma) ? parameter.sigma : 0);
+  }
+
   const tip = (title, ...lines) => el('div', {class: 'tip'}, el('b', {}, title), lines.filter(Boolean).map(line => el('div', {}, line)));
 
   // ---- theme ----
@@ -113,8 +131,8 @@ const Plots = (() => {
 
   /** Range that shows the band and all selected kicks; a dropped kick far away must not flatten the rest. */
   function parameterRange(parameter, points) {
-    const spread = known(parameter.sigma) ? parameter.sigma : Math.abs(parameter.mean) * 0.02 || 0.01;
-    const values = points.filter(p => p.kick.selected).flatMap(p => [p.value - p.error, p.value + p.error]);
+    const spread = typicalSpread(parameter, points) || Math.abs(parameter.mean) * 0.02 || 0.01;
+    const values = points.filter(p => p.used).flatMap(p => [p.value - p.error, p.value + p.error]);
     if (known(parameter.mean)) values.push(parameter.mean - 4 * spread, parameter.mean + 4 * spread);
     if (known(parameter.published) && Math.abs(parameter.published - parameter.mean) < 12 * spread) values.push(parameter.published);
     if (values.length === 0) values.push(...points.map(p => p.value));
@@ -126,12 +144,12 @@ const Plots = (() => {
 
   function parameterTip(parameter, point) {
     const kick = point.kick;
-    const sigmas = known(parameter.sigma) && parameter.sigma > 0 ? (point.value - parameter.mean) / parameter.sigma : NaN;
+    const distance = sigmas(parameter, point.fitted);
     return tip('Kick ' + kick.id + ': ' + parameter.name + ' ' + (point.undetermined ? 'undetermined' : withError(point.value, point.error, parameter.unit)),
       point.undetermined,
-      known(sigmas) && signed(sigmas, 1) + ' σ from the mean',
+      known(distance) && signed(distance, 1) + ' σ from the mean',
       number(kickSpeed(kick), 2) + ' m/s at ' + number(kickDirection(kick), 0) + '°, ' + robotName(kick) + ', ' + endWords(kick.end),
-      kick.selected ? '' : 'Dropped: ' + kick.rejectedBecause);
+      point.used || point.undetermined ? '' : 'Dropped: ' + (point.fitted.dropped || kick.rejectedBecause));
   }
 
   /** One parameter over the kicks: error bars, mean, band of two sigma, what was dropped. Items carry {kick: id}. */
@@ -141,7 +159,7 @@ const Plots = (() => {
     for (const kick of kicks) {
       const fitted = kick.parameters.find(p => p.name === parameter.name);
       if (!fitted) continue;
-      points.push({kick, x: horizontal.of(kick), value: fitted.value, error: fitted.standardError || 0, undetermined: known(fitted.value) ? '' : fitted.undetermined || 'undetermined'});
+      points.push({kick, fitted, used: isUsed(kick, fitted), x: horizontal.of(kick), value: fitted.value, error: fitted.standardError || 0, undetermined: known(fitted.value) ? '' : fitted.undetermined || 'undetermined'});
     }
     const seen = points.filter(p => !p.undetermined);
     const [low, high] = parameterRange(parameter, seen);
@@ -164,10 +182,10 @@ const Plots = (() => {
     };
     const bars = group => group.flatMap(p => [[p.x, p.value - p.error], [p.x, p.value + p.error], [p.x, null]]);
     const line = (data, colour) => ({type: 'line', data, symbol: 'none', silent: true, lineStyle: {color: colour, width: 1.5}, z: 3, clip: true});
-    const selected = seen.filter(p => p.kick.selected), dropped = seen.filter(p => !p.kick.selected);
+    const selected = seen.filter(p => p.used), dropped = seen.filter(p => !p.used);
     const reference = {type: 'scatter', data: [], silent: true, z: 1, markLine: {silent: true, symbol: 'none', data: [], animation: false}};
     if (known(parameter.mean)) {
-      const band = 2 * (known(parameter.sigma) ? parameter.sigma : 0);
+      const band = 2 * typicalSpread(parameter, seen);
       reference.markArea = {silent: true, itemStyle: {color: theme.good, opacity: 0.14}, data: [[{yAxis: Math.max(low, parameter.mean - band)}, {yAxis: Math.min(high, parameter.mean + band)}]]};
       reference.markLine.data.push({yAxis: parameter.mean, lineStyle: {color: theme.good, width: 2, type: 'solid'}, label: {show: false}});
     }
@@ -415,6 +433,12 @@ const Plots = (() => {
     return option;
   }
 
+  /** The fitted speed; from rest it jumps at the kick. */
+  function speedLine(path) {
+    const moving = path.t.map((t, i) => [t, path.speed[i]]).filter(([t]) => t >= 0);
+    return path.t[0] < 0 ? [[path.t[0], 0], [0, 0], ...moving] : moving;
+  }
+
   /** Speed over the ground over time. */
   function speed(theme, kick) {
     const {cameras} = prepare(kick);
@@ -428,7 +452,7 @@ const Plots = (() => {
       const data = used.filter(row => known(row.speed) && row.t >= 0).map(row => ({value: [row.t, Math.max(0, Math.min(option.yAxis.max, row.speed))], row, camera}));
       option.series.push(points(style, data));
     }
-    option.series.push({type: 'line', data: kick.fitted.t.map((t, i) => [t, kick.fitted.speed[i]]), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, z: 5});
+    option.series.push({type: 'line', data: speedLine(kick.fitted), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, z: 5});
     option.tooltip.formatter = ({data}) => data.row ? tip(number(data.row.speed, 3) + ' m/s, camera ' + data.camera, seconds(data.row), 'fitted ' + number(along(kick.fitted, 'speed', data.row.t), 3) + ' m/s') : '';
     return option;
   }
@@ -476,6 +500,7 @@ const Plots = (() => {
     const top = Math.max(0.05, ...kick.fitted.z) * 1.15;
     option.yAxis.min = 0;
     option.yAxis.max = Math.ceil(top * 20) / 20;
+    option.yAxis.axisLabel.showMaxLabel = false;
     option.series.push(eventLines(theme, kick));
     for (const {camera, used} of cameras) {
       const data = used.filter(row => known(row.height) && row.t >= 0).map(row => ({value: [row.t, Math.max(0, Math.min(option.yAxis.max, row.height))], row, camera}));
@@ -487,7 +512,7 @@ const Plots = (() => {
   }
 
   return {
-    AXES, el, known, number, signed, withError, decimals, asPublished, kickSpeed, kickDirection, endWords, robotName, theme, prepare,
+    AXES, el, known, number, signed, withError, decimals, asPublished, kickSpeed, kickDirection, endWords, robotName, fileName, isUsed, sigmas, theme, prepare,
     parameter, path, speed, residual, height,
   };
 })();

@@ -76,10 +76,11 @@
 
   function showTop() {
     const {sources, recordedUnix, duration, generatedBy, seed} = report.provenance;
-    const facts = [sources.join(', ')];
+    const facts = [sources.map(Plots.fileName).join(', ')];
     if (known(recordedUnix)) facts.push('recorded ' + new Date(recordedUnix * 1000).toISOString().slice(0, 16).replace('T', ' ') + ' UTC');
     if (known(duration)) facts.push(Math.floor(duration / 60) + ' min ' + number(duration % 60, 0) + ' s');
     $('provenance').textContent = facts.filter(Boolean).join(' · ');
+    $('provenance').title = sources.join('\n');
     $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Keys: j and k go to the next and the previous kick, t changes between light and dark.';
     const ACTIONS = {PUBLISH: '✔ Publish', KEEP: '✔ Keep the published model', RECORD_MORE: '⚠ Record more kicks', NO_KICKS: '✘ No kick found'};
     const box = $('verdict');
@@ -91,15 +92,16 @@
   function difference(parameter) {
     const percent = parameter.differencePercent;
     if (!known(percent)) return '–';
-    if (!parameter.differs) return badge('good', '≈ ' + signed(percent, 1) + ' %');
-    return badge(Math.abs(percent) >= 20 ? 'bad' : 'warn', (percent > 0 ? '▲ ' : '▼ ') + signed(percent, 1) + ' %');
+    const text = signed(percent, Math.abs(percent) < 9.95 ? 1 : 0) + ' %';
+    if (!parameter.differs) return badge('good', '≈ ' + text);
+    return badge(Math.abs(percent) >= 20 ? 'bad' : 'warn', (percent > 0 ? '▲ ' : '▼ ') + text);
   }
 
   function modelRow(parameter) {
     const digits = Plots.decimals(parameter.standardError);
     return el('tr', {},
       el('td', {class: 'text'}, parameter.name, parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
-      el('td', {class: 'big', title: known(parameter.sigma) ? 'standard deviation of the kicks ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
+      el('td', {class: 'big', title: known(parameter.sigma) ? 'scatter between the kicks beyond their own errors: ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
       el('td', {}, parameter.n),
       el('td', {}, withError(parameter.joint, parameter.jointStandardError)),
       el('td', {}, Plots.asPublished(parameter.published)),
@@ -145,12 +147,12 @@
       return [
         el('tr', {},
           el('td', {class: 'text'}, swatch(style.symbol, style.colour), ' ' + camera.id),
-          el('td', {}, number(camera.noiseMm, 1)), el('td', {}, number(camera.rateHz, 1)), el('td', {}, camera.observations),
+          el('td', {}, number(camera.noiseMm, 1)), el('td', {}, number(camera.rateHz, 1)), 
           el('td', {}, withError(camera.offsetXMm, camera.offsetXErrorMm)), el('td', {}, withError(camera.offsetYMm, camera.offsetYErrorMm))),
-        el('tr', {}, el('td', {class: 'text wrap', colspan: 6}, badge(apart.startsWith('reports') ? 'warn' : 'good', 'camera ' + camera.id + ' ' + apart), camera.note ? ' ' + camera.note : '')),
+        el('tr', {}, el('td', {class: 'text wrap', colspan: 5}, badge(apart.startsWith('reports') ? 'warn' : 'good', 'camera ' + camera.id + ' ' + apart), ' ' + camera.observations + ' observations' + (camera.note ? '; ' + camera.note : ''))),
       ];
     });
-    const head = [['', ''], ['Noise', 'mm'], ['Rate', 'Hz'], ['Seen', 'balls'], ['Offset x', 'mm'], ['Offset y', 'mm']];
+    const head = [['', ''], ['Noise', 'mm'], ['Rate', 'Hz'], ['Offset x', 'mm'], ['Offset y', 'mm']];
     box.replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map(([h, unit]) => el('th', {scope: 'col'}, h, ' ', el('small', {}, unit))))), el('tbody', {}, rows))));
   }
 
@@ -164,7 +166,7 @@
     $('parameter-legend').replaceChildren(
       el('span', {}, swatch('circle', theme.accent), 'kick ± s.e.'), el('span', {}, swatch('circle', theme.bad, true), 'dropped'),
       el('span', {}, swatch('cross', theme.muted), 'undetermined'), el('span', {}, swatch('triangle', theme.muted, true), 'beyond the plot'),
-      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), 'mean ± 2σ'), el('span', {}, swatch('dashes', theme.text), 'published'));
+      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), 'mean ± 2σ of a typical kick'), el('span', {}, swatch('dashes', theme.text), 'published'));
     const model = report.models.find(m => m.kind === state.kind);
     const kicks = report.kicks.filter(k => k.kind === state.kind);
     if (!model || kicks.length === 0) {
@@ -172,8 +174,7 @@
       return;
     }
     const fitted = model.parameters.filter(parameter => kicks.some(k => k.parameters.some(p => p.name === parameter.name)));
-    const places = fitted.map(parameter => figure(box, parameter.name + (parameter.unit ? ' [' + parameter.unit + ']' : ''),
-      withError(parameter.mean, parameter.standardError) + (known(parameter.published) ? ', published ' + Plots.asPublished(parameter.published) : '')));
+    const places = fitted.map(parameter => figure(box, parameter.name + (parameter.unit ? ' [' + parameter.unit + ']' : ''), withError(parameter.mean, parameter.standardError)));
     // Drawn when all are there: their number decides how wide each is.
     for (const [i, chart] of places.entries()) {
       const parameter = fitted[i];
@@ -192,6 +193,19 @@
 
   // ---- the table of kicks ----
 
+  const droppedValues = kick => kick.parameters.filter(p => known(p.value) && p.dropped);
+
+  function usedBadge(kick) {
+    const known = kick.parameters.filter(p => Plots.known(p.value)), used = known.filter(p => Plots.isUsed(kick, p));
+    if (!kick.selected) return badge('bad', '✘');
+    return used.length === known.length ? badge('good', '✔') : badge('warn', used.length + '/' + known.length);
+  }
+
+  /** Why a kick, or some of its values, are not part of the model; empty when all are. */
+  function whyDropped(kick) {
+    return kick.selected ? droppedValues(kick).map(p => p.dropped).join('; ') : kick.rejectedBecause || 'dropped';
+  }
+
   const COLUMNS = [
     {key: 'id', label: '#', of: k => k.id, text: k => k.id},
     {key: 'kind', label: 'Kind', of: k => k.kind, text: k => (k.kind === 'FLAT' ? '▬ ' : '⌒ ') + KINDS[k.kind], left: true},
@@ -199,9 +213,9 @@
     {key: 'robot', label: 'Robot', of: Plots.robotName, text: k => Plots.robotName(k), left: true},
     {key: 'end', label: 'End', of: k => Plots.endWords(k.end), text: k => Plots.endWords(k.end), left: true},
     {key: 'rms', label: 'mm', title: 'Residual per axis (rms)', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
-    {key: 'used', label: 'Used', of: k => k.selected ? 0 : 1, text: k => k.selected ? badge('good', '✔') : badge('bad', '✘'), left: true},
+    {key: 'used', label: 'Used', title: 'Values that are averaged', of: k => k.selected ? droppedValues(k).length : 99, text: usedBadge, left: true},
   ];
-  const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', dropped: k => !k.selected};
+  const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', dropped: k => !k.selected || droppedValues(k).length > 0};
 
   function sorted(kicks) {
     const column = COLUMNS.find(c => c.key === state.sort.key);
@@ -231,9 +245,10 @@
         el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? ' ▾' : ' ▴') : '')));
     });
     const rows = state.shown.flatMap(kick => {
-      const row = el('tr', {'data-kick': kick.id, class: kick.selected ? null : 'dropped', onclick: () => select(kick.id)},
+      const row = el('tr', {'data-kick': kick.id, class: whyDropped(kick) ? 'dropped' : null, onclick: () => select(kick.id)},
         COLUMNS.map(column => el('td', {class: column.left ? 'text' : null}, column.text(kick))));
-      return kick.selected ? [row] : [row, el('tr', {class: 'why', onclick: () => select(kick.id)}, el('td', {colspan: COLUMNS.length}, kick.rejectedBecause || 'dropped'))];
+      const why = whyDropped(kick);
+      return why ? [row, el('tr', {class: kick.selected ? 'why part' : 'why', onclick: () => select(kick.id)}, el('td', {colspan: COLUMNS.length}, why))] : [row];
     });
     const body = el('tbody', {}, rows);
     body.addEventListener('keydown', tableKeys);
@@ -300,12 +315,12 @@
   function kickParameterRow(kick, parameter) {
     const model = report.models.find(m => m.kind === kick.kind);
     const mean = model && model.parameters.find(p => p.name === parameter.name);
-    const sigmas = mean && mean.sigma > 0 && known(parameter.value) ? (parameter.value - mean.mean) / mean.sigma : NaN;
+    const sigmas = mean && known(parameter.value) ? Plots.sigmas(mean, parameter) : NaN;
     if (!known(parameter.value)) {
       return el('tr', {}, el('td', {class: 'text'}, parameter.name), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
     }
     return el('tr', {}, el('td', {class: 'text'}, parameter.name), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
-      el('td', {}, known(sigmas) ? badge(Math.abs(sigmas) > 2 ? 'bad' : 'good', signed(sigmas, 1) + ' σ') : ''));
+      el('td', {}, known(sigmas) ? el('span', {title: parameter.dropped || null}, badge(parameter.dropped ? 'bad' : Math.abs(sigmas) > 2 ? 'warn' : 'good', (parameter.dropped ? '✘ ' : '') + signed(sigmas, 1) + ' σ')) : ''));
   }
 
   function showKick() {
@@ -323,11 +338,11 @@
     $('kick-title').textContent = 'Kick ' + kick.id + ' — ' + KINDS[kick.kind] + ', ' + number(Plots.kickSpeed(kick), 2) + ' m/s';
     const elevation = Math.atan2(kick.vz, Math.hypot(kick.vx, kick.vy)) * 180 / Math.PI;
     $('kick-facts').replaceChildren(
-      el('p', {class: 'status'}, kick.selected ? badge('good', '✔ in the model') : badge('bad', '✘ dropped'), kick.selected ? '' : ' ' + kick.rejectedBecause),
+      el('p', {class: 'status'}, !kick.selected ? badge('bad', '✘ dropped') : whyDropped(kick) ? badge('warn', '✔ in the model, in part') : badge('good', '✔ in the model'), whyDropped(kick) ? ' ' + whyDropped(kick) : ''),
       el('div', {},
         el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(prepared.end, 1) + ' s.'),
         el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' put aside as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
-        el('p', {class: 'note'}, kick.source + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
+        el('p', {class: 'note', title: kick.source}, Plots.fileName(kick.source) + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
       el('table', {}, el('tbody', {}, kick.parameters.map(p => kickParameterRow(kick, p)))));
     $('kick-legend').replaceChildren(
       ...prepared.cameras.map(({camera}) => el('span', {}, swatch(theme.camera(camera).symbol, theme.camera(camera).colour), 'camera ' + camera)),
@@ -338,7 +353,7 @@
       forget(box);
       box.dataset.layout = layout;
       const chip = kick.kind === 'CHIP';
-      figure(box, 'Path on the field', chip ? 'seen at the ground, fitted true path' : 'ctrl + wheel zooms', 'chart tall').dataset.plot = 'path';
+      figure(box, 'Path on the field', chip ? 'line: true path' : 'ctrl + wheel zooms', 'chart tall').dataset.plot = 'path';
       figure(box, 'Speed', 'over the ground', 'chart tall').dataset.plot = 'speed';
       if (chip) {
         const wide = figure(box, 'Height', 'seen: where the ray meets the plane of the fitted path');

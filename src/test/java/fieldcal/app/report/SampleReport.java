@@ -285,8 +285,8 @@ final class SampleReport {
 
   private KickParameter fitted(String name, double truth, double error, String undetermined) {
     return undetermined.isEmpty()
-        ? new KickParameter(name, truth + error * gauss() / 2, error, "")
-        : new KickParameter(name, Double.NaN, Double.NaN, undetermined);
+        ? new KickParameter(name, truth + error * gauss() / 2, error, "", "")
+        : new KickParameter(name, Double.NaN, Double.NaN, undetermined, "");
   }
 
   private double gauss() {
