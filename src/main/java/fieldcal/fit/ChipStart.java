@@ -3,6 +3,7 @@ package fieldcal.fit;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
+import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -20,18 +21,39 @@ final class ChipStart {
   private static final double[] DAMPING_Z = {0.3, 0.38, 0.46, 0.54, 0.62, 0.7, 0.78};
   private static final double[] DAMPING_XY = {0.55, 0.7, 0.85, 1.0};
 
+  /** From the lowest that is a chip to what 6.5 m/s upwards at 60 degrees gives, m/s. */
+  private static final double[] VERTICAL_SPEED = {0.8, 1.2, 1.7, 2.2, 2.8, 3.4, 4.1, 4.9, 5.7};
+
   private ChipStart() {}
 
   /**
-   * Position, velocity (3) and time of the kick; null when the observations do not look like a flight.
+   * Starts worth trying: the linear solution for the first flight, and, where the camera is almost above the ball and the height
+   * hardly shows, the best horizontal motion for each of a range of vertical speeds.
    *
    * @param time when the kick was, s
+   * @return position, velocity (3) and time of the kick, each
    */
-  static double[] firstFlight(FlightData data, double time, double lossScale) {
+  static List<double[]> firstFlights(FlightData data, double time, double lossScale) {
+    List<double[]> starts = new ArrayList<>();
+    double[] free = firstFlight(data, time, lossScale);
+    if (free != null) {
+      starts.add(free);
+    }
+    for (double vz : VERTICAL_SPEED) {
+      double[] given =
+          solve(data, time, time + 2 * vz / Gravity.ACCELERATION - 0.01, null, lossScale, vz);
+      if (given != null) {
+        starts.add(given);
+      }
+    }
+    return starts;
+  }
+
+  private static double[] firstFlight(FlightData data, double time, double lossScale) {
     double until = time + 0.25;
     double[] solution = null;
     for (int round = 0; round < 4; round++) {
-      double[] next = solve(data, time, until, solution, lossScale);
+      double[] next = solve(data, time, until, solution, lossScale, Double.NaN);
       if (next == null || next[4] < 0.2) {
         return solution;
       }
@@ -45,8 +67,14 @@ final class ChipStart {
     return solution;
   }
 
+  /** The linear system for the observations until a time; the vertical speed is an unknown, too, when {@code givenVz} is NaN. */
   private static double[] solve(
-      FlightData d, double t0, double until, double[] weightsFrom, double lossScale) {
+      FlightData d,
+      double t0,
+      double until,
+      double[] weightsFrom,
+      double lossScale,
+      double givenVz) {
     int n = 0;
     for (int i = 0; i < d.size; i++) {
       n += d.time[i] <= until ? 1 : 0;
@@ -54,7 +82,9 @@ final class ChipStart {
     if (n < 6) {
       return null;
     }
-    Array2DRowRealMatrix a = new Array2DRowRealMatrix(2 * n, 5);
+    boolean known = !Double.isNaN(givenVz);
+    int unknowns = known ? 4 : 5;
+    Array2DRowRealMatrix a = new Array2DRowRealMatrix(2 * n, unknowns);
     ArrayRealVector b = new ArrayRealVector(2 * n);
     int row = 0;
     for (int i = 0; i < d.size; i++) {
@@ -78,23 +108,32 @@ final class ChipStart {
         }
         a.setEntry(row, axis, w * h);
         a.setEntry(row, 2 + axis, w * h * t);
-        a.setEntry(row, 4, w * o * t);
-        b.setEntry(row, w * (o * fall + h * c));
+        if (known) {
+          b.setEntry(row, w * (o * (fall - givenVz * t) + h * c));
+        } else {
+          a.setEntry(row, 4, w * o * t);
+          b.setEntry(row, w * (o * fall + h * c));
+        }
         row++;
       }
     }
     try {
       RealVector x = new QRDecomposition(a, 1e-10).getSolver().solve(b);
       return new double[] {
-        x.getEntry(0), x.getEntry(1), x.getEntry(2), x.getEntry(3), x.getEntry(4), t0
+        x.getEntry(0),
+        x.getEntry(1),
+        x.getEntry(2),
+        x.getEntry(3),
+        known ? givenVz : x.getEntry(4),
+        t0
       };
     } catch (SingularMatrixException parallel) {
       return null;
     }
   }
 
-  /** The best dampings of a grid, within their bounds, for the kick in {@code theta}; changed in place. */
-  static void dampings(FlightProblem problem, List<Parameter> parameters, double[] theta) {
+  /** The best dampings of a grid, within their bounds, for the kick in {@code theta}; changed in place. Returns the cost. */
+  static double dampings(FlightProblem problem, List<Parameter> parameters, double[] theta) {
     double best = Double.POSITIVE_INFINITY;
     double[] trial = theta.clone();
     for (double z : DAMPING_Z) {
@@ -111,6 +150,7 @@ final class ChipStart {
         }
       }
     }
+    return best;
   }
 
   private static void put(List<Parameter> parameters, double[] theta, int index, double value) {

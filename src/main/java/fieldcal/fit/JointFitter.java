@@ -135,12 +135,8 @@ public final class JointFitter {
       for (int i = 0; i < slot.length; i++) {
         slot[i] = Arrays.binarySearch(cameraIds, seen.camera(i));
       }
-      double[] scales = new double[FlightLayout.kickSize(fit.kind())];
-      for (int k = 0; k < scales.length; k++) {
-        scales[k] = fit.estimates().get(k).parameter().scale();
-      }
       return new JointKick(
-          fit, FlightData.of(seen, problem.cameras()), slot, cameraIds.length, map, scales);
+          fit, FlightData.of(seen, problem.cameras()), slot, cameraIds.length, map);
     }
 
     JointFit fit() {
@@ -149,7 +145,7 @@ public final class JointFitter {
         boolean changed = false;
         for (int k = 0; k < kicks.size(); k++) {
           kicks.get(k).leaveOutliersOut(values, settings.outlierDistance());
-          changed |= kicks.get(k).tryFlights(values, this::polish, problem.fits().get(k));
+          changed |= kicks.get(k).tryFlights(values);
         }
         minimize();
         if (!changed && round > 0) {
@@ -157,26 +153,6 @@ public final class JointFitter {
         }
       }
       return result();
-    }
-
-    private double polish(FlightProblem flight, double[] theta) {
-      List<Parameter> held = new ArrayList<>();
-      for (int k = 0; k < theta.length; k++) {
-        int own = FlightLayout.kickSize(KickKind.CHIP);
-        double scale = k < 2 ? 0.01 : k < own - 1 ? 0.1 : 0.005;
-        Parameter p =
-            new Parameter(
-                "p" + k,
-                "",
-                theta[k],
-                scale,
-                theta[k] - 1,
-                theta[k] + 1,
-                true,
-                "kick in a joint fit");
-        held.add(k < own ? p : p.fixed());
-      }
-      return new LevenbergMarquardt(held).minimize(flight, theta);
     }
 
     private void minimize() {

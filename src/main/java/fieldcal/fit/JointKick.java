@@ -1,6 +1,10 @@
 package fieldcal.fit;
 
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
+import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -16,6 +20,8 @@ final class JointKick {
   private final int size;
   private final int[] shared;
   private final double[] scale;
+  private final List<Parameter> ownParameters;
+  private final KickFit fit;
   private final FlightData data;
   private final int[] slot;
   private final int cameras;
@@ -31,9 +37,8 @@ final class JointKick {
   /**
    * @param fit where the kick starts
    * @param shared index of each of the kick's other unknowns in the shared vector
-   * @param scales of the kick's own unknowns
    */
-  JointKick(KickFit fit, FlightData data, int[] slot, int cameras, int[] shared, double[] scales) {
+  JointKick(KickFit fit, FlightData data, int[] slot, int cameras, int[] shared) {
     kind = fit.kind();
     own = FlightLayout.kickSize(kind);
     this.data = data;
@@ -41,7 +46,9 @@ final class JointKick {
     this.cameras = cameras;
     this.shared = shared;
     size = own + shared.length;
-    scale = scales;
+    this.fit = fit;
+    ownParameters = fit.estimates().subList(0, own).stream().map(Estimate::parameter).toList();
+    scale = ownParameters.stream().mapToDouble(Parameter::scale).toArray();
     flights = fit.statistics().flights();
     equations = new NormalEquations(size);
     ownValues = Arrays.copyOf(fit.values(), own);
@@ -54,7 +61,7 @@ final class JointKick {
       used[i] = fit.used(i);
     }
     problem = flightProblem(flights, used);
-    tieTime(fit);
+    tieTime();
   }
 
   private FlightProblem flightProblem(int flightCount, boolean[] used) {
@@ -65,7 +72,7 @@ final class JointKick {
     return flight;
   }
 
-  private void tieTime(KickFit fit) {
+  private void tieTime() {
     if (!fit.kick().fromRest()) {
       problem.prior(FlightLayout.timeIndex(kind), fit.kick().time(), FlightFitter.TIME_PRIOR);
     }
@@ -171,10 +178,7 @@ final class JointKick {
     }
     solveOwn(ownStep);
     for (int i = 0; i < own; i++) {
-      candidate[i] = ownValues[i] + ownStep[i] * scale[i];
-    }
-    if (kind == KickKind.CHIP) {
-      candidate[4] = Math.max(0.05, candidate[4]);
+      candidate[i] = ownParameters.get(i).clamp(ownValues[i] + ownStep[i] * scale[i]);
     }
     return problem.cost(at(candidate, sharedCandidate));
   }
@@ -184,7 +188,7 @@ final class JointKick {
   }
 
   /** Tries one flight more and one less with the shared unknowns held; true when that explains the kick better. */
-  boolean tryFlights(double[] sharedValues, JointKickPolish polish, KickFit fit) {
+  boolean tryFlights(double[] sharedValues) {
     if (kind == KickKind.FLAT) {
       return false;
     }
@@ -194,15 +198,15 @@ final class JointKick {
     int keptFlights = flights;
     boolean changed = false;
     for (int other : new int[] {keptFlights - 1, keptFlights + 1}) {
-      if (other < 1 || other > fieldcal.ball.ChipModel.MAX_FLIGHTS) {
+      if (other < 1 || other > ChipModel.MAX_FLIGHTS) {
         continue;
       }
       problem = flightProblem(other, kept.used());
-      tieTime(fit);
+      tieTime();
       double[] theta = at(keptValues, sharedValues).clone();
-      double cost = polish.minimize(problem, theta);
+      double cost = new LevenbergMarquardt(alone(theta)).minimize(problem, theta);
       int byRule =
-          fieldcal.ball.ChipTrajectory.flightsByRule(FlightLayout.chipModel(theta), theta[4]);
+          ChipTrajectory.flightsByRule(FlightLayout.chipModel(theta), theta[ChipTrajectory.VZ0]);
       if (Math.abs(byRule - other) <= 1 && cost < best - 1e-6 * best) {
         best = cost;
         changed = true;
@@ -215,9 +219,15 @@ final class JointKick {
     return changed;
   }
 
-  /** Improves the own unknowns of a kick with the others held. */
-  interface JointKickPolish {
-    double minimize(FlightProblem problem, double[] theta);
+  /** The kick's own unknowns as they are, everything shared held. */
+  private List<Parameter> alone(double[] theta) {
+    List<Parameter> all = new ArrayList<>(ownParameters);
+    for (int k = own; k < size; k++) {
+      all.add(
+          new Parameter(
+              "shared " + k, "", theta[k], 1, theta[k] - 1, theta[k] + 1, false, "the joint fit"));
+    }
+    return all;
   }
 
   /** Leaves outliers out anew; returns how many observations are used. */
@@ -255,10 +265,5 @@ final class JointKick {
 
   int own() {
     return own;
-  }
-
-  /** The kick's own unknowns as held parameters' start: position, velocity, time. */
-  List<Double> ownValues() {
-    return Arrays.stream(ownValues).boxed().toList();
   }
 }

@@ -85,18 +85,18 @@ public final class KickFitter {
           "only " + after + " detections after the kick, at least " + FEWEST + " are needed",
           seed);
     }
-    double[] start =
+    List<double[]> starts =
         kind == KickKind.FLAT
-            ? flatStart(kick, data)
-            : ChipStart.firstFlight(data, kick.time(), settings.lossScale());
-    if (start == null) {
+            ? List.of(flatStart(kick, data))
+            : ChipStart.firstFlights(data, kick.time(), settings.lossScale());
+    if (starts.isEmpty()) {
       return KickFit.failed(
           kick, kind, "the detections after the kick do not look like a flight", seed);
     }
     List<Parameter> model = kind == KickKind.FLAT ? problem.flat() : problem.chip();
-    List<Parameter> parameters = FlightLayout.parameters(kind, start, model);
+    List<Parameter> parameters = FlightLayout.parameters(kind, starts.get(0), model);
     FlightFitter fitter = new FlightFitter(problem, kind, data, parameters, settings, seed);
-    return fitter.fit();
+    return fitter.fit(starts);
   }
 
   /**
