@@ -1,0 +1,53 @@
+package fieldcal.app.cli;
+
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.GameLogWriter;
+import fieldcal.gamelog.MessageType;
+import fieldcal.vision.BallDetection;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.VisionDecoder;
+import fieldcal.vision.VisionEncoder;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/** Copies of a game log in which every packet was looked at, and changed or left out. */
+final class EditedLog {
+  private static final Epoch EPOCH = Epoch.atSecondOf(1.7e9);
+
+  private EditedLog() {}
+
+  /** The change answers {@link VisionPacket#EMPTY} for a packet to leave out. */
+  static Path copy(Path from, Path to, UnaryOperator<VisionPacket> change) throws IOException {
+    VisionDecoder decoder = new VisionDecoder(EPOCH);
+    VisionEncoder encoder = new VisionEncoder(EPOCH);
+    try (GameLogReader reader = GameLogReader.open(from);
+        GameLogWriter writer = GameLogWriter.create(to)) {
+      while (reader.next()) {
+        VisionPacket packet =
+            change.apply(
+                decoder.decode(reader.buffer(), reader.payloadOffset(), reader.payloadLength()));
+        if (!packet.equals(VisionPacket.EMPTY)) {
+          writer.write(reader.receivedNanos(), MessageType.SSL_VISION_2014, encoder.encode(packet));
+        }
+      }
+    }
+    return to;
+  }
+
+  static VisionPacket withBalls(VisionPacket packet, List<BallDetection> balls) {
+    VisionFrame f = packet.frame().orElseThrow();
+    return VisionPacket.of(
+        new VisionFrame(
+            f.cameraId(),
+            f.frameNumber(),
+            f.captureTime(),
+            f.sentTime(),
+            f.cameraClockTime(),
+            balls,
+            f.robots()));
+  }
+}
