@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 /** The page as text: the template with styles, scripts and data put in. */
 final class ReportPage {
   /** The smallest of ECharts' builds with scatter plots; a third smaller than the full one. */
-  private static final String CHARTS =
+  static final String CHARTS =
       "/META-INF/resources/_static/echarts/5.6.0/dist/echarts.common.min.js";
 
   private static final Pattern SLOT = Pattern.compile("\\{\\{([a-z.]+)}}");
