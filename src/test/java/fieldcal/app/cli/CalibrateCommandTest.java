@@ -22,7 +22,6 @@ import java.util.Random;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -388,7 +387,6 @@ class CalibrateCommandTest {
   }
 
   @Test
-  @Disabled("the chip fit starts outside of its bounds and CMA-ES throws; a fix is on its way")
   void withoutGeometryFlatKicksAreFittedAllTheSame() throws IOException {
     Path bare =
         EditedLog.copy(
