@@ -23,6 +23,12 @@ public final class JointFitter {
   private static final int MAX_ITERATIONS = 40;
   private static final int OUTLIER_ROUNDS = 3;
 
+  /**
+   * A step that lowers the cost by less than this share of the reduced chi-square is the last: it moves no estimate by more than a
+   * tenth of its error. Less cannot be asked for, since detections that pass from one hop to the next make the cost uneven.
+   */
+  private static final double ENOUGH = 0.01;
+
   /** The offsets' mean is held at zero to that precision; otherwise all kicks could move along, m. */
   private static final double GAUGE = 1e-6;
 
@@ -159,6 +165,7 @@ public final class JointFitter {
       double[][] a = new double[size][size];
       double[] b = new double[size];
       double cost = assemble(a, b, true);
+      int observations = kicks.stream().mapToInt(JointKick::observations).sum();
       double growth = 2;
       converged = false;
       for (int i = 0; i < MAX_ITERATIONS && !converged; i++) {
@@ -174,7 +181,7 @@ public final class JointFitter {
           nextCost += kick.costAfter(next, step);
         }
         if (nextCost <= cost) {
-          converged = cost - nextCost < 1e-8 * cost;
+          converged = cost - nextCost < ENOUGH * cost / (2.0 * observations);
           System.arraycopy(next, 0, values, 0, size);
           kicks.forEach(JointKick::accept);
           lambda = Math.max(1e-9, lambda / 5);
