@@ -68,9 +68,9 @@ public record Verdict(Advice advice, String title, List<String> lines) {
     }
     if (lines.isEmpty()) {
       lines.add(
-          "None of the "
+          "None of the kicks found ("
               + report.kicks().size()
-              + " kicks could be fitted: see why each was dropped.");
+              + ") could be used: see below why each was dropped.");
     }
     return new Verdict(advice, "Ball calibration: " + sources(report), lines);
   }

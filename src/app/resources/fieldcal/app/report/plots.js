@@ -286,14 +286,14 @@ const Plots = (() => {
         for (const column of ['along', 'across']) {
           let sum = 0;
           for (let k = from; k < to; k++) sum += used[k][column];
-          row[column + 'Mean'] = sum / (to - from);
+          row[column + 'Mean'] = row[column] === null ? null : sum / (to - from);
         }
       }
       return {camera: seen.camera, rows, used, outliers: rows.filter(row => !row.used)};
     });
     const times = cameras.flatMap(camera => [camera.rows[0], camera.rows[camera.rows.length - 1]]).filter(Boolean).map(row => row.t);
     const end = Math.max(0.1, ...times, ...kick.fitted.t.slice(-1));
-    const start = Math.min(0, ...times);
+    const start = Math.min(-0.1, ...times);
     Object.defineProperty(kick, 'prepared', {value: {cameras, start, end}, enumerable: false});
     return kick.prepared;
   }

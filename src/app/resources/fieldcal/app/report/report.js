@@ -330,8 +330,6 @@
     $('previous').disabled = $('next').disabled = !kick;
     if (!kick) {
       forget(box);
-      $('kick-title').textContent = 'Kick';
-      $('kick-facts').replaceChildren(el('p', {class: 'empty'}, 'No kick to show.'));
       return;
     }
     const prepared = Plots.prepare(kick);
@@ -348,20 +346,23 @@
       ...prepared.cameras.map(({camera}) => el('span', {}, swatch(theme.camera(camera).symbol, theme.camera(camera).colour), 'camera ' + camera)),
       el('span', {}, swatch('circle', theme.muted, true), 'outlier'), el('span', {}, swatch('line', theme.text), 'fitted'),
       el('span', {}, swatch('band', theme.good), 'noise ± 2σ'));
-    const layout = kick.kind;
+    const fitted = kick.fitted.t.length > 0;
+    const layout = kick.kind + (fitted ? '' : ' without fit');
     if (before !== layout) {
       forget(box);
       box.dataset.layout = layout;
       const chip = kick.kind === 'CHIP';
       figure(box, 'Path on the field', chip ? 'line: true path' : 'ctrl + wheel zooms', 'chart tall').dataset.plot = 'path';
       figure(box, 'Speed', 'over the ground', 'chart tall').dataset.plot = 'speed';
-      if (chip) {
+      if (chip && fitted) {
         const wide = figure(box, 'Height', 'seen: where the ray meets the plane of the fitted path');
         wide.dataset.plot = 'height';
         wide.parentNode.classList.add('wide');
       }
-      figure(box, 'Residual along', 'line: mean over 0.1 s').dataset.plot = 'along';
-      figure(box, 'Residual across', '+ is to the left').dataset.plot = 'across';
+      if (fitted) {
+        figure(box, 'Residual along', 'line: mean over 0.1 s').dataset.plot = 'along';
+        figure(box, 'Residual across', '+ is to the left').dataset.plot = 'across';
+      }
     }
     drawKick();
   }
@@ -399,10 +400,12 @@
     showTop();
     showModel();
     showCameras();
+    showProblems();
+    $('parameters').hidden = $('bench').hidden = report.kicks.length === 0;
+    if (report.kicks.length === 0) return;
     showParameters();
     showKicks();
     showKick();
-    showProblems();
   }
 
   const dark = window.matchMedia('(prefers-color-scheme: dark)');
@@ -416,7 +419,7 @@
   $('previous').addEventListener('click', () => step(-1));
   $('next').addEventListener('click', () => step(1));
   document.addEventListener('keydown', event => {
-    if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches('input, textarea, select')) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || (event.target instanceof Element && event.target.matches('input, textarea, select'))) return;
     if (event.key === 'j') step(1);
     else if (event.key === 'k') step(-1);
     else if (event.key === 't') change(other());

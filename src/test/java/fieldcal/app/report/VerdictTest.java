@@ -52,7 +52,7 @@ class VerdictTest {
   void kicksWithoutAnyModelAreNoVerdictButARequest() {
     Verdict verdict = Verdict.of(SampleReport.of(List.of(), SESSION.kicks(), Optional.empty()));
     assertThat(verdict.advice()).isEqualTo(Verdict.Advice.RECORD_MORE);
-    assertThat(verdict.lines().get(0)).startsWith("None of the 60 kicks");
+    assertThat(verdict.lines().get(0)).startsWith("None of the kicks found (60)");
   }
 
   @Test
