@@ -26,6 +26,15 @@ public final class KickFitter {
   /** A ball that leaves slower upwards hops less than 13 mm: no chip, m/s. */
   private static final double LOWEST_CHIP = 0.5;
 
+  /** Tangent of the flattest chip: chip kickers lift the ball by 30 to 60 degrees; this is 17. */
+  private static final double FLATTEST_CHIP = 0.3;
+
+  /** Carpets give a ball 0.38 to 0.57 of its vertical speed back (ten matches of 2026, simulators); no carpet gives it that much. */
+  private static final double MOST_ELASTIC = 0.8;
+
+  /** A chip has two parameters more; it has to explain the kick clearly better. */
+  private static final double CLEARLY = 0.8;
+
   private final FitSettings settings;
 
   /**
@@ -49,12 +58,25 @@ public final class KickFitter {
       return flat;
     }
     KickFit chip = fit(problem, KickKind.CHIP);
-    if (chip.failure().isPresent() || chip.estimate("vz").value() < LOWEST_CHIP) {
-      return flat;
-    }
     boolean better =
-        flat.failure().isPresent() || chip.statistics().meanLoss() < flat.statistics().meanLoss();
-    return better ? chip : flat;
+        flat.failure().isPresent()
+            || chip.failure().isEmpty()
+                && chip.statistics().meanLoss() < CLEARLY * flat.statistics().meanLoss();
+    return better && chip.failure().isEmpty() && flies(chip) ? chip : flat;
+  }
+
+  /**
+   * Whether a chip that explains a kick is one that a robot can have made. A flat kick that the flat model does not explain, for
+   * spin or drag or a slope, is often explained a little better by low hops that hardly lose height, for there are more of them to
+   * fit with.
+   */
+  private static boolean flies(KickFit chip) {
+    double vz = chip.estimate("vz").value();
+    double ground = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
+    Estimate damping = chip.estimate("dampingZ");
+    boolean elastic =
+        damping.atBound() || damping.undetermined().isEmpty() && damping.value() > MOST_ELASTIC;
+    return vz > LOWEST_CHIP && vz > FLATTEST_CHIP * ground && !elastic;
   }
 
   /** A good fit to most of a chip, its hops called outliers, is not enough. */

@@ -61,6 +61,14 @@ final class ActiveKick {
     return false;
   }
 
+  /** How fast the ball was when last seen, if that was just before and near; else 0, m/s. */
+  double speedNear(double t, double x, double y) {
+    boolean near = Math.hypot(newest.x(0) - x, newest.y(0) - y) < KickFinder.SAME_BALL;
+    return near && t - newest.lastTime() < settings.lostAfter() && newest.fitNewest(6, 0.15, line)
+        ? line.speed()
+        : 0;
+  }
+
   /** Takes in a track that turned out to show this ball, with what it holds of the rest before the kick and of the flight. */
   void join(BallTrack track) {
     if (has(track)) {

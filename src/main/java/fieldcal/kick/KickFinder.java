@@ -33,6 +33,18 @@ public final class KickFinder {
   /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
   private static final double LEAST_GAIN = 0.2;
 
+  /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
+  private static final double LEAST_SEPARATION = 0.04;
+
+  /** A robot hides a ball that it stops for up to that long, s. */
+  private static final double HIDDEN = 0.6;
+
+  /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
+  static final double SAME_BALL = 0.5;
+
+  /** After a longer gap nothing is known of where the ball went, s. */
+  private static final double LONG_GAP = 0.6;
+
   private final KickFinderSettings settings;
   private final Consumer<Kick> sink;
   private final Map<Integer, CameraTracks> cameras = new HashMap<>();
@@ -44,6 +56,10 @@ public final class KickFinder {
   private final KickFinderCounts counts = new KickFinderCounts();
   private double now = Double.NEGATIVE_INFINITY;
   private int found;
+  private double lastEnd = Double.NEGATIVE_INFINITY;
+  private double lastEndX;
+  private double lastEndY;
+  private double gapEnd = Double.NEGATIVE_INFINITY;
 
   /**
    * Starts with nothing seen.
@@ -94,10 +110,7 @@ public final class KickFinder {
       tracks = cameras.computeIfAbsent(frame.cameraId(), CameraTracks::new);
     }
     if (t - now > RECORDING_GAP && now > Double.NEGATIVE_INFINITY) {
-      counts.recordingGaps++;
-      endAll(KickEnd.RECORDING_ENDED);
-      cameras.values().forEach(CameraTracks::clear);
-      robots.clear();
+      gap(t);
     }
     now = Math.max(now, t);
     robots.update(frame);
@@ -108,6 +121,17 @@ public final class KickFinder {
       follow(track);
     }
     endLost();
+  }
+
+  /** All cameras were silent. Through a short gap the ball rolls on, and is found again where it was heading. */
+  private void gap(double t) {
+    counts.recordingGaps++;
+    gapEnd = t;
+    if (t - now > LONG_GAP) {
+      endAll(KickEnd.RECORDING_ENDED);
+      cameras.values().forEach(CameraTracks::clear);
+      robots.clear();
+    }
   }
 
   /** Ends what is still being followed: the recording is over. The finder may be used for another recording afterwards. */
@@ -173,9 +197,12 @@ public final class KickFinder {
     }
     RobotId robot =
         robots.kicker(jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), settings.robotReach());
-    boolean plausible =
-        robot != null || jump.fromRest() && jump.speed() > 1.5 * settings.minSpeed();
-    if (!plausible || jump.born() && owner != null) {
+    if (area.outside(jump.x(), jump.y()) > 0
+        || robot == null && (owner != null || !startedAlone(jump))) {
+      return;
+    }
+    if (robot != null && carried(robot, jump, track)) {
+      counts.carried++;
       return;
     }
     if (owner != null) {
@@ -200,8 +227,38 @@ public final class KickFinder {
     }
   }
 
-  private static boolean isDeflection(JumpDetector.Jump jump) {
-    return !jump.fromRest() && !jump.born() && jump.speed() < jump.speedBefore() + LEAST_GAIN;
+  /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */
+  private boolean startedAlone(JumpDetector.Jump jump) {
+    return jump.fromRest() && jump.speed() > 1.5 * settings.minSpeed();
+  }
+
+  /** A ball that stays at the robot is dribbled or pushed, however fast both are. */
+  private boolean carried(RobotId robot, JumpDetector.Jump jump, BallTrack track) {
+    double t = track.lastTime();
+    double before = robots.distanceTo(robot, jump.time(), jump.x(), jump.y());
+    return robots.distanceTo(robot, t, track.x(0), track.y(0)) - before < LEAST_SEPARATION;
+  }
+
+  private boolean isDeflection(JumpDetector.Jump jump) {
+    return !jump.fromRest() && jump.speed() < speedBefore(jump) + LEAST_GAIN;
+  }
+
+  /**
+   * Speed before the jump. A track that begins with a moving ball does not know it: but a kick whose ball was about to come by here
+   * does; then this is that ball, seen again after the robot that stopped it had hidden it.
+   */
+  private double speedBefore(JumpDetector.Jump jump) {
+    if (!jump.born()) {
+      return jump.speedBefore();
+    }
+    double fastest = 0;
+    for (ActiveKick kick : active) {
+      fastest = Math.max(fastest, kick.speedNear(jump.time(), jump.x(), jump.y()));
+    }
+    boolean justEnded =
+        jump.time() - lastEnd < HIDDEN
+            && Math.hypot(jump.x() - lastEndX, jump.y() - lastEndY) < SAME_BALL;
+    return justEnded ? Double.POSITIVE_INFINITY : fastest;
   }
 
   private ActiveKick sameKick(JumpDetector.Jump jump) {
@@ -219,7 +276,10 @@ public final class KickFinder {
     for (int i = active.size() - 1; i >= 0; i--) {
       ActiveKick kick = active.get(i);
       if (now - kick.lastTime() > settings.lostAfter()) {
-        end(kick, kick.vanished(area, robots, KickEnd.LOST), kick.lastTime());
+        boolean inGap =
+            kick.lastTime() < gapEnd && kick.lastTime() > gapEnd - LONG_GAP - RECORDING_GAP;
+        KickEnd reason = inGap ? KickEnd.RECORDING_ENDED : KickEnd.LOST;
+        end(kick, kick.vanished(area, robots, reason), kick.lastTime());
       }
     }
   }
@@ -234,6 +294,9 @@ public final class KickFinder {
 
   private void end(ActiveKick kick, KickEnd reason, double time) {
     active.remove(kick);
+    lastEnd = kick.lastTime();
+    lastEndX = kick.newest().x(0);
+    lastEndY = kick.newest().y(0);
     Kick finished = kick.finish(reason, time);
     if (finished == null) {
       counts.tooShort++;

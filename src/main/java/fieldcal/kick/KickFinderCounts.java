@@ -7,6 +7,7 @@ public final class KickFinderCounts {
   int recordingGaps;
   int tooShort;
   int deflections;
+  int carried;
 
   KickFinderCounts() {}
 
@@ -53,5 +54,14 @@ public final class KickFinderCounts {
    */
   public int deflections() {
     return deflections;
+  }
+
+  /**
+   * Balls that gained speed but stayed at their robot: dribbled or pushed.
+   *
+   * @return count
+   */
+  public int carried() {
+    return carried;
   }
 }

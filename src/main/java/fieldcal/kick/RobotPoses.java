@@ -78,6 +78,17 @@ final class RobotPoses {
     return Math.hypot(x - p.x - p.vx * ahead, y - p.y - p.vy * ahead);
   }
 
+  /** Centre-to-centre distance between a ball and one robot at {@code t}, m; infinite when the robot is not seen. */
+  double distanceTo(RobotId robot, double t, double x, double y) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
+      if (e.getKey().robot().equals(robot)) {
+        nearest = Math.min(nearest, distance(e.getValue(), t, x, y));
+      }
+    }
+    return nearest;
+  }
+
   /**
    * Who can have given a ball at (x, y) the velocity (vx, vy): the nearest robot within reach from which the ball moves away.
    *
