@@ -83,8 +83,7 @@ final class CalibrationJson {
     ObjectNode node = nodes.objectNode();
     node.put("id", kick.id());
     node.put("kind", fit.kind().id());
-    node.put(
-        "t", outcome.data().epoch().unixSeconds(fitted ? fit.estimate("t0").value() : kick.time()));
+    node.put("t", outcome.kickTime(fit));
     kick.robot()
         .ifPresent(
             r ->
