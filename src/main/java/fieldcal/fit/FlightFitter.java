@@ -151,7 +151,7 @@ final class FlightFitter {
     FlightProblem flight = prepared(on, curve);
     double[] theta = from.clone();
     flight.lossScale(wideLoss());
-    new LevenbergMarquardt(parameters).minimize(flight, theta);
+    new LevenbergMarquardt(parameters).roughly().minimize(flight, theta);
     flight.lossScale(settings.lossScale());
     double cost = new LevenbergMarquardt(parameters).minimize(flight, theta);
     evaluations += flight.evaluations();

@@ -25,6 +25,7 @@ final class FlightProblem {
   private final double[] dz;
   private final double[] j1;
   private final double[] j2;
+  private final CauchyLoss loss = new CauchyLoss();
   private int evaluations;
 
   FlightProblem(FlightData data, FlightCurve curve, int size) {
@@ -84,15 +85,13 @@ final class FlightProblem {
   double cost(double[] theta) {
     evaluations++;
     curve.set(theta);
-    double cost = 0;
-    double k2 = lossScale * lossScale;
+    loss.reset(lossScale);
     for (int i = 0; i < data.size; i++) {
       if (used[i]) {
-        double s = squaredDistance(theta, i);
-        cost += k2 < 1e18 ? k2 * Math.log1p(s / k2) : s;
+        loss.add(squaredDistance(theta, i));
       }
     }
-    return cost + priorCost(theta);
+    return loss.sum() + priorCost(theta);
   }
 
   private double priorCost(double[] theta) {
@@ -148,8 +147,7 @@ final class FlightProblem {
     evaluations++;
     to.clear();
     curve.set(theta);
-    double k2 = lossScale * lossScale;
-    boolean robust = k2 < 1e18;
+    loss.reset(lossScale);
     for (int i = 0; i < data.size; i++) {
       if (!used[i]) {
         continue;
@@ -164,13 +162,7 @@ final class FlightProblem {
       double r1 = data.w11[i] * rx;
       double r2 = data.w21[i] * rx + data.w22[i] * ry;
       double s = r1 * r1 + r2 * r2;
-      double weight = 1;
-      if (robust) {
-        weight = 1 / (1 + s / k2);
-        to.cost += k2 * Math.log1p(s / k2);
-      } else {
-        to.cost += s;
-      }
+      double weight = loss.add(s);
       double fz = f * f / h;
       for (int k = 0; k < curveSize; k++) {
         double gx = f * dx[k] + px * fz * dz[k];
@@ -183,7 +175,7 @@ final class FlightProblem {
       }
       accumulate(to, weight, r1, r2);
     }
-    to.cost += priorCost(theta);
+    to.cost = loss.sum() + priorCost(theta);
     for (int k = 0; k < size; k++) {
       to.a[k][k] += priorWeight[k];
       to.b[k] += priorWeight[k] * (priorValue[k] - theta[k]);

@@ -11,8 +11,14 @@ import java.util.List;
 final class LevenbergMarquardt {
   private static final int MAX_ITERATIONS = 60;
 
-  /** Relative decrease of the cost that is no longer worth a step. */
-  private static final double TOLERANCE = 1e-9;
+  /**
+   * Relative decrease of the cost that is no longer worth a step. With a thousand residuals a step that gains less moves no unknown
+   * by a hundredth of its error, and the next one would move it far less.
+   */
+  private static final double TOLERANCE = 1e-7;
+
+  /** The same on the way to another cost function. */
+  private static final double ROUGH_TOLERANCE = 1e-4;
 
   /** Why an optimisation stopped. */
   enum Stop {
@@ -31,6 +37,7 @@ final class LevenbergMarquardt {
   private final double[] step;
   private final double[] candidate;
   private final NormalEquations equations;
+  private double tolerance = TOLERANCE;
   private Stop stop = Stop.ITERATIONS;
   private int iterations;
 
@@ -48,6 +55,12 @@ final class LevenbergMarquardt {
     step = new double[size];
     candidate = new double[size];
     equations = new NormalEquations(size);
+  }
+
+  /** Stops early, for a cost that is only a step towards another one. */
+  LevenbergMarquardt roughly() {
+    tolerance = ROUGH_TOLERANCE;
+    return this;
   }
 
   Stop stop() {
@@ -103,12 +116,12 @@ final class LevenbergMarquardt {
         growth = 2;
         problem.linearize(theta, equations);
         cost = equations.cost;
-        if (gain < TOLERANCE * (cost + 1e-9)) {
+        if (gain < tolerance * (cost + 1e-9)) {
           stop = Stop.CONVERGED;
           break;
         }
       } else {
-        if (Math.abs(gain) <= 1e-12 * cost || predicted < TOLERANCE * cost) {
+        if (Math.abs(gain) <= 1e-12 * cost || predicted < tolerance * cost) {
           stop = Stop.CONVERGED;
           break;
         }
