@@ -67,7 +67,8 @@ public record CalibrationOutcome(
   /**
    * The averaged model as the league's messages carry it.
    *
-   * @return with the models that are complete; a model of which these kicks leave a parameter open is not published
+   * @return with the models that are complete; a part that these kicks do not determine is taken from the initial model, if that
+   *     has one
    */
   public BallModels models() {
     double roll =
