@@ -4,6 +4,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 
@@ -57,12 +58,23 @@ public final class KickFitter {
     if (flat.failure().isEmpty() && flatEnough(flat.statistics())) {
       return flat;
     }
+    if (!seesHeights(problem)) {
+      String reason =
+          "is no simple flat kick, and without the cameras' geometry no chip can be fitted";
+      return KickFit.failed(problem.kick(), KickKind.FLAT, reason, flat.statistics().seed());
+    }
     KickFit chip = fit(problem, KickKind.CHIP);
     boolean better =
         flat.failure().isPresent()
             || chip.failure().isEmpty()
                 && chip.statistics().meanLoss() < CLEARLY * flat.statistics().meanLoss();
     return better && chip.failure().isEmpty() && flies(chip) ? chip : flat;
+  }
+
+  /** The height of a ball shows only in where cameras at known places project it to. */
+  private static boolean seesHeights(FitProblem problem) {
+    return Arrays.stream(problem.kick().observations().cameras())
+        .anyMatch(id -> problem.cameras().get(id).camera().isPresent());
   }
 
   /**

@@ -15,11 +15,13 @@ import fieldcal.fit.JointFit;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
+import fieldcal.vision.RobotId;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 
-/** Builds {@code calibration.json}. SI units; what is not known is left out, never NaN. */
+/** Builds {@code calibration.json}. SI units; of what is not known the contract's fields are null, others left out; never NaN. */
 final class CalibrationJson {
   static final String SCHEMA = "fieldcal.calibration/1";
 
@@ -41,8 +43,8 @@ final class CalibrationJson {
     calibration.cameras().all().forEach(view -> cameras.add(camera(view)));
     ArrayNode kicks = root.putArray("kicks");
     calibration.kicks().forEach(kick -> kicks.add(kick(kick)));
-    root.set("flat", averages(calibration.flat()));
-    root.set("chip", averages(calibration.chip()));
+    root.set("flat", averages(KickKind.FLAT, calibration.flat()));
+    root.set("chip", averages(KickKind.CHIP, calibration.chip()));
     root.set("joint", joint(calibration.joint()));
     root.set("published", published());
     ArrayNode problems = root.putArray("problems");
@@ -84,17 +86,15 @@ final class CalibrationJson {
     node.put("id", kick.id());
     node.put("kind", fit.kind().id());
     node.put("t", outcome.kickTime(fit));
-    kick.robot()
-        .ifPresent(
-            r ->
-                node.put("team", r.team().name().toLowerCase(java.util.Locale.ROOT))
-                    .put("robot", r.number()));
+    node.put("team", kick.robot().map(r -> r.team().name().toLowerCase(Locale.ROOT)).orElse(null));
+    node.put("robot", kick.robot().map(RobotId::number).orElse(null));
     node.put("end", kick.end().id());
     node.put("source", outcome.data().sources().get(kick.id()));
     node.put("observations", kick.observations().size());
     if (fitted) {
       fitted(node, fit);
     } else {
+      node.putNull("rms_mm");
       node.set("kick_position", pair(kick.x(), kick.y()));
       node.set("kick_velocity", pair(kick.vx(), kick.vy(), 0));
       node.set("parameters", nodes.objectNode());
@@ -146,17 +146,19 @@ final class CalibrationJson {
     node.set("undetermined", undetermined);
   }
 
-  private ObjectNode averages(Map<String, Average> averages) {
+  /** Nothing for a kind without kicks; a parameter that no kick determines has a mean of null. */
+  private ObjectNode averages(KickKind kind, Map<String, Average> averages) {
     ObjectNode node = nodes.objectNode();
+    if (outcome.calibration().kicks(kind).isEmpty()) {
+      return node;
+    }
     averages.forEach(
         (name, a) -> {
-          if (a.n() > 0) {
-            ObjectNode one = node.putObject(ParameterNames.inFiles(name));
-            one.put("mean", a.mean());
-            one.put("standard_error", a.standardError());
-            one.put("n", a.n());
-            one.put("scatter", a.scatter());
-          }
+          ObjectNode one = node.putObject(ParameterNames.inFiles(name));
+          one.put("mean", a.n() > 0 ? a.mean() : null);
+          one.put("standard_error", a.n() > 0 ? a.standardError() : null);
+          one.put("n", a.n());
+          one.put("scatter", a.n() > 0 ? a.scatter() : null);
         });
     return node;
   }

@@ -1,0 +1,95 @@
+package fieldcal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.FlatTrajectory;
+import fieldcal.camera.Camera;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickFinder;
+import fieldcal.kick.KickFinderSettings;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.SimulatedRecording;
+import fieldcal.simulation.Simulation;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionFrame;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+
+/** The README's Java is this test's Java, and it works. */
+class ReadmeSnippetTest {
+  private static final Path PROJECT = Path.of(System.getProperty("fieldcal.projectDir", "."));
+
+  @Test
+  void theLibraryIsUsedAsTheReadmeShows() {
+    SimulatedRecording recording =
+        Simulation.record(
+            SimulationSettings.DEFAULT.withScenario(ScenarioKind.FLAT, 3).withSeed(5));
+    FieldGeometry field = recording.geometry();
+    Map<Integer, Camera> cameras =
+        field.cameras().stream().map(Camera::of).collect(Collectors.toMap(Camera::id, c -> c));
+    List<VisionFrame> frames = recording.frames();
+
+    List<Kick> kicks = new ArrayList<>();
+    KickFinder finder = new KickFinder(KickFinderSettings.defaults(), kicks::add);
+    finder.geometry(field, cameras); // whenever vision publishes it
+    frames.forEach(finder::accept); // every frame of every camera, as it comes
+    finder.finish();
+
+    CameraViews views =
+        CameraViews.of(
+            cameras.values().stream().map(c -> CameraView.of(c.id(), Optional.of(c))).toList());
+    KickFitter fitter = new KickFitter(FitSettings.defaults());
+    KickFit fit =
+        fitter.fit(FitProblem.of(kicks.get(0), views, FlatModel.typical(), ChipModel.typical()));
+
+    FlatModel model = new FlatModel(-3.1, -0.28, 0.65);
+    double speed = model.kickSpeedToArrive(4.0, 1.5); // m/s, to arrive 4 m away with 1.5 m/s
+    FlatTrajectory path = FlatTrajectory.fromKick(model, 0, 0, 0, speed, 0);
+    double arrival = path.timeAtDistance(4.0).orElseThrow(); // s
+
+    assertThat(kicks).hasSize(3);
+    assertThat(fit.failure()).isEmpty();
+    assertThat(fit.toString()).contains("accSlide");
+    assertThat(path.stateAt(arrival).groundSpeed()).isCloseTo(1.5, within(1e-9));
+  }
+
+  @Test
+  void everyLineOfTheReadmeStandsHere() throws IOException {
+    String source =
+        squeezed(
+            Files.readString(PROJECT.resolve("src/test/java/fieldcal/ReadmeSnippetTest.java")));
+    boolean inside = false;
+    int lines = 0;
+    for (String line : Files.readAllLines(PROJECT.resolve("README.md"))) {
+      if (line.startsWith("```")) {
+        inside = line.equals("```java");
+      } else if (inside && !line.isBlank() && !line.startsWith("System.out")) {
+        lines++;
+        assertThat(source).as(line).contains(squeezed(line));
+      }
+    }
+    assertThat(lines).isPositive();
+  }
+
+  /** The formatter breaks lines where it likes. */
+  private static String squeezed(String code) {
+    return code.replaceAll("\\s+", "");
+  }
+}
