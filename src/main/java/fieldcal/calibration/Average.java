@@ -16,6 +16,8 @@ import java.util.List;
  * @param n how many samples
  */
 public record Average(double mean, double standardError, double scatter, int n) {
+  /** Standard deviation of a Gaussian over the median of its absolute deviations. */
+  private static final double NORMAL_MEDIAN = 1.4826;
 
   /**
    * Averages.
@@ -72,6 +74,25 @@ public record Average(double mean, double standardError, double scatter, int n) 
       total += weights[i];
     }
     return sum / total;
+  }
+
+  /**
+   * The same mean with an error that does not profit from the samples that left: the more of them are far from the mean, the less
+   * its own scatter says of how well it is known.
+   *
+   * <p>The error grows by the robust scale (1.4826 times the median) of the distances of all samples in units of what is expected of
+   * each; for samples that agree with their errors that scale is one.
+   *
+   * @param all the samples used and those that left for their value
+   * @return this average, or one with a larger standard error
+   */
+  public Average widened(List<Sample> all) {
+    if (all.size() <= n) {
+      return this;
+    }
+    double[] distances = all.stream().mapToDouble(this::sigmas).sorted().toArray();
+    double median = 0.5 * (distances[(distances.length - 1) / 2] + distances[distances.length / 2]);
+    return new Average(mean, standardError * Math.max(1, NORMAL_MEDIAN * median), scatter, n);
   }
 
   /**

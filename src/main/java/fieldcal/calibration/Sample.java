@@ -22,6 +22,15 @@ public record Sample(
   }
 
   /**
+   * Whether it was dropped by the 2σ rule and not with its whole kick.
+   *
+   * @return true when its value is the reason
+   */
+  public boolean leftForItsValue() {
+    return dropped.isPresent() && dropped.get().startsWith(parameter + " is ");
+  }
+
+  /**
    * The same sample, not used.
    *
    * @param reason for people

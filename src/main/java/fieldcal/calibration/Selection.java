@@ -129,8 +129,13 @@ final class Selection {
               .flatMap(k -> k.samples().stream())
               .filter(s -> s.parameter().equals(name))
               .toList();
-      averages.put(name, Average.of(samples));
+      averages.put(name, Average.of(samples).widened(spread(samples)));
     }
     return averages;
+  }
+
+  /** The samples that are used and those that left for their value; not those of kicks that are not trusted. */
+  private static List<Sample> spread(List<Sample> samples) {
+    return samples.stream().filter(s -> s.dropped().isEmpty() || s.leftForItsValue()).toList();
   }
 }

@@ -323,6 +323,12 @@ public final class Camera {
   }
 
   static String point(double x, double y, double z) {
-    return String.format(Locale.ROOT, "(%.3f, %.3f, %.3f) m", x, y, z);
+    return String.format(
+        Locale.ROOT, "(%.3f, %.3f, %.3f) m", millimetres(x), millimetres(y), millimetres(z));
+  }
+
+  /** Rounded to millimetres, zero without a sign. */
+  private static double millimetres(double metres) {
+    return Math.rint(metres * 1000) / 1000 + 0.0;
   }
 }

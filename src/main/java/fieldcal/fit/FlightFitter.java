@@ -4,6 +4,7 @@ import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatTrajectory;
+import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -31,6 +32,12 @@ final class FlightFitter {
 
   /** How far the number of flights of a start may be from that of the best fit. */
   private static final int FLIGHTS_OFF = 2;
+
+  /** What a number of flights against the rule costs in chi-square; noise reaches it once in ten thousand kicks. */
+  private static final double RULE_PRICE = 15;
+
+  /** How far a hop's height may be from the rule's limit by the errors of the fit alone, as a share. */
+  private static final double RULE_TOLERANCE = 0.05;
 
   /** Enough observations to tell numbers of flights apart. */
   private static final int MEDIUM_OBSERVATIONS = 200;
@@ -180,7 +187,8 @@ final class FlightFitter {
       }
     }
     tried.sort(
-        Comparator.comparing((Candidate c) -> !plausible(c)).thenComparingDouble(c -> c.cost));
+        Comparator.comparing((Candidate c) -> !plausible(c))
+            .thenComparingDouble(FlightFitter::pricedCost));
     return climb(polish(data, tried.get(0).flights, tried.get(0).theta));
   }
 
@@ -196,7 +204,7 @@ final class FlightFitter {
         }
         Candidate next = polish(data, flights, best.theta);
         boolean allowed = plausible(next) || !plausible(best);
-        if (allowed && next.cost < best.cost * (1 - 1e-9)) {
+        if (allowed && pricedCost(next) < pricedCost(best) * (1 - 1e-9)) {
           best = next;
           improved = true;
           break;
@@ -204,6 +212,16 @@ final class FlightFitter {
       }
     }
     return best;
+  }
+
+  /** The cost, with the price of a number of flights that the 10 mm rule denies: noise alone must not buy it. */
+  private static double pricedCost(Candidate c) {
+    double lift = c.theta[ChipTrajectory.DAMPING_Z];
+    double last = c.theta[ChipTrajectory.VZ0] * Math.pow(lift, c.flights - 1.0);
+    double lastHeight = last * last / (2 * Gravity.ACCELERATION);
+    boolean tooLow = c.flights > 1 && lastHeight < ChipModel.MIN_HOP_HEIGHT * (1 - RULE_TOLERANCE);
+    boolean goesOn = lastHeight * lift * lift > ChipModel.MIN_HOP_HEIGHT * (1 + RULE_TOLERANCE);
+    return tooLow || goesOn ? c.cost + RULE_PRICE : c.cost;
   }
 
   private static boolean plausible(Candidate c) {

@@ -67,8 +67,7 @@ public record CalibrationOutcome(
   /**
    * The averaged model as the league's messages carry it.
    *
-   * @return with the models that are complete; a part that these kicks do not determine is taken from the initial model, if that
-   *     has one
+   * @return with the models that are complete; a model of which these kicks leave a parameter open is not published
    */
   public BallModels models() {
     double roll =

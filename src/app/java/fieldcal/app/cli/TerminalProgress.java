@@ -31,6 +31,11 @@ final class TerminalProgress implements AutoCloseable {
     return new TerminalProgress(task, " MB", MEGABYTE);
   }
 
+  /** A bar that counts steps of the given unit; it appears with the first call of {@link #at}. */
+  static TerminalProgress ofSteps(String task, String unit) {
+    return new TerminalProgress(task, unit, 1);
+  }
+
   /** A bar that counts from 0 to 100; it appears with the first call of {@link #at}. */
   static TerminalProgress ofPercent(String task) {
     return new TerminalProgress(task, " %", 1);
