@@ -10,6 +10,9 @@ final class ActiveKick {
   /** Cameras whose newest detection is that old no longer see the ball, s. */
   private static final double LIVE = 0.06;
 
+  /** A ball that ends nearer was nudged, or put elsewhere while it was hidden; the weakest kick rolls that far, m. */
+  private static final double SHORTEST = 0.3;
+
   private final JumpDetector.Jump jump;
   private final RobotId robot;
   private final KickFinderSettings settings;
@@ -18,6 +21,8 @@ final class ActiveKick {
   private final ContactWatch contact = new ContactWatch();
   private final LineFit line = new LineFit();
   private boolean leftKicker;
+  private double farthest;
+  private boolean entered;
   private BallTrack newest;
   private double outsideSince = Double.NaN;
 
@@ -33,6 +38,10 @@ final class ActiveKick {
 
   JumpDetector.Jump jump() {
     return jump;
+  }
+
+  boolean kickedBy(RobotId candidate) {
+    return candidate != null && candidate.equals(robot);
   }
 
   boolean has(BallTrack track) {
@@ -115,13 +124,16 @@ final class ActiveKick {
     double t = track.lastTime();
     double x = track.x(0);
     double y = track.y(0);
+    farthest = Math.max(farthest, Math.hypot(x - jump.x(), y - jump.y()));
     leftKicker |= t - jump.time() > 0.1 && Math.hypot(x - jump.x(), y - jump.y()) > 0.3;
     double distance = robots.distance(t, x, y, leftKicker ? null : robot);
     if (t - jump.time() > 0.05 && contact.update(track, distance) == ContactWatch.Verdict.TOUCHED) {
       return KickEnd.TOUCHED_ROBOT;
     }
     double outside = area.outside(x, y);
-    if (outside <= 0) {
+    entered |= outside <= 0;
+    if (outside <= 0 || !entered) {
+      // A ball kicked from beyond a line first comes in.
       outsideSince = Double.NaN;
     } else if (Double.isNaN(outsideSince)) {
       outsideSince = t;
@@ -157,7 +169,7 @@ final class ActiveKick {
     } else if (end == KickEnd.LEFT_FIELD && !Double.isNaN(outsideSince)) {
       last = Math.min(last, outsideSince);
     }
-    if (!(last > jump.time() + 0.05)) {
+    if (!(last > jump.time() + 0.05) || farthest < SHORTEST) {
       return null;
     }
     Observations seen = observations.build().between(Double.NEGATIVE_INFINITY, last);

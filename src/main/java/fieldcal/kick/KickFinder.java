@@ -33,6 +33,12 @@ public final class KickFinder {
   /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
   private static final double LEAST_GAIN = 0.2;
 
+  /** Robots also kick from the strip around the lines; beyond it, balls bounce off what is there, m. */
+  private static final double MARGIN = 0.3;
+
+  /** No robot kicks the same ball again so soon; a chip's projection may jump while it leaves its kicker, s. */
+  private static final double SAME_ROBOT_AGAIN = 0.3;
+
   /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
   private static final double LEAST_SEPARATION = 0.04;
 
@@ -197,8 +203,11 @@ public final class KickFinder {
     }
     RobotId robot =
         robots.kicker(jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), settings.robotReach());
-    if (area.outside(jump.x(), jump.y()) > 0
-        || robot == null && (owner != null || !startedAlone(jump))) {
+    if (robot == null && (owner != null || !startedAlone(jump))
+        || area.outside(jump.x(), jump.y()) > MARGIN) {
+      return;
+    }
+    if (owner != null && owner.kickedBy(robot) && jump.time() - owner.time() < SAME_ROBOT_AGAIN) {
       return;
     }
     if (robot != null && carried(robot, jump, track)) {
@@ -229,7 +238,9 @@ public final class KickFinder {
 
   /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */
   private boolean startedAlone(JumpDetector.Jump jump) {
-    return jump.fromRest() && jump.speed() > 1.5 * settings.minSpeed();
+    return jump.fromRest()
+        && jump.speed() > 1.5 * settings.minSpeed()
+        && area.outside(jump.x(), jump.y()) <= 0;
   }
 
   /** A ball that stays at the robot is dribbled or pushed, however fast both are. */
