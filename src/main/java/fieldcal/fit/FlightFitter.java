@@ -1,9 +1,7 @@
 package fieldcal.fit;
 
-import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
-import fieldcal.ball.FlatTrajectory;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
@@ -307,28 +305,11 @@ final class FlightFitter {
       if (worst < 0) {
         break;
       }
-      reasons[worst] = reason(worst, most);
+      reasons[worst] = FlightLayout.whyUndetermined(parameters.get(worst), most);
       flight.prior(worst, parameters.get(worst).value(), parameters.get(worst).scale());
       solver.minimize(flight, theta);
     }
     return reasons;
-  }
-
-  private String reason(int k, double relative) {
-    String name = parameters.get(k).name();
-    String why =
-        switch (name) {
-          case "accRoll" -> "the ball was hardly seen rolling";
-          case "kSwitch" -> "the change from sliding to rolling was hardly seen";
-          case "accSlide" -> "the ball was hardly seen sliding";
-          case "dampingXyFirstHop" -> "little was seen after the first landing";
-          case "dampingXyOtherHops" -> "little was seen after the second landing";
-          default -> "too few landings were seen";
-        };
-    return relative < 1e6
-        ? String.format(
-            java.util.Locale.ROOT, "%s: error %.2g", why, relative * parameters.get(k).scale())
-        : why;
   }
 
   private double[][] inverse(LevenbergMarquardt solver) {
@@ -390,7 +371,15 @@ final class FlightFitter {
             solver.stop().name().toLowerCase(java.util.Locale.ROOT).replace('_', ' '),
             seed);
     return new KickFit(
-        problem.kick(), kind, estimates, scaled, trajectory(best), rx, ry, used, statistics);
+        problem.kick(),
+        kind,
+        estimates,
+        scaled,
+        FlightLayout.trajectory(kind, best.theta, best.flights),
+        rx,
+        ry,
+        used,
+        statistics);
   }
 
   private double meanLoss(Candidate best) {
@@ -402,27 +391,5 @@ final class FlightFitter {
       sum += k2 * Math.log1p(s / k2);
     }
     return sum / data.size;
-  }
-
-  private BallTrajectory trajectory(Candidate best) {
-    double[] p = best.theta;
-    if (kind == KickKind.FLAT) {
-      return FlatTrajectory.fromKick(
-          FlightLayout.flatModel(p),
-          p[FlatTrajectory.T0],
-          p[FlatTrajectory.X0],
-          p[FlatTrajectory.Y0],
-          p[FlatTrajectory.VX0],
-          p[FlatTrajectory.VY0]);
-    }
-    return ChipTrajectory.fromKickWithHops(
-        FlightLayout.chipModel(p),
-        p[ChipTrajectory.T0],
-        p[ChipTrajectory.X0],
-        p[ChipTrajectory.Y0],
-        p[ChipTrajectory.VX0],
-        p[ChipTrajectory.VY0],
-        p[ChipTrajectory.VZ0],
-        best.flights);
   }
 }

@@ -1,5 +1,6 @@
 package fieldcal.fit;
 
+import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
@@ -8,6 +9,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Order, names, scales and bounds of the unknowns of one flight: first those of the kick (position, velocity, time), then those
@@ -60,5 +62,43 @@ final class FlightLayout {
         theta[ChipTrajectory.DAMPING_XY_OTHER_HOPS],
         theta[ChipTrajectory.DAMPING_Z],
         theta[ChipTrajectory.ACC_ROLL]);
+  }
+
+  /** The path that these unknowns describe; {@code flights} matters for chips only. */
+  static BallTrajectory trajectory(KickKind kind, double[] p, int flights) {
+    if (kind == KickKind.FLAT) {
+      return FlatTrajectory.fromKick(
+          flatModel(p),
+          p[FlatTrajectory.T0],
+          p[FlatTrajectory.X0],
+          p[FlatTrajectory.Y0],
+          p[FlatTrajectory.VX0],
+          p[FlatTrajectory.VY0]);
+    }
+    return ChipTrajectory.fromKickWithHops(
+        chipModel(p),
+        p[ChipTrajectory.T0],
+        p[ChipTrajectory.X0],
+        p[ChipTrajectory.Y0],
+        p[ChipTrajectory.VX0],
+        p[ChipTrajectory.VY0],
+        p[ChipTrajectory.VZ0],
+        flights);
+  }
+
+  /** Why a kick does not determine a parameter of the model, with the error it would have, in its scales, where that is finite. */
+  static String whyUndetermined(Parameter parameter, double relativeError) {
+    String why =
+        switch (parameter.name()) {
+          case "accRoll" -> "the ball was hardly seen rolling";
+          case "kSwitch" -> "the change from sliding to rolling was hardly seen";
+          case "accSlide" -> "the ball was hardly seen sliding";
+          case "dampingXyFirstHop" -> "little was seen after the first landing";
+          case "dampingXyOtherHops" -> "little was seen after the second landing";
+          default -> "too few landings were seen";
+        };
+    return relativeError < 1e6
+        ? String.format(Locale.ROOT, "%s: error %.2g", why, relativeError * parameter.scale())
+        : why;
   }
 }

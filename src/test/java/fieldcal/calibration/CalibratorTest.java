@@ -132,14 +132,15 @@ class CalibratorTest {
 
   /**
    * What this version finds, so that a change of the fit is a decision. The tolerances are some standard errors of the means; which
-   * kicks the 2σ rule drops moves accSlide most.
+   * kicks the 2σ rule drops moves accSlide most. dampingXyFirstHop was 0.7127 before a number of flights against the 10 mm rule got its
+   * price; the joint fit has said 0.7112 all along.
    */
   @ParameterizedTest
   @CsvSource({
     "flat, accSlide, -3.922, 0.04",
     "flat, accRoll, -0.3520, 0.001",
     "flat, kSwitch, 0.6876, 0.001",
-    "chip, dampingXyFirstHop, 0.7127, 0.001",
+    "chip, dampingXyFirstHop, 0.7112, 0.001",
     "chip, dampingXyOtherHops, 1.0016, 0.001",
     "chip, dampingZ, 0.5674, 0.002"
   })
