@@ -91,8 +91,15 @@ public final class Calibrator {
 
   private static CameraViews measuredCameras(CalibrationProblem problem) {
     Map<Integer, Double> noise = CameraNoise.atRest(problem.kicks(), problem.cameras());
+    // A camera that saw too little at rest is taken to be as good as the others.
+    double typical =
+        noise.values().stream()
+            .sorted()
+            .skip(noise.size() / 2)
+            .findFirst()
+            .orElse(CameraView.DEFAULT_NOISE);
     CameraViews measured =
-        problem.cameras().map(v -> noise.containsKey(v.id()) ? v.withNoise(noise.get(v.id())) : v);
+        problem.cameras().map(v -> v.withNoise(noise.getOrDefault(v.id(), typical)));
     return OverlapOffsets.estimate(problem.kicks(), measured);
   }
 

@@ -57,7 +57,7 @@ final class CalibrationJson {
   private ObjectNode camera(CameraView view) {
     ObjectNode node = nodes.objectNode();
     node.put("id", view.id());
-    put(node, "noise_mm", 1000 * view.noise());
+    node.put("noise_mm", outcome.sawKicks(view.id()) ? 1000 * view.noise() : null);
     CameraStream stream = outcome.data().streams().get(view.id());
     put(node, "rate_hz", stream == null ? Double.NaN : stream.rateHz());
     JointFit.Offset offset =

@@ -49,6 +49,16 @@ public record CalibrationOutcome(
   }
 
   /**
+   * Whether a camera saw any of the kicks that the joint fit is made from; of others neither noise nor offset is known.
+   *
+   * @param camera its id
+   * @return true when it did
+   */
+  public boolean sawKicks(int camera) {
+    return calibration.joint().map(j -> j.offsets().containsKey(camera)).orElse(false);
+  }
+
+  /**
    * When a kick was. The fit knows to a fraction of a millisecond when its model is right; where it moves the kick by more than the
    * finder can be wrong, which needs no model, it bends time to make up for what its model lacks, and the finder is believed.
    *

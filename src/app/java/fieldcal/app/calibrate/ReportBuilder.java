@@ -144,7 +144,7 @@ final class ReportBuilder {
             .orElse(new JointFit.Offset(Double.NaN, Double.NaN, Double.NaN, Double.NaN));
     return new CalibrationReport.Camera(
         view.id(),
-        1000 * view.noise(),
+        outcome.sawKicks(view.id()) ? 1000 * view.noise() : Double.NaN,
         stream == null ? Double.NaN : stream.rateHz(),
         seen,
         1000 * o.x(),

@@ -36,7 +36,7 @@ final class CalibrationText {
     if (calibration.kicks().isEmpty()) {
       line("No kick found, no model.");
     }
-    cameras(calibration);
+    cameras(outcome);
     rejected(calibration);
     if (!outcome.data().problems().isEmpty()) {
       line("%nIn the data:");
@@ -110,7 +110,8 @@ final class CalibrationText {
         .orElse("-");
   }
 
-  private void cameras(Calibration calibration) {
+  private void cameras(CalibrationOutcome outcome) {
+    Calibration calibration = outcome.calibration();
     Map<Integer, JointFit.Offset> offsets =
         calibration.joint().map(JointFit::offsets).orElse(Map.of());
     calibration
@@ -118,6 +119,10 @@ final class CalibrationText {
         .all()
         .forEach(
             view -> {
+              if (!outcome.sawKicks(view.id())) {
+                line("camera %d: saw no kick", view.id());
+                return;
+              }
               JointFit.Offset o = offsets.get(view.id());
               boolean known = o != null && Double.isFinite(o.errorX());
               line(
