@@ -10,6 +10,9 @@ final class ActiveKick {
   /** Cameras whose newest detection is that old no longer see the ball, s. */
   private static final double LIVE = 0.06;
 
+  /** Twice what cameras disagree by on the ground, and the noise, m: some 0.2 m of height. */
+  private static final double AIRBORNE = 0.1;
+
   /** A ball that ends nearer was nudged, or put elsewhere while it was hidden; the weakest kick rolls that far, m. */
   private static final double SHORTEST = 0.3;
 
@@ -20,6 +23,7 @@ final class ActiveKick {
   private final Observations.Builder observations = new Observations.Builder();
   private final ContactWatch contact = new ContactWatch();
   private final LineFit line = new LineFit();
+  private final double[] xy = new double[2];
   private boolean leftKicker;
   private double farthest;
   private boolean entered;
@@ -127,7 +131,8 @@ final class ActiveKick {
     farthest = Math.max(farthest, Math.hypot(x - jump.x(), y - jump.y()));
     leftKicker |= t - jump.time() > 0.1 && Math.hypot(x - jump.x(), y - jump.y()) > 0.3;
     double distance = robots.distance(t, x, y, leftKicker ? null : robot);
-    if (t - jump.time() > 0.05 && contact.update(track, distance) == ContactWatch.Verdict.TOUCHED) {
+    boolean reachable = t - jump.time() > 0.05 && !inTheAir(track, t);
+    if (reachable && contact.update(track, distance) == ContactWatch.Verdict.TOUCHED) {
       return KickEnd.TOUCHED_ROBOT;
     }
     double outside = area.outside(x, y);
@@ -141,6 +146,23 @@ final class ActiveKick {
       return KickEnd.LEFT_FIELD;
     }
     return t - jump.time() > 0.5 && stopped(track) ? KickEnd.STOPPED : null;
+  }
+
+  /** Two cameras that report the same ball far apart see it in the air, where no robot touches it. */
+  boolean inTheAir(BallTrack track, double t) {
+    if (!track.positionAt(t, LIVE, line, xy)) {
+      return false;
+    }
+    double x = xy[0];
+    double y = xy[1];
+    for (BallTrack other : members) {
+      if (other.camera() != track.camera()
+          && other.positionAt(t, LIVE, line, xy)
+          && Math.hypot(xy[0] - x, xy[1] - y) > AIRBORNE) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private boolean stopped(BallTrack track) {

@@ -38,6 +38,9 @@ public final class KickFinder {
   /** No robot kicks the same ball again so soon; a chip's projection may jump while it leaves its kicker, s. */
   private static final double SAME_ROBOT_AGAIN = 0.3;
 
+  /** A frame and a half before a jump, since its time is good to some milliseconds only, s. */
+  private static final double JUST_BEFORE = 0.02;
+
   /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
   private static final double LEAST_SEPARATION = 0.04;
 
@@ -206,7 +209,7 @@ public final class KickFinder {
         || area.outside(jump.x(), jump.y()) > MARGIN) {
       return;
     }
-    if (owner != null && owner.kickedBy(robot) && jump.time() - owner.time() < SAME_ROBOT_AGAIN) {
+    if (owner != null && isPartOf(owner, jump, track, robot)) {
       return;
     }
     if (robot != null && carried(robot, jump, track)) {
@@ -233,6 +236,13 @@ public final class KickFinder {
         }
       }
     }
+  }
+
+  /** Whether the jump belongs to the kick that is followed already: a bounce near a robot, or its projection leaving the kicker. */
+  private static boolean isPartOf(
+      ActiveKick owner, JumpDetector.Jump jump, BallTrack track, RobotId robot) {
+    boolean justKicked = owner.kickedBy(robot) && jump.time() - owner.time() < SAME_ROBOT_AGAIN;
+    return justKicked || owner.inTheAir(track, jump.time() - JUST_BEFORE);
   }
 
   /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */

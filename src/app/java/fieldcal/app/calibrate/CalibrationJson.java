@@ -57,7 +57,12 @@ final class CalibrationJson {
   private ObjectNode camera(CameraView view) {
     ObjectNode node = nodes.objectNode();
     node.put("id", view.id());
-    node.put("noise_mm", outcome.sawKicks(view.id()) ? 1000 * view.noise() : null);
+    put(node, "noise_mm", 1000 * view.noise());
+    if (!outcome.sawKicks(view.id())) {
+      // The contract has a number here; scripts that do arithmetic with it shall not break on a
+      // camera that saw nothing.
+      node.put("noise_assumed", true);
+    }
     CameraStream stream = outcome.data().streams().get(view.id());
     put(node, "rate_hz", stream == null ? Double.NaN : stream.rateHz());
     JointFit.Offset offset =
