@@ -44,8 +44,8 @@ public final class KickFinder {
   /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
   private static final double LEAST_SEPARATION = 0.04;
 
-  /** A robot hides a ball that it stops for up to that long, s. */
-  private static final double HIDDEN = 0.6;
+  /** A ball that bounces off a robot is hidden by it for up to that long; after more the robot held it, and has kicked it, s. */
+  private static final double HIDDEN = 0.2;
 
   /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
   static final double SAME_BALL = 0.5;
