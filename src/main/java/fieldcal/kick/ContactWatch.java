@@ -59,7 +59,10 @@ final class ContactWatch {
     if (seen < 5) {
       return now - since > PATIENCE ? Verdict.TOUCHED : Verdict.WATCHING;
     }
-    track.fit(0, 4, line);
+    // The ball may have come into another camera's view meanwhile, whose track is still short.
+    if (!track.fitNewest(5, PATIENCE, line) || line.count() < 5) {
+      return Verdict.WATCHING;
+    }
     double change = Math.hypot(line.vx() - vx, line.vy() - vy);
     double missed =
         Math.hypot(track.x(0) - x - vx * (now - since), track.y(0) - y - vy * (now - since));
