@@ -1,0 +1,180 @@
+package fieldcal.effect;
+
+import fieldcal.ball.Gravity;
+import fieldcal.ball.Phase;
+import fieldcal.effect.MotionEffect.ExternalForce;
+import fieldcal.effect.MotionEffect.FrictionZone;
+import fieldcal.effect.MotionEffect.RollingResistance;
+
+/** The right-hand side of the equations of motion in {@link ExtendedTrajectory}. State: x, y, z, vx, vy, vz, spin x, spin y. */
+final class BallForces {
+  static final int SIZE = 8;
+  private static final double G = Gravity.ACCELERATION;
+
+  /** Speed with which a ball leaves a rest that does not hold, m/s; chosen small enough to change nothing. */
+  private static final double CREEP = 1e-4;
+
+  private final MotionEffects effects;
+  private final double accRoll;
+  private final double sessionStart;
+  private final BallMotion motion = new BallMotion();
+  private final double[] force = new double[3];
+
+  /** Friction and speed at which it turns the ball, of the sliding phase: m/s², and spin gained per velocity lost. */
+  private double accSlide = -1;
+
+  private double spinPerVelocity = 1;
+
+  private double zoneFactor = 1;
+  private boolean frozen;
+  private double frozenX;
+  private double frozenY;
+
+  BallForces(MotionEffects effects, double sessionStart, double accRoll) {
+    this.effects = effects;
+    this.sessionStart = sessionStart;
+    this.accRoll = accRoll;
+  }
+
+  void setSliding(double acceleration, double kSwitch) {
+    accSlide = acceleration;
+    // 1/β of the model: kSwitch = 1/(1 + β).
+    spinPerVelocity = kSwitch / (1 - kSwitch);
+  }
+
+  void setInside(boolean[] inside) {
+    zoneFactor = 1;
+    for (int i = 0; i < inside.length; i++) {
+      FrictionZone zone = effects.zones[i];
+      zoneFactor *= inside[i] ? zone.frictionFactor() : 1;
+    }
+  }
+
+  /** Friction acts against this direction from now on: near its end a phase has none of its own. */
+  void freeze(double x, double y) {
+    frozen = true;
+    frozenX = x;
+    frozenY = y;
+  }
+
+  void unfreeze() {
+    frozen = false;
+  }
+
+  /** What effects see of a state. */
+  BallMotion motion(double t, double[] s, boolean flying) {
+    BallMotion m = motion;
+    m.x = s[0];
+    m.y = s[1];
+    m.z = s[2];
+    m.vx = s[3];
+    m.vy = s[4];
+    m.vz = s[5];
+    m.spinX = s[6];
+    m.spinY = s[7];
+    m.sessionTime = t - sessionStart;
+    m.flying = flying;
+    return m;
+  }
+
+  /** Rate of change of the state. */
+  void derivative(Phase phase, double t, double[] s, double[] rate) {
+    force[0] = 0;
+    force[1] = 0;
+    force[2] = 0;
+    BallMotion m = motion(t, s, phase == Phase.FLYING);
+    for (ExternalForce effect : effects.forces) {
+      effect.addAcceleration(m, force);
+    }
+    rate[0] = s[3];
+    rate[1] = s[4];
+    rate[2] = s[5];
+    switch (phase) {
+      case FLYING -> {
+        rate[3] = force[0];
+        rate[4] = force[1];
+        rate[5] = force[2] - G;
+        rate[6] = 0;
+        rate[7] = 0;
+      }
+      case SLIDING -> slide(s, rate);
+      default -> roll(m, s, rate);
+    }
+  }
+
+  private double pressure() {
+    return Math.max(0, 1 - force[2] / G);
+  }
+
+  private void slide(double[] s, double[] rate) {
+    double directionX = frozenX;
+    double directionY = frozenY;
+    if (!frozen) {
+      double slipX = s[3] - s[6];
+      double slipY = s[4] - s[7];
+      double slip = Math.sqrt(slipX * slipX + slipY * slipY);
+      directionX = slip > 0 ? slipX / slip : 0;
+      directionY = slip > 0 ? slipY / slip : 0;
+    }
+    double acceleration = accSlide * zoneFactor * pressure();
+    double frictionX = acceleration * directionX;
+    double frictionY = acceleration * directionY;
+    rate[3] = frictionX + force[0];
+    rate[4] = frictionY + force[1];
+    rate[5] = 0;
+    rate[6] = -spinPerVelocity * frictionX;
+    rate[7] = -spinPerVelocity * frictionY;
+  }
+
+  private void roll(BallMotion m, double[] s, double[] rate) {
+    double directionX = frozenX;
+    double directionY = frozenY;
+    if (!frozen) {
+      double speed = Math.sqrt(s[3] * s[3] + s[4] * s[4]);
+      directionX = speed > 0 ? s[3] / speed : 0;
+      directionY = speed > 0 ? s[4] / speed : 0;
+    }
+    double deceleration = rollingDeceleration(m);
+    double share = 1 / (1 + effects.ball.inertiaFactor());
+    rate[3] = -deceleration * directionX + share * force[0];
+    rate[4] = -deceleration * directionY + share * force[1];
+    rate[5] = 0;
+    rate[6] = rate[3];
+    rate[7] = rate[4];
+  }
+
+  private double rollingDeceleration(BallMotion m) {
+    double deceleration = -accRoll;
+    double addend = 0;
+    for (RollingResistance effect : effects.resistances) {
+      deceleration *= effect.factor(m);
+      addend += effect.addend(m);
+    }
+    return zoneFactor * pressure() * (deceleration + addend);
+  }
+
+  /** Whether rolling resistance keeps a ball at rest where it is; if not, gives it a creeping velocity downhill. */
+  boolean holds(double t, double[] s) {
+    motion(t, s, false);
+    force[0] = 0;
+    force[1] = 0;
+    force[2] = 0;
+    for (ExternalForce effect : effects.forces) {
+      effect.addAcceleration(motion, force);
+    }
+    double push = Math.hypot(force[0], force[1]);
+    if (push == 0) {
+      return true;
+    }
+    motion.vx = CREEP * force[0] / push;
+    motion.vy = CREEP * force[1] / push;
+    if (push / (1 + effects.ball.inertiaFactor()) <= rollingDeceleration(motion)) {
+      return true;
+    }
+    s[3] = motion.vx;
+    s[4] = motion.vy;
+    s[6] = motion.vx;
+    s[7] = motion.vy;
+    return false;
+  }
+}

@@ -1,0 +1,129 @@
+package fieldcal.effect;
+
+/**
+ * How the ball moves at the instant for which an effect is asked. Field frame, SI units. A working object of the integrator: valid during the
+ * call only.
+ */
+public final class BallMotion {
+  double x;
+  double y;
+  double z;
+  double vx;
+  double vy;
+  double vz;
+  double spinX;
+  double spinY;
+  double sessionTime;
+  boolean flying;
+
+  BallMotion() {}
+
+  /**
+   * Position.
+   *
+   * @return x, m
+   */
+  public double x() {
+    return x;
+  }
+
+  /**
+   * Position.
+   *
+   * @return y, m
+   */
+  public double y() {
+    return y;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return along x, m/s
+   */
+  public double vx() {
+    return vx;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return along y, m/s
+   */
+  public double vy() {
+    return vy;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return upwards, m/s
+   */
+  public double vz() {
+    return vz;
+  }
+
+  /**
+   * Spin as the velocity at which a ball with this spin rolls without slip, r·ω_y.
+   *
+   * @return along x, m/s
+   */
+  public double spinX() {
+    return spinX;
+  }
+
+  /**
+   * Spin as the velocity at which a ball with this spin rolls without slip, −r·ω_x.
+   *
+   * @return along y, m/s
+   */
+  public double spinY() {
+    return spinY;
+  }
+
+  /**
+   * Time since the session's begin.
+   *
+   * @return s
+   */
+  public double sessionTime() {
+    return sessionTime;
+  }
+
+  /**
+   * Whether the ball is in the air.
+   *
+   * @return false on the carpet
+   */
+  public boolean isFlying() {
+    return flying;
+  }
+
+  /**
+   * Speed, the vertical part included.
+   *
+   * @return m/s
+   */
+  public double speed() {
+    return Math.sqrt(vx * vx + vy * vy + vz * vz);
+  }
+
+  /**
+   * Speed over the ground.
+   *
+   * @return m/s
+   */
+  public double groundSpeed() {
+    return Math.sqrt(vx * vx + vy * vy);
+  }
+
+  /**
+   * Spin about the rolling axis in units of rolling spin v/r.
+   *
+   * @return 1 = rolls, negative = backspin; 0 at standstill
+   */
+  public double spinFraction() {
+    double squared = vx * vx + vy * vy;
+    return squared == 0 ? 0 : (spinX * vx + spinY * vy) / squared;
+  }
+}

@@ -1,0 +1,283 @@
+package fieldcal.effect;
+
+import fieldcal.ball.BallState;
+import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Phase;
+import java.util.Objects;
+import java.util.OptionalDouble;
+
+/**
+ * The path of a kicked ball on which effects act, integrated numerically when it is made; afterwards immutable, any state in well under a microsecond.
+ *
+ * <p>The equations are those of the closed forms with forces added. With the spin as the velocity s at which a ball with that spin rolls without slip,
+ * and the slip u = v − s: sliding, dv/dt = accSlide·û + f and ds/dt along û so that |u| shrinks at |accSlide|/(1 − kSwitch) where f = 0; rolling,
+ * dv/dt = accRoll·v̂ + f/(1+β), s = v; in flight dv/dt = f − g. The horizontal part of f acts so, its vertical part scales all
+ * friction by the pressure on the carpet, 1 − f_z/g. At an impact the models' fixed losses act, the lost momentum m·Δv turns the ball by Δs = −Δv/β, at most until it
+ * rolls, and after the last flight the ball rolls. Without effects the path is {@link fieldcal.ball.FlatTrajectory}'s or {@link ChipTrajectory}'s.
+ *
+ * <p>A slope that rolling resistance cannot hold would keep the ball rolling for ever: the path ends after {@link #MAX_DURATION}.
+ */
+public final class ExtendedTrajectory implements BallTrajectory {
+  /** Longest path, s; chosen, because no kick rolls for half a minute. */
+  public static final double MAX_DURATION = 60;
+
+  private final Path path;
+  private final double kickTime;
+  private final double restTime;
+  private final int flights;
+  private final double kickX;
+  private final double kickY;
+
+  private ExtendedTrajectory(PathIntegrator integrator, double t0, double x, double y) {
+    path = integrator.path();
+    flights = integrator.flights();
+    kickTime = t0;
+    kickX = x;
+    kickY = y;
+    restTime = path.count() == 0 ? t0 : path.end();
+  }
+
+  /**
+   * The path of a flat kick.
+   *
+   * @param model how the ball slides and rolls
+   * @param effects what acts besides
+   * @param sessionStart when the session began, on the clock of {@code t0}, s
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @return the path
+   * @throws IllegalArgumentException when a number is not finite
+   */
+  public static ExtendedTrajectory flat(
+      FlatModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy) {
+    Objects.requireNonNull(model, "model");
+    finite(sessionStart, t0, x, y, vx, vy, 0);
+    PathIntegrator integrator =
+        new PathIntegrator(effects, sessionStart, model.accRoll(), PathIntegrator.NO_BOUNCES);
+    integrator.slideFrom(model, t0, x, y, vx, vy);
+    return new ExtendedTrajectory(integrator, t0, x, y);
+  }
+
+  /**
+   * The path of a chip, with as many flights as {@link ChipModel#MIN_HOP_HEIGHT} allows.
+   *
+   * @param model how the ball bounces and rolls
+   * @param effects what acts besides
+   * @param sessionStart when the session began, on the clock of {@code t0}, s
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s, not negative
+   * @return the path
+   * @throws IllegalArgumentException when a number is not finite or {@code vz} is negative
+   */
+  public static ExtendedTrajectory chip(
+      ChipModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz) {
+    boolean rolls = ChipTrajectory.flightsByRule(model, vz) == 0;
+    int flights = rolls ? 0 : PathIntegrator.BY_RULE;
+    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights);
+  }
+
+  /**
+   * The path of a chip with a given number of flights, on which it depends smoothly.
+   *
+   * @param model how the ball bounces and rolls
+   * @param effects what acts besides
+   * @param sessionStart when the session began, on the clock of {@code t0}, s
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s, not negative
+   * @param flights number of flights, the kick's own included, 0 to {@link ChipModel#MAX_FLIGHTS}
+   * @return the path
+   * @throws IllegalArgumentException when a number is not finite, {@code vz} is negative or {@code flights} out of its range
+   */
+  public static ExtendedTrajectory chipWithHops(
+      ChipModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz,
+      int flights) {
+    if (flights < 0 || flights > ChipModel.MAX_FLIGHTS) {
+      throw new IllegalArgumentException("flights out of range: " + flights);
+    }
+    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights);
+  }
+
+  private static ExtendedTrajectory bounce(
+      ChipModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz,
+      int flights) {
+    Objects.requireNonNull(model, "model");
+    finite(sessionStart, t0, x, y, vx, vy, vz);
+    if (vz < 0) {
+      throw new IllegalArgumentException("vz must not be negative, but is " + vz);
+    }
+    PathIntegrator integrator = new PathIntegrator(effects, sessionStart, model.accRoll(), flights);
+    integrator.flyFrom(model, t0, x, y, vx, vy, vz);
+    return new ExtendedTrajectory(integrator, t0, x, y);
+  }
+
+  private static void finite(
+      double session, double t0, double x, double y, double vx, double vy, double vz) {
+    EffectParameters.requireFinite("kick", session, t0, x, y, vx, vy, vz);
+  }
+
+  /**
+   * How many flights the path has.
+   *
+   * @return 0 of a flat kick
+   */
+  public int flights() {
+    return flights;
+  }
+
+  @Override
+  public double kickTime() {
+    return kickTime;
+  }
+
+  @Override
+  public double restTime() {
+    return restTime;
+  }
+
+  @Override
+  public BallState stateAt(double t) {
+    if (t >= kickTime && t < restTime) {
+      int i = path.indexAt(t);
+      double s = path.share(i, t);
+      return new BallState(
+          path.position(i, 0, s),
+          path.position(i, 1, s),
+          height(i, s),
+          path.velocity(i, 0, s),
+          path.velocity(i, 1, s),
+          path.phase(i) == Phase.FLYING ? path.velocity(i, 2, s) : 0);
+    }
+    double[] xyz = new double[3];
+    positionAt(t, xyz);
+    return new BallState(xyz[0], xyz[1], xyz[2], 0, 0, 0);
+  }
+
+  @Override
+  public void positionAt(double t, double[] xyz) {
+    requireNumber(t);
+    if (t < kickTime || path.count() == 0) {
+      xyz[0] = kickX;
+      xyz[1] = kickY;
+      xyz[2] = 0;
+      return;
+    }
+    int i = path.indexAt(t);
+    double s = path.share(i, t);
+    xyz[0] = path.position(i, 0, s);
+    xyz[1] = path.position(i, 1, s);
+    xyz[2] = height(i, s);
+  }
+
+  private double height(int i, double s) {
+    return path.phase(i) == Phase.FLYING ? Math.max(0, path.position(i, 2, s)) : 0;
+  }
+
+  @Override
+  public Phase phaseAt(double t) {
+    requireNumber(t);
+    if (t < kickTime) {
+      return Phase.RESTING_BEFORE_KICK;
+    }
+    return t < restTime ? path.phase(path.indexAt(t)) : Phase.STOPPED;
+  }
+
+  @Override
+  public double distanceAt(double t) {
+    requireNumber(t);
+    if (t < kickTime) {
+      return 0;
+    }
+    if (t >= restTime) {
+      return path.wayBefore(path.count());
+    }
+    int i = path.indexAt(t);
+    return path.wayBefore(i) + path.length(i, path.share(i, t));
+  }
+
+  @Override
+  public OptionalDouble timeAtDistance(double distance) {
+    if (!(distance >= 0) || Double.isInfinite(distance)) {
+      throw new IllegalArgumentException("distance must be 0 or more, but is " + distance);
+    }
+    if (distance > path.wayBefore(path.count())) {
+      return OptionalDouble.empty();
+    }
+    if (distance == 0) {
+      return OptionalDouble.of(kickTime);
+    }
+    int low = 0;
+    int high = path.count() - 1;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (path.wayBefore(middle + 1) >= distance) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    double s = path.shareAtLength(low, distance - path.wayBefore(low));
+    return OptionalDouble.of(path.start(low) + s * path.duration(low));
+  }
+
+  @Override
+  public OptionalDouble speedAtDistance(double distance) {
+    OptionalDouble time = timeAtDistance(distance);
+    return time.isEmpty() ? time : OptionalDouble.of(stateAt(time.getAsDouble()).groundSpeed());
+  }
+
+  private static void requireNumber(double t) {
+    if (Double.isNaN(t)) {
+      throw new IllegalArgumentException("t must be a number, but is NaN");
+    }
+  }
+
+  @Override
+  public String toString() {
+    return "ExtendedTrajectory[kick at " + kickTime + " s, rest at " + restTime + " s]";
+  }
+}

@@ -1,0 +1,75 @@
+package fieldcal.effect;
+
+/**
+ * An effect that changes what a camera reports of a ball. The report is made in this order, each step by all effects that concern the camera:
+ *
+ * <ol>
+ *   <li>{@link #timeError}: when the ball was really where the camera saw it;
+ *   <li>{@link #moveCamera}: where the camera really hangs; the ray goes from there to the ball's centre;
+ *   <li>{@link #turnRay}: the ray as the published rotation understands it;
+ *   <li>{@link #refractRay}: the ray as the published lens understands it;
+ *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards.
+ * </ol>
+ */
+public interface MeasurementEffect extends Effect {
+  @Override
+  MeasurementEffect withParameters(double... values);
+
+  /**
+   * Whether it changes what a camera reports.
+   *
+   * @param camera what is known of the camera
+   * @return false for another camera's error, and where it is not {@linkplain #isApplicable applicable}
+   */
+  boolean concerns(ObservedCamera camera);
+
+  /**
+   * Whether it can be reckoned with what is known of a camera; some need its position, lens or image size.
+   *
+   * @param camera what is known of the camera
+   * @return true unless something is missing
+   */
+  default boolean isApplicable(ObservedCamera camera) {
+    return true;
+  }
+
+  /**
+   * Time stamp minus the time at which the ball was where it was seen.
+   *
+   * @param camera the camera
+   * @param sessionTime the time stamp, s since the session's begin
+   * @param pixelRow where in the image the ball was seen, pixels; not above 0 or NaN = unknown
+   * @return s, positive = the stamp is late
+   */
+  default double timeError(ObservedCamera camera, double sessionTime, double pixelRow) {
+    return 0;
+  }
+
+  /**
+   * Moves the camera from where it is published to where it is.
+   *
+   * @param sight the sight, its ray not yet drawn
+   */
+  default void moveCamera(Sight sight) {}
+
+  /**
+   * Turns the ray.
+   *
+   * @param sight the sight
+   */
+  default void turnRay(Sight sight) {}
+
+  /**
+   * Bends the ray.
+   *
+   * @param sight the sight
+   */
+  default void refractRay(Sight sight) {}
+
+  /**
+   * Changes the plane or adds to the reported position.
+   *
+   * @param sight the sight
+   */
+  default void report(Sight sight) {}
+}

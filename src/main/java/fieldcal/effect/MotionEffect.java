@@ -1,0 +1,112 @@
+package fieldcal.effect;
+
+/**
+ * An effect that changes how the ball moves. What it changes is said by the interfaces below, of which an effect implements one or
+ * more: the integrator asks each only where it has something to say.
+ */
+public interface MotionEffect extends Effect {
+  @Override
+  MotionEffect withParameters(double... values);
+
+  /** Spin right after the kick. */
+  interface SpinAtKick extends MotionEffect {
+    /**
+     * Adds the kick's spin, given as the horizontal velocity at which a ball with this spin rolls without slip: {@code s = r·(ω_y, −ω_x)}.
+     *
+     * @param vx velocity right after the kick, m/s
+     * @param vy velocity right after the kick, m/s
+     * @param spin x and y of s, m/s; add to it
+     */
+    void addSpin(double vx, double vy, double[] spin);
+  }
+
+  /** A force that does not come from the contact with the carpet. */
+  interface ExternalForce extends MotionEffect {
+    /**
+     * Adds the force over the mass. On the carpet the horizontal part moves the ball and the vertical one presses it down or lifts it.
+     *
+     * @param motion how the ball moves
+     * @param acceleration x, y, z, m/s²; add to it
+     */
+    void addAcceleration(BallMotion motion, double[] acceleration);
+  }
+
+  /** What makes rolling differ from a constant deceleration: a = −(−accRoll·∏ factors + Σ addends) along the velocity. */
+  interface RollingResistance extends MotionEffect {
+    /**
+     * Factor on the deceleration of the model.
+     *
+     * @param motion how the ball moves
+     * @return 1 = as in the model
+     */
+    default double factor(BallMotion motion) {
+      return 1;
+    }
+
+    /**
+     * What is added to the deceleration.
+     *
+     * @param motion how the ball moves
+     * @return m/s², positive brakes, 0 = as in the model
+     */
+    default double addend(BallMotion motion) {
+      return 0;
+    }
+  }
+
+  /** A convex part of the carpet with another friction, sliding and rolling. The integrator stops at its edges. */
+  interface FrictionZone extends MotionEffect {
+    /**
+     * Factor on all friction within.
+     *
+     * @return 1 = as outside
+     */
+    double frictionFactor();
+
+    /**
+     * Whether a place is within.
+     *
+     * @param x m
+     * @param y m
+     * @return true within
+     */
+    boolean contains(double x, double y);
+
+    /**
+     * Whether a straight piece of path changes sides.
+     *
+     * @param inside whether it begins within
+     * @param x0 begin, m
+     * @param y0 begin, m
+     * @param x1 end, m
+     * @param y1 end, m
+     * @return a fraction of the way, above 0 and at most 1, at which it is on the other side, with one edge only between; NaN when it stays on its side
+     */
+    double otherSide(boolean inside, double x0, double y0, double x1, double y1);
+  }
+
+  /** What makes a bounce differ from fixed losses. */
+  interface Bounce extends MotionEffect {
+    /**
+     * The vertical restitution of this impact.
+     *
+     * @param motion how the ball arrives
+     * @param dampingZ what it would be otherwise (–)
+     * @return the changed one (–)
+     */
+    default double dampingZ(BallMotion motion, double dampingZ) {
+      return dampingZ;
+    }
+
+    /**
+     * The horizontal restitution of this impact.
+     *
+     * @param motion how the ball arrives
+     * @param dampingXy what it would be otherwise (–)
+     * @return the changed one (–)
+     */
+    default double dampingXy(BallMotion motion, double dampingXy) {
+      return dampingXy;
+    }
+  }
+}

@@ -1,0 +1,135 @@
+package fieldcal.effect.measurement;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.Sight;
+import java.util.List;
+
+/**
+ * Published minus true pose of one camera. The true ray goes from the true position to the ball; the published camera draws it, turned by the tilt, from the
+ * published position. Neither needs the lens, so it applies to cameras of which only the position is known, too.
+ *
+ * @param tiltMrad angle by which the published camera is turned against the true one, mrad
+ * @param axis direction of the horizontal axis of that turn in the field, rad
+ * @param heightMm published minus true height, mm
+ * @param shiftXMm published minus true position, mm
+ * @param shiftYMm published minus true position, mm
+ * @param camera which camera, by id
+ */
+public record CameraPoseError(
+    double tiltMrad, double axis, double heightMm, double shiftXMm, double shiftYMm, int camera)
+    implements MeasurementEffect {
+  private static final String ID = "camera_pose_error";
+  private static final double MILLI = 1e-3;
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public CameraPoseError {
+    EffectParameters.requireFinite(ID, tiltMrad, axis, heightMm, shiftXMm, shiftYMm);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "One camera hangs or looks elsewhere than its calibration says.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "tilt_mrad",
+            "mrad",
+            tiltMrad,
+            1,
+            -50,
+            50,
+            true,
+            "1 mrad is 5 mm below a camera at 5 m"),
+        EffectParameters.direction("axis", axis),
+        new Parameter(
+            "height_mm",
+            "mm",
+            heightMm,
+            10,
+            -1000,
+            1000,
+            true,
+            "calibrations err by some centimetres in height"),
+        new Parameter("shift_x_mm", "mm", shiftXMm, 5, -500, 500, true, "as camera_offset"),
+        new Parameter("shift_y_mm", "mm", shiftYMm, 5, -500, 500, true, "as camera_offset"),
+        EffectParameters.camera(camera));
+  }
+
+  @Override
+  public CameraPoseError withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 6);
+    return new CameraPoseError(v[0], v[1], v[2], v[3], v[4], (int) v[5]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return tiltMrad == 0 && heightMm == 0 && shiftXMm == 0 && shiftYMm == 0;
+  }
+
+  @Override
+  public List<String> magnitudes() {
+    return List.of("tilt_mrad", "height_mm", "shift_x_mm", "shift_y_mm");
+  }
+
+  @Override
+  public List<Effect> probes() {
+    return List.of(
+        new CameraPoseError(1, 0, 0, 0, 0, camera),
+        new CameraPoseError(1, Math.PI / 2, 0, 0, 0, camera),
+        new CameraPoseError(0, axis, 10, 0, 0, camera),
+        new CameraPoseError(0, axis, 0, 5, 0, camera),
+        new CameraPoseError(0, axis, 0, 0, 5, camera));
+  }
+
+  @Override
+  public boolean concerns(ObservedCamera observer) {
+    return observer.id() == camera;
+  }
+
+  @Override
+  public boolean isApplicable(ObservedCamera observer) {
+    return observer.camera().isPresent();
+  }
+
+  @Override
+  public void moveCamera(Sight sight) {
+    sight.moveCamera(-MILLI * shiftXMm, -MILLI * shiftYMm, -MILLI * heightMm);
+  }
+
+  @Override
+  public void turnRay(Sight sight) {
+    if (tiltMrad == 0) {
+      return;
+    }
+    // Rodrigues' rotation about the horizontal axis (c, s, 0): a ray fixed to the camera turns with
+    // it.
+    double c = Math.cos(axis);
+    double s = Math.sin(axis);
+    double cos = Math.cos(MILLI * tiltMrad);
+    double sin = Math.sin(MILLI * tiltMrad);
+    double x = sight.rayX();
+    double y = sight.rayY();
+    double z = sight.rayZ();
+    double along = (1 - cos) * (c * x + s * y);
+    sight.turnRay(
+        cos * x + sin * s * z + along * c,
+        cos * y - sin * c * z + along * s,
+        cos * z + sin * (c * y - s * x));
+  }
+}

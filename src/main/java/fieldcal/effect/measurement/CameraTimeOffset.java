@@ -1,0 +1,72 @@
+package fieldcal.effect.measurement;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.ObservedCamera;
+import java.util.List;
+
+/**
+ * Time stamps are late (+) by a constant.
+ *
+ * @param ms lateness of the time stamps, ms
+ * @param camera which camera, by id
+ */
+public record CameraTimeOffset(double ms, int camera) implements MeasurementEffect {
+  private static final String ID = "camera_time_offset";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public CameraTimeOffset {
+    EffectParameters.requireFinite(ID, ms);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "One camera's time stamps are late or early against the others.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "ms",
+            "ms",
+            ms,
+            1,
+            -50,
+            50,
+            true,
+            "phases of up to 6 ms between cameras in matches of 2026; design"),
+        EffectParameters.camera(camera));
+  }
+
+  @Override
+  public CameraTimeOffset withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 2);
+    return new CameraTimeOffset(v[0], (int) v[1]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return ms == 0;
+  }
+
+  @Override
+  public boolean concerns(ObservedCamera observer) {
+    return observer.id() == camera;
+  }
+
+  @Override
+  public double timeError(ObservedCamera observer, double sessionTime, double pixelRow) {
+    return 1e-3 * ms;
+  }
+}

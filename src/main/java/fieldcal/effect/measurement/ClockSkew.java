@@ -1,0 +1,74 @@
+package fieldcal.effect.measurement;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.ObservedCamera;
+import java.util.List;
+
+/**
+ * A clock that gains: stamp = time·(1 + ppm·10⁻⁶), times since the session's begin.
+ *
+ * @param ppm gain of the clock, 1e-6
+ * @param camera which camera, by id
+ */
+public record ClockSkew(double ppm, int camera) implements MeasurementEffect {
+  private static final String ID = "clock_skew";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public ClockSkew {
+    EffectParameters.requireFinite(ID, ppm);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "One camera's clock runs fast or slow.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "ppm",
+            "ppm",
+            ppm,
+            50,
+            -20000,
+            20000,
+            true,
+            "free-running clocks of computers are off by up to 100 ppm"),
+        EffectParameters.camera(camera));
+  }
+
+  @Override
+  public ClockSkew withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 2);
+    return new ClockSkew(v[0], (int) v[1]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return ppm == 0;
+  }
+
+  @Override
+  public boolean concerns(ObservedCamera observer) {
+    return observer.id() == camera;
+  }
+
+  @Override
+  public double timeError(ObservedCamera observer, double sessionTime, double pixelRow) {
+    // The stamp reads time·(1 + skew).
+    double skew = 1e-6 * ppm;
+    return sessionTime * skew / (1 + skew);
+  }
+}

@@ -1,0 +1,107 @@
+package fieldcal.effect.measurement;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.Sight;
+import java.util.List;
+
+/**
+ * Published minus true radial distortion of one camera: the true lens (published − delta) draws the ball at radius rd, ru = rd·(1 + k·rd²) (SSL-Vision's model, radii in
+ * focal lengths), and the published one reads that as another angle to the optical axis. Needs rotation and lens.
+ *
+ * @param delta published minus true radial distortion (–)
+ * @param camera which camera, by id
+ */
+public record LensDistortionError(double delta, int camera) implements MeasurementEffect {
+  private static final String ID = "lens_distortion_error";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public LensDistortionError {
+    EffectParameters.requireFinite(ID, delta);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "One camera's lens distorts otherwise than its calibration says.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "delta",
+            "",
+            delta,
+            0.005,
+            -0.1,
+            0.1,
+            true,
+            "published distortions are within ±0.2; calibrations err by a few hundredths"),
+        EffectParameters.camera(camera));
+  }
+
+  @Override
+  public LensDistortionError withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 2);
+    return new LensDistortionError(v[0], (int) v[1]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return delta == 0;
+  }
+
+  @Override
+  public boolean concerns(ObservedCamera observer) {
+    return observer.id() == camera;
+  }
+
+  @Override
+  public boolean isApplicable(ObservedCamera observer) {
+    return observer.camera().isPresent() && observer.hasLens();
+  }
+
+  @Override
+  public void refractRay(Sight sight) {
+    ObservedCamera o = sight.camera();
+    double depth = sight.rayX() * o.axisX() + sight.rayY() * o.axisY() + sight.rayZ() * o.axisZ();
+    double acrossX = sight.rayX() - depth * o.axisX();
+    double acrossY = sight.rayY() - depth * o.axisY();
+    double acrossZ = sight.rayZ() - depth * o.axisZ();
+    double tangent = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ) / depth;
+    if (!(tangent > 0)) {
+      return;
+    }
+    double drawn = distorted(tangent, o.distortion() - delta);
+    double stretch = drawn * (1 + o.distortion() * drawn * drawn) / tangent;
+    sight.turnRay(
+        depth * o.axisX() + stretch * acrossX,
+        depth * o.axisY() + stretch * acrossY,
+        depth * o.axisZ() + stretch * acrossZ);
+  }
+
+  /** Solves drawn·(1 + k·drawn²) = tangent by Newton's method; NaN beyond the fold of a lens with k &lt; 0. */
+  private static double distorted(double tangent, double k) {
+    double drawn = tangent / (1 + Math.max(0, k) * tangent * tangent);
+    for (int i = 0; i < 30; i++) {
+      double slope = 1 + 3 * k * drawn * drawn;
+      double miss = drawn * (1 + k * drawn * drawn) - tangent;
+      if (Math.abs(miss) < 1e-14) {
+        return drawn;
+      }
+      drawn = slope > 0 ? drawn - miss / slope : Double.NaN;
+    }
+    return Math.abs(drawn * (1 + k * drawn * drawn) - tangent) < 1e-12 ? drawn : Double.NaN;
+  }
+}

@@ -1,0 +1,71 @@
+package fieldcal.effect.measurement;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.ObservedCamera;
+import java.util.List;
+
+/**
+ * Exposure moves from the first to the last image row in that time; time stamps are the first row's.
+ *
+ * @param ms time from the first to the last row, ms
+ */
+public record RollingShutter(double ms) implements MeasurementEffect {
+  private static final String ID = "rolling_shutter";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public RollingShutter {
+    EffectParameters.requireFinite(ID, ms);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "The cameras expose their image rows one after another, so a ball low in the image is"
+        + " seen later.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "ms", "ms", ms, 2, -30, 30, true, "read-out of CMOS sensors takes 5 to 15 ms"));
+  }
+
+  @Override
+  public RollingShutter withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 1);
+    return new RollingShutter(v[0]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return ms == 0;
+  }
+
+  @Override
+  public boolean concerns(ObservedCamera observer) {
+    return true;
+  }
+
+  @Override
+  public boolean isApplicable(ObservedCamera observer) {
+    return observer.imageHeight() > 0;
+  }
+
+  @Override
+  public double timeError(ObservedCamera observer, double sessionTime, double pixelRow) {
+    // Of a detection without pixels nothing is known.
+    double row = pixelRow > 0 ? Math.min(1, pixelRow / observer.imageHeight()) : 0;
+    return -1e-3 * ms * row;
+  }
+}

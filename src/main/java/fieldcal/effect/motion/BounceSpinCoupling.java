@@ -1,0 +1,65 @@
+package fieldcal.effect.motion;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.BallMotion;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MotionEffect.Bounce;
+import java.util.List;
+
+/**
+ * Tangential restitution e_xy − coefficient·spin fraction at the impact (1 = rolls).
+ *
+ * @param coefficient loss of tangential restitution per unit of spin fraction (–), 0 = none
+ */
+public record BounceSpinCoupling(double coefficient) implements Bounce {
+  private static final String ID = "bounce_spin_coupling";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public BounceSpinCoupling {
+    EffectParameters.requireFinite(ID, coefficient);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "How much speed a bounce takes depends on the ball's spin.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "coefficient",
+            "",
+            coefficient,
+            0.05,
+            -1,
+            1,
+            true,
+            "chosen: 0 to 2/7 for a ball that grips"));
+  }
+
+  @Override
+  public BounceSpinCoupling withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 1);
+    return new BounceSpinCoupling(v[0]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return coefficient == 0;
+  }
+
+  @Override
+  public double dampingXy(BallMotion motion, double dampingXy) {
+    return dampingXy - coefficient * motion.spinFraction();
+  }
+}

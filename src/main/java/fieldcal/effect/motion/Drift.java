@@ -1,0 +1,65 @@
+package fieldcal.effect.motion;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.BallMotion;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MotionEffect.RollingResistance;
+import java.util.List;
+
+/**
+ * Rolling deceleration × (1 + percent/100 · session time/600 s).
+ *
+ * @param percentPer10Min change of the rolling deceleration, % per 10 minutes of session; 0 = none
+ */
+public record Drift(double percentPer10Min) implements RollingResistance {
+  private static final String ID = "drift";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public Drift {
+    EffectParameters.requireFinite(ID, percentPer10Min);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "The carpet changes over the session: balls roll farther or less far as time goes by.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "percent_per_10min",
+            "%",
+            percentPer10Min,
+            5,
+            -100,
+            100,
+            true,
+            "chosen wide; a fresh carpet changes by some percent a day"));
+  }
+
+  @Override
+  public Drift withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 1);
+    return new Drift(v[0]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return percentPer10Min == 0;
+  }
+
+  @Override
+  public double factor(BallMotion motion) {
+    return 1 + percentPer10Min / 100 * motion.sessionTime() / 600;
+  }
+}

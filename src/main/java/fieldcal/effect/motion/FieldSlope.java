@@ -1,0 +1,78 @@
+package fieldcal.effect.motion;
+
+import fieldcal.ball.Gravity;
+import fieldcal.ball.Parameter;
+import fieldcal.effect.BallMotion;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MotionEffect.ExternalForce;
+import java.util.List;
+
+/**
+ * A field that is not level: acceleration g·percent/100 downhill on the carpet, of which a rolling ball feels 1/(1+β).
+ *
+ * @param percent slope, 100 × height over length (–), 0 = level
+ * @param direction downhill, rad
+ */
+public record FieldSlope(double percent, double direction) implements ExternalForce {
+  private static final String ID = "field_slope";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public FieldSlope {
+    EffectParameters.requireFinite(ID, percent, direction);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "The field is not level: the ball is pulled downhill.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "percent",
+            "%",
+            percent,
+            0.1,
+            -3,
+            3,
+            true,
+            "halls are level to some tenths of a percent"),
+        EffectParameters.direction("direction", direction));
+  }
+
+  @Override
+  public FieldSlope withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 2);
+    return new FieldSlope(v[0], v[1]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return percent == 0;
+  }
+
+  @Override
+  public List<Effect> probes() {
+    return List.of(new FieldSlope(0.1, 0), new FieldSlope(0.1, Math.PI / 2));
+  }
+
+  @Override
+  public void addAcceleration(BallMotion motion, double[] acceleration) {
+    if (!motion.isFlying()) {
+      double pull = Gravity.ACCELERATION * percent / 100;
+      acceleration[0] += pull * Math.cos(direction);
+      acceleration[1] += pull * Math.sin(direction);
+    }
+  }
+}

@@ -1,0 +1,66 @@
+package fieldcal.effect.motion;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.BallBody;
+import fieldcal.effect.BallMotion;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MotionEffect.ExternalForce;
+import java.util.List;
+
+/**
+ * Lift of a spinning ball, ½ρπr²·C_L·|v|²/m along ω×v with C_L = cl·r|ω|/|v| for ω across v; so a = ½ρπr²·cl·(rω×v)/m, which is also right where it is
+ * not. On the carpet it presses the ball down (topspin) or relieves it.
+ *
+ * @param cl lift coefficient per unit of r|ω|/|v| (–), 0 = no lift
+ */
+public record Magnus(double cl) implements ExternalForce {
+  private static final String ID = "magnus";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public Magnus {
+    EffectParameters.requireFinite(ID, cl);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "A spinning ball is pushed aside, up or down by the air.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "cl", "", cl, 0.1, -2, 2, true, "spheres about 0.3 to 1 at small spin; chosen wide"));
+  }
+
+  @Override
+  public Magnus withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 1);
+    return new Magnus(v[0]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return cl == 0;
+  }
+
+  @Override
+  public void addAcceleration(BallMotion motion, double[] acceleration) {
+    // ω×v with r·ω = (−s_y, s_x, 0): the spin about the vertical does not follow from a kick.
+    double lift = BallBody.AIR_FACTOR * cl;
+    double sx = motion.spinX();
+    double sy = motion.spinY();
+    acceleration[0] += lift * sx * motion.vz();
+    acceleration[1] += lift * sy * motion.vz();
+    acceleration[2] -= lift * (sx * motion.vx() + sy * motion.vy());
+  }
+}

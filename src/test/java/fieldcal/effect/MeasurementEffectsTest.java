@@ -1,0 +1,150 @@
+package fieldcal.effect;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
+import fieldcal.camera.Camera;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.effect.measurement.BallHeightError;
+import fieldcal.effect.measurement.CameraOffset;
+import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.measurement.CameraTimeOffset;
+import fieldcal.effect.measurement.ClockSkew;
+import fieldcal.effect.measurement.LensDistortionError;
+import fieldcal.effect.measurement.RollingShutter;
+import java.util.List;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+
+/** The contract for every effect on what cameras report, and what they do where something of a camera is not known. */
+class MeasurementEffectsTest {
+  private static final ChipTrajectory PATH =
+      ChipTrajectory.fromKick(ChipModel.typical(), 100, -1, -0.5, 2, 1, 3);
+
+  /** Two cameras that look straight down from 5 m. */
+  private static List<ObservedCamera> cameras() {
+    return List.of(camera(0, -2), camera(1, 2));
+  }
+
+  private static ObservedCamera camera(int id, double x) {
+    // Turned by 180° about x: t = −R·C with C = (x, 0, 5).
+    CameraCalibration c =
+        new CameraCalibration(id, 1800, 1224, 1024, 0.1, 1, 0, 0, 0, -x, 0, 5, x, 0, 5, 2448, 2048);
+    return ObservedCamera.of(c, Camera.of(c), 2);
+  }
+
+  abstract static class Reports extends EffectContract {
+    private final Effect effect;
+
+    Reports(Effect effect) {
+      this.effect = effect;
+    }
+
+    @Override
+    Effect effect() {
+      return effect;
+    }
+
+    @Override
+    double[] predict(Effect with) {
+      List<MeasurementEffect> list = with == null ? List.of() : List.of((MeasurementEffect) with);
+      MeasurementEffects effects = MeasurementEffects.of(cameras(), list);
+      double[] result = new double[160];
+      double[] ball = new double[3];
+      double[] ground = new double[2];
+      for (int i = 0; i < 80; i++) {
+        int id = i % 2;
+        PATH.positionAt(effects.ballTime(id, 100.05 + 0.0203 * i, 10 + 20 * i), ball);
+        effects.report(id, ball, ground);
+        result[2 * i] = ground[0];
+        result[2 * i + 1] = ground[1];
+      }
+      return result;
+    }
+  }
+
+  @Nested
+  class CameraOffsetTest extends Reports {
+    CameraOffsetTest() {
+      super(new CameraOffset(20, -10, 1));
+    }
+  }
+
+  @Nested
+  class CameraTimeOffsetTest extends Reports {
+    CameraTimeOffsetTest() {
+      super(new CameraTimeOffset(4, 1));
+    }
+  }
+
+  @Nested
+  class CameraPoseErrorTest extends Reports {
+    CameraPoseErrorTest() {
+      super(new CameraPoseError(3, 1, 50, 10, -20, 1));
+    }
+  }
+
+  @Nested
+  class LensDistortionErrorTest extends Reports {
+    LensDistortionErrorTest() {
+      super(new LensDistortionError(0.01, 1));
+    }
+  }
+
+  @Nested
+  class BallHeightErrorTest extends Reports {
+    BallHeightErrorTest() {
+      super(new BallHeightError(8.5));
+    }
+  }
+
+  @Nested
+  class ClockSkewTest extends Reports {
+    ClockSkewTest() {
+      super(new ClockSkew(100, 1));
+    }
+  }
+
+  @Nested
+  class RollingShutterTest extends Reports {
+    RollingShutterTest() {
+      super(new RollingShutter(8));
+    }
+  }
+
+  @Test
+  void whatIsNotKnownIsNotApplied() {
+    Camera hanging = Camera.ofPosition(1, 2, 0, 5);
+    ObservedCamera position =
+        new ObservedCamera(
+            1,
+            2,
+            java.util.Optional.of(hanging),
+            Double.NaN,
+            Double.NaN,
+            Double.NaN,
+            Double.NaN,
+            0);
+    ObservedCamera nothing = ObservedCamera.unknown(1, 2);
+    assertThat(new LensDistortionError(0.01, 1).isApplicable(position)).isFalse();
+    assertThat(new RollingShutter(5).isApplicable(position)).isFalse();
+    assertThat(new CameraPoseError(1, 0, 0, 0, 0, 1).isApplicable(position)).isTrue();
+    assertThat(new CameraPoseError(1, 0, 0, 0, 0, 1).isApplicable(nothing)).isFalse();
+    assertThat(new BallHeightError(5).isApplicable(nothing)).isFalse();
+    double[] ground = new double[2];
+    MeasurementEffects.of(
+            List.of(nothing), List.of(new BallHeightError(5), new CameraOffset(10, 0, 1)))
+        .report(1, new double[] {1, 2, 0.5}, ground);
+    assertThat(ground).containsExactly(1.01, 2);
+  }
+
+  @Test
+  void everyEffectOfTheTableIsInTheCatalogue() {
+    assertThat(EffectCatalogue.all().stream().map(Effect::id))
+        .doesNotHaveDuplicates()
+        .containsExactlyInAnyOrderElementsOf(EffectContract.ids());
+    assertThat(EffectCatalogue.motion()).hasSize(11);
+    assertThat(EffectCatalogue.measurement()).hasSize(7);
+  }
+}

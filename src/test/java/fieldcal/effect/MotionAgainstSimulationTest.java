@@ -1,0 +1,175 @@
+package fieldcal.effect;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.BounceSpinCoupling;
+import fieldcal.effect.motion.CarpetNap;
+import fieldcal.effect.motion.Drift;
+import fieldcal.effect.motion.FieldSlope;
+import fieldcal.effect.motion.KickSpin;
+import fieldcal.effect.motion.Magnus;
+import fieldcal.effect.motion.SideSpin;
+import fieldcal.effect.motion.SpeedDependentRestitution;
+import fieldcal.effect.motion.SpeedDependentRoll;
+import fieldcal.effect.motion.WornRegion;
+import fieldcal.simulation.physics.AirLaw;
+import fieldcal.simulation.physics.Ball;
+import fieldcal.simulation.physics.BallBody;
+import fieldcal.simulation.physics.BallHistory;
+import fieldcal.simulation.physics.BallIntegrator;
+import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.physics.GroundLaw;
+import fieldcal.simulation.physics.ImpactLaw;
+import fieldcal.simulation.physics.Region;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Paths with effects against the simulation's spinning ball, which shares no code and no equations with them. */
+class MotionAgainstSimulationTest {
+  /** What the design asks for; the worst (a steep slope, 20 m of path) reaches half of it, the others a fifth. */
+  private static final double LIMIT = 1e-4;
+
+  private static final double K = 1 / (1 + Ball.GOLF_BALL.inertiaFactor());
+  private static final double SESSION_TIME = 400;
+  private static final FlatModel FLAT = new FlatModel(-3.1, -0.28, K);
+  private static final ChipModel CHIP = new ChipModel(0.75, 0.9, 0.52, -0.28);
+
+  private record World(GroundLaw ground, ImpactLaw impact, AirLaw air, double roll, double side) {
+    static final World PLAIN =
+        new World(
+            GroundLaw.uniform(3.1 / 9.81, 0.28),
+            ImpactLaw.fixedLoss(0.75, 0.9, 0.52),
+            AirLaw.NONE,
+            0,
+            0);
+
+    World ground(GroundLaw law) {
+      return new World(law, impact, air, roll, side);
+    }
+
+    World impact(ImpactLaw law) {
+      return new World(ground, law, air, roll, side);
+    }
+
+    World air(AirLaw law) {
+      return new World(ground, impact, law, roll, side);
+    }
+
+    World spin(double newRoll, double newSide) {
+      return new World(ground, impact, air, newRoll, newSide);
+    }
+  }
+
+  private static Arguments of(World world, MotionEffect... effects) {
+    return Arguments.of(world, List.of(effects));
+  }
+
+  static Stream<Arguments> worlds() {
+    World p = World.PLAIN;
+    GroundLaw g = p.ground;
+    return Stream.of(
+        of(p),
+        of(p.air(p.air.withDrag(0.45)), new AirDrag(0.45)),
+        of(p.air(p.air.withDrag(1.5)), new AirDrag(1.5)),
+        of(p.air(p.air.withLift(0.5)), new Magnus(0.5)),
+        of(
+            p.air(p.air.withLift(1)).spin(-0.5, 0.3),
+            new Magnus(1),
+            new KickSpin(-0.5),
+            new SideSpin(0.3)),
+        of(p.spin(-0.4, 0), new KickSpin(-0.4)),
+        of(p.spin(0.7, 0), new KickSpin(0.7)),
+        of(p.spin(0, 0.3), new SideSpin(0.3)),
+        of(p.spin(0, -1), new SideSpin(-1)),
+        of(p.ground(g.withSlope(0.3, 1)), new FieldSlope(0.3, 1)),
+        of(p.ground(g.withSlope(2, -2)), new FieldSlope(2, -2)),
+        of(p.ground(g.withNap(0.1, 2)), new CarpetNap(0.1, 2)),
+        of(p.ground(g.withNap(0.5, -1)), new CarpetNap(0.5, -1)),
+        of(p.ground(g.withSpeedDependentRoll(0.05, 0)), new SpeedDependentRoll(0.05)),
+        of(p.ground(g.withSpeedDependentRoll(0.3, 0)), new SpeedDependentRoll(0.3)),
+        of(
+            p.ground(g.withWornRegion(0.3, new Region(1, 2.5, -1, 2))),
+            new WornRegion(0.3, 1, 2.5, -1, 2)),
+        of(
+            p.ground(g.withWornRegion(-0.5, new Region(0.2, 3, 0.1, 9))),
+            new WornRegion(-0.5, 0.2, 3, 0.1, 9)),
+        of(p.impact(p.impact.withSpeedSlope(0.05)), new SpeedDependentRestitution(0.05)),
+        of(p.impact(p.impact.withSpeedSlope(-0.1)), new SpeedDependentRestitution(-0.1)),
+        of(p.impact(p.impact.withSpinCoupling(0.1)), new BounceSpinCoupling(0.1)),
+        of(
+            p.impact(p.impact.withSpinCoupling(0.2)).spin(-0.6, 0.2),
+            new BounceSpinCoupling(0.2),
+            new KickSpin(-0.6),
+            new SideSpin(0.2)),
+        of(p.ground(g.withDrift(20.0 / 100 / 600)), new Drift(20)),
+        of(p.ground(g.withDrift(-80.0 / 100 / 600)), new Drift(-80)),
+        of(
+            p.ground(
+                    g.withNap(0.2, 1)
+                        .withDrift(0.3 / 600)
+                        .withSpeedDependentRoll(0.05, 0)
+                        .withSlope(0.4, 2.5)
+                        .withWornRegion(0.4, new Region(1, 2, -2, 2)))
+                .air(p.air.withDrag(0.5).withLift(0.4))
+                .spin(-0.3, 0.2),
+            new CarpetNap(0.2, 1),
+            new Drift(30),
+            new SpeedDependentRoll(0.05),
+            new FieldSlope(0.4, 2.5),
+            new WornRegion(0.4, 1, 2, -2, 2),
+            new AirDrag(0.5),
+            new Magnus(0.4),
+            new KickSpin(-0.3),
+            new SideSpin(0.2)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("worlds")
+  void flatKicksAgree(World world, List<MotionEffect> effects) {
+    double[][] kicks = {{5, 2, 0}, {1.2, 0.3, 0}, {3, -0.5, 0}, {-1, 4, 0}};
+    for (double[] v : kicks) {
+      ExtendedTrajectory path =
+          ExtendedTrajectory.flat(
+              FLAT, MotionEffects.of(effects), 0, SESSION_TIME, 0, 0, v[0], v[1]);
+      compare(world, path, v);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("worlds")
+  void chipsAgree(World world, List<MotionEffect> effects) {
+    double[][] kicks = {{3, 1, 3}, {2, -1, 4.2}};
+    for (double[] v : kicks) {
+      ExtendedTrajectory path =
+          ExtendedTrajectory.chip(
+              CHIP, MotionEffects.of(effects), 0, SESSION_TIME, 0, 0, v[0], v[1], v[2]);
+      assertThat(path.flights()).isGreaterThan(2);
+      compare(world, path, v);
+    }
+  }
+
+  private static void compare(World world, ExtendedTrajectory path, double[] v) {
+    BallBody ball = new BallBody();
+    ball.place(0, 0);
+    ball.kick(v[0], v[1], v[2], world.roll, world.side, Ball.GOLF_BALL.radius());
+    BallPhysics physics = new BallPhysics(Ball.GOLF_BALL, world.ground, world.impact, world.air);
+    BallIntegrator integrator = new BallIntegrator(physics);
+    BallHistory history = new BallHistory();
+    history.node(SESSION_TIME, ball);
+    integrator.advance(ball, SESSION_TIME, path.restTime() + 0.2, history);
+    double[] truth = new double[3];
+    double[] xyz = new double[3];
+    for (double t = SESSION_TIME; t < path.restTime() + 0.1; t += 0.0137) {
+      assertThat(history.positionAt(t, truth)).isTrue();
+      path.positionAt(t, xyz);
+      assertThat(xyz).containsExactly(truth, within(LIMIT));
+    }
+  }
+}
