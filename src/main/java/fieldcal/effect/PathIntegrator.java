@@ -25,8 +25,8 @@ final class PathIntegrator {
   /** Below this speed (m/s) a direction no longer turns: the rest of the path is shorter than a micrometre. */
   private static final double SLOW = 5e-4;
 
-  /** Share of the way to a phase's end that a step covers while the direction of friction still turns. */
-  private static final double MOST = 0.8;
+  /** Largest share of the time to a phase's end that a step covers while the direction of friction still turns. */
+  private static final double MOST = 0.5;
 
   /** Below this ratio of the turning to the braking acceleration a direction does not turn. */
   private static final double STRAIGHT = 1e-12;
@@ -129,8 +129,9 @@ final class PathIntegrator {
       double across = Math.abs(slipX * (k1[4] - k1[7]) - slipY * (k1[3] - k1[6])) / slip;
       double step = limited(slip, across);
       boolean ends = slip + rate * step <= 0;
-      if (ends && slip > SLOW && (across > STRAIGHT * -rate || effects.forces.length > 0)) {
-        // Most of the way to the end: external forces act fully only until then, and turn the slip.
+      boolean turns = across > STRAIGHT * -rate || effects.forces.length > 0;
+      if (turns && slip > SLOW && step * -rate > MOST * slip) {
+        // The direction turns fastest near the end, and external forces act fully only until then.
         step = MOST * slip / -rate;
         ends = false;
       }
@@ -170,8 +171,8 @@ final class PathIntegrator {
       double across = Math.abs(state[3] * k1[4] - state[4] * k1[3]) / speed;
       double step = Math.min(limited(speed, across), until - time);
       boolean ends = speed + rate * step <= 0;
-      if (ends && speed > SLOW && across > STRAIGHT * -rate) {
-        // Most of the way to the end, so that the direction turns to the last.
+      if (across > STRAIGHT * -rate && speed > SLOW && step * -rate > MOST * speed) {
+        // The direction turns fastest near the end.
         step = MOST * speed / -rate;
         ends = false;
       }
