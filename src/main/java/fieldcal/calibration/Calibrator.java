@@ -74,7 +74,8 @@ public final class Calibrator {
       CameraViews next = together.isPresent() ? withOffsets(views, together.get()) : views;
       boolean settled = moved(views, next) < OFFSET_SETTLED && near(roll, newRoll);
       roll = newRoll;
-      if (settled) {
+      if (settled || round == MAX_ROUNDS - 1) {
+        // The cameras of the result are those that its fits were made with.
         break;
       }
       views = next;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The 2σ rule: samples of one parameter that are more than two standard deviations from the mean of the others leave; repeated
+ * The 2σ rule: samples of one parameter that are more than two standard deviations from the mean leave; repeated
  * until nothing leaves.
  *
  * <p>A sample's standard deviation is that of its own fit and the scatter between kicks together, so that an imprecise sample is

@@ -89,10 +89,6 @@ final class CmaesSearch {
     return best;
   }
 
-  double bestCost() {
-    return bestCost;
-  }
-
   private double evaluate(double[] u) {
     for (int k = 0; k < u.length; k++) {
       point[index[k]] = origin[index[k]] + u[k] * scale[k];

@@ -2,7 +2,6 @@ package fieldcal.fit;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
-import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -19,7 +18,7 @@ final class FlightFitter {
   /** A parameter is undetermined when its error exceeds this share of its scale. */
   private static final double DETERMINED = 0.5;
 
-  /** Start spread of the search in scales: 30 % of accSlide, 60 mm/s … chosen to cover published models that are 15 % off. */
+  /** Start spread of the search in scales: 0.7 m/s² of accSlide, 70 mm/s …; chosen to cover published models that are 15 % off. */
   private static final double SPREAD = 0.7;
 
   /**
@@ -30,12 +29,6 @@ final class FlightFitter {
 
   /** How far the number of flights of a start may be from that of the best fit. */
   private static final int FLIGHTS_OFF = 2;
-
-  /** What a number of flights against the rule costs in chi-square; noise reaches it once in ten thousand kicks. */
-  private static final double RULE_PRICE = 15;
-
-  /** How far a hop's height may be from the rule's limit by the errors of the fit alone, as a share. */
-  private static final double RULE_TOLERANCE = 0.05;
 
   /** Enough observations to tell numbers of flights apart. */
   private static final int MEDIUM_OBSERVATIONS = 200;
@@ -186,7 +179,7 @@ final class FlightFitter {
     }
     tried.sort(
         Comparator.comparing((Candidate c) -> !plausible(c))
-            .thenComparingDouble(FlightFitter::pricedCost));
+            .thenComparingDouble(c -> FlightLayout.pricedCost(c.theta, c.flights, c.cost)));
     return climb(polish(data, tried.get(0).flights, tried.get(0).theta));
   }
 
@@ -202,7 +195,9 @@ final class FlightFitter {
         }
         Candidate next = polish(data, flights, best.theta);
         boolean allowed = plausible(next) || !plausible(best);
-        if (allowed && pricedCost(next) < pricedCost(best) * (1 - 1e-9)) {
+        if (allowed
+            && FlightLayout.pricedCost(next.theta, flights, next.cost)
+                < FlightLayout.pricedCost(best.theta, best.flights, best.cost) * (1 - 1e-9)) {
           best = next;
           improved = true;
           break;
@@ -210,16 +205,6 @@ final class FlightFitter {
       }
     }
     return best;
-  }
-
-  /** The cost, with the price of a number of flights that the 10 mm rule denies: noise alone must not buy it. */
-  private static double pricedCost(Candidate c) {
-    double lift = c.theta[ChipTrajectory.DAMPING_Z];
-    double last = c.theta[ChipTrajectory.VZ0] * Math.pow(lift, c.flights - 1.0);
-    double lastHeight = last * last / (2 * Gravity.ACCELERATION);
-    boolean tooLow = c.flights > 1 && lastHeight < ChipModel.MIN_HOP_HEIGHT * (1 - RULE_TOLERANCE);
-    boolean goesOn = lastHeight * lift * lift > ChipModel.MIN_HOP_HEIGHT * (1 + RULE_TOLERANCE);
-    return tooLow || goesOn ? c.cost + RULE_PRICE : c.cost;
   }
 
   private static boolean plausible(Candidate c) {
@@ -284,6 +269,7 @@ final class FlightFitter {
     String[] reasons = new String[size];
     for (int round = 0; round < 4; round++) {
       double[][] inverse = inverse(solver);
+      double noise = noiseScale(flight, solver);
       int worst = -1;
       double most = DETERMINED;
       for (int k = FlightLayout.kickSize(kind); k < size; k++) {
@@ -293,7 +279,7 @@ final class FlightFitter {
         double relative =
             inverse == null || inverse[k][k] <= 0
                 ? Double.MAX_VALUE
-                : Math.sqrt(inverse[k][k]) / parameters.get(k).scale();
+                : noise * Math.sqrt(inverse[k][k]) / parameters.get(k).scale();
         if (solver.equations().a[k][k] <= 0) {
           relative = Double.POSITIVE_INFINITY;
         }
@@ -310,6 +296,15 @@ final class FlightFitter {
       solver.minimize(flight, theta);
     }
     return reasons;
+  }
+
+  /** By how much the residuals say that the noise is larger than the cameras' own. */
+  private double noiseScale(FlightProblem flight, LevenbergMarquardt solver) {
+    int used = 0;
+    for (boolean u : flight.used()) {
+      used += u ? 1 : 0;
+    }
+    return Math.sqrt(solver.equations().cost / Math.max(1, 2 * used - size));
   }
 
   private double[][] inverse(LevenbergMarquardt solver) {

@@ -5,6 +5,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
+import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -17,6 +18,12 @@ import java.util.Locale;
  */
 final class FlightLayout {
   private static final String KICK = "one kick's own unknown";
+
+  /** What a number of flights against the rule costs in chi-square; noise reaches it once in ten thousand kicks. */
+  private static final double RULE_PRICE = 15;
+
+  /** How far a hop's height may be from the rule's limit by the errors of the fit alone, as a share. */
+  private static final double RULE_TOLERANCE = 0.05;
 
   private FlightLayout() {}
 
@@ -84,6 +91,16 @@ final class FlightLayout {
         p[ChipTrajectory.VY0],
         p[ChipTrajectory.VZ0],
         flights);
+  }
+
+  /** The cost of a chip, with the price of a number of flights that the 10 mm rule denies: noise alone must not buy it. */
+  static double pricedCost(double[] theta, int flights, double cost) {
+    double lift = theta[ChipTrajectory.DAMPING_Z];
+    double last = theta[ChipTrajectory.VZ0] * Math.pow(lift, flights - 1.0);
+    double lastHeight = last * last / (2 * Gravity.ACCELERATION);
+    boolean tooLow = flights > 1 && lastHeight < ChipModel.MIN_HOP_HEIGHT * (1 - RULE_TOLERANCE);
+    boolean goesOn = lastHeight * lift * lift > ChipModel.MIN_HOP_HEIGHT * (1 + RULE_TOLERANCE);
+    return tooLow || goesOn ? cost + RULE_PRICE : cost;
   }
 
   /** Why a kick does not determine a parameter of the model, with the error it would have, in its scales, where that is finite. */

@@ -32,6 +32,9 @@ public final class JointFitter {
   /** The offsets' mean is held at zero to that precision; otherwise all kicks could move along, m. */
   private static final double GAUGE = 1e-6;
 
+  /** With more damping than that no step changes anything. */
+  private static final double MOST_DAMPING = 1e12;
+
   /** Unknowns of the flat (3) and the chip model (4), before those of the cameras. */
   private static final int MODEL = 7;
 
@@ -188,7 +191,10 @@ public final class JointFitter {
           growth = 2;
           cost = assemble(a, b, true);
         } else {
-          converged = nextCost - cost < 1e-10 * cost || lambda > 1e8;
+          converged = nextCost - cost < 1e-10 * cost;
+          if (lambda > MOST_DAMPING || Double.isNaN(nextCost)) {
+            break;
+          }
           lambda *= growth;
           growth *= 2;
           assemble(a, b, false);
@@ -249,6 +255,10 @@ public final class JointFitter {
       double damping = lambda;
       while (!n.factor(damping, scales(), active, l)) {
         damping = Math.max(1e-9, damping * 10);
+        if (damping > MOST_DAMPING) {
+          // Not a number somewhere: no step, and the fit ends without having converged.
+          return step;
+        }
       }
       n.solve(l, scales(), active, step);
       return step;

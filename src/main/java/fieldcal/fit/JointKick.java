@@ -82,10 +82,6 @@ final class JointKick {
     return kind;
   }
 
-  int flights() {
-    return flights;
-  }
-
   private double[] at(double[] ownPart, double[] sharedValues) {
     System.arraycopy(ownPart, 0, point, 0, own);
     for (int k = 0; k < shared.length; k++) {
@@ -192,7 +188,8 @@ final class JointKick {
     if (kind == KickKind.FLAT) {
       return false;
     }
-    double best = problem.cost(at(ownValues, sharedValues));
+    double cost = problem.cost(at(ownValues, sharedValues));
+    double best = FlightLayout.pricedCost(at(ownValues, sharedValues), flights, cost);
     FlightProblem kept = problem;
     double[] keptValues = ownValues.clone();
     int keptFlights = flights;
@@ -204,11 +201,12 @@ final class JointKick {
       problem = flightProblem(other, kept.used());
       tieTime();
       double[] theta = at(keptValues, sharedValues).clone();
-      double cost = new LevenbergMarquardt(alone(theta)).minimize(problem, theta);
+      double tried = new LevenbergMarquardt(alone(theta)).minimize(problem, theta);
+      double priced = FlightLayout.pricedCost(theta, other, tried);
       int byRule =
           ChipTrajectory.flightsByRule(FlightLayout.chipModel(theta), theta[ChipTrajectory.VZ0]);
-      if (Math.abs(byRule - other) <= 1 && cost < best - 1e-6 * best) {
-        best = cost;
+      if (Math.abs(byRule - other) <= 1 && priced < best - 1e-6 * best) {
+        best = priced;
         changed = true;
         flights = other;
         System.arraycopy(theta, 0, ownValues, 0, own);
@@ -230,20 +228,17 @@ final class JointKick {
     return all;
   }
 
-  /** Leaves outliers out anew; returns how many observations are used. */
-  int leaveOutliersOut(double[] sharedValues, double outlierDistance) {
+  /** Leaves outliers out anew. */
+  void leaveOutliersOut(double[] sharedValues, double outlierDistance) {
     double[] squared = new double[data.size];
     problem.squaredDistances(at(ownValues, sharedValues), squared);
     double[] sorted = squared.clone();
     Arrays.sort(sorted);
     double robust = Math.sqrt(sorted[sorted.length / 2] / (2 * Math.log(2)));
     double limit = outlierDistance * Math.max(1, robust);
-    int count = 0;
     for (int i = 0; i < data.size; i++) {
       problem.used()[i] = squared[i] <= limit * limit;
-      count += problem.used()[i] ? 1 : 0;
     }
-    return count;
   }
 
   /** Adds the squared residuals per axis to {@code sums[0]} and their number to {@code sums[1]}. */

@@ -80,14 +80,6 @@ final class LevenbergMarquardt {
     return scale;
   }
 
-  boolean[] estimated() {
-    return estimated;
-  }
-
-  void hold(int index) {
-    estimated[index] = false;
-  }
-
   /** Improves {@code theta} in place; returns the cost there. */
   double minimize(FlightProblem problem, double[] theta) {
     problem.linearize(theta, equations);

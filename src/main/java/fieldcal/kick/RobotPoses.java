@@ -21,7 +21,7 @@ final class RobotPoses {
   private record Key(RobotId robot, int camera) {}
 
   private static final class Pose {
-    private double time;
+    private double time = Double.NEGATIVE_INFINITY;
     private double x;
     private double y;
     private double vx;

@@ -47,6 +47,8 @@ final class CalibrationJson {
     root.set("chip", averages(KickKind.CHIP, calibration.chip()));
     root.set("joint", joint(calibration.joint()));
     root.set("published", published());
+    ArrayNode warnings = root.putArray("warnings");
+    new CalibrationWarnings(calibration).list().forEach(warnings::add);
     ArrayNode problems = root.putArray("problems");
     for (DataProblem p : outcome.data().problems()) {
       problems.addObject().put("where", p.where()).put("what", p.what()).put("count", p.count());

@@ -9,6 +9,7 @@ import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
 import fieldcal.vision.BallModels;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
@@ -49,13 +50,14 @@ public record CalibrationOutcome(
   }
 
   /**
-   * Whether a camera saw any of the kicks that the joint fit is made from; of others neither noise nor offset is known.
+   * Whether a camera saw any kick; of others neither noise nor offset is known.
    *
    * @param camera its id
    * @return true when it did
    */
   public boolean sawKicks(int camera) {
-    return calibration.joint().map(j -> j.offsets().containsKey(camera)).orElse(false);
+    return data.kicks().stream()
+        .anyMatch(k -> Arrays.stream(k.observations().cameras()).anyMatch(id -> id == camera));
   }
 
   /**

@@ -3,14 +3,11 @@ package fieldcal.app.calibrate;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import java.io.IOException;
-import java.nio.charset.MalformedInputException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** What the robots were told: a CSV file with the columns {@value #HEADER}. */
@@ -53,14 +50,7 @@ public final class CommandFile {
    * @throws IOException when it cannot be read
    */
   public static List<Command> read(Path file) throws IOException {
-    List<String> lines;
-    try {
-      lines = Files.readAllLines(file);
-    } catch (NoSuchFileException e) {
-      throw new InputException(file + ": no such file");
-    } catch (MalformedInputException e) {
-      throw new InputException(file + ": no text file");
-    }
+    List<String> lines = new String(JsonFiles.bytes(file), StandardCharsets.UTF_8).lines().toList();
     if (lines.isEmpty() || !lines.get(0).trim().equals(HEADER)) {
       throw new InputException(file + ", line 1: the columns must be " + HEADER);
     }
@@ -79,22 +69,39 @@ public final class CommandFile {
       throw new InputException(place + ": 7 columns expected, found " + f.length);
     }
     Arrays.setAll(f, i -> f[i].trim());
-    try {
-      Team team = Team.valueOf(f[1].toUpperCase(Locale.ROOT));
-      double[] v = {
-        Double.parseDouble(f[0]),
-        Double.parseDouble(f[4]),
-        Double.parseDouble(f[5]),
-        Double.parseDouble(f[6])
-      };
-      if (!Double.isFinite(v[0] + v[1] + v[2] + v[3])) {
-        throw new InputException(place + ": not finite: " + line);
-      }
-      RobotId robot = new RobotId(team, Integer.parseInt(f[2]));
-      return new Command(v[0], robot, f[3], v[1], Math.toRadians(v[2]), Math.toRadians(v[3]));
-    } catch (IllegalArgumentException e) {
-      throw new InputException(place + ": " + e.getMessage());
+    Optional<Team> team =
+        Arrays.stream(Team.values()).filter(t -> t.name().equalsIgnoreCase(f[1])).findFirst();
+    if (team.isEmpty()) {
+      throw new InputException(place + ": team must be yellow or blue, not \"" + f[1] + "\"");
     }
+    if (!f[3].equals("flat") && !f[3].equals("chip")) {
+      throw new InputException(place + ": kind must be flat or chip, not \"" + f[3] + "\"");
+    }
+    double time = number(f[0], "t_unix", place);
+    double robot = number(f[2], "id", place);
+    double speed = number(f[4], "speed_mps", place);
+    double direction = number(f[5], "direction_deg", place);
+    double elevation = number(f[6], "elevation_deg", place);
+    if (robot != Math.rint(robot) || robot < 0 || robot > 255) {
+      throw new InputException(place + ": id must be a robot's number, not \"" + f[2] + "\"");
+    }
+    if (!(speed >= 0)) {
+      throw new InputException(place + ": speed_mps must not be negative, but is " + f[4]);
+    }
+    RobotId id = new RobotId(team.get(), (int) robot);
+    return new Command(time, id, f[3], speed, Math.toRadians(direction), Math.toRadians(elevation));
+  }
+
+  private static double number(String text, String column, String place) throws InputException {
+    try {
+      double value = Double.parseDouble(text);
+      if (Double.isFinite(value)) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // Told below, with the column's name.
+    }
+    throw new InputException(place + ": " + column + " must be a number, not \"" + text + "\"");
   }
 
   /**

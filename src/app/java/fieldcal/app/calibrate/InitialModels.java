@@ -5,8 +5,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -23,13 +22,8 @@ public final class InitialModels {
    * @throws IOException when it cannot be read
    */
   public static BallModels read(Path file) throws IOException {
-    byte[] content;
-    try {
-      content = Files.readAllBytes(file);
-    } catch (NoSuchFileException e) {
-      throw new InputException(file + ": no such file");
-    }
-    boolean json = content.length > 0 && content[0] == '{';
+    byte[] content = JsonFiles.bytes(file);
+    boolean json = new String(content, StandardCharsets.UTF_8).stripLeading().startsWith("{");
     try {
       return json ? fromJson(file) : BallModels.fromFile(content);
     } catch (IllegalArgumentException e) {

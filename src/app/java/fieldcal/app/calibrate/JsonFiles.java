@@ -8,7 +8,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 
@@ -57,6 +56,24 @@ public final class JsonFiles {
   }
 
   /**
+   * Reads a whole file.
+   *
+   * @param file from where
+   * @return its bytes
+   * @throws InputException when there is no such file, it is a directory, or it may not be read
+   * @throws IOException when the device fails
+   */
+  public static byte[] bytes(Path file) throws IOException {
+    if (!Files.exists(file)) {
+      throw new InputException(file + ": no such file");
+    }
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      throw new InputException(file + ": is no file that can be read");
+    }
+    return Files.readAllBytes(file);
+  }
+
+  /**
    * Reads a document.
    *
    * @param file from where
@@ -66,9 +83,7 @@ public final class JsonFiles {
    */
   public static JsonNode read(Path file) throws IOException {
     try {
-      return MAPPER.readTree(Files.readAllBytes(file));
-    } catch (NoSuchFileException e) {
-      throw new InputException(file + ": no such file");
+      return MAPPER.readTree(bytes(file));
     } catch (JsonProcessingException e) {
       throw new InputException(
           file

@@ -46,7 +46,7 @@ final class KickReportBuilder {
         kick.id(),
         fit.kind() == KickKind.FLAT ? CalibrationReport.Kind.FLAT : CalibrationReport.Kind.CHIP,
         outcome.data().sources().get(kick.id()),
-        outcome.data().epoch().unixSeconds(t0),
+        outcome.kickTime(fit),
         kick.robot().map(r -> r.team().name().toLowerCase(Locale.ROOT)).orElse(""),
         kick.robot().map(r -> r.number()).orElse(-1),
         kick.end().id(),

@@ -15,7 +15,6 @@ import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
 import fieldcal.vision.FieldGeometry;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -23,9 +22,6 @@ import java.util.Optional;
 
 /** Turns a calibration into what the report shows. */
 final class ReportBuilder {
-  /** Offsets above that are worth a warning: they are larger than what a good camera calibration leaves, mm. */
-  private static final double NOTABLE_OFFSET_MM = 5;
-
   private final CalibrationOutcome outcome;
   private final Calibration calibration;
 
@@ -54,7 +50,7 @@ final class ReportBuilder {
         calibration.cameras().all().stream().map(this::camera).toList(),
         outcome.data().geometry().map(this::field),
         calibration.kicks().stream().map(kicks::kick).toList(),
-        warnings(),
+        new CalibrationWarnings(calibration).list(),
         outcome.data().problems().stream()
             .map(p -> new CalibrationReport.Problem(p.where(), p.what(), p.count(), p.advice()))
             .toList());
@@ -99,20 +95,26 @@ final class ReportBuilder {
 
   private String rollNote() {
     Optional<Estimate> roll = calibration.joint().flatMap(j -> j.chip("accRoll"));
-    return roll.map(
-            e ->
-                e.parameter().estimated()
-                    ? String.format(
-                        Locale.ROOT,
-                        "There are no flat kicks; the chips themselves give accRoll %.4f ± %.4f"
-                            + " m/s².",
-                        e.value(),
-                        e.standardError())
-                    : String.format(
-                        Locale.ROOT,
-                        "Chips roll with accRoll %.4f m/s² of the flat kicks.",
-                        e.value()))
-        .orElse("");
+    if (roll.isEmpty()) {
+      return "";
+    }
+    Estimate e = roll.get();
+    if (!e.parameter().estimated()) {
+      return String.format(
+          Locale.ROOT, "Chips roll with accRoll %.4f m/s² of the flat kicks.", e.value());
+    }
+    String why =
+        calibration.kicks(KickKind.FLAT).isEmpty()
+            ? "There are no flat kicks"
+            : "The flat kicks do not tell accRoll";
+    return e.usable()
+        ? String.format(
+            Locale.ROOT,
+            "%s; the chips themselves give accRoll %.4f ± %.4f m/s².",
+            why,
+            e.value(),
+            e.standardError())
+        : why + ", nor do the chips.";
   }
 
   private double published(KickKind kind, String name) {
@@ -167,44 +169,5 @@ final class ReportBuilder {
         Double.NaN,
         // The rules' centre circle is one metre wide in all divisions.
         0.5);
-  }
-
-  private List<String> warnings() {
-    List<String> warnings = new ArrayList<>();
-    Map<Integer, JointFit.Offset> offsets = new HashMap<>();
-    calibration.joint().ifPresent(j -> offsets.putAll(j.offsets()));
-    for (CameraView view : calibration.cameras().all()) {
-      JointFit.Offset o = offsets.get(view.id());
-      double size = o == null ? 0 : 1000 * Math.hypot(o.x(), o.y());
-      if (size > NOTABLE_OFFSET_MM) {
-        warnings.add(
-            String.format(
-                Locale.ROOT,
-                "Camera %d reports everything %.0f mm aside of the mean of all cameras. It is taken"
-                    + " out here; in the match it is not: calibrate the camera.",
-                view.id(),
-                size));
-      }
-    }
-    calibration
-        .joint()
-        .filter(j -> j.reducedChiSquare() > 1.5 * 1.5)
-        .ifPresent(
-            j ->
-                warnings.add(
-                    String.format(
-                        Locale.ROOT,
-                        "Residuals are %.1f times the cameras' noise on the resting ball: the model"
-                            + " does not explain everything.",
-                        Math.sqrt(j.reducedChiSquare()))));
-    calibration
-        .joint()
-        .filter(j -> !j.converged())
-        .ifPresent(
-            j ->
-                warnings.add(
-                    "The joint fit did not converge; look at the single kicks before you"
-                        + " publish."));
-    return warnings;
   }
 }

@@ -4,6 +4,7 @@ import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
@@ -86,6 +87,7 @@ final class CalibrateCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Optional<KickKind> forced = forcedKind();
+    checkPlaces();
     HandSelection byHand = readSelection();
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
@@ -103,6 +105,16 @@ final class CalibrateCommand implements Callable<Integer> {
     }
     new CalibrationText(spec.commandLine().getOut()).print(outcome, out);
     return 0;
+  }
+
+  /** Better told before the work than after it. */
+  private void checkPlaces() throws InputException {
+    if (out != null && Files.exists(out) && !Files.isDirectory(out)) {
+      throw new InputException(out + ": is a file; --out needs a directory");
+    }
+    if (json != null && Files.isDirectory(json)) {
+      throw new InputException(json + ": is a directory; --json needs a file");
+    }
   }
 
   private Optional<KickKind> forcedKind() {

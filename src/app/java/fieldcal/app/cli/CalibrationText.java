@@ -1,6 +1,7 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationWarnings;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -37,6 +38,11 @@ final class CalibrationText {
       line("No kick found, no model.");
     }
     cameras(outcome);
+    List<String> warnings = new CalibrationWarnings(calibration).list();
+    if (!warnings.isEmpty()) {
+      line("%nBefore you publish:");
+      warnings.forEach(w -> line("  %s", w));
+    }
     rejected(calibration);
     if (!outcome.data().problems().isEmpty()) {
       line("%nIn the data:");
@@ -63,8 +69,13 @@ final class CalibrationText {
     double rms =
         calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
     line(
-        "%s model from %d of %d kicks, joint fit %.2f mm RMS per axis",
-        flat ? "Flat" : "Chip", used, kicks.size(), rms);
+        "%s model from %d of %d kicks%s",
+        flat ? "Flat" : "Chip",
+        used,
+        kicks.size(),
+        Double.isNaN(rms)
+            ? ""
+            : String.format(Locale.ROOT, ", joint fit %.2f mm RMS per axis", rms));
     line("  %-22s %-24s %4s  %-22s %s", "", "mean", "n", "joint fit", "published");
     List<Parameter> names =
         flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
@@ -76,22 +87,26 @@ final class CalibrationText {
     for (Parameter p : names) {
       Average a = averages.get(p.name());
       String mean =
-          a.n() == 0
-              ? "undetermined"
-              : String.format(
-                  Locale.ROOT, "%9.4f ± %.4f %s", a.mean(), a.standardError(), p.unit());
+          a.n() == 0 ? "undetermined" : withError(a.mean(), a.standardError()) + " " + p.unit();
       Optional<Estimate> joint =
           calibration.joint().flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()));
       String together =
           joint
               .filter(Estimate::usable)
-              .map(e -> String.format(Locale.ROOT, "%9.4f ± %.4f", e.value(), e.standardError()))
+              .map(e -> withError(e.value(), e.standardError()))
               .orElse("undetermined");
       line(
           "  %-22s %-24s %4d  %-22s %s",
           p.name(), mean, a.n(), together, compared(published, p.name(), a));
     }
     line("");
+  }
+
+  /** With as many decimals as show two digits of the error, at least four. */
+  private static String withError(double value, double error) {
+    int decimals =
+        error > 0 ? Math.min(7, Math.max(4, 1 - (int) Math.floor(Math.log10(error)))) : 4;
+    return String.format(Locale.ROOT, "%9." + decimals + "f ± %." + decimals + "f", value, error);
   }
 
   private static String compared(List<Parameter> published, String name, Average a) {

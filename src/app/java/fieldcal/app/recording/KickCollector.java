@@ -12,6 +12,7 @@ import fieldcal.gamelog.RecordingReader;
 import fieldcal.gamelog.RecordingSummary;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
+import fieldcal.kick.KickFinderCounts;
 import fieldcal.kick.KickFinderSettings;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
@@ -19,12 +20,15 @@ import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.ProblemKind;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
@@ -79,7 +83,18 @@ public final class KickCollector {
    * @throws IOException when a file cannot be closed
    */
   public CollectedKicks collect(List<Path> logs) throws IOException {
+    Set<Path> read = new HashSet<>();
     for (Path log : logs) {
+      Path real = Files.exists(log) ? log.toRealPath() : log;
+      if (!read.add(real)) {
+        problems.add(
+            new DataProblem(
+                log.toString(),
+                "named twice; read once",
+                1,
+                "the same kicks twice would only shrink the errors"));
+        continue;
+      }
       try (RecordingReader recording =
           epoch == null ? RecordingReader.open(log) : RecordingReader.open(log, epoch)) {
         epoch = recording.epoch();
@@ -141,6 +156,10 @@ public final class KickCollector {
         .forEach(
             id ->
                 problems.add(new DataProblem(log + ", camera " + id, "never saw the ball", 1, "")));
+    KickFinderCounts counts = one.finder.counts();
+    count(log, counts.deflections(), "balls that only bounced off a robot, no kicks");
+    count(log, counts.carried(), "balls that a robot pushed or dribbled, no kicks");
+    count(log, counts.tooShort(), "kicks of which too little was seen");
     if (one.finder.counts().recordingGaps() > 0) {
       problems.add(
           new DataProblem(
@@ -148,6 +167,12 @@ public final class KickCollector {
               "all cameras silent for more than 0.25 s",
               one.finder.counts().recordingGaps(),
               ""));
+    }
+  }
+
+  private void count(Path log, int times, String what) {
+    if (times > 0) {
+      problems.add(new DataProblem(log.toString(), what, times, ""));
     }
   }
 

@@ -24,6 +24,12 @@ public record Verdict(Advice advice, String title, List<String> lines) {
   /** Fewer kicks have no standard deviation worth selecting by. */
   static final int FEW_KICKS = 5;
 
+  /** Average and joint fit that many standard errors apart are torn. */
+  static final double TORN_SIGMAS = 3;
+
+  /** Smaller differences between average and joint fit do not matter; chosen, a third of what makes a difference to the published model. */
+  static final double TORN_PERCENT = 1;
+
   /** Copies the list. */
   public Verdict {
     Objects.requireNonNull(advice, "advice");
@@ -37,6 +43,8 @@ public record Verdict(Advice advice, String title, List<String> lines) {
     PUBLISH,
     /** It is good and the same as what is published. */
     KEEP,
+    /** The average and the joint fit disagree: the model does not hold for all kicks. */
+    CHECK,
     /** Too few or too different kicks. */
     RECORD_MORE,
     /** Nothing to calibrate from. */
@@ -76,7 +84,8 @@ public record Verdict(Advice advice, String title, List<String> lines) {
   }
 
   private static Advice graver(Advice a, Advice b) {
-    List<Advice> order = List.of(Advice.KEEP, Advice.PUBLISH, Advice.RECORD_MORE, Advice.NO_KICKS);
+    List<Advice> order =
+        List.of(Advice.KEEP, Advice.PUBLISH, Advice.CHECK, Advice.RECORD_MORE, Advice.NO_KICKS);
     return order.get(Math.max(order.indexOf(a), order.indexOf(b)));
   }
 
@@ -85,7 +94,13 @@ public record Verdict(Advice advice, String title, List<String> lines) {
     boolean uncertain = estimated.stream().anyMatch(Verdict::isUncertain) || estimated.isEmpty();
     boolean compared = estimated.stream().allMatch(p -> Double.isFinite(p.differencePercent()));
     boolean differs = estimated.stream().anyMatch(ModelParameter::differs);
-    return uncertain ? Advice.RECORD_MORE : differs || !compared ? Advice.PUBLISH : Advice.KEEP;
+    if (uncertain) {
+      return Advice.RECORD_MORE;
+    }
+    if (estimated.stream().anyMatch(Verdict::isTorn)) {
+      return Advice.CHECK;
+    }
+    return differs || !compared ? Advice.PUBLISH : Advice.KEEP;
   }
 
   /** Parameters that are fixed have no kicks of their own and say nothing new. */
@@ -96,6 +111,14 @@ public record Verdict(Advice advice, String title, List<String> lines) {
   private static boolean isUncertain(ModelParameter p) {
     double percent = Math.abs(p.standardError() / p.mean()) * 100;
     return p.n() < FEW_KICKS || !(percent <= UNCERTAIN_PERCENT);
+  }
+
+  /** Average and joint fit weigh kicks differently; where the model holds for all of them, they agree within their errors. */
+  private static boolean isTorn(ModelParameter p) {
+    double apart = Math.abs(p.mean() - p.joint());
+    boolean significant =
+        apart > TORN_SIGMAS * Math.hypot(p.standardError(), p.jointStandardError());
+    return significant && apart > TORN_PERCENT / 100 * Math.abs(p.mean());
   }
 
   private static String sentence(CalibrationReport report, Model model, Advice advice) {
@@ -121,15 +144,25 @@ public record Verdict(Advice advice, String title, List<String> lines) {
             .collect(Collectors.joining(", "));
     boolean nothingPublished = estimated.stream().allMatch(p -> Double.isNaN(p.published()));
     String comparison =
-        nothingPublished
-            ? "nothing is published to compare with"
-            : differing.isEmpty()
-                ? "agrees with the published model"
-                : "differs from the published model: " + differing;
+        estimated.stream().anyMatch(p -> Double.isNaN(p.mean()))
+            ? "not everything is determined"
+            : nothingPublished
+                ? "nothing is published to compare with"
+                : differing.isEmpty()
+                    ? "agrees with the published model"
+                    : "differs from the published model: " + differing;
     return comparison
         + switch (advice) {
           case PUBLISH -> " — publish it";
           case KEEP -> " — nothing to do";
+          case CHECK ->
+              " — but average and joint fit disagree in "
+                  + estimated.stream()
+                      .filter(Verdict::isTorn)
+                      .map(ModelParameter::name)
+                      .collect(Collectors.joining(", "))
+                  + ": the model does not hold for all kicks, look at their residuals before you"
+                  + " publish";
           case RECORD_MORE -> " — " + uncertainty(estimated);
           case NO_KICKS -> "";
         };

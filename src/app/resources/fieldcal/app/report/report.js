@@ -82,7 +82,7 @@
     $('provenance').textContent = facts.filter(Boolean).join(' · ');
     $('provenance').title = sources.join('\n');
     $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Keys: j and k go to the next and the previous kick, t changes between light and dark.';
-    const ACTIONS = {PUBLISH: '✔ Publish', KEEP: '✔ Keep the published model', RECORD_MORE: '⚠ Record more kicks', NO_KICKS: '✘ No kick found'};
+    const ACTIONS = {PUBLISH: '✔ Publish', KEEP: '✔ Keep the published model', CHECK: '⚠ Check before you publish', RECORD_MORE: '⚠ Record more kicks', NO_KICKS: '✘ No kick found'};
     const box = $('verdict');
     box.className = verdict.advice.toLowerCase();
     box.replaceChildren(...verdict.lines.map((line, i) => el('p', {}, i === 0 ? el('b', {class: 'action'}, ACTIONS[verdict.advice]) : '', line)));

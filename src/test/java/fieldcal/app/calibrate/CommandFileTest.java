@@ -54,12 +54,14 @@ class CommandFileTest {
       value = {
         "1,yellow,5,flat,2,0 | 7 columns expected, found 6",
         "1,yellow,5,flat,2,0,0,9 | 7 columns expected, found 8",
-        "1,green,5,flat,2,0,0 | GREEN",
+        "1,green,5,flat,2,0,0 | team must be yellow or blue",
         "1,yellow,five,flat,2,0,0 | five",
         "1,yellow,-1,flat,2,0,0 | -1",
         "soon,yellow,5,flat,2,0,0 | soon",
-        "NaN,yellow,5,flat,2,0,0 | not finite",
-        "1,yellow,5,flat,Infinity,0,0 | not finite"
+        "NaN,yellow,5,flat,2,0,0 | t_unix must be a number",
+        "1,yellow,5,banana,2,0,0 | kind must be flat or chip",
+        "1,yellow,5,flat,-1,0,0 | must not be negative",
+        "1,yellow,5,flat,Infinity,0,0 | speed_mps must be a number"
       })
   void aWrongLineIsNamedWithFileAndNumber(String line, String what) throws IOException {
     Path file = write("1,yellow,5,flat,2,0,0\n" + line + "\n");
@@ -82,7 +84,7 @@ class CommandFileTest {
     Path binary = Files.write(folder.resolve("b.csv"), new byte[] {(byte) 0xff, (byte) 0xfe, 0});
     assertThatThrownBy(() -> CommandFile.read(binary))
         .isInstanceOf(InputException.class)
-        .hasMessageContaining("no text file");
+        .hasMessageContaining("line 1: the columns must be");
     Path missing = folder.resolve("missing.csv");
     assertThatThrownBy(() -> CommandFile.read(missing))
         .isInstanceOf(InputException.class)

@@ -1,0 +1,71 @@
+package fieldcal.app.calibrate;
+
+import fieldcal.calibration.Calibration;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.JointFit;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** What somebody should know before publishing a calibration, in sentences; for the report, the terminal and the JSON alike. */
+public final class CalibrationWarnings {
+  /** Offsets above that are worth a warning: they are larger than what a good camera calibration leaves, mm. */
+  private static final double NOTABLE_OFFSET_MM = 5;
+
+  private final Calibration calibration;
+
+  /**
+   * Warnings about a calibration.
+   *
+   * @param calibration to be judged
+   */
+  public CalibrationWarnings(Calibration calibration) {
+    this.calibration = calibration;
+  }
+
+  /**
+   * The warnings.
+   *
+   * @return one sentence each, the most important first; may be empty
+   */
+  public List<String> list() {
+    List<String> warnings = new ArrayList<>();
+    Map<Integer, JointFit.Offset> offsets = new HashMap<>();
+    calibration.joint().ifPresent(j -> offsets.putAll(j.offsets()));
+    for (CameraView view : calibration.cameras().all()) {
+      JointFit.Offset o = offsets.get(view.id());
+      double size = o == null ? 0 : 1000 * Math.hypot(o.x(), o.y());
+      if (size > NOTABLE_OFFSET_MM) {
+        warnings.add(
+            String.format(
+                Locale.ROOT,
+                "Camera %d reports everything %.0f mm aside of the mean of all cameras. It is taken"
+                    + " out here; in the match it is not: calibrate the camera.",
+                view.id(),
+                size));
+      }
+    }
+    calibration
+        .joint()
+        .filter(j -> j.reducedChiSquare() > 1.5 * 1.5)
+        .ifPresent(
+            j ->
+                warnings.add(
+                    String.format(
+                        Locale.ROOT,
+                        "Residuals are %.1f times the cameras' noise on the resting ball: the model"
+                            + " does not explain everything.",
+                        Math.sqrt(j.reducedChiSquare()))));
+    calibration
+        .joint()
+        .filter(j -> !j.converged())
+        .ifPresent(
+            j ->
+                warnings.add(
+                    "The joint fit did not converge; look at the single kicks before you"
+                        + " publish."));
+    return warnings;
+  }
+}
