@@ -183,7 +183,8 @@ const Plots = (() => {
     const bars = group => group.flatMap(p => [[p.x, p.value - p.error], [p.x, p.value + p.error], [p.x, null]]);
     const line = (data, colour) => ({type: 'line', data, symbol: 'none', silent: true, lineStyle: {color: colour, width: 1.5}, z: 3, clip: true});
     const selected = seen.filter(p => p.used), dropped = seen.filter(p => !p.used);
-    const reference = {type: 'scatter', data: [], silent: true, z: 1, markLine: {silent: true, symbol: 'none', data: [], animation: false}};
+    // ECharts rounds the places of lines to two decimals unless told otherwise.
+    const reference = {type: 'scatter', data: [], silent: true, z: 1, markLine: {precision: 8, silent: true, symbol: 'none', data: [], animation: false}};
     if (known(parameter.mean)) {
       const band = 2 * typicalSpread(parameter, seen);
       reference.markArea = {silent: true, itemStyle: {color: theme.good, opacity: 0.14}, data: [[{yAxis: Math.max(low, parameter.mean - band)}, {yAxis: Math.min(high, parameter.mean + band)}]]};
@@ -324,7 +325,7 @@ const Plots = (() => {
   function eventLines(theme, kick) {
     return {
       type: 'scatter', data: [], silent: true, z: 1,
-      markLine: {
+      markLine: {precision: 8, 
         silent: true, symbol: 'none', animation: false,
         data: namedEvents(kick).map(event => ({
           xAxis: event.t, lineStyle: {color: theme.muted, width: 1, type: event.type === 'KICK' ? 'solid' : 'dashed'},
