@@ -58,14 +58,4 @@ public record FitProblem(
     return new FitProblem(
         kick, cameras, flat, List.of(chip.get(0), chip.get(1), chip.get(2), roll));
   }
-
-  /**
-   * The same seen through cameras with other offsets or noise.
-   *
-   * @param views the cameras
-   * @return the changed copy
-   */
-  public FitProblem withCameras(CameraViews views) {
-    return new FitProblem(kick, views, flat, chip);
-  }
 }

@@ -201,8 +201,22 @@ public final class KickCollector {
       if (geometry.isEmpty()) {
         geometry = Optional.of(next);
       }
+      FieldGeometry first = geometry.get();
+      if (first.length() != next.length() || first.width() != next.width()) {
+        problems.add(
+            new DataProblem(
+                log.toString(),
+                "another field than in the recording before",
+                1,
+                "a ball model holds for one carpet; calibrate each field on its own"));
+      }
+      BallModels models = new BallModels(next.flat(), next.chip());
       if (published.equals(BallModels.NONE)) {
-        published = new BallModels(next.flat(), next.chip());
+        published = models;
+      } else if (!models.equals(published) && !models.equals(BallModels.NONE)) {
+        problems.add(
+            new DataProblem(
+                log.toString(), "another published model than before", 1, "compared is the first"));
       }
       Map<Integer, Camera> known = new HashMap<>();
       for (CameraCalibration c : next.cameras()) {
