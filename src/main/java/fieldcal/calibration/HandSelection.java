@@ -104,6 +104,17 @@ public final class HandSelection {
     return neighbours(key).stream().anyMatch(kept::contains);
   }
 
+  /**
+   * Whether two keys name the same kick: times move by a millisecond or two, and then fall into the next hundredth.
+   *
+   * @param a key
+   * @param b key
+   * @return true when they are at most one hundredth of a second apart
+   */
+  public static boolean same(String a, String b) {
+    return neighbours(a).contains(b);
+  }
+
   private static Set<String> neighbours(String key) {
     double time = Double.parseDouble(key);
     return new java.util.LinkedHashSet<>(

@@ -45,9 +45,8 @@ public final class CameraNoise {
     squares.forEach(
         (camera, values) -> {
           if (values.size() >= FEWEST) {
-            double[] sorted = values.stream().mapToDouble(v -> v).sorted().toArray();
-            noise.put(
-                camera, Math.max(1e-5, Math.sqrt(sorted[sorted.length / 2] / (2 * Math.log(2)))));
+            double[] squared = values.stream().mapToDouble(v -> v).toArray();
+            noise.put(camera, Math.max(1e-5, RobustScale.ofSquaredDistances(squared)));
           }
         });
     return noise;

@@ -5,7 +5,6 @@ import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -236,7 +235,7 @@ final class FlightFitter {
     double scale = 1;
     for (int round = 0; round < 6; round++) {
       flight.squaredDistances(theta, squared);
-      scale = robustScale(squared);
+      scale = RobustScale.ofSquaredDistances(squared);
       double limit = settings.outlierDistance() * Math.max(1, scale);
       boolean changed = round == 0;
       for (int i = 0; i < used.length; i++) {
@@ -251,13 +250,6 @@ final class FlightFitter {
       solver.minimize(flight, theta);
     }
     return scale;
-  }
-
-  /** Of a two-dimensional Gaussian the median squared distance is 2 ln 2 variances. */
-  private static double robustScale(double[] squared) {
-    double[] sorted = squared.clone();
-    Arrays.sort(sorted);
-    return Math.sqrt(sorted[sorted.length / 2] / (2 * Math.log(2)));
   }
 
   /**

@@ -105,14 +105,14 @@ final class JointKick {
     for (int i = 0; i < own; i++) {
       rhs[i] = equations.b[i] * scale[i];
     }
-    solveOwn(rhs);
+    NormalEquations.solveInPlace(factor, rhs);
     double[][] solved = new double[n][];
     for (int k = 0; k < n; k++) {
       for (int i = 0; i < own; i++) {
         column[i] = equations.a[own + k][i] * scale[i];
       }
       solved[k] = column.clone();
-      solveOwn(solved[k]);
+      NormalEquations.solveInPlace(factor, solved[k]);
     }
     for (int k = 0; k < n; k++) {
       double sum = equations.b[own + k];
@@ -146,23 +146,6 @@ final class JointKick {
     }
   }
 
-  private void solveOwn(double[] x) {
-    for (int i = 0; i < own; i++) {
-      double sum = x[i];
-      for (int k = 0; k < i; k++) {
-        sum -= factor[i][k] * x[k];
-      }
-      x[i] = sum / factor[i][i];
-    }
-    for (int i = own - 1; i >= 0; i--) {
-      double sum = x[i];
-      for (int k = i + 1; k < own; k++) {
-        sum -= factor[k][i] * x[k];
-      }
-      x[i] = sum / factor[i][i];
-    }
-  }
-
   /** Cost after the shared unknowns moved by {@code step} and the kick's own ones followed. */
   double costAfter(double[] sharedCandidate, double[] step) {
     for (int i = 0; i < own; i++) {
@@ -172,7 +155,7 @@ final class JointKick {
       }
       ownStep[i] = sum * scale[i];
     }
-    solveOwn(ownStep);
+    NormalEquations.solveInPlace(factor, ownStep);
     for (int i = 0; i < own; i++) {
       candidate[i] = ownParameters.get(i).clamp(ownValues[i] + ownStep[i] * scale[i]);
     }
@@ -232,10 +215,7 @@ final class JointKick {
   void leaveOutliersOut(double[] sharedValues, double outlierDistance) {
     double[] squared = new double[data.size];
     problem.squaredDistances(at(ownValues, sharedValues), squared);
-    double[] sorted = squared.clone();
-    Arrays.sort(sorted);
-    double robust = Math.sqrt(sorted[sorted.length / 2] / (2 * Math.log(2)));
-    double limit = outlierDistance * Math.max(1, robust);
+    double limit = outlierDistance * Math.max(1, RobustScale.ofSquaredDistances(squared));
     for (int i = 0; i < data.size; i++) {
       problem.used()[i] = squared[i] <= limit * limit;
     }

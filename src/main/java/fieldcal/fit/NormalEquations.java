@@ -59,21 +59,30 @@ final class NormalEquations {
   /** Solves {@code L·Lᵀ·step = b} in scaled unknowns; {@code step} comes out unscaled. */
   void solve(double[][] l, double[] scale, boolean[] free, double[] step) {
     for (int i = 0; i < size; i++) {
-      double sum = free[i] ? b[i] * scale[i] : 0;
-      for (int k = 0; k < i; k++) {
-        sum -= l[i][k] * step[k];
-      }
-      step[i] = sum / l[i][i];
+      step[i] = free[i] ? b[i] * scale[i] : 0;
     }
-    for (int i = size - 1; i >= 0; i--) {
-      double sum = step[i];
-      for (int k = i + 1; k < size; k++) {
-        sum -= l[k][i] * step[k];
-      }
-      step[i] = sum / l[i][i];
-    }
+    solveInPlace(l, step);
     for (int i = 0; i < size; i++) {
       step[i] = free[i] ? step[i] * scale[i] : 0;
+    }
+  }
+
+  /** Replaces x by the solution of {@code L·Lᵀ·x' = x}. */
+  static void solveInPlace(double[][] l, double[] x) {
+    int n = x.length;
+    for (int i = 0; i < n; i++) {
+      double sum = x[i];
+      for (int k = 0; k < i; k++) {
+        sum -= l[i][k] * x[k];
+      }
+      x[i] = sum / l[i][i];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+      double sum = x[i];
+      for (int k = i + 1; k < n; k++) {
+        sum -= l[k][i] * x[k];
+      }
+      x[i] = sum / l[i][i];
     }
   }
 

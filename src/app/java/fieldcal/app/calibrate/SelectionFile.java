@@ -106,7 +106,7 @@ public final class SelectionFile {
           .droppedBecause(key)
           .or(kick::rejected)
           .ifPresent(reason -> entry.put("reason", reason));
-      strangers.keySet().removeIf(other -> HandSelection.none().keep(other).isKept(key));
+      strangers.keySet().removeIf(other -> HandSelection.same(other, key));
     }
     strangers.forEach(
         (key, reason) -> {
