@@ -1,0 +1,11 @@
+package fieldcal.diagnosis;
+
+/**
+ * By how much something lowers the residual per axis of kicks that were held out of the fit.
+ *
+ * @param mm root mean square without minus root mean square with it, mm
+ * @param percent the same in per cent of that without it
+ * @param lowMm lower bound of {@code mm}: 2.5 % quantile of a bootstrap over kicks
+ * @param highMm upper bound: 97.5 % quantile
+ */
+public record Gain(double mm, double percent, double lowMm, double highMm) {}

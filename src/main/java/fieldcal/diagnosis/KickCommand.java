@@ -1,0 +1,35 @@
+package fieldcal.diagnosis;
+
+import fieldcal.vision.RobotId;
+import java.util.Objects;
+
+/**
+ * What a robot was told when it kicked.
+ *
+ * @param robot who
+ * @param speed absolute speed of the ball, m/s, positive
+ * @param direction in the plane, rad
+ * @param elevation above the plane, rad; 0 = flat
+ */
+public record KickCommand(RobotId robot, double speed, double direction, double elevation) {
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when the speed is not positive or a number not finite
+   */
+  public KickCommand {
+    Objects.requireNonNull(robot, "robot");
+    if (!(speed > 0) || !Double.isFinite(speed + direction + elevation)) {
+      throw new IllegalArgumentException(
+          "command of "
+              + robot
+              + ": speed "
+              + speed
+              + ", direction "
+              + direction
+              + ", elevation "
+              + elevation);
+    }
+  }
+}

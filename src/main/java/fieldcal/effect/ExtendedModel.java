@@ -1,0 +1,87 @@
+package fieldcal.effect;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A ball model with what the simple one leaves out: what a team's AI predicts with. Immutable.
+ *
+ * @param flat how the ball slides and rolls; absent when no flat kick was seen
+ * @param chip how it bounces; absent when no chip was seen
+ * @param effects all causes with their numbers, of the motion and of the cameras
+ * @param sessionStart begin of the session on the AI's clock, s; matters for effects that change with time only
+ */
+public record ExtendedModel(
+    Optional<FlatModel> flat, Optional<ChipModel> chip, List<Effect> effects, double sessionStart) {
+
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when {@code sessionStart} is not finite
+   */
+  public ExtendedModel {
+    effects = List.copyOf(effects);
+    EffectParameters.requireFinite("session", sessionStart);
+  }
+
+  /**
+   * What acts on the ball.
+   *
+   * @return the effects on the motion, bundled
+   */
+  public MotionEffects motion() {
+    return MotionEffects.of(
+        effects.stream()
+            .filter(MotionEffect.class::isInstance)
+            .map(MotionEffect.class::cast)
+            .toList());
+  }
+
+  /**
+   * What the cameras do.
+   *
+   * @return the effects on what cameras report
+   */
+  public List<MeasurementEffect> measurement() {
+    return effects.stream()
+        .filter(MeasurementEffect.class::isInstance)
+        .map(MeasurementEffect.class::cast)
+        .toList();
+  }
+
+  /**
+   * The path of a flat kick.
+   *
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @return the path
+   * @throws IllegalStateException when the model knows no flat kicks
+   */
+  public ExtendedTrajectory flatPath(double t0, double x, double y, double vx, double vy) {
+    FlatModel model = flat.orElseThrow(() -> new IllegalStateException("no model of flat kicks"));
+    return ExtendedTrajectory.flat(model, motion(), sessionStart, t0, x, y, vx, vy);
+  }
+
+  /**
+   * The path of a chip.
+   *
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s, not negative
+   * @return the path
+   * @throws IllegalStateException when the model knows no chips
+   */
+  public ExtendedTrajectory chipPath(
+      double t0, double x, double y, double vx, double vy, double vz) {
+    ChipModel model = chip.orElseThrow(() -> new IllegalStateException("no model of chips"));
+    return ExtendedTrajectory.chip(model, motion(), sessionStart, t0, x, y, vx, vy, vz);
+  }
+}
