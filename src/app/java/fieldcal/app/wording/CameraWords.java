@@ -1,0 +1,195 @@
+package fieldcal.app.wording;
+
+import static fieldcal.app.wording.Sentences.text;
+
+import fieldcal.effect.Effect;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** Words for the effects on what cameras report. */
+final class CameraWords {
+  /** The speed of a fast ball, m/s; the league's limit of a kick is 6.5 m/s. */
+  private static final double FAST = 6;
+
+  private static final double TEN_MINUTES = 600;
+
+  private static final String CALIBRATE_CAMERA = "Calibrate this camera again.";
+
+  private final Effect effect;
+  private final Map<String, Double> errors;
+  private final ReportedShifts shifts;
+
+  CameraWords(Effect effect, Map<String, Double> errors, ReportedShifts shifts) {
+    this.effect = effect;
+    this.errors = errors;
+    this.shifts = shifts;
+  }
+
+  Sentences offset() {
+    double x = effect.value("x_mm");
+    double y = effect.value("y_mm");
+    int cameras = shifts.cameras();
+    String what =
+        text(
+            "Camera %d reports everything %s%s.",
+            camera(),
+            FieldWords.shift(x, y, error("x_mm"), error("y_mm"), "too far "),
+            cameras == 1 ? "" : ", measured against the mean of all cameras");
+    if (cameras < 2) {
+      return new Sentences(what, "", "Correct its calibration.");
+    }
+    // The others are shifted the opposite way, by 1/(n − 1) of it.
+    String jump = Amount.of(Math.hypot(x, y) * cameras / (cameras - 1));
+    return shifts
+        .otherCamera(camera())
+        .map(
+            other ->
+                new Sentences(
+                    what,
+                    text(
+                        "A ball that rolls from its view into that of camera %d seems to jump by %s"
+                            + " mm.",
+                        other, jump),
+                    text(
+                        "Correct its calibration or camera %d's: which of the two is right, kicks"
+                            + " cannot tell.",
+                        other)))
+        .orElseGet(
+            () ->
+                new Sentences(
+                    what,
+                    text(
+                        "A ball that rolls from its view into another's seems to jump by about %s"
+                            + " mm.",
+                        jump),
+                    "Correct its calibration."));
+  }
+
+  Sentences timeOffset() {
+    double ms = effect.value("ms");
+    return new Sentences(
+        text(
+            "Camera %d's time stamps are %s ms %s.",
+            camera(), Amount.of(Math.abs(ms)), ms >= 0 ? "late" : "early"),
+        text(
+            "It shows a ball of %s m/s %s mm %s where it is.",
+            Amount.of(FAST), Amount.of(FAST * Math.abs(ms)), ms >= 0 ? "behind" : "ahead of"),
+        "Synchronise the clocks of the vision computers, and give all cameras the same exposure and"
+            + " the same way of stamping.");
+  }
+
+  Sentences poseError() {
+    List<String> parts = new ArrayList<>();
+    double height = effect.value("height_mm");
+    double x = effect.value("shift_x_mm");
+    double y = effect.value("shift_y_mm");
+    double tilt = effect.value("tilt_mrad");
+    if (isKnownToBeThere("height_mm")) {
+      // Published minus true.
+      parts.add(
+          text("hangs %s mm %s", Amount.of(Math.abs(height)), height >= 0 ? "lower" : "higher"));
+    }
+    if (isKnownToBeThere("shift_x_mm") || isKnownToBeThere("shift_y_mm")) {
+      parts.add(
+          "hangs " + FieldWords.shift(-x, -y, error("shift_x_mm"), error("shift_y_mm"), "more "));
+    }
+    if (isKnownToBeThere("tilt_mrad")) {
+      parts.add(
+          text(
+              "is turned by %s mrad (%s°) about a level axis at %s°",
+              Amount.of(Math.abs(tilt)),
+              Amount.of(Math.toDegrees(Math.abs(tilt) / 1000)),
+              Amount.decimals(Math.toDegrees(effect.value("axis")), 0)));
+    }
+    String how = parts.isEmpty() ? "hangs or looks a little otherwise" : String.join(", ", parts);
+    return new Sentences(
+        text("Camera %d %s than its calibration says.", camera(), how),
+        reports(),
+        CALIBRATE_CAMERA);
+  }
+
+  Sentences lensDistortion() {
+    double delta = effect.value("delta");
+    return new Sentences(
+        text(
+            "Camera %d's lens distortion is published %s too %s.",
+            camera(), Amount.of(Math.abs(delta)), delta >= 0 ? "large" : "small"),
+        reports(),
+        CALIBRATE_CAMERA);
+  }
+
+  Sentences ballHeight() {
+    double mm = effect.value("mm");
+    return new Sentences(
+        text(
+            "Vision takes the centre of a ball on the carpet to be %s mm %s than it is.",
+            Amount.of(Math.abs(mm)), mm >= 0 ? "higher" : "lower"),
+        text(
+            "It reports balls too %s the point below each camera%s.",
+            mm >= 0 ? "near to" : "far from",
+            shifts
+                .of(effect)
+                .map(
+                    s ->
+                        text(
+                            ": by %s mm on average, by up to %s mm where a camera looks far",
+                            Amount.of(s.typical()), Amount.of(s.largest())))
+                .orElse("")),
+        "Set the ball's radius in vision to that of the ball, 21.5 mm.");
+  }
+
+  Sentences clockSkew() {
+    double ppm = effect.value("ppm");
+    double drift = 1e-6 * TEN_MINUTES * Math.abs(ppm);
+    return new Sentences(
+        text(
+            "Camera %d's clock runs %s ppm %s, %s ms in ten minutes.",
+            camera(),
+            Amount.of(Math.abs(ppm)),
+            ppm >= 0 ? "fast" : "slow",
+            Amount.of(1000 * drift)),
+        text(
+            "After ten minutes it shows a ball of %s m/s %s mm %s where it is.",
+            Amount.of(FAST), Amount.of(1000 * FAST * drift), ppm >= 0 ? "behind" : "ahead of"),
+        "Synchronise the clocks of the vision computers.");
+  }
+
+  Sentences rollingShutter() {
+    double ms = effect.value("ms");
+    return new Sentences(
+        text(
+            "The cameras expose their image rows one after another, the %s row %s ms after the"
+                + " %s.",
+            ms >= 0 ? "last" : "first", Amount.of(Math.abs(ms)), ms >= 0 ? "first" : "last"),
+        text(
+            "Low in the image a ball of %s m/s is shown up to %s mm %s where it is at the time of"
+                + " the stamp.",
+            Amount.of(FAST), Amount.of(FAST * Math.abs(ms)), ms >= 0 ? "ahead of" : "behind"),
+        "Use cameras with a global shutter, or predict with the extended model.");
+  }
+
+  private String reports() {
+    return shifts
+        .of(effect)
+        .map(
+            s ->
+                text(
+                    "Where it saw the ball, it reports it %s mm off on average, and up to %s mm.",
+                    Amount.of(s.typical()), Amount.of(s.largest())))
+        .orElse("");
+  }
+
+  private int camera() {
+    return (int) effect.value("camera");
+  }
+
+  private double error(String name) {
+    return errors.getOrDefault(name, Double.NaN);
+  }
+
+  private boolean isKnownToBeThere(String name) {
+    double size = Math.abs(effect.value(name));
+    return size > 0 && !(size < 2 * error(name));
+  }
+}

@@ -1,0 +1,225 @@
+package fieldcal.app.wording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.app.report.diagnosis.SampleDiagnosis;
+import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.Gain;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.measurement.BallHeightError;
+import fieldcal.effect.measurement.CameraOffset;
+import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.measurement.CameraTimeOffset;
+import fieldcal.effect.measurement.ClockSkew;
+import fieldcal.effect.measurement.LensDistortionError;
+import fieldcal.effect.measurement.RollingShutter;
+import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.BounceSpinCoupling;
+import fieldcal.effect.motion.CarpetNap;
+import fieldcal.effect.motion.Drift;
+import fieldcal.effect.motion.FieldSlope;
+import fieldcal.effect.motion.KickSpin;
+import fieldcal.effect.motion.Magnus;
+import fieldcal.effect.motion.RobotKickBias;
+import fieldcal.effect.motion.SideSpin;
+import fieldcal.effect.motion.SpeedDependentRestitution;
+import fieldcal.effect.motion.SpeedDependentRoll;
+import fieldcal.effect.motion.WornRegion;
+import fieldcal.vision.Team;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class CauseWordsTest {
+  private static final Diagnosis DIAGNOSIS = SampleDiagnosis.explained(8);
+  private static final CauseWords WORDS = new CauseWords(DIAGNOSIS, SampleDiagnosis.observers());
+
+  static Stream<Effect> catalogue() {
+    return EffectCatalogue.all().stream();
+  }
+
+  @ParameterizedTest
+  @MethodSource("catalogue")
+  void everyEffectHasItsOwnWords(Effect absent) {
+    Effect effect = absent.probes().get(0);
+    CauseText text = WORDS.of(effect, Map.of());
+    assertThat(text.what()).isNotEqualTo(effect.sentence()).endsWith(".");
+    assertThat(text.name()).doesNotContain("_").doesNotContain("null");
+    assertThat(text.advice()).endsWith(".").doesNotStartWith("Use the extended model");
+    assertThat(text.sentences()).doesNotContain("NaN", "null", "%s", "–", "_", "<", "  ");
+    assertThat(Character.isUpperCase(text.what().charAt(0))).isTrue();
+    assertThat(text.strength()).matches("[^_]*\\d[^_]*");
+  }
+
+  @Test
+  void noTwoEffectsHaveTheSameName() {
+    List<String> names =
+        EffectCatalogue.all().stream().map(Effect::id).map(EffectName::of).toList();
+    assertThat(names).doesNotHaveDuplicates().hasSize(EffectCatalogue.all().size());
+    assertThat(EffectName.of("ball_of_wool")).isEqualTo("ball of wool");
+  }
+
+  /** Each magnitude, with what must be said of it and of its opposite. */
+  static Stream<Arguments> magnitudes() {
+    return Stream.of(
+        Arguments.of(new AirDrag(0.47), "drag coefficient 0.47", "−0.47); a real drag"),
+        Arguments.of(new Magnus(0.6), "0.60, a ball with topspin is pressed", "topspin is lifted"),
+        Arguments.of(new KickSpin(0.25), "topspin: 25 %", "backspin: 25 %"),
+        Arguments.of(new SideSpin(0.15), "15 % of the spin", "curves to the left"),
+        Arguments.of(new SideSpin(0.15), "curves to the right", "mm to the left after 2 s"),
+        Arguments.of(
+            new FieldSlope(0.3, 0), "3.0 mm per metre towards the +x goal", "towards the −x goal"),
+        Arguments.of(
+            new CarpetNap(0.06, Math.PI / 2),
+            "roll to the left (+y), direction 90° are braked 6.0 % more",
+            "roll to the right (−y), direction −90° are braked 6.0 % more"),
+        Arguments.of(
+            new SpeedDependentRoll(0.05),
+            "more than a slow one: by 0.050 m/s² for every m/s (0.33 m/s² at 1 m/s, 0.43",
+            "less than a slow one: by 0.050 m/s²"),
+        Arguments.of(
+            new WornRegion(0.25, 2, 4.5, -1, 1),
+            "Between x = 2 and 4.5 m and y = −1 and 1 m, on the side of the +x goal, the carpet"
+                + " brakes 25 % more",
+            "brakes 25 % less"),
+        Arguments.of(
+            new SpeedDependentRestitution(0.1),
+            "lose more height than soft ones: an impact at 3 m/s leaves 38 %",
+            "lose less height"),
+        Arguments.of(
+            new BounceSpinCoupling(0.12),
+            "takes more speed from a ball with topspin: 12 %",
+            "takes less speed"),
+        Arguments.of(
+            new Drift(12), "braked 12 % more (from 0.280 to 0.314 m/s²)", "braked 12 % less"),
+        Arguments.of(
+            new RobotKickBias(5, 0.02, Team.BLUE, 3),
+            "Robot blue 3 kicks 5.0 % faster and 1.1° to the left than it is told",
+            "5.0 % slower and 1.1° to the right"),
+        Arguments.of(
+            new RobotKickBias(5, 0.02, Team.BLUE, 3),
+            "it kicks at 5.25 m/s, and a pass over 4 m arrives 80 mm too far to the left",
+            "at 4.75 m/s"),
+        Arguments.of(
+            new CameraOffset(21.2, 3.1, 1),
+            "Camera 1 reports everything 21 mm too far towards the +x goal and 3.1 mm too far to"
+                + " the left (+y)",
+            "21 mm too far towards the −x goal and 3.1 mm too far to the right (−y)"),
+        Arguments.of(
+            new CameraTimeOffset(4.1, 0),
+            "Camera 0's time stamps are 4.1 ms late. It shows a ball of 6.0 m/s 25 mm behind",
+            "4.1 ms early. It shows a ball of 6.0 m/s 25 mm ahead of"),
+        Arguments.of(
+            new CameraPoseError(2, 0, 60, 0, 0, 1),
+            "Camera 1 hangs 60 mm lower, is turned by 2.0 mrad (0.11°)",
+            "hangs 60 mm higher"),
+        Arguments.of(
+            new CameraPoseError(0, 0, 0, 20, 0, 1),
+            "hangs 20 mm more towards the −x goal than its calibration",
+            "towards the +x goal"),
+        Arguments.of(
+            new LensDistortionError(0.012, 1), "published 0.012 too large", "0.012 too small"),
+        Arguments.of(
+            new BallHeightError(8.5),
+            "8.5 mm higher than it is. It reports balls too near to",
+            "8.5 mm lower than it is. It reports balls too far from"),
+        Arguments.of(
+            new ClockSkew(120, 1),
+            "120 ppm fast, 72 ms in ten minutes. After ten minutes it shows a ball of 6.0 m/s 432"
+                + " mm behind",
+            "120 ppm slow"),
+        Arguments.of(
+            new RollingShutter(10), "the last row 10 ms after the first", "first row 10 ms after"),
+        Arguments.of(new RollingShutter(10), "60 mm ahead of", "60 mm behind"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("magnitudes")
+  void sizeAndSignAreSaid(Effect effect, String words, String opposite) {
+    assertThat(WORDS.of(effect, Map.of()).sentences()).contains(words).doesNotContain(opposite);
+    assertThat(WORDS.of(opposite(effect), Map.of()).sentences()).contains(opposite);
+  }
+
+  @Test
+  void theTableOfMagnitudesIsComplete() {
+    assertThat(magnitudes().map(a -> ((Effect) a.get()[0]).id()).collect(Collectors.toSet()))
+        .containsExactlyInAnyOrderElementsOf(
+            EffectCatalogue.all().stream().map(Effect::id).toList());
+  }
+
+  @Test
+  void whatTheModelDoesToAKickIsComputed() {
+    assertThat(WORDS.of(new AirDrag(0.47), Map.of()).consequence())
+        .matches("A pass at 6\\.0 m/s comes \\d+ mm less far in 1 s than it would without air\\.");
+    assertThat(WORDS.of(new KickSpin(-0.25), Map.of()).consequence())
+        .contains("mm less far in 2 s than it would without spin")
+        .contains("rolls from 58 % of its speed on instead of 66 %");
+    assertThat(WORDS.of(new CarpetNap(0.08, 0), Map.of()).consequence())
+        .matches("A pass at 4\\.0 m/s that way comes [1-9]\\d* mm less far in 2 s than one .*");
+    // Seen from 5 m, a plane 8.5 mm too high moves a ball 3 m aside by 8.5·3/5 mm.
+    assertThat(WORDS.of(new BallHeightError(8.5), Map.of()).consequence())
+        .containsPattern("by [2-5]\\.\\d mm on average, by up to [5-9]\\.\\d mm");
+  }
+
+  @Test
+  void aJumpBetweenTwoCamerasIsTheirDifference() {
+    assertThat(WORDS.of(new CameraOffset(21, 0, 1), Map.of()).sentences())
+        .contains("into that of camera 0 seems to jump by 42 mm")
+        .contains("which of the two is right, kicks cannot tell");
+  }
+
+  @Test
+  void partsThatAreWithinTheirErrorsAreNotSaid() {
+    CauseText offset = WORDS.of(new CameraOffset(21, 0.7, 1), Map.of("x_mm", 0.12, "y_mm", 0.5));
+    assertThat(offset.what()).doesNotContain("+y").contains("21 mm too far towards the +x goal,");
+    assertThat(offset.strength()).isEqualTo("x 21.00 ± 0.12 mm, y 0.7 ± 0.5 mm");
+    CauseText bias =
+        WORDS.of(new RobotKickBias(5, 0.001, Team.YELLOW, 0), Map.of("percent", 0.4, "yaw", 0.002));
+    assertThat(bias.what()).isEqualTo("Robot yellow 0 kicks 5.0 % faster than it is told.");
+    assertThat(bias.strength()).isEqualTo("5.0 ± 0.4 %, yaw 0.06 ± 0.11°");
+  }
+
+  @Test
+  void scatterFromKickToKickIsSaid() {
+    Cause spin =
+        new Cause(
+            new KickSpin(-0.2),
+            Map.of("fraction", 0.03),
+            0.08,
+            12,
+            new Gain(1, 10, 0.5, 1.5),
+            List.of("air_drag", "camera_time_offset"),
+            "");
+    assertThat(WORDS.of(spin).strength())
+        .isEqualTo("fraction −0.200 ± 0.030; differs from kick to kick by ± 0.080");
+    assertThat(CauseWords.rivals(spin)).contains("from air drag or late or early time stamps:");
+    assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
+  }
+
+  @Test
+  void withoutCamerasOrModelLessIsSaid() {
+    Diagnosis d = SampleDiagnosis.adequate(1);
+    CauseWords words = new CauseWords(d, List.of());
+    assertThat(words.of(new CameraOffset(21, 0, 1), Map.of()).consequence()).isEmpty();
+    assertThat(words.of(new LensDistortionError(0.01, 1), Map.of()).consequence()).isEmpty();
+    assertThat(words.of(new BallHeightError(1), Map.of()).consequence())
+        .isEqualTo("It reports balls too near to the point below each camera.");
+  }
+
+  private static Effect opposite(Effect effect) {
+    Effect opposite = effect;
+    for (String name : effect.magnitudes()) {
+      opposite = opposite.with(name, -effect.value(name));
+    }
+    assertThat(effect.parameters().stream().map(Parameter::name).toList()).isNotEmpty();
+    return opposite;
+  }
+}
