@@ -10,23 +10,50 @@ import java.util.Optional;
  *
  * @param fit its own fit
  * @param samples what it says of each parameter that it determines, used or dropped
- * @param rejected why the whole kick is not used; empty when at least one of its samples is
+ * @param distrusted why its fit is not believed as a whole: it failed, fits far worse than the others, has too many outliers, or was dropped by hand; empty
+ *     when it is, even if none of its samples is averaged
  */
-public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String> rejected) {
+public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String> distrusted) {
 
   /** Copies the samples. {@inheritDoc} */
   public CalibratedKick {
     Objects.requireNonNull(fit, "fit");
     samples = List.copyOf(samples);
-    Objects.requireNonNull(rejected, "rejected");
+    Objects.requireNonNull(distrusted, "distrusted");
+  }
+
+  /**
+   * Whether its detections are those of a ball that moved freely, as far as the calibration can tell. Such a kick enters the joint fit and what
+   * comes after it, also when its single parameters left by the 2σ rule: a kick that departs from the average is what a diagnosis is about.
+   *
+   * @return true when nothing speaks against the kick as a whole
+   */
+  public boolean trusted() {
+    return distrusted.isEmpty();
   }
 
   /**
    * Whether any of its samples is averaged.
    *
-   * @return true when the kick is used
+   * @return true when the kick is used for the model
    */
   public boolean selected() {
-    return rejected.isEmpty();
+    return rejected().isEmpty();
+  }
+
+  /**
+   * Why none of its samples is averaged.
+   *
+   * @return the reason for people; empty when at least one is
+   */
+  public Optional<String> rejected() {
+    if (distrusted.isPresent()) {
+      return distrusted;
+    }
+    if (samples.isEmpty()) {
+      return Optional.of("determines no parameter");
+    }
+    boolean any = samples.stream().anyMatch(s -> s.dropped().isEmpty());
+    return any ? Optional.empty() : samples.get(0).dropped();
   }
 }

@@ -4,6 +4,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.JointFit;
+import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -43,6 +44,15 @@ public record Calibration(
    */
   public List<CalibratedKick> kicks(KickKind kind) {
     return kicks.stream().filter(k -> k.fit().kind() == kind).toList();
+  }
+
+  /**
+   * The fits that are believed, whatever became of their single parameters: what the joint fit was made from, and what a diagnosis starts from.
+   *
+   * @return in order of time
+   */
+  public List<KickFit> trusted() {
+    return kicks.stream().filter(CalibratedKick::trusted).map(CalibratedKick::fit).toList();
   }
 
   /**

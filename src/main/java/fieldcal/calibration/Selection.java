@@ -91,7 +91,10 @@ final class Selection {
       }
     }
     return fits.stream()
-        .map(f -> calibrated(f, byKick.getOrDefault(f.kick().id(), List.of()), distrusted.get(f)))
+        .map(
+            f ->
+                new CalibratedKick(
+                    f, byKick.getOrDefault(f.kick().id(), List.of()), distrusted.get(f)))
         .toList();
   }
 
@@ -101,18 +104,6 @@ final class Selection {
     KickFit fit =
         fits.stream().filter(f -> f.kick().id() == before.kickId()).findFirst().orElseThrow();
     return problem.selection().isKept(key(fit, problem)) ? before : after;
-  }
-
-  private static CalibratedKick calibrated(
-      KickFit fit, List<Sample> samples, Optional<String> distrusted) {
-    if (distrusted.isPresent()) {
-      return new CalibratedKick(fit, samples, distrusted);
-    }
-    if (samples.isEmpty()) {
-      return new CalibratedKick(fit, samples, Optional.of("determines no parameter"));
-    }
-    boolean any = samples.stream().anyMatch(s -> s.dropped().isEmpty());
-    return new CalibratedKick(fit, samples, any ? Optional.empty() : samples.get(0).dropped());
   }
 
   /** The average of each parameter over the kicks of one kind. */
