@@ -59,6 +59,15 @@ public interface Effect {
   }
 
   /**
+   * Whether it grows with the time since the session's begin, so that a clock is needed to predict with it.
+   *
+   * @return false unless an effect says otherwise
+   */
+  default boolean changesWithTime() {
+    return false;
+  }
+
+  /**
    * Small versions of this effect, one for each independent way in which it can depart from absence, each with a magnitude of one scale. Near
    * zero every setting of the magnitudes and directions is a linear combination of these (a slope: one along x and one along y), so that a score test needs
    * these derivatives and no others. Place and camera stay as they are.

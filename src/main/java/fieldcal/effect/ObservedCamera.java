@@ -76,6 +76,17 @@ public record ObservedCamera(
   }
 
   /**
+   * The same camera under another id.
+   *
+   * @param newId the id, for recordings in which two cameras share one
+   * @return the changed copy
+   */
+  public ObservedCamera withId(int newId) {
+    return new ObservedCamera(
+        newId, cameraCount, camera, axisX, axisY, axisZ, distortion, imageHeight);
+  }
+
+  /**
    * Whether rotation and lens are known.
    *
    * @return true when they are

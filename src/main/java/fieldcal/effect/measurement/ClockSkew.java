@@ -61,6 +61,11 @@ public record ClockSkew(double ppm, int camera) implements MeasurementEffect {
   }
 
   @Override
+  public boolean changesWithTime() {
+    return true;
+  }
+
+  @Override
   public boolean concerns(ObservedCamera observer) {
     return observer.id() == camera;
   }

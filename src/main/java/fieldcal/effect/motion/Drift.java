@@ -59,6 +59,11 @@ public record Drift(double percentPer10Min) implements RollingResistance {
   }
 
   @Override
+  public boolean changesWithTime() {
+    return true;
+  }
+
+  @Override
   public double factor(BallMotion motion) {
     return 1 + percentPer10Min / 100 * motion.sessionTime() / 600;
   }

@@ -1,0 +1,143 @@
+package fieldcal.effect;
+
+import fieldcal.ball.Parameter;
+import fieldcal.vision.Team;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * The numbers of an effect as files hold them: by name, {@code camera} and {@code robot} as integers, {@code team} as "yellow" or "blue", and the four
+ * bounds of a region as one list, {@code region}: [x0, x1, y0, y1]. Maps and lists as every JSON library makes them.
+ */
+public final class EffectFields {
+  private static final String REGION = "region";
+  private static final String TEAM = "team";
+  private static final Set<String> WHOLE = Set.of("camera", "robot");
+
+  private EffectFields() {}
+
+  /**
+   * The numbers of an effect.
+   *
+   * @param effect any of the catalogue
+   * @return values are {@code Double}, {@code Integer}, {@code String} or a list of {@code Double}; in the order of the parameters
+   */
+  public static Map<String, Object> of(Effect effect) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    List<Double> region = new ArrayList<>();
+    for (Parameter p : effect.parameters()) {
+      if (isBound(p)) {
+        region.add(p.value());
+        fields.put(REGION, region);
+      } else if (p.name().equals(TEAM)) {
+        fields.put(TEAM, Team.values()[(int) p.value()].label());
+      } else if (WHOLE.contains(p.name())) {
+        fields.put(p.name(), (int) p.value());
+      } else {
+        fields.put(p.name(), p.value());
+      }
+    }
+    return fields;
+  }
+
+  /**
+   * The effect with given numbers. A number that is not named, or a name that the effect does not have, is an error: a misspelt one must not count as zero.
+   *
+   * @param id of the effect
+   * @param fields as {@link #of} makes them; any {@code Number} for numbers
+   * @return the effect
+   * @throws IllegalArgumentException when there is no such effect, a field is missing, unknown, of the wrong type or out of its range; the message begins with the
+   *     field
+   */
+  public static Effect read(String id, Map<?, ?> fields) {
+    Effect effect =
+        EffectCatalogue.find(id)
+            .orElseThrow(() -> new IllegalArgumentException("there is no effect '" + id + "'"));
+    Set<Object> unknown = new HashSet<>(fields.keySet());
+    List<Parameter> parameters = effect.parameters();
+    double[] values = new double[parameters.size()];
+    int bounds = 0;
+    for (int i = 0; i < values.length; i++) {
+      Parameter p = parameters.get(i);
+      String name = isBound(p) ? REGION : p.name();
+      Object value = fields.get(name);
+      unknown.remove(name);
+      values[i] =
+          switch (name) {
+            case REGION -> bound(value, bounds++);
+            case TEAM -> team(value);
+            default -> WHOLE.contains(name) ? whole(p, value) : within(p, number(name, value));
+          };
+    }
+    if (!unknown.isEmpty()) {
+      throw new IllegalArgumentException(unknown.iterator().next() + ": unknown to " + id);
+    }
+    return effect.withParameters(values);
+  }
+
+  private static boolean isBound(Parameter p) {
+    return p.name().startsWith(REGION + "_");
+  }
+
+  /**
+   * A finite number.
+   *
+   * @param name of the field, for the message
+   * @param value what is there; null when nothing is
+   * @return the number
+   * @throws IllegalArgumentException when it is none
+   */
+  static double number(String name, Object value) {
+    if (value instanceof Number n && Double.isFinite(n.doubleValue())) {
+      return n.doubleValue();
+    }
+    throw wrong(name, "a number", value);
+  }
+
+  private static IllegalArgumentException wrong(String name, String wanted, Object value) {
+    String found = value instanceof String text ? '"' + text + '"' : String.valueOf(value);
+    return new IllegalArgumentException(
+        name + ": must be " + wanted + ", but is " + (value == null ? "missing" : found));
+  }
+
+  /** A number that no estimator may answer comes from a damaged file or a wrong unit. */
+  private static double within(Parameter p, double value) {
+    if (value >= p.min() && value <= p.max()) {
+      return value;
+    }
+    throw new IllegalArgumentException(
+        p.name() + ": must be within " + p.min() + " and " + p.max() + ", but is " + value);
+  }
+
+  private static double whole(Parameter p, Object value) {
+    double number = number(p.name(), value);
+    if (number < 0 || number != Math.rint(number) || number > Integer.MAX_VALUE) {
+      throw wrong(p.name(), "0 or a positive integer", value);
+    }
+    return number;
+  }
+
+  private static double team(Object value) {
+    for (Team team : Team.values()) {
+      if (team.label().equals(value)) {
+        return team.ordinal();
+      }
+    }
+    throw wrong(TEAM, "\"yellow\" or \"blue\"", value);
+  }
+
+  private static double bound(Object value, int index) {
+    if (value instanceof List<?> bounds && bounds.size() == 4) {
+      double found = number(REGION, bounds.get(index));
+      if (index % 2 == 1 && found < number(REGION, bounds.get(index - 1))) {
+        throw wrong(REGION, "[x0, x1, y0, y1] with x0 <= x1 and y0 <= y1", value);
+      }
+      return found;
+    }
+    throw wrong(REGION, "[x0, x1, y0, y1]", value);
+  }
+}
