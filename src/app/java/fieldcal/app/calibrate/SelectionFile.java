@@ -9,6 +9,7 @@ import fieldcal.calibration.Calibration;
 import fieldcal.calibration.HandSelection;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -69,6 +70,23 @@ public final class SelectionFile {
       }
     }
     return selection;
+  }
+
+  /**
+   * Reads the file that was named, or else what a run before left.
+   *
+   * @param named by the operator; null when none was
+   * @param out directory of the results; null when none is wanted
+   * @return the decisions; none when there is no file
+   * @throws InputException when it is no selection file, with the place
+   * @throws IOException when it cannot be read
+   */
+  public static HandSelection readOrFormer(Path named, Path out) throws IOException {
+    if (named != null) {
+      return read(named);
+    }
+    Path former = out == null ? null : out.resolve("selection.json");
+    return former != null && Files.exists(former) ? read(former) : HandSelection.none();
   }
 
   /**

@@ -4,14 +4,12 @@ import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
-import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
 import fieldcal.kick.KickKind;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -87,8 +85,8 @@ final class CalibrateCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Optional<KickKind> forced = forcedKind();
-    checkPlaces();
-    HandSelection byHand = readSelection();
+    OutputPlaces.check(out, json);
+    HandSelection byHand = SelectionFile.readOrFormer(selection, out);
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
     List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
@@ -107,16 +105,6 @@ final class CalibrateCommand implements Callable<Integer> {
     return 0;
   }
 
-  /** Better told before the work than after it. */
-  private void checkPlaces() throws InputException {
-    if (out != null && Files.exists(out) && !Files.isDirectory(out)) {
-      throw new InputException(out + ": is a file; --out needs a directory");
-    }
-    if (json != null && Files.isDirectory(json)) {
-      throw new InputException(json + ": is a directory; --json needs a file");
-    }
-  }
-
   private Optional<KickKind> forcedKind() {
     return switch (kind.toLowerCase(Locale.ROOT)) {
       case "auto" -> Optional.empty();
@@ -126,15 +114,5 @@ final class CalibrateCommand implements Callable<Integer> {
           throw new ParameterException(
               spec.commandLine(), "--kind must be auto, flat or chip, not '" + kind + "'");
     };
-  }
-
-  private HandSelection readSelection() throws IOException {
-    if (selection != null) {
-      return SelectionFile.read(selection);
-    }
-    Path former = out == null ? null : out.resolve("selection.json");
-    return former != null && Files.exists(former)
-        ? SelectionFile.read(former)
-        : HandSelection.none();
   }
 }

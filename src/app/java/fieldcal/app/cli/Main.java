@@ -13,7 +13,12 @@ import picocli.CommandLine.ParseResult;
     description = "Calibrates the motion models of an SSL team on the field it plays on.",
     mixinStandardHelpOptions = true,
     version = "fieldcal 0.1.0",
-    subcommands = {InfoCommand.class, CalibrateCommand.class, SimulateCommand.class})
+    subcommands = {
+      InfoCommand.class,
+      CalibrateCommand.class,
+      DiagnoseCommand.class,
+      SimulateCommand.class
+    })
 public final class Main {
   private static final int BAD_INPUT = 1;
 

@@ -12,12 +12,14 @@ import me.tongfei.progressbar.ProgressBarStyle;
 final class TerminalProgress implements AutoCloseable {
   private static final Path ERROR_STREAM = Path.of("/proc/self/fd/2");
   private static final long MEGABYTE = 1_000_000;
+  private static final String CLEAR_LINE = "\r\u001b[K";
 
   private final String task;
   private final boolean shown;
   private final String unit;
   private final long unitSize;
   private ProgressBar bar;
+  private boolean said;
 
   private TerminalProgress(String task, String unit, long unitSize) {
     this.task = task;
@@ -39,6 +41,20 @@ final class TerminalProgress implements AutoCloseable {
   /** A bar that counts from 0 to 100; it appears with the first call of {@link #at}. */
   static TerminalProgress ofPercent(String task) {
     return new TerminalProgress(task, " %", 1);
+  }
+
+  /** No bar: says in words what is being done, see {@link #say}. */
+  static TerminalProgress ofWords() {
+    return new TerminalProgress("", "", 1);
+  }
+
+  /** Shows what is being done in place of what was shown before. */
+  void say(String what) {
+    if (shown) {
+      System.err.print(CLEAR_LINE + what);
+      System.err.flush();
+      said = true;
+    }
   }
 
   void at(long done, long total) {
@@ -63,6 +79,11 @@ final class TerminalProgress implements AutoCloseable {
   public void close() {
     if (bar != null) {
       bar.close();
+    }
+    if (said) {
+      System.err.print(CLEAR_LINE);
+      System.err.flush();
+      said = false;
     }
   }
 

@@ -1,14 +1,15 @@
 package fieldcal.app.cli;
 
-import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.diagnose.DiagnosisSession;
 import java.nio.file.Path;
 
-/** Progress of a calibration on the terminal: reading in bytes, one recording after the other, then fitting in kicks. */
-final class WorkProgress implements CalibrationSession.Progress, AutoCloseable {
+/** Progress of a calibration or diagnosis on the terminal: reading in bytes, one recording after the other, fitting in kicks, then in words. */
+final class WorkProgress implements DiagnosisSession.Progress, AutoCloseable {
   private TerminalProgress bar;
   private Path reading;
   private int kicks;
   private int fitted;
+  private boolean inWords;
 
   @Override
   public void read(Path log, long bytesRead, long totalBytes) {
@@ -30,6 +31,16 @@ final class WorkProgress implements CalibrationSession.Progress, AutoCloseable {
   @Override
   public synchronized void fitted() {
     bar.at(++fitted, kicks);
+  }
+
+  @Override
+  public void diagnosing(String what) {
+    if (!inWords) {
+      close();
+      bar = TerminalProgress.ofWords();
+      inWords = true;
+    }
+    bar.say(what);
   }
 
   @Override

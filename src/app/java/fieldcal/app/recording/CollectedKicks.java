@@ -1,5 +1,6 @@
 package fieldcal.app.recording;
 
+import fieldcal.effect.ObservedCamera;
 import fieldcal.fit.CameraViews;
 import fieldcal.kick.Kick;
 import fieldcal.vision.BallModels;
@@ -16,10 +17,12 @@ import java.util.Optional;
  * @param kicks in order of the recordings, numbered from 1
  * @param sources recording of each kick, by the kick's number
  * @param cameras all cameras that sent frames
+ * @param observers what measurement effects know of each of them, as published
  * @param streams frames and rate of each camera, by id
  * @param geometry the last geometry of the first recording that has one
  * @param published the models in it
  * @param problems everything that was skipped or odd, for the operator
+ * @param sessionStart time of the first frame of the first recording, s since the epoch; 0 without a frame
  * @param duration of all recordings together, s
  */
 public record CollectedKicks(
@@ -27,16 +30,19 @@ public record CollectedKicks(
     List<Kick> kicks,
     Map<Integer, String> sources,
     CameraViews cameras,
+    List<ObservedCamera> observers,
     Map<Integer, CameraStream> streams,
     Optional<FieldGeometry> geometry,
     BallModels published,
     List<DataProblem> problems,
+    double sessionStart,
     double duration) {
 
   /** Copies the lists. {@inheritDoc} */
   public CollectedKicks {
     kicks = List.copyOf(kicks);
     sources = Map.copyOf(sources);
+    observers = List.copyOf(observers);
     streams = Map.copyOf(streams);
     problems = List.copyOf(problems);
   }

@@ -2,6 +2,7 @@ package fieldcal.app.recording;
 
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
+import fieldcal.effect.ObservedCamera;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.gamelog.GameLogException;
@@ -59,10 +60,15 @@ public final class KickCollector {
   private final Map<Integer, CameraCalibration> calibrations = new TreeMap<>();
   private final Map<Integer, Camera> cameras = new HashMap<>();
   private final Map<Integer, CameraStream> streams = new TreeMap<>();
+
+  /** How many cameras looked at the field together with each. */
+  private final Map<Integer, Integer> companions = new HashMap<>();
+
   private final List<DataProblem> problems = new ArrayList<>();
   private Optional<FieldGeometry> geometry = Optional.empty();
   private BallModels published = BallModels.NONE;
   private Epoch epoch;
+  private double sessionStart = Double.NaN;
   private double duration;
 
   /**
@@ -114,11 +120,21 @@ public final class KickCollector {
         kicks,
         sources,
         CameraViews.of(views),
+        streams.keySet().stream().map(this::observer).toList(),
         streams,
         geometry,
         published,
         problems,
+        Double.isNaN(sessionStart) ? 0 : sessionStart,
         duration);
+  }
+
+  private ObservedCamera observer(int number) {
+    int count = companions.getOrDefault(number, 1);
+    Camera camera = cameras.get(number);
+    return camera == null
+        ? ObservedCamera.unknown(number, count)
+        : ObservedCamera.of(calibrations.get(number), camera, count).withId(number);
   }
 
   private void account(Path log, RecordingSummary summary, OneRecording one) {
@@ -182,6 +198,11 @@ public final class KickCollector {
     private final KickFinder finder = new KickFinder(KickFinderSettings.defaults(), this::found);
     private final Map<Integer, Integer> numbers = new HashMap<>();
     private final Map<Integer, Long> ballsBefore = new HashMap<>();
+
+    /** Ids as sent, so that a camera that was calibrated anew midway counts once. */
+    private final Set<Integer> ids = new HashSet<>();
+
+    private final Set<Integer> seen = new HashSet<>();
     private int found;
 
     OneRecording(Path log) {
@@ -270,6 +291,11 @@ public final class KickCollector {
     public void onFrame(VisionFrame frame, double receivedTime) {
       int number = numbers.getOrDefault(frame.cameraId(), frame.cameraId());
       VisionFrame known = number == frame.cameraId() ? frame : renumbered(frame, number);
+      if (Double.isNaN(sessionStart)) {
+        sessionStart = frame.captureTime();
+      }
+      ids.add(frame.cameraId());
+      seen.add(number);
       streams.computeIfAbsent(number, id -> new CameraStream()).accept(known);
       finder.accept(known);
     }
@@ -292,6 +318,7 @@ public final class KickCollector {
 
     void finish() {
       finder.finish();
+      seen.forEach(number -> companions.merge(number, ids.size(), Math::max));
     }
 
     List<Integer> blind() {

@@ -1,0 +1,98 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.diagnose.DiagnosisOutcome;
+import fieldcal.app.diagnose.DiagnosisSession;
+import fieldcal.calibration.HandSelection;
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.fit.FitSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal diagnose}: what the calibrated model gets wrong, why, and what it gains to know. */
+@Command(
+    name = "diagnose",
+    mixinStandardHelpOptions = true,
+    description =
+        "Says what the calibrated ball model gets wrong, which cause explains it, how sure that is,"
+            + " and how much better a model with it predicts.")
+final class DiagnoseCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Parameters(arity = "1..*", paramLabel = "LOG", description = "SSL game logs, .log or .log.gz")
+  private List<Path> logs;
+
+  @Option(
+      names = "--commands",
+      paramLabel = "CSV",
+      description =
+          "what the robots were told: t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg;"
+              + " without it, kickers cannot be judged")
+  private Path commands;
+
+  @Option(
+      names = "--max-causes",
+      paramLabel = "N",
+      description = "how many causes may be named (default: ${DEFAULT-VALUE})",
+      defaultValue = "" + DiagnosisProblem.DEFAULT_MAX_CAUSES)
+  private int maxCauses;
+
+  @Option(
+      names = "--selection",
+      paramLabel = "FILE",
+      description =
+          "kicks dropped or kept by hand; without it, DIR/selection.json of --out if that exists")
+  private Path selection;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description =
+          "seed of the random search and of the choice of kicks that are held out (default:"
+              + " ${DEFAULT-VALUE})",
+      defaultValue = "20260101")
+  private long seed;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "writes diagnosis.html, diagnosis.json and extended_model.json there")
+  private Path out;
+
+  @Option(names = "--json", paramLabel = "FILE", description = "writes diagnosis.json there")
+  private Path json;
+
+  @Override
+  public Integer call() throws IOException {
+    if (maxCauses < 0) {
+      throw new ParameterException(
+          spec.commandLine(), "--max-causes must be 0 or more, not " + maxCauses);
+    }
+    OutputPlaces.check(out, json);
+    HandSelection byHand = SelectionFile.readOrFormer(selection, out);
+    List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
+    DiagnosisSession session =
+        new DiagnosisSession(FitSettings.defaults().withSeed(seed), maxCauses);
+    DiagnosisOutcome outcome;
+    try (WorkProgress progress = new WorkProgress()) {
+      outcome = session.run(logs, byHand, told, progress);
+    }
+    if (out != null) {
+      DiagnosisSession.writeAll(outcome, out);
+    }
+    if (json != null) {
+      DiagnosisSession.writeJson(outcome, json);
+    }
+    new DiagnosisText(spec.commandLine().getOut()).print(outcome, out);
+    return 0;
+  }
+}

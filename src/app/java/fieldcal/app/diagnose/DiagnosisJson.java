@@ -1,0 +1,187 @@
+package fieldcal.app.diagnose;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.recording.DataProblem;
+import fieldcal.diagnosis.Candidate;
+import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.KickResiduals;
+import fieldcal.diagnosis.Quality;
+import fieldcal.diagnosis.StructureProfile;
+import fieldcal.diagnosis.StructureVariable;
+import fieldcal.diagnosis.Unexplained;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectFields;
+import fieldcal.fit.CameraView;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Builds {@code diagnosis.json}. SI units unless the name says otherwise; what is not known is null; never NaN. */
+final class DiagnosisJson {
+  static final String SCHEMA = "fieldcal.diagnosis/1";
+
+  /** Horizons that are always named, s: scripts shall not have to ask whether a recording was long enough. */
+  private static final double[] HORIZONS = {0.5, 1.0, 2.0};
+
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  private final DiagnosisOutcome outcome;
+  private final Diagnosis diagnosis;
+  private final JsonNodeFactory nodes = JsonNodeFactory.instance;
+
+  DiagnosisJson(DiagnosisOutcome outcome) {
+    this.outcome = outcome;
+    diagnosis = outcome.diagnosis();
+  }
+
+  ObjectNode build() {
+    ObjectNode root = nodes.objectNode();
+    root.put("schema", SCHEMA);
+    root.put("verdict", diagnosis.verdict().id());
+    ArrayNode sources = root.putArray("sources");
+    outcome.calibration().logs().forEach(log -> sources.add(log.toString()));
+    root.put("seed", diagnosis.seed());
+    root.set("cameras", cameras());
+    ObjectNode base = quality(diagnosis.base());
+    put(base, "noise_mm", diagnosis.base().noiseMm());
+    root.set("base", base);
+    ArrayNode causes = root.putArray("causes");
+    diagnosis.causes().forEach(cause -> causes.add(cause(cause)));
+    root.set("extended", quality(diagnosis.extended()));
+    root.set("unexplained", unexplained(diagnosis.unexplained()));
+    ArrayNode candidates = root.putArray("candidates");
+    diagnosis.candidates().forEach(candidate -> candidates.add(candidate(candidate)));
+    ObjectNode structure = root.putObject("structure");
+    structure.set("before", profiles(diagnosis.structureBefore()));
+    structure.set("after", profiles(diagnosis.structureAfter()));
+    root.set("kicks", kicks());
+    ArrayNode problems = root.putArray("problems");
+    for (DataProblem p : outcome.calibration().data().problems()) {
+      problems.addObject().put("where", p.where()).put("what", p.what()).put("count", p.count());
+    }
+    return root;
+  }
+
+  private ArrayNode cameras() {
+    ArrayNode cameras = nodes.arrayNode();
+    for (CameraView view : outcome.problem().cameras().all()) {
+      ObjectNode node = cameras.addObject().put("id", view.id());
+      boolean seen = outcome.calibration().sawKicks(view.id());
+      put(node, "noise_mm", seen ? 1000 * view.noise() : Double.NaN);
+      view.camera().ifPresent(c -> node.put("note", c.consistency()));
+    }
+    return cameras;
+  }
+
+  private ObjectNode quality(Quality quality) {
+    ObjectNode node = nodes.objectNode();
+    put(node, "rms_mm", quality.rmsMm());
+    put(node, "holdout_rms_mm", quality.holdoutRmsMm());
+    Map<Double, Double> errors = new TreeMap<>(quality.predictionErrorMm());
+    for (double horizon : HORIZONS) {
+      errors.putIfAbsent(horizon, Double.NaN);
+    }
+    ObjectNode prediction = node.putObject("prediction_error_mm");
+    errors.forEach((horizon, error) -> put(prediction, Double.toString(horizon), error));
+    return node;
+  }
+
+  private ObjectNode cause(Cause cause) {
+    ObjectNode node = effect(cause.effect());
+    if (cause.scatter() > 0) {
+      ((ObjectNode) node.get("parameters")).put("scatter", cause.scatter());
+    }
+    ObjectNode errors = node.putObject("standard_errors");
+    cause.standardErrors().forEach((name, error) -> put(errors, name, error));
+    put(node, "evidence", cause.evidence());
+    put(node, "holdout_gain_mm", cause.gain().mm());
+    put(node, "holdout_gain_percent", cause.gain().percent());
+    ArrayNode bounds = node.putArray("holdout_gain_bounds_mm");
+    add(bounds, cause.gain().lowMm());
+    add(bounds, cause.gain().highMm());
+    ArrayNode rivals = node.putArray("indistinguishable_from");
+    cause.indistinguishableFrom().forEach(rivals::add);
+    node.put("discriminating_kicks", cause.discriminatingKicks());
+    node.put("sentence", cause.effect().sentence());
+    return node;
+  }
+
+  private ObjectNode effect(Effect effect) {
+    ObjectNode node = nodes.objectNode().put("effect", effect.id());
+    node.set("parameters", MAPPER.valueToTree(EffectFields.of(effect)));
+    return node;
+  }
+
+  private ObjectNode unexplained(Unexplained unexplained) {
+    ObjectNode node = nodes.objectNode().put("significant", unexplained.significant());
+    ArrayNode variables = node.putArray("depends_on");
+    unexplained.dependsOn().stream().map(StructureVariable::id).forEach(variables::add);
+    put(node, "systematic_mm", unexplained.systematicMm());
+    put(node, "deviation", unexplained.deviation());
+    return node;
+  }
+
+  private ObjectNode candidate(Candidate candidate) {
+    ObjectNode node = effect(candidate.effect());
+    put(node, "score_gain", candidate.scoreGain());
+    put(node, "evidence", candidate.evidence());
+    put(node, "added_evidence", candidate.addedEvidence());
+    node.put("named", candidate.named());
+    return node;
+  }
+
+  private ArrayNode profiles(List<StructureProfile> profiles) {
+    ArrayNode list = nodes.arrayNode();
+    for (StructureProfile profile : profiles) {
+      ObjectNode node = list.addObject().put("variable", profile.variable().id());
+      node.put("unit", profile.variable().unit());
+      put(node, "share", profile.share());
+      put(node, "deviation", profile.deviation());
+      ArrayNode bins = node.putArray("bins");
+      for (StructureProfile.Bin bin : profile.bins()) {
+        ObjectNode one = bins.addObject();
+        put(one, "at", bin.at());
+        put(one, "along_mm", bin.alongMm());
+        put(one, "across_mm", bin.acrossMm());
+        put(one, "error_mm", bin.errorMm());
+        one.put("count", bin.count());
+      }
+    }
+    return list;
+  }
+
+  private ObjectNode kicks() {
+    ObjectNode node = nodes.objectNode();
+    node.put("found", outcome.calibration().data().kicks().size());
+    node.put("used", outcome.problem().fits().size());
+    ArrayNode each = node.putArray("each");
+    for (KickResiduals kick : diagnosis.kicks()) {
+      ObjectNode one = each.addObject().put("id", kick.kick().id()).put("kind", kick.kind().id());
+      one.put("t", outcome.calibration().data().epoch().unixSeconds(kick.before().kickTime()));
+      one.put("source", outcome.calibration().data().sources().get(kick.kick().id()));
+      put(one, "rms_before_mm", kick.rmsBeforeMm());
+      put(one, "rms_after_mm", kick.rmsAfterMm());
+    }
+    return node;
+  }
+
+  private static void put(ObjectNode node, String name, double value) {
+    if (Double.isFinite(value)) {
+      node.put(name, value);
+    } else {
+      node.putNull(name);
+    }
+  }
+
+  private static void add(ArrayNode array, double value) {
+    if (Double.isFinite(value)) {
+      array.add(value);
+    } else {
+      array.addNull();
+    }
+  }
+}

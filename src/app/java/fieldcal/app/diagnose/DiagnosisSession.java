@@ -1,0 +1,151 @@
+package fieldcal.app.diagnose;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.calibrate.InputException;
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.calibration.HandSelection;
+import fieldcal.diagnosis.Diagnoser;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.diagnosis.KickCommand;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Recordings in, diagnosis and its files out. */
+public final class DiagnosisSession {
+  /** With fewer kicks none can be held out of a fit of both the model and a cause. */
+  public static final int MIN_KICKS = 4;
+
+  private final FitSettings settings;
+  private final int maxCauses;
+
+  /**
+   * A session.
+   *
+   * @param settings of the fits; their seed is also the diagnosis's
+   * @param maxCauses how many causes may be named, 0 or more
+   */
+  public DiagnosisSession(FitSettings settings, int maxCauses) {
+    this.settings = settings;
+    this.maxCauses = maxCauses;
+  }
+
+  /** Told how far the work is. */
+  public interface Progress extends CalibrationSession.Progress {
+    /**
+     * The diagnosis does something.
+     *
+     * @param what in words
+     */
+    void diagnosing(String what);
+  }
+
+  /**
+   * Reads, calibrates and diagnoses.
+   *
+   * @param logs at least one recording
+   * @param selection decisions by hand
+   * @param commands what the robots were told; may be empty
+   * @param progress told how far it is
+   * @return the outcome
+   * @throws InputException when there are too few kicks; one line for the operator
+   * @throws IOException when a recording cannot be read; one line for the operator
+   */
+  public DiagnosisOutcome run(
+      List<Path> logs,
+      HandSelection selection,
+      List<CommandFile.Command> commands,
+      Progress progress)
+      throws IOException {
+    CalibrationOutcome calibration =
+        new CalibrationSession(settings)
+            .run(logs, Optional.empty(), Optional.empty(), selection, commands, progress);
+    DiagnosisProblem problem = problem(calibration);
+    requireKicks(calibration, problem);
+    Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress::diagnosing);
+    return new DiagnosisOutcome(calibration, problem, diagnosis);
+  }
+
+  private DiagnosisProblem problem(CalibrationOutcome outcome) {
+    List<KickFit> fits = outcome.calibration().trusted();
+    Map<Integer, KickCommand> commands = new HashMap<>();
+    for (KickFit fit : fits) {
+      // A command of speed zero is no kick, whatever moved the ball.
+      outcome
+          .command(fit.kick())
+          .filter(c -> c.speed() > 0)
+          .ifPresent(
+              c ->
+                  commands.put(
+                      fit.kick().id(),
+                      new KickCommand(c.robot(), c.speed(), c.direction(), c.elevation())));
+    }
+    return new DiagnosisProblem(
+        fits,
+        outcome.calibration().cameras(),
+        outcome.data().observers(),
+        outcome.data().sessionStart(),
+        commands,
+        maxCauses,
+        settings.seed());
+  }
+
+  private static void requireKicks(CalibrationOutcome outcome, DiagnosisProblem problem)
+      throws InputException {
+    int used = problem.fits().size();
+    if (used >= MIN_KICKS) {
+      return;
+    }
+    int found = outcome.data().kicks().size();
+    String logs = outcome.logs().stream().map(Path::toString).collect(Collectors.joining(", "));
+    String have =
+        found == 0
+            ? "no kick found"
+            : found + (found == 1 ? " kick" : " kicks") + " found, " + used + " of use";
+    String why =
+        outcome.calibration().kicks().stream()
+            .filter(k -> !k.trusted())
+            .findFirst()
+            .map(k -> " (kick " + k.fit().kick().id() + ": " + k.distrusted().orElse("") + ")")
+            .orElse("");
+    throw new InputException(
+        logs + ": " + have + why + "; a diagnosis needs at least " + MIN_KICKS + ", better 20");
+  }
+
+  /**
+   * Writes {@code diagnosis.json} alone.
+   *
+   * @param outcome what to write
+   * @param file where
+   * @throws IOException when it cannot be written
+   */
+  public static void writeJson(DiagnosisOutcome outcome, Path file) throws IOException {
+    JsonFiles.write(new DiagnosisJson(outcome).build(), file);
+  }
+
+  /**
+   * Writes {@code diagnosis.json} and {@code extended_model.json}.
+   *
+   * @param outcome what to write
+   * @param directory made if needed
+   * @throws IOException when a file cannot be written
+   */
+  public static void writeAll(DiagnosisOutcome outcome, Path directory) throws IOException {
+    Files.createDirectories(directory);
+    writeJson(outcome, directory.resolve("diagnosis.json"));
+    ExtendedModelFile.write(
+        outcome.diagnosis().model(),
+        outcome.calibration().data().epoch(),
+        directory.resolve("extended_model.json"));
+  }
+}
