@@ -2,6 +2,9 @@ package fieldcal.app.calibrate;
 
 import fieldcal.app.recording.CameraStream;
 import fieldcal.app.report.CalibrationReport;
+import fieldcal.app.report.Field;
+import fieldcal.app.report.Problem;
+import fieldcal.app.report.Provenance;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
@@ -13,7 +16,6 @@ import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
-import fieldcal.vision.FieldGeometry;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -40,25 +42,16 @@ final class ReportBuilder {
     }
     KickReportBuilder kicks = new KickReportBuilder(outcome);
     return new CalibrationReport(
-        new CalibrationReport.Provenance(
+        Provenance.of(
             outcome.logs().stream().map(Object::toString).toList(),
-            "fieldcal " + version(),
-            calibration.seed(),
-            outcome.data().epoch().unixSeconds(0),
-            outcome.data().duration()),
+            outcome.data(),
+            calibration.seed()),
         models,
         calibration.cameras().all().stream().map(this::camera).toList(),
-        outcome.data().geometry().map(this::field),
+        outcome.data().geometry().map(Field::of),
         calibration.kicks().stream().map(kicks::kick).toList(),
         new CalibrationWarnings(calibration).list(),
-        outcome.data().problems().stream()
-            .map(p -> new CalibrationReport.Problem(p.where(), p.what(), p.count(), p.advice()))
-            .toList());
-  }
-
-  private static String version() {
-    String version = Calibration.class.getPackage().getImplementationVersion();
-    return version == null ? "(development)" : version;
+        outcome.data().problems().stream().map(Problem::of).toList());
   }
 
   private CalibrationReport.Model model(KickKind kind) {
@@ -156,18 +149,5 @@ final class ReportBuilder {
         view.camera().map(c -> c.positionX()).orElse(Double.NaN),
         view.camera().map(c -> c.positionY()).orElse(Double.NaN),
         view.camera().map(c -> c.consistency()).orElse("no geometry published for this camera"));
-  }
-
-  private CalibrationReport.Field field(FieldGeometry g) {
-    return new CalibrationReport.Field(
-        g.length(),
-        g.width(),
-        g.boundaryWidth(),
-        g.goalWidth(),
-        g.goalDepth(),
-        Double.NaN,
-        Double.NaN,
-        // The rules' centre circle is one metre wide in all divisions.
-        0.5);
   }
 }

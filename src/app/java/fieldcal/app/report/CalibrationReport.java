@@ -53,29 +53,6 @@ public record CalibrationReport(
   }
 
   /**
-   * What the calibration was made from, and by what. No time of writing: the same input gives the same bytes.
-   *
-   * @param sources the recordings, as the operator named them
-   * @param generatedBy program and version, for example "fieldcal 0.1.0"
-   * @param seed the seed of the search, to repeat it
-   * @param recordedUnix when the first recording begins, Unix time in s; NaN if unknown
-   * @param duration length of all recordings together, s; NaN if unknown
-   */
-  public record Provenance(
-      List<String> sources,
-      String generatedBy,
-      long seed,
-      @Rounded(3) double recordedUnix,
-      @Rounded(1) double duration) {
-
-    /** Copies the list. */
-    public Provenance {
-      sources = List.copyOf(sources);
-      Objects.requireNonNull(generatedBy, "generatedBy");
-    }
-  }
-
-  /**
    * One calibrated model.
    *
    * @param kind flat or chip
@@ -196,40 +173,6 @@ public record CalibrationReport(
   }
 
   /**
-   * The lines of the field, all in m; what is NaN is not drawn.
-   *
-   * @param length between the goal lines
-   * @param width between the touch lines
-   * @param boundary width of the strip around the lines
-   * @param goalWidth inner width of a goal
-   * @param goalDepth depth of a goal
-   * @param penaltyAreaDepth along x
-   * @param penaltyAreaWidth along y
-   * @param centreCircleRadius radius
-   */
-  public record Field(
-      @Rounded(3) double length,
-      @Rounded(3) double width,
-      @Rounded(3) double boundary,
-      @Rounded(3) double goalWidth,
-      @Rounded(3) double goalDepth,
-      @Rounded(3) double penaltyAreaDepth,
-      @Rounded(3) double penaltyAreaWidth,
-      @Rounded(3) double centreCircleRadius) {
-
-    /**
-     * Checks that there is an area to draw.
-     *
-     * @throws IllegalArgumentException if length or width is not positive
-     */
-    public Field {
-      if (!(length > 0 && width > 0)) {
-        throw new IllegalArgumentException("field of " + length + " m × " + width + " m");
-      }
-    }
-  }
-
-  /**
    * One kick and its fit.
    *
    * @param id running number, as in {@code calibration.json}
@@ -313,24 +256,6 @@ public record CalibrationReport(
       Objects.requireNonNull(name, "name");
       Objects.requireNonNull(undetermined, "undetermined");
       Objects.requireNonNull(dropped, "dropped");
-    }
-  }
-
-  /**
-   * Damage or gaps in the input, of one sort.
-   *
-   * @param where file, and offset if there is one
-   * @param what in words
-   * @param count how often
-   * @param advice what it means or what to do; may be empty
-   */
-  public record Problem(String where, String what, long count, String advice) {
-
-    /** Checks that the texts are there. */
-    public Problem {
-      Objects.requireNonNull(where, "where");
-      Objects.requireNonNull(what, "what");
-      Objects.requireNonNull(advice, "advice");
     }
   }
 }

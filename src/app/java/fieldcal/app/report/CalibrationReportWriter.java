@@ -3,12 +3,27 @@ package fieldcal.app.report;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * Writes the calibration report: one HTML file with charts, styles and data inside, which opens without a network. The
  * same report gives the same bytes. Thread safe.
  */
 public final class CalibrationReportWriter {
+  private static final ReportPage PAGE =
+      new ReportPage(
+          "Ball calibration",
+          "calibration.json",
+          "calibration.html",
+          "calibration.css",
+          List.of("calibration-plots.js", "calibration.js"));
+
+  /** What the page holds: the report, and the verdict in words. */
+  record Contents(Verdict verdict, CalibrationReport report) {
+    static Contents of(CalibrationReport report) {
+      return new Contents(Verdict.of(report), report);
+    }
+  }
 
   /**
    * Writes the page, replacing an older one.
@@ -18,6 +33,7 @@ public final class CalibrationReportWriter {
    * @throws IOException if the file cannot be written
    */
   public void write(CalibrationReport report, Path file) throws IOException {
-    Files.writeString(file, ReportPage.of(report));
+    Contents contents = Contents.of(report);
+    Files.writeString(file, PAGE.html(contents.verdict().title(), contents));
   }
 }

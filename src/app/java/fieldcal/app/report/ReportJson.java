@@ -9,25 +9,20 @@ import com.fasterxml.jackson.databind.module.SimpleModule;
 import java.io.IOException;
 import java.util.Optional;
 
-/** The view model as the page's scripts read it. Numbers are rounded, unknown ones are null. */
+/** A view model as the page's scripts read it. Numbers are rounded, unknown ones are null. */
 final class ReportJson {
   private ReportJson() {}
 
-  /** What the page holds: the report, and the verdict in words. */
-  private record Contents(Verdict verdict, CalibrationReport report) {}
-
   /** JSON that can stand inside a script element: no text in it can end the element. */
-  static String inScript(CalibrationReport report) throws JsonProcessingException {
+  static String inScript(Object model) throws JsonProcessingException {
     // A '<' occurs only within strings of JSON, and there the escape means the same.
-    return of(report).replace("<", "\\u003c");
+    return of(model).replace("<", "\\u003c");
   }
 
-  static String of(CalibrationReport report) throws JsonProcessingException {
+  static String of(Object model) throws JsonProcessingException {
     SimpleModule optional = new SimpleModule();
     optional.addSerializer(Optional.class, new OrNull());
-    return new ObjectMapper()
-        .registerModule(optional)
-        .writeValueAsString(new Contents(Verdict.of(report), report));
+    return new ObjectMapper().registerModule(optional).writeValueAsString(model);
   }
 
   @SuppressWarnings("rawtypes")

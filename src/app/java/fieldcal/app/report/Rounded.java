@@ -12,7 +12,11 @@ import java.lang.annotation.Target;
 @Target({ElementType.FIELD, ElementType.METHOD})
 @JacksonAnnotationsInside
 @JsonSerialize(using = RoundingSerializer.class)
-@interface Rounded {
-  /** Decimals kept. */
+public @interface Rounded {
+  /**
+   * Decimals kept.
+   *
+   * @return 0 or more
+   */
   int value();
 }

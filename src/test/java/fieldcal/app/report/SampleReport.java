@@ -1,14 +1,11 @@
 package fieldcal.app.report;
 
 import fieldcal.app.report.CalibrationReport.Camera;
-import fieldcal.app.report.CalibrationReport.Field;
 import fieldcal.app.report.CalibrationReport.Kick;
 import fieldcal.app.report.CalibrationReport.KickParameter;
 import fieldcal.app.report.CalibrationReport.Kind;
 import fieldcal.app.report.CalibrationReport.Model;
 import fieldcal.app.report.CalibrationReport.ModelParameter;
-import fieldcal.app.report.CalibrationReport.Problem;
-import fieldcal.app.report.CalibrationReport.Provenance;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

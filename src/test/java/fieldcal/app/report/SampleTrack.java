@@ -1,6 +1,5 @@
 package fieldcal.app.report;
 
-import fieldcal.app.report.CalibrationReport.Field;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,10 +1,9 @@
-/* The report's page: puts the view model into tables and plots, and keeps one kick selected. */
+/* The calibration report's page: puts the view model into tables and plots, and keeps one kick selected. */
 (() => {
   'use strict';
-  const {el, known, number, signed, withError} = Plots;
+  const {el, known, number, signed, withError} = Charts;
+  const {$, content, charts, draw, forget, figure, choices, badge, swatch} = Frame;
   const {verdict, report} = JSON.parse(document.getElementById('data').textContent);
-  const $ = id => document.getElementById(id);
-  const content = id => $(id).querySelector('.content');
   const KINDS = {FLAT: 'flat', CHIP: 'chip'};
   const cameraIds = [...new Set([...report.cameras.map(c => c.id), ...report.kicks.flatMap(k => k.seen.map(s => s.camera))])].sort((a, b) => a - b);
   const noises = Object.fromEntries(report.cameras.map(c => [c.id, c.noiseMm]));
@@ -12,76 +11,10 @@
   const state = {kick: null, kind: kinds[0], axis: 'kick', filter: 'all', sort: {key: 'id', down: false}, shown: []};
   let theme;
 
-  // ---- charts: created once per place, given options, resized together ----
-
-  const charts = new Map();
-
-  function draw(box, option, onClick) {
-    let chart = charts.get(box);
-    if (!chart) {
-      // Twice the pixels, also on plain screens, so that a printed page is sharp.
-      chart = echarts.init(box, null, {renderer: 'canvas', devicePixelRatio: Math.max(2, window.devicePixelRatio || 1)});
-      charts.set(box, chart);
-      if (onClick) chart.on('click', onClick);
-    }
-    chart.setOption(option, true);
-  }
-
-  function forget(container) {
-    for (const [box, chart] of charts) {
-      if (container.contains(box)) {
-        chart.dispose();
-        charts.delete(box);
-      }
-    }
-    container.replaceChildren();
-  }
-
-  function figure(container, title, explanation, className = 'chart') {
-    const box = el('div', {class: className, role: 'img', 'aria-label': title + (explanation ? ', ' + explanation : '')});
-    container.append(el('figure', {}, el('figcaption', {}, title, el('span', {}, explanation)), box));
-    return box;
-  }
-
-  function choices(group, values, current, choose) {
-    $(group).replaceChildren(...values.map(([key, label]) =>
-      el('button', {type: 'button', 'aria-pressed': String(key === current), onclick: () => choose(key)}, label)));
-  }
-
-  function badge(level, text) {
-    return el('span', {class: 'badge ' + level}, text);
-  }
-
-  /** A small picture of a symbol for a legend, drawn like in the plots. */
-  function swatch(shape, colour, hollow) {
-    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    svg.setAttribute('width', shape === 'line' || shape === 'dashes' || shape === 'band' ? 26 : 14);
-    svg.setAttribute('height', 14);
-    svg.setAttribute('aria-hidden', 'true');
-    const paths = {
-      circle: 'M2,7a5,5 0 1,0 10,0a5,5 0 1,0 -10,0', triangle: 'M7,2L12,12H2Z', rect: 'M2,2H12V12H2Z', diamond: 'M7,1L13,7L7,13L1,7Z',
-      line: 'M0,7H26', dashes: 'M0,7H7M10,7H17M20,7H26', band: 'M0,1H26V13H0Z', cross: 'M3,3L11,11M3,11L11,3',
-    };
-    const node = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    node.setAttribute('d', paths[shape]);
-    const stroke = hollow || ['line', 'dashes', 'cross'].includes(shape);
-    node.setAttribute('fill', stroke ? 'none' : colour);
-    if (stroke) { node.setAttribute('stroke', colour); node.setAttribute('stroke-width', 2); }
-    if (shape === 'band') node.setAttribute('opacity', 0.3);
-    svg.append(node);
-    return svg;
-  }
-
   // ---- top: provenance, verdict, model, cameras ----
 
   function showTop() {
-    const {sources, recordedUnix, duration, generatedBy, seed} = report.provenance;
-    const facts = [sources.map(Plots.fileName).join(', ')];
-    if (known(recordedUnix)) facts.push('recorded ' + new Date(recordedUnix * 1000).toISOString().slice(0, 16).replace('T', ' ') + ' UTC');
-    if (known(duration)) facts.push(Math.floor(duration / 60) + ' min ' + number(duration % 60, 0) + ' s');
-    $('provenance').textContent = facts.filter(Boolean).join(' · ');
-    $('provenance').title = sources.join('\n');
-    $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Keys: j and k go to the next and the previous kick, t changes between light and dark.';
+    Frame.showProvenance(report.provenance, 'j and k go to the next and the previous kick');
     const ACTIONS = {PUBLISH: '✔ Publish', KEEP: '✔ Keep the published model', CHECK: '⚠ Check before you publish', RECORD_MORE: '⚠ Record more kicks', NO_KICKS: '✘ No kick found'};
     const box = $('verdict');
     box.className = verdict.advice.toLowerCase();
@@ -98,7 +31,7 @@
   }
 
   function modelRow(parameter) {
-    const digits = Plots.decimals(parameter.standardError);
+    const digits = Charts.decimals(parameter.standardError);
     return el('tr', {},
       el('td', {class: 'text'}, parameter.name, parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
       el('td', {class: 'big', title: known(parameter.sigma) ? 'scatter between the kicks beyond their own errors: ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
@@ -196,7 +129,7 @@
   const droppedValues = kick => kick.parameters.filter(p => known(p.value) && p.dropped);
 
   function usedBadge(kick) {
-    const known = kick.parameters.filter(p => Plots.known(p.value)), used = known.filter(p => Plots.isUsed(kick, p));
+    const known = kick.parameters.filter(p => Charts.known(p.value)), used = known.filter(p => Plots.isUsed(kick, p));
     if (!kick.selected) return badge('bad', '✘');
     return used.length === known.length ? badge('good', '✔') : badge('warn', used.length + '/' + known.length);
   }
@@ -340,7 +273,7 @@
       el('div', {},
         el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(prepared.end, 1) + ' s.'),
         el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' put aside as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
-        el('p', {class: 'note', title: kick.source}, Plots.fileName(kick.source) + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
+        el('p', {class: 'note', title: kick.source}, Charts.fileName(kick.source) + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
       el('table', {}, el('tbody', {}, kick.parameters.map(p => kickParameterRow(kick, p)))));
     $('kick-legend').replaceChildren(
       ...prepared.cameras.map(({camera}) => el('span', {}, swatch(theme.camera(camera).symbol, theme.camera(camera).colour), 'camera ' + camera)),
@@ -378,29 +311,13 @@
     for (const box of $('kick-charts').querySelectorAll('[data-plot]')) draw(box, options[box.dataset.plot](box));
   }
 
-  // ---- the end of the page, theme, keys ----
-
-  function showProblems() {
-    const box = content('problems');
-    if (report.problems.length === 0) {
-      box.replaceChildren(el('p', {class: 'empty'}, 'None: every record was read and used.'));
-      return;
-    }
-    const rows = report.problems.map(problem => el('tr', {}, el('td', {}, problem.count + ' ×'), el('td', {class: 'text wrap'}, problem.what), el('td', {class: 'text wrap'}, problem.where), el('td', {class: 'text wrap'}, problem.advice)));
-    box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, ['Count', 'What', 'Where', 'What it means'].map((h, i) => el('th', {scope: 'col', class: i ? 'text' : null}, h)))), el('tbody', {}, rows)));
-  }
-
-  function setTheme(name) {
-    document.documentElement.dataset.theme = name;
-    $('theme').textContent = name === 'dark' ? 'Light' : 'Dark';
-    theme = Plots.theme(cameraIds);
-  }
+  // ---- the whole page ----
 
   function showAll() {
     showTop();
     showModel();
     showCameras();
-    showProblems();
+    Frame.showProblems(report.problems);
     $('parameters').hidden = $('bench').hidden = report.kicks.length === 0;
     if (report.kicks.length === 0) return;
     showParameters();
@@ -408,40 +325,16 @@
     showKick();
   }
 
-  const dark = window.matchMedia('(prefers-color-scheme: dark)');
-  const wanted = new URLSearchParams(location.search).get('theme');
-  setTheme(wanted === 'dark' || wanted === 'light' ? wanted : dark.matches ? 'dark' : 'light');
-  const change = name => { setTheme(name); showAll(); };
-  const other = () => document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark';
-  dark.addEventListener('change', event => change(event.matches ? 'dark' : 'light'));
-  $('theme').addEventListener('click', () => change(other()));
-  $('print').addEventListener('click', () => window.print());
   $('previous').addEventListener('click', () => step(-1));
   $('next').addEventListener('click', () => step(1));
-  document.addEventListener('keydown', event => {
-    if (event.ctrlKey || event.altKey || event.metaKey || (event.target instanceof Element && event.target.matches('input, textarea, select'))) return;
-    if (event.key === 'j') step(1);
-    else if (event.key === 'k') step(-1);
-    else if (event.key === 't') change(other());
-  });
-
-  // Paper is white, and a little narrower than the screen.
-  let beforePrint = null;
-  window.addEventListener('beforeprint', () => { beforePrint = document.documentElement.dataset.theme; if (beforePrint !== 'light') change('light'); });
-  window.addEventListener('afterprint', () => { if (beforePrint && beforePrint !== 'light') change(beforePrint); });
-
-  let resizing = 0;
-  window.addEventListener('resize', () => {
-    cancelAnimationFrame(resizing);
-    resizing = requestAnimationFrame(() => {
-      for (const chart of charts.values()) chart.resize();
-      if (state.kick) drawKick();
-    });
-  });
-
   const asked = Number((/^#kick=(\d+)$/.exec(location.hash) || [])[1]);
   state.kick = report.kicks.find(k => k.id === asked) || report.kicks.find(k => k.selected) || report.kicks[0] || null;
   if (state.kick) state.kind = state.kick.kind;
-  showAll();
+  Frame.start(cameraIds, {
+    use: colours => { theme = colours; },
+    showAll,
+    resized: () => { if (state.kick) drawKick(); },
+    keys: {j: () => step(1), k: () => step(-1)},
+  });
   window.addEventListener('hashchange', () => select(Number((/^#kick=(\d+)$/.exec(location.hash) || [])[1])));
 })();
