@@ -1,9 +1,37 @@
 package fieldcal.diagnosis;
 
+import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.effect.Effect;
+import fieldcal.effect.ExtendedModel;
+import fieldcal.fit.KickFit;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Says what the simple model gets wrong. Immutable and thread-safe. */
+/**
+ * Says what the simple model gets wrong, why, and what a better one gains.
+ *
+ * <p>All kicks are fitted together with the simple model under the published geometry. Score tests of every known effect on its residuals choose what is worth a refit; the best explanations are
+ * refitted, extended while that pays, and compared by their evidence. What survives must be worth its evidence against what remains unexplained, pay on kicks that were held out, and, where something
+ * remains, be equally strong in all kicks. Otherwise nothing is named: a wrong name is worse than none. Immutable and thread-safe; the same input gives the same answer.
+ */
 public final class Diagnoser {
+  /** Rounds of leaving out what is no free ball. */
+  private static final int CLEANINGS = 2;
+
+  /** Where that share of what the simple model gets wrong remains, nothing may be named without looking closer. */
+  private static final double REMAINS = 0.02;
+
+  /** Where that share remains, nothing may be named. */
+  private static final double TOO_MUCH = 0.3;
+
+  /** Largest scatter of a cause's strength from kick to kick, as a share of it, where something remains. */
+  private static final double STEADY = 0.15;
 
   /** A diagnoser. */
   public Diagnoser() {}
@@ -20,6 +48,277 @@ public final class Diagnoser {
     if (problem.fits().isEmpty()) {
       throw new IllegalArgumentException("a diagnosis needs at least one fitted kick");
     }
-    throw new UnsupportedOperationException("to be written");
+    return new Run(problem, progress).diagnose();
+  }
+
+  /** One diagnosis; used once. */
+  private static final class Run {
+    private final DiagnosisProblem problem;
+    private final Consumer<String> progress;
+    private final NoiseCalibration noise;
+    private HypothesisFitter fitter;
+    private FittedHypothesis simple;
+    private CauseSearch search;
+    private Decision decision;
+
+    Run(DiagnosisProblem problem, Consumer<String> progress) {
+      this.problem = problem;
+      this.progress = progress;
+      noise = NoiseCalibration.of(problem.fits(), problem.cameras());
+    }
+
+    Diagnosis diagnose() {
+      List<KickData> kicks = new ArrayList<>();
+      for (KickFit fit : problem.fits()) {
+        KickData data = new KickData(fit, noise.cameras(), noise.stampNoise());
+        if (data.usedCount > 2 * data.start.length) {
+          kicks.add(data);
+        }
+      }
+      if (kicks.isEmpty()) {
+        throw new IllegalArgumentException("no kick has enough detections for a diagnosis");
+      }
+      look(kicks);
+      for (int round = 0; round < CLEANINGS; round++) {
+        List<KickData> cleaned = Cleaning.clean(fitter, decision.best());
+        if (cleaned == fitter.kicks) {
+          break;
+        }
+        progress.accept("leaving out what is no free ball");
+        look(cleaned);
+      }
+      Map<Chart, Gain> gains = decision.gains();
+      blameOnlyTheGuilty();
+      gains.keySet().retainAll(decision.best().hypothesis().charts());
+      return result(gains);
+    }
+
+    private void look(List<KickData> kicks) {
+      fitter =
+          new HypothesisFitter(
+              kicks, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
+      progress.accept("fitting all kicks together");
+      simple = fitter.fitSimple();
+      progress.accept("testing every known effect");
+      search = new CauseSearch(fitter, progress);
+      FittedHypothesis best = search.polishRegion(search.search(simple, problem.maxCauses()));
+      progress.accept("weighing the explanations");
+      decision = new Decision(search, best, problem.seed());
+      decision.settle();
+    }
+
+    /** Where structure remains, a cause stays only if it is the same in all kicks. */
+    private void blameOnlyTheGuilty() {
+      Structure after = decision.structure();
+      if (!after.isSignificant() || decision.best().hypothesis().isSimple()) {
+        return;
+      }
+      double share = after.systematic() / Structure.of(fitter, simple).systematic();
+      if (share < REMAINS) {
+        return;
+      }
+      ScoreFrame frame = new ScoreFrame(fitter, decision.best());
+      List<Chart> unsteady = new ArrayList<>();
+      for (Chart chart : decision.best().hypothesis().charts()) {
+        boolean perKick = decision.best().hypothesis().isRandom(chart);
+        boolean steady = !perKick && Consistency.scatter(frame, decision.best(), chart) < STEADY;
+        if (share > TOO_MUCH || !steady) {
+          unsteady.add(chart);
+        }
+      }
+      decision.acquit(unsteady);
+    }
+
+    private FlatModel flatStart() {
+      double[] v = medians(KickKind.FLAT, "accSlide", "accRoll", "kSwitch");
+      return v == null ? FlatModel.typical() : new FlatModel(v[0], v[1], v[2]);
+    }
+
+    private ChipModel chipStart() {
+      double[] v =
+          medians(KickKind.CHIP, "dampingXyFirstHop", "dampingXyOtherHops", "dampingZ", "accRoll");
+      return v == null ? ChipModel.typical() : new ChipModel(v[0], v[1], v[2], v[3]);
+    }
+
+    private double[] medians(KickKind kind, String... names) {
+      double[] values = new double[names.length];
+      for (int j = 0; j < names.length; j++) {
+        String name = names[j];
+        double[] sorted =
+            problem.fits().stream()
+                .filter(f -> f.kind() == kind)
+                .mapToDouble(f -> f.estimate(name).value())
+                .sorted()
+                .toArray();
+        if (sorted.length == 0) {
+          return null;
+        }
+        values[j] = sorted[sorted.length / 2];
+      }
+      return values;
+    }
+
+    private Diagnosis result(Map<Chart, Gain> gains) {
+      FittedHypothesis best = decision.best();
+      Structure after = decision.structure();
+      HoldOut heldBefore = HoldOut.of(fitter, simple, problem.seed());
+      HoldOut heldAfter =
+          best.hypothesis().isSimple() ? heldBefore : HoldOut.of(fitter, best, problem.seed());
+      List<Cause> causes = causes(best, gains);
+      List<StructureProfile> before = Profiles.of(fitter, simple);
+      List<StructureProfile> left = Profiles.of(fitter, best);
+      Quality base = quality(simple, heldBefore);
+      Quality extended = quality(best, heldAfter);
+      Unexplained unexplained =
+          new Unexplained(
+              after.isSignificant(),
+              base.noiseMm() * Math.sqrt(Math.max(0, after.systematic())),
+              after.deviation(),
+              after.isSignificant() ? Profiles.named(left) : List.of());
+      Verdict verdict =
+          causes.isEmpty()
+              ? after.isSignificant() ? Verdict.UNEXPLAINED_STRUCTURE : Verdict.MODEL_ADEQUATE
+              : Verdict.EXPLAINED;
+      return new Diagnosis(
+          verdict,
+          base,
+          extended,
+          causes,
+          tried(best),
+          unexplained,
+          before,
+          left,
+          residuals(best, heldBefore, heldAfter),
+          model(simple),
+          model(best),
+          problem.seed());
+    }
+
+    private List<Cause> causes(FittedHypothesis best, Map<Chart, Gain> gains) {
+      List<Cause> causes = new ArrayList<>();
+      for (Chart chart : best.hypothesis().charts()) {
+        Map<String, Double> errors =
+            chart.errors(best.shared(), best.covariance(), best.offset(chart));
+        causes.add(
+            new Cause(
+                best.effect(chart),
+                errors,
+                best.scatter(chart),
+                decision.evidence(chart),
+                gains.get(chart),
+                decision.ties(chart),
+                ""));
+      }
+      causes.sort((a, b) -> Double.compare(b.evidence(), a.evidence()));
+      return causes;
+    }
+
+    private List<Candidate> tried(FittedHypothesis best) {
+      Map<String, Candidate> all = new java.util.LinkedHashMap<>();
+      List<Score> added = search.scores(best);
+      for (Score score : search.scores(simple)) {
+        Hypothesis alone = Hypothesis.SIMPLE.with(score.chart(), score.perKick());
+        double evidence = Double.NaN;
+        Effect effect = score.chart().effect(score.coordinates(), 0);
+        for (FittedHypothesis f : search.fitted()) {
+          if (f.hypothesis().sameCauses(alone)) {
+            evidence = f.logEvidence() - simple.logEvidence();
+            effect = f.effect(f.hypothesis().charts().get(0));
+          }
+        }
+        double more = Double.NaN;
+        for (Score s : added) {
+          if (s.chart().sameCause(score.chart()) && s.chart().size() == score.chart().size()) {
+            more = s.evidence();
+          }
+        }
+        all.putIfAbsent(
+            score.chart().toString(),
+            new Candidate(
+                effect, score.gain(), evidence, more, best.hypothesis().hasCause(score.chart())));
+      }
+      return List.copyOf(all.values());
+    }
+
+    private Quality quality(FittedHypothesis f, HoldOut held) {
+      SharedState state = SharedState.of(f.hypothesis(), f.shared(), fitter.observers);
+      double squares = 0;
+      double variance = 0;
+      int n = 0;
+      for (int k = 0; k < fitter.kicks.size(); k++) {
+        KickModel model = model(f, k);
+        KickData d = model.data;
+        double[] rx = new double[d.size];
+        double[] ry = new double[d.size];
+        model.plainResiduals(state, rx, ry);
+        for (int i = 0; i < d.size; i++) {
+          if (d.used[i]) {
+            squares += rx[i] * rx[i] + ry[i] * ry[i];
+            // Half the trace of the covariance, whose Cholesky factor's inverse is w.
+            double l11 = 1 / d.w11[i];
+            double l22 = 1 / d.w22[i];
+            double l21 = -d.w21[i] * l11 * l22;
+            variance += l11 * l11 + l21 * l21 + l22 * l22;
+            n += 2;
+          }
+        }
+      }
+      return new Quality(
+          1000 * Math.sqrt(squares / n),
+          1000 * Math.sqrt(variance / n),
+          held.rmsMm(),
+          held.predictionMm());
+    }
+
+    private KickModel model(FittedHypothesis f, int k) {
+      KickModel model =
+          new KickModel(
+              fitter.kicks.get(k), f.hypothesis().random().size(), problem.sessionStart());
+      model.startFrom(f.own().get(k), f.flights()[k], new double[0]);
+      return model;
+    }
+
+    private List<KickResiduals> residuals(
+        FittedHypothesis best, HoldOut heldBefore, HoldOut heldAfter) {
+      SharedState simpleState =
+          SharedState.of(simple.hypothesis(), simple.shared(), fitter.observers);
+      SharedState bestState = SharedState.of(best.hypothesis(), best.shared(), fitter.observers);
+      List<KickResiduals> all = new ArrayList<>();
+      for (int k = 0; k < fitter.kicks.size(); k++) {
+        KickModel before = model(simple, k);
+        KickModel after = model(best, k);
+        KickData d = before.data;
+        double[][] r = new double[4][d.size];
+        before.plainResiduals(simpleState, r[0], r[1]);
+        after.plainResiduals(bestState, r[2], r[3]);
+        BallTrajectory pathBefore = before.path(simpleState, before.own);
+        BallTrajectory pathAfter = after.path(bestState, after.own);
+        all.add(
+            new KickResiduals(
+                d.kick,
+                d.kind,
+                pathBefore,
+                pathAfter,
+                r[0],
+                r[1],
+                r[2],
+                r[3],
+                d.used,
+                heldBefore.rmsMm(k),
+                heldAfter.rmsMm(k)));
+      }
+      return all;
+    }
+
+    private ExtendedModel model(FittedHypothesis f) {
+      boolean flats = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.FLAT);
+      boolean chips = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.CHIP);
+      List<Effect> effects = f.hypothesis().charts().stream().map(f::effect).toList();
+      return new ExtendedModel(
+          flats ? Optional.of(SharedUnknowns.flat(f.shared())) : Optional.empty(),
+          chips ? Optional.of(SharedUnknowns.chip(f.shared())) : Optional.empty(),
+          effects,
+          problem.sessionStart());
+    }
   }
 }

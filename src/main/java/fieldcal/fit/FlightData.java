@@ -5,10 +5,6 @@ import fieldcal.kick.Observations;
 
 /**
  * The observations of a kick, ready for the inner loop: offsets taken out, camera positions and whitening factors looked up.
- *
- * <p>Whitening turns a residual in the ground plane into one with unit variance per component. A camera's noise is one of its
- * pixels: towards the edge of the image a pixel covers more ground, and more along the line of sight than across it. Where the
- * camera's pixels are unknown, the noise is taken to be the same everywhere.
  */
 final class FlightData {
   final int size;
@@ -37,7 +33,7 @@ final class FlightData {
 
   static FlightData of(Observations observations, CameraViews views) {
     FlightData data = new FlightData(observations.size());
-    double[] jacobian = new double[4];
+    Whitening whitening = new Whitening();
     for (int i = 0; i < data.size; i++) {
       CameraView view = views.get(observations.camera(i));
       data.time[i] = observations.time(i);
@@ -48,30 +44,12 @@ final class FlightData {
       data.cameraX[i] = camera == null ? 0 : camera.positionX();
       data.cameraY[i] = camera == null ? 0 : camera.positionY();
       data.cameraHeight[i] = camera == null ? 1e9 : camera.heightAboveBallPlane();
-      data.whiten(i, view, camera, jacobian);
+      whitening.at(view, data.x[i], data.y[i]);
+      data.w11[i] = whitening.w11();
+      data.w21[i] = whitening.w21();
+      data.w22[i] = whitening.w22();
     }
     return data;
-  }
-
-  private void whiten(int i, CameraView view, Camera camera, double[] jacobian) {
-    double c11 = 1;
-    double c21 = 0;
-    double c22 = 1;
-    if (camera != null && camera.hasPixels()) {
-      camera.groundPerPixel(camera.positionX(), camera.positionY(), jacobian);
-      double nadir = Math.abs(jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2]);
-      camera.groundPerPixel(x[i], y[i], jacobian);
-      c11 = (jacobian[0] * jacobian[0] + jacobian[1] * jacobian[1]) / nadir;
-      c21 = (jacobian[0] * jacobian[2] + jacobian[1] * jacobian[3]) / nadir;
-      c22 = (jacobian[2] * jacobian[2] + jacobian[3] * jacobian[3]) / nadir;
-    }
-    // Inverse of the Cholesky factor L of the covariance: L = (l11 0; l21 l22).
-    double l11 = Math.sqrt(c11);
-    double l21 = c21 / l11;
-    double l22 = Math.sqrt(Math.max(c22 - l21 * l21, 1e-12));
-    w11[i] = 1 / (l11 * view.noise());
-    w21[i] = -l21 / (l11 * l22 * view.noise());
-    w22[i] = 1 / (l22 * view.noise());
   }
 
   /** These observations only. */

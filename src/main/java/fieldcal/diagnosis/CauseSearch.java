@@ -1,0 +1,241 @@
+package fieldcal.diagnosis;
+
+import fieldcal.effect.measurement.CameraPoseError;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * Looks for the hypothesis with the largest evidence: score tests choose what is worth a refit, the best few hypotheses are carried on, not the best alone, since the best single explanation of two causes may
+ * be neither. Keeps every fit.
+ */
+final class CauseSearch {
+  /** An effect whose score promises less evidence is not refitted; chance makes 10 once in more recordings than will ever be played. */
+  static final double WORTH_A_FIT = 10;
+
+  /** Hypotheses carried on. */
+  private static final int BEAM = 3;
+
+  /** Refits for the best hypothesis, and for each of the others. */
+  private static final int REFITS = 6;
+
+  private static final int REFITS_OF_OTHERS = 3;
+
+  /** Refits of one effect at different places, or with different magnitudes free. */
+  private static final int OF_ONE_EFFECT = 2;
+
+  private final HypothesisFitter fitter;
+  private final Candidates candidates;
+  private final Consumer<String> progress;
+  private final Map<FittedHypothesis, List<Score>> scores = new HashMap<>();
+  private final List<FittedHypothesis> fitted = new ArrayList<>();
+
+  CauseSearch(HypothesisFitter fitter, Consumer<String> progress) {
+    this.fitter = fitter;
+    this.progress = progress;
+    candidates = new Candidates(fitter);
+  }
+
+  /** The best hypothesis with at most so many causes. */
+  FittedHypothesis search(FittedHypothesis simple, int maxCauses) {
+    FittedHypothesis best = simple;
+    List<FittedHypothesis> beam = List.of(simple);
+    fitted.add(simple);
+    for (int level = 0; level < maxCauses; level++) {
+      if (worthwhile(best).isEmpty()) {
+        break;
+      }
+      List<FittedHypothesis> next = new ArrayList<>();
+      for (FittedHypothesis from : beam) {
+        int refits = from == best ? REFITS : REFITS_OF_OTHERS;
+        for (Score score : chosen(from, refits)) {
+          FittedHypothesis f = extend(from, score);
+          if (f != null) {
+            next.add(f);
+          }
+        }
+      }
+      next.sort(Comparator.comparingDouble(f -> -f.logEvidence()));
+      if (next.isEmpty() || next.get(0).logEvidence() - best.logEvidence() < WORTH_A_FIT) {
+        break;
+      }
+      best = next.get(0);
+      beam = next.subList(0, Math.min(BEAM, next.size()));
+      progress.accept("best explanation so far: " + best.hypothesis());
+    }
+    return best;
+  }
+
+  /** Score tests of everything on top of a fitted hypothesis, best first. */
+  List<Score> scores(FittedHypothesis at) {
+    return scores.computeIfAbsent(at, this::allScores);
+  }
+
+  private List<Score> allScores(FittedHypothesis at) {
+    ScoreFrame frame = new ScoreFrame(fitter, at);
+    List<Score> all = new ArrayList<>();
+    for (Chart chart : candidates.fixed()) {
+      if (isNew(at.hypothesis(), chart)) {
+        all.add(frame.score(chart));
+      }
+    }
+    for (Chart chart : candidates.random()) {
+      if (!at.hypothesis().hasCause(chart)) {
+        all.add(frame.randomScore(chart));
+      }
+    }
+    Score region = new RegionSearch(frame).best();
+    if (region != null) {
+      all.add(region);
+    }
+    all.sort(Comparator.comparingDouble((Score s) -> -s.evidence()));
+    return all;
+  }
+
+  /** Whether a chart adds something: another cause, or more magnitudes of one that is there. */
+  private static boolean isNew(Hypothesis hypothesis, Chart chart) {
+    return hypothesis.charts().stream()
+        .noneMatch(c -> c.sameCause(chart) && c.size() >= chart.size());
+  }
+
+  private List<Score> worthwhile(FittedHypothesis at) {
+    return scores(at).stream().filter(s -> s.evidence() > WORTH_A_FIT).toList();
+  }
+
+  private List<Score> chosen(FittedHypothesis at, int most) {
+    List<Score> chosen = new ArrayList<>();
+    Map<String, Integer> perEffect = new HashMap<>();
+    for (Score s : worthwhile(at)) {
+      int before = perEffect.merge(s.chart().id(), 1, Integer::sum);
+      if (before <= OF_ONE_EFFECT && chosen.size() < most) {
+        chosen.add(s);
+      }
+    }
+    return chosen;
+  }
+
+  /** The hypothesis with one effect more, fitted; null when that was done before. */
+  FittedHypothesis extend(FittedHypothesis from, Score score) {
+    Hypothesis base = from.hypothesis();
+    Chart replaced =
+        base.charts().stream().filter(c -> c.sameCause(score.chart())).findFirst().orElse(null);
+    Hypothesis next =
+        (replaced == null ? base : base.without(replaced)).with(score.chart(), score.perKick());
+    for (FittedHypothesis f : fitted) {
+      if (f.hypothesis().sameCauses(next)) {
+        return null;
+      }
+    }
+    double[] start = start(next, from);
+    FittedHypothesis f = fit(next, start, from, replaced == null ? score : null);
+    fitted.add(f);
+    return f;
+  }
+
+  /** The fit of a hypothesis, new or known, from another one's. */
+  FittedHypothesis fit(Hypothesis next, FittedHypothesis from) {
+    for (FittedHypothesis f : fitted) {
+      if (f.hypothesis().sameCauses(next)) {
+        return f;
+      }
+    }
+    FittedHypothesis f = fitter.fit(next, start(next, from), from, true);
+    fitted.add(f);
+    return f;
+  }
+
+  private FittedHypothesis fit(
+      Hypothesis next, double[] start, FittedHypothesis from, Score score) {
+    if (score == null || score.perKick()) {
+      return fitter.fit(next, start, from, true);
+    }
+    int at = offset(next, score.chart());
+    double[] best = start;
+    double lowest = fitter.cost(next, start, from);
+    for (double share = 1; share > 0.05; share /= 2) {
+      double[] tried = start.clone();
+      for (int j = 0; j < score.coordinates().length; j++) {
+        tried[at + j] = share * score.coordinates()[j];
+      }
+      double cost = fitter.cost(next, tried, from);
+      if (cost < lowest) {
+        lowest = cost;
+        best = tried;
+      }
+    }
+    return fitter.fit(next, best, from, true);
+  }
+
+  private static int offset(Hypothesis hypothesis, Chart chart) {
+    int k = SharedUnknowns.MODEL;
+    for (Chart c : hypothesis.charts()) {
+      if (c == chart) {
+        return k;
+      }
+      k += c.size();
+    }
+    throw new IllegalArgumentException(chart + " is no part of " + hypothesis);
+  }
+
+  /** Shared values of a hypothesis: what it has in common with another one as fitted there, the rest zero. */
+  static double[] start(Hypothesis next, FittedHypothesis from) {
+    double[] start = Arrays.copyOf(from.shared(), SharedUnknowns.MODEL + next.coordinates());
+    Arrays.fill(start, SharedUnknowns.MODEL, start.length, 0);
+    for (Chart chart : next.charts()) {
+      if (from.hypothesis().charts().contains(chart)) {
+        System.arraycopy(
+            from.shared(), from.offset(chart), start, offset(next, chart), chart.size());
+      }
+    }
+    return start;
+  }
+
+  /** The edges of a worn region moved until the fit no longer improves; nothing happens without a region. */
+  FittedHypothesis polishRegion(FittedHypothesis f) {
+    FittedHypothesis best = f;
+    for (double step = 0.16; step > 0.015; step /= 2) {
+      boolean improved = true;
+      for (int round = 0; round < 2 && improved; round++) {
+        improved = false;
+        Chart region = region(best.hypothesis());
+        if (region == null) {
+          return best;
+        }
+        for (Chart moved : RegionSearch.moved(region, step)) {
+          Chart now = region(best.hypothesis());
+          Hypothesis h = best.hypothesis().without(now).with(moved, false);
+          double[] start = start(h, best);
+          start[offset(h, moved)] = best.shared()[best.offset(now)];
+          FittedHypothesis tried = fitter.fit(h, start, best, false);
+          if (tried.chiSquare() < best.chiSquare() - 0.5) {
+            best = tried;
+            improved = true;
+            break;
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+  private static Chart region(Hypothesis h) {
+    return h.fixed().stream().filter(c -> c.id().equals("worn_region")).findFirst().orElse(null);
+  }
+
+  HypothesisFitter fitter() {
+    return fitter;
+  }
+
+  /** Everything that was fitted. */
+  List<FittedHypothesis> fitted() {
+    return fitted;
+  }
+
+  static boolean isPose(Chart chart) {
+    return chart.template() instanceof CameraPoseError;
+  }
+}

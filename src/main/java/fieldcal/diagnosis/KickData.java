@@ -1,0 +1,114 @@
+package fieldcal.diagnosis;
+
+import fieldcal.ball.BallState;
+import fieldcal.ball.BallTrajectory;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.Whitening;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
+import fieldcal.kick.Observations;
+
+/** The observations of one kick as the joint fits need them: as reported, whitened, without detections of something else. Immutable. */
+final class KickData {
+  /** Without rest before the kick its time is known from where two lines cross only, s. */
+  static final double TIME_PRIOR = 0.004;
+
+  final Kick kick;
+  final KickKind kind;
+
+  /** Where the kick's own fit ended, cameras' offsets taken out: position, velocity, time. */
+  final double[] start;
+
+  final int flights;
+  final int size;
+  final double[] time;
+  final double[] x;
+  final double[] y;
+  final double[] row;
+  final int[] camera;
+  final double[] w11;
+  final double[] w21;
+  final double[] w22;
+  final boolean[] used;
+  final int usedCount;
+
+  /**
+   * @param stampNoise standard deviation of time stamps, s
+   */
+  KickData(KickFit fit, CameraViews views, double stampNoise) {
+    kick = fit.kick();
+    kind = fit.kind();
+    int own = ownSize(kind);
+    start = new double[own];
+    System.arraycopy(fit.values(), 0, start, 0, own);
+    flights = fit.statistics().flights();
+    Observations seen = kick.observations();
+    size = seen.size();
+    time = new double[size];
+    x = new double[size];
+    y = new double[size];
+    row = new double[size];
+    camera = new int[size];
+    w11 = new double[size];
+    w21 = new double[size];
+    w22 = new double[size];
+    used = Outliers.kept(fit, views);
+    Whitening whitening = new Whitening();
+    BallTrajectory path = fit.trajectory();
+    int count = 0;
+    for (int i = 0; i < size; i++) {
+      time[i] = seen.time(i);
+      x[i] = seen.x(i);
+      y[i] = seen.y(i);
+      row[i] = seen.pixelY(i);
+      camera[i] = seen.camera(i);
+      CameraView view = views.get(camera[i]);
+      BallState state = path.stateAt(time[i]);
+      whitening.at(view, x[i], y[i], stampNoise * state.vx(), stampNoise * state.vy());
+      w11[i] = whitening.w11();
+      w21[i] = whitening.w21();
+      w22[i] = whitening.w22();
+      count += used[i] ? 1 : 0;
+    }
+    usedCount = count;
+  }
+
+  /** The same without some of the detections. */
+  private KickData(KickData of, boolean[] dropped) {
+    kick = of.kick;
+    kind = of.kind;
+    start = of.start;
+    flights = of.flights;
+    size = of.size;
+    time = of.time;
+    x = of.x;
+    y = of.y;
+    row = of.row;
+    camera = of.camera;
+    w11 = of.w11;
+    w21 = of.w21;
+    w22 = of.w22;
+    used = of.used.clone();
+    int count = 0;
+    for (int i = 0; i < size; i++) {
+      used[i] &= !dropped[i];
+      count += used[i] ? 1 : 0;
+    }
+    usedCount = count;
+  }
+
+  KickData without(boolean[] dropped) {
+    return new KickData(this, dropped);
+  }
+
+  /** How many unknowns a kick has of its own: position, velocity, time. */
+  static int ownSize(KickKind kind) {
+    return kind == KickKind.FLAT ? 5 : 6;
+  }
+
+  int timeIndex() {
+    return start.length - 1;
+  }
+}

@@ -1,0 +1,195 @@
+package fieldcal.diagnosis;
+
+import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.MotionEffects;
+import fieldcal.kick.KickKind;
+import java.util.Arrays;
+
+/**
+ * One kick under a hypothesis: its own unknowns (position, velocity, time, then its magnitudes of the random effects), its residuals, and their derivatives by central differences. A
+ * working object; not thread-safe, but those of different kicks are independent.
+ */
+final class KickModel {
+  /** Steps of the numerical derivatives: position, m; velocity, m/s; time, s; magnitude of a random effect. */
+  private static final double POSITION_STEP = 1e-3;
+
+  private static final double VELOCITY_STEP = 5e-3;
+  private static final double TIME_STEP = 3e-4;
+
+  private static final double RANDOM_STEP = 0.02;
+
+  /** Slowest rise of a chip, m/s. */
+  private static final double SLOWEST_RISE = 0.05;
+
+  final KickData data;
+  final int ownSize;
+  final int kickSize;
+  double[] own;
+  int flights;
+  private final double sessionStart;
+  private final double[] ball = new double[3];
+  private final double[] ground = new double[2];
+
+  /** Only observations until then count, s. */
+  private double until = Double.POSITIVE_INFINITY;
+
+  KickModel(KickData data, int randomEffects, double sessionStart) {
+    this.data = data;
+    this.sessionStart = sessionStart;
+    kickSize = data.start.length;
+    ownSize = kickSize + randomEffects;
+    own = Arrays.copyOf(data.start, ownSize);
+    flights = data.flights;
+  }
+
+  /** Starts where another fit of the same kick ended; magnitudes of random effects that it does not know at {@code mean}. */
+  void startFrom(double[] otherOwn, int otherFlights, double[] mean) {
+    for (int k = 0; k < ownSize; k++) {
+      own[k] = k < otherOwn.length ? otherOwn[k] : mean[k - kickSize];
+    }
+    flights = otherFlights;
+  }
+
+  void until(double time) {
+    until = time;
+  }
+
+  boolean counts(int i) {
+    return data.used[i] && data.time[i] <= until;
+  }
+
+  ExtendedTrajectory path(SharedState state, double[] p) {
+    MotionEffects motion = state.motionOf(p, kickSize);
+    double t0 = p[data.timeIndex()];
+    if (data.kind == KickKind.FLAT) {
+      return ExtendedTrajectory.flat(state.flat, motion, sessionStart, t0, p[0], p[1], p[2], p[3]);
+    }
+    return ExtendedTrajectory.chipWithHops(
+        state.chip, motion, sessionStart, t0, p[0], p[1], p[2], p[3], clampRise(p[4]), flights);
+  }
+
+  /** How many flights the 10 mm rule says. */
+  int flightsByRule(SharedState state, double[] p) {
+    MotionEffects motion = state.motionOf(p, kickSize);
+    double t0 = p[data.timeIndex()];
+    return ExtendedTrajectory.chip(
+            state.chip, motion, sessionStart, t0, p[0], p[1], p[2], p[3], clampRise(p[4]))
+        .flights();
+  }
+
+  private static double clampRise(double vz) {
+    return Math.max(SLOWEST_RISE, vz);
+  }
+
+  /** Whitened residuals, seen minus predicted, two per observation, zero for those that do not count; returns the sum of their squares. */
+  double residuals(SharedState state, ExtendedTrajectory path, double[] out) {
+    double sum = 0;
+    for (int i = 0; i < data.size; i++) {
+      if (!counts(i)) {
+        out[2 * i] = 0;
+        out[2 * i + 1] = 0;
+        continue;
+      }
+      see(state, path, i);
+      double rx = data.x[i] - ground[0];
+      double ry = data.y[i] - ground[1];
+      double r1 = data.w11[i] * rx;
+      double r2 = data.w21[i] * rx + data.w22[i] * ry;
+      out[2 * i] = r1;
+      out[2 * i + 1] = r2;
+      sum += r1 * r1 + r2 * r2;
+    }
+    return sum;
+  }
+
+  /** Residuals in the plane, m, of all observations. */
+  void plainResiduals(SharedState state, double[] rx, double[] ry) {
+    ExtendedTrajectory path = path(state, own);
+    for (int i = 0; i < data.size; i++) {
+      see(state, path, i);
+      rx[i] = data.x[i] - ground[0];
+      ry[i] = data.y[i] - ground[1];
+    }
+  }
+
+  /** Between predicted and seen position, m². */
+  double squaredDistance(SharedState state, ExtendedTrajectory path, int i) {
+    see(state, path, i);
+    double rx = data.x[i] - ground[0];
+    double ry = data.y[i] - ground[1];
+    return rx * rx + ry * ry;
+  }
+
+  private void see(SharedState state, ExtendedTrajectory path, int i) {
+    int camera = data.camera[i];
+    path.positionAt(
+        state.measurement.ballTime(camera, data.time[i] - sessionStart, data.row[i]) + sessionStart,
+        ball);
+    state.measurement.report(camera, ball, ground);
+  }
+
+  /** What the kick's own unknowns cost: a time that no rest pins, magnitudes away from the mean. */
+  double priorCost(SharedState state, double[] p, double[] scatter) {
+    double cost = 0;
+    if (!data.kick.fromRest()) {
+      double d = (p[data.timeIndex()] - data.kick.time()) / KickData.TIME_PRIOR;
+      cost += d * d;
+    }
+    for (int j = kickSize; j < ownSize; j++) {
+      double d = (p[j] - mean(state, j)) / scatter[j - kickSize];
+      cost += d * d;
+    }
+    return cost;
+  }
+
+  /** Means of the random effects are the last of the shared values. */
+  double mean(SharedState state, int ownIndex) {
+    return state.values[state.values.length - ownSize + ownIndex];
+  }
+
+  /** Derivatives of the prediction by the kick's own unknowns, whitened: one column each. */
+  void ownColumns(SharedState state, double[][] columns, double[] scratch) {
+    double[] p = own.clone();
+    for (int k = 0; k < ownSize; k++) {
+      double h = ownStep(k);
+      p[k] = own[k] + h;
+      residuals(state, path(state, p), columns[k]);
+      p[k] = own[k] - h;
+      residuals(state, path(state, p), scratch);
+      p[k] = own[k];
+      for (int i = 0; i < scratch.length; i++) {
+        columns[k][i] = (scratch[i] - columns[k][i]) / (2 * h);
+      }
+    }
+  }
+
+  /** Derivative by something shared, between two states that are {@code 2h} apart. */
+  void column(
+      SharedState centre,
+      ExtendedTrajectory centrePath,
+      SharedState plus,
+      SharedState minus,
+      double h,
+      double[] column,
+      double[] scratch) {
+    residuals(plus, sameMotion(centre, plus) ? centrePath : path(plus, own), column);
+    residuals(minus, sameMotion(centre, minus) ? centrePath : path(minus, own), scratch);
+    for (int i = 0; i < scratch.length; i++) {
+      column[i] = (scratch[i] - column[i]) / (2 * h);
+    }
+  }
+
+  private static boolean sameMotion(SharedState a, SharedState b) {
+    return a.motion == b.motion && a.flat.equals(b.flat) && a.chip.equals(b.chip);
+  }
+
+  double ownStep(int k) {
+    if (k < 2) {
+      return POSITION_STEP;
+    }
+    if (k < data.timeIndex()) {
+      return VELOCITY_STEP;
+    }
+    return k == data.timeIndex() ? TIME_STEP : RANDOM_STEP;
+  }
+}

@@ -1,0 +1,5 @@
+package fieldcal.diagnosis;
+
+final class KickerBiasTest {
+  private KickerBiasTest() {}
+}

@@ -1,0 +1,121 @@
+package fieldcal.diagnosis;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.kick.KickKind;
+import java.util.Arrays;
+
+/** Fits the own unknowns of one kick under shared ones that are given. A working object; not thread-safe. */
+final class OwnFit {
+  private static final int MAX_ITERATIONS = 25;
+  private static final double ENOUGH = 0.01;
+
+  /** What a number of flights against the 10 mm rule costs in chi-square; noise reaches it once in ten thousand kicks. */
+  private static final double RULE_PRICE = 15;
+
+  private final KickModel model;
+  private final SharedState state;
+  private final double[] scatter;
+
+  OwnFit(KickModel model, SharedState state, double[] scatter) {
+    this.model = model;
+    this.state = state;
+    this.scatter = scatter;
+  }
+
+  /** Improves the model's own unknowns in place; returns the cost there. */
+  double minimize() {
+    int n = 2 * model.data.size;
+    int p = model.ownSize;
+    double[] residual = new double[n];
+    double[] scratch = new double[n];
+    double[][] columns = new double[p][n];
+    double[] scale = new double[p];
+    Arrays.setAll(scale, model::ownStep);
+    double cost = cost(model.own, residual);
+    double lambda = 1e-4;
+    KickNormal normal = null;
+    for (int i = 0; i < MAX_ITERATIONS && lambda < 1e8; i++) {
+      if (normal == null) {
+        model.ownColumns(state, columns, scratch);
+        normal = new KickNormal(columns, new double[0][], residual, cost, scale);
+        tie(normal);
+      }
+      normal.reduce(lambda, new double[0][0], new double[0]);
+      double[] step = normal.ownStep(new double[0]);
+      double[] next = model.own.clone();
+      for (int k = 0; k < p; k++) {
+        next[k] += step[k];
+      }
+      if (model.data.kind == KickKind.CHIP) {
+        next[4] = Math.max(0.05, next[4]);
+      }
+      double[] nextResidual = new double[n];
+      double nextCost = cost(next, nextResidual);
+      if (nextCost <= cost) {
+        double gained = cost - nextCost;
+        model.own = next;
+        cost = nextCost;
+        residual = nextResidual;
+        normal = null;
+        lambda = Math.max(1e-7, lambda / 8);
+        if (gained < ENOUGH) {
+          break;
+        }
+      } else {
+        if (nextCost - cost < 1e-9 * cost) {
+          break;
+        }
+        lambda = Math.max(1e-5, lambda * 6);
+      }
+    }
+    return cost;
+  }
+
+  private double cost(double[] own, double[] residual) {
+    return model.residuals(state, model.path(state, own), residual)
+        + model.priorCost(state, own, scatter);
+  }
+
+  private void tie(KickNormal normal) {
+    if (!model.data.kick.fromRest()) {
+      int t = model.data.timeIndex();
+      double weight = 1 / (KickData.TIME_PRIOR * KickData.TIME_PRIOR);
+      normal.tie(t, -1, model.own[t] - model.data.kick.time(), weight);
+    }
+    for (int j = model.kickSize; j < model.ownSize; j++) {
+      double s = scatter[j - model.kickSize];
+      normal.tie(j, -1, model.own[j] - model.mean(state, j), 1 / (s * s));
+    }
+  }
+
+  /** Tries one flight more and one less; true when that explains the kick better. */
+  boolean chooseFlights() {
+    int n = 2 * model.data.size;
+    int kept = model.flights;
+    double[] keptOwn = model.own;
+    double best = priced(cost(model.own, new double[n]));
+    int bestFlights = kept;
+    double[] bestOwn = keptOwn;
+    for (int other : new int[] {kept - 1, kept + 1}) {
+      if (other < 1 || other > ChipModel.MAX_FLIGHTS) {
+        continue;
+      }
+      model.flights = other;
+      model.own = keptOwn.clone();
+      double tried = priced(minimize());
+      boolean plausible = Math.abs(model.flightsByRule(state, model.own) - other) <= 1;
+      if (plausible && tried < best - 0.1) {
+        best = tried;
+        bestFlights = other;
+        bestOwn = model.own;
+      }
+    }
+    model.flights = bestFlights;
+    model.own = bestOwn;
+    return bestFlights != kept;
+  }
+
+  private double priced(double cost) {
+    return model.flightsByRule(state, model.own) == model.flights ? cost : cost + RULE_PRICE;
+  }
+}

@@ -1,0 +1,199 @@
+package fieldcal.diagnosis;
+
+import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.motion.WornRegion;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.linear.RealMatrix;
+
+/**
+ * Looks for the rectangle of carpet whose friction differs: the score of every rectangle on a coarse grid from those of its cells, then the edges of the best moved in smaller and
+ * smaller steps.
+ */
+final class RegionSearch {
+  /** Size of a cell, m. */
+  private static final double CELL = 1;
+
+  /** Last step of an edge, m. */
+  private static final double FINEST = 0.06;
+
+  /** What freely chosen edges cost in evidence: some thousand rectangles, and four numbers known to a tenth of their range. */
+  static final double PRICE = 14;
+
+  /** Smallest side of a region, m. */
+  private static final double SMALLEST = 0.3;
+
+  private final ScoreFrame frame;
+
+  RegionSearch(ScoreFrame frame) {
+    this.frame = frame;
+  }
+
+  /** The best rectangle, its evidence with the price of having been looked for taken off; null when no kick crosses anything. */
+  Score best() {
+    double[] box = {Double.MAX_VALUE, -Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE};
+    for (int k = 0; k < frame.kicks(); k++) {
+      double[] one = frame.extent(k);
+      box[0] = Math.min(box[0], one[0]);
+      box[1] = Math.max(box[1], one[1]);
+      box[2] = Math.min(box[2], one[2]);
+      box[3] = Math.max(box[3], one[3]);
+    }
+    int nx = Math.max(1, (int) Math.ceil((box[1] - box[0]) / CELL));
+    int ny = Math.max(1, (int) Math.ceil((box[3] - box[2]) / CELL));
+    if (nx * ny > 400 || nx * ny < 2) {
+      return null;
+    }
+    Score coarse = coarse(box, nx, ny);
+    return coarse == null ? null : refined(coarse, box);
+  }
+
+  private Score coarse(double[] box, int nx, int ny) {
+    Cell[][] cells = new Cell[frame.kicks()][];
+    IntStream.range(0, cells.length).parallel().forEach(k -> cells[k] = cellsOf(k, box, nx, ny));
+    Score best = null;
+    for (int i0 = 0; i0 < nx; i0++) {
+      for (int i1 = i0 + 1; i1 <= nx; i1++) {
+        for (int j0 = 0; j0 < ny; j0++) {
+          for (int j1 = j0 + 1; j1 <= ny; j1++) {
+            if ((i1 - i0) * (j1 - j0) * 2 > nx * ny + nx) {
+              // A large region that is worn is a small one that is not.
+              continue;
+            }
+            Score s = sum(cells, box, i0, i1, j0, j1);
+            if (s != null && (best == null || s.gain() > best.gain())) {
+              best = s;
+            }
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+  private record Cell(int i, int j, double[] withShared, double score, double[] information) {}
+
+  /** The cells that a kick crosses, with their products with each other. */
+  private Cell[] cellsOf(int kick, double[] box, int nx, int ny) {
+    boolean[] crossed = new boolean[nx * ny];
+    ExtendedTrajectory path = frame.path(kick);
+    double[] at = new double[3];
+    for (double t = path.kickTime();
+        t < Math.min(path.restTime(), frame.lastSeen(kick));
+        t += 0.02) {
+      path.positionAt(t, at);
+      int i = (int) Math.floor((at[0] - box[0]) / CELL);
+      int j = (int) Math.floor((at[1] - box[2]) / CELL);
+      if (i >= 0 && i < nx && j >= 0 && j < ny) {
+        crossed[i * ny + j] = true;
+      }
+    }
+    List<int[]> cells = new ArrayList<>();
+    List<Chart> charts = new ArrayList<>();
+    for (int c = 0; c < crossed.length; c++) {
+      if (crossed[c]) {
+        int i = c / ny;
+        int j = c % ny;
+        cells.add(new int[] {i, j});
+        charts.add(
+            chart(
+                box[0] + i * CELL,
+                box[0] + (i + 1) * CELL,
+                box[2] + j * CELL,
+                box[2] + (j + 1) * CELL));
+      }
+    }
+    if (charts.isEmpty()) {
+      return new Cell[0];
+    }
+    ScoreFrame.Part part = frame.part(kick, charts);
+    Cell[] found = new Cell[charts.size()];
+    RealMatrix information = part.information();
+    for (int c = 0; c < found.length; c++) {
+      found[c] =
+          new Cell(
+              cells.get(c)[0],
+              cells.get(c)[1],
+              part.withShared().getColumn(c),
+              part.score()[c],
+              information.getRow(c));
+    }
+    return found;
+  }
+
+  private Score sum(Cell[][] cells, double[] box, int i0, int i1, int j0, int j1) {
+    double information = 0;
+    double score = 0;
+    double[] withShared = null;
+    for (Cell[] kick : cells) {
+      for (int a = 0; a < kick.length; a++) {
+        Cell cell = kick[a];
+        if (cell.i < i0 || cell.i >= i1 || cell.j < j0 || cell.j >= j1) {
+          continue;
+        }
+        score += cell.score;
+        if (withShared == null) {
+          withShared = new double[cell.withShared.length];
+        }
+        for (int q = 0; q < withShared.length; q++) {
+          withShared[q] += cell.withShared[q];
+        }
+        for (int b = 0; b < kick.length; b++) {
+          Cell other = kick[b];
+          if (other.i >= i0 && other.i < i1 && other.j >= j0 && other.j < j1) {
+            information += cell.information[b];
+          }
+        }
+      }
+    }
+    if (withShared == null) {
+      return null;
+    }
+    Chart chart =
+        chart(box[0] + i0 * CELL, box[0] + i1 * CELL, box[2] + j0 * CELL, box[2] + j1 * CELL);
+    return frame.combine(chart, information, withShared, score);
+  }
+
+  private Score refined(Score coarse, double[] box) {
+    Score best = frame.score(coarse.chart());
+    for (double step = CELL / 2; step > FINEST / 2; step /= 2) {
+      boolean improved = true;
+      for (int round = 0; round < 3 && improved; round++) {
+        improved = false;
+        for (Chart moved : moved(best.chart(), step)) {
+          Score s = frame.score(moved);
+          if (s.gain() > best.gain()) {
+            best = s;
+            improved = true;
+          }
+        }
+      }
+    }
+    return new Score(
+        best.chart(), false, best.gain(), best.evidence() - PRICE, best.coordinates(), 0);
+  }
+
+  /** The same region with one edge moved. */
+  static List<Chart> moved(Chart region, double step) {
+    WornRegion r = (WornRegion) region.template();
+    List<Chart> all = new ArrayList<>();
+    for (double d : new double[] {-step, step}) {
+      add(all, r.x0() + d, r.x1(), r.y0(), r.y1());
+      add(all, r.x0(), r.x1() + d, r.y0(), r.y1());
+      add(all, r.x0(), r.x1(), r.y0() + d, r.y1());
+      add(all, r.x0(), r.x1(), r.y0(), r.y1() + d);
+    }
+    return all;
+  }
+
+  private static void add(List<Chart> all, double x0, double x1, double y0, double y1) {
+    if (x1 - x0 >= SMALLEST && y1 - y0 >= SMALLEST) {
+      all.add(chart(x0, x1, y0, y1));
+    }
+  }
+
+  private static Chart chart(double x0, double x1, double y0, double y1) {
+    return Chart.of(new WornRegion(0, x0, x1, y0, y1));
+  }
+}
