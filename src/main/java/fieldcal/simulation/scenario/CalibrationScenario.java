@@ -280,6 +280,11 @@ public final class CalibrationScenario implements Scenario {
       return;
     }
     List<KickTruth> kicks = world.kicks().finished();
+    if (kicks.size() == kicksBefore) {
+      // The kicker only pushed the ball.
+      giveUp(world);
+      return;
+    }
     KickTruth last = kicks.get(kicks.size() - 1);
     double ended = last.time() + last.duration();
     if (world.time() - ended < 0.6) {

@@ -1,0 +1,149 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.hidden.HiddenCase;
+import fieldcal.diagnosis.hidden.StudiedCase;
+import fieldcal.diagnosis.hidden.Visibility;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/**
+ * {@code ./gradlew hiddenEffectStudy}: hundreds of drawn cases, diagnosed without the truth and judged with it. The same seed gives the same cases and, times aside, the same output.
+ */
+public final class HiddenEffectStudy {
+  private static final String USAGE =
+      """
+      usage: hiddenEffectStudy -PstudyArgs="…"
+        --cases N      how many cases (default 500)
+        --seed S       of the whole study (default 1): cases have the seeds S·1000000 and up
+        --case SEED    this case alone, with everything that the diagnosis tells on its way
+        --only ID      only cases that hide this effect (several: separated by commas)
+        --category C   only cases of one category: single, null, pair, unknown
+        --threads N    cases at a time (default 2)
+        --classes      only measure how visible the effects are; nothing is diagnosed\
+      """;
+
+  private static final long SEEDS = 1_000_000;
+
+  private HiddenEffectStudy() {}
+
+  private static final class Options {
+    int cases = 500;
+    long seed = 1;
+    Optional<Long> one = Optional.empty();
+    List<String> only = List.of();
+    String category = "";
+    int threads = 2;
+    boolean classes;
+  }
+
+  /**
+   * Runs the study.
+   *
+   * @param args options
+   * @throws Exception when it is interrupted
+   */
+  public static void main(String[] args) throws Exception {
+    PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
+    Options options;
+    try {
+      options = parse(args);
+    } catch (IllegalArgumentException wrong) {
+      System.err.println(wrong.getMessage());
+      System.err.println(USAGE);
+      System.exit(2);
+      return;
+    }
+    if (options.one.isPresent()) {
+      new CaseDetails(out).print(HiddenCase.draw(options.one.get()));
+      return;
+    }
+    List<StudiedCase> results = run(options, out);
+    if (!options.classes) {
+      new StudySummary(results).print(out);
+    }
+  }
+
+  private static Options parse(String[] args) {
+    Options o = new Options();
+    for (int i = 0; i < args.length; i++) {
+      if (args[i].equals("--classes")) {
+        o.classes = true;
+        continue;
+      }
+      if (i + 1 == args.length) {
+        throw new IllegalArgumentException("'" + args[i] + "' is no option or lacks its value");
+      }
+      String value = args[i + 1];
+      switch (args[i++]) {
+        case "--cases" -> o.cases = Integer.parseInt(value);
+        case "--seed" -> o.seed = Long.parseLong(value);
+        case "--case" -> o.one = Optional.of(Long.parseLong(value));
+        case "--only" -> o.only = List.of(value.split(","));
+        case "--category" -> o.category = value;
+        case "--threads" -> o.threads = Integer.parseInt(value);
+        default -> throw new IllegalArgumentException("unknown option " + args[i - 1]);
+      }
+    }
+    return o;
+  }
+
+  private static List<HiddenCase> cases(Options o) {
+    List<HiddenCase> cases = new ArrayList<>();
+    for (long i = 0; i < SEEDS && cases.size() < o.cases; i++) {
+      HiddenCase c = HiddenCase.draw(o.seed * SEEDS + i);
+      boolean wanted = o.only.isEmpty() || o.only.stream().anyMatch(c::hides);
+      if (wanted && (o.category.isEmpty() || o.category.equalsIgnoreCase(c.category().name()))) {
+        cases.add(c);
+      }
+    }
+    return cases;
+  }
+
+  private static List<StudiedCase> run(Options o, PrintStream out)
+      throws InterruptedException, ExecutionException {
+    List<HiddenCase> cases = cases(o);
+    ExecutorService pool = Executors.newFixedThreadPool(o.threads);
+    List<StudiedCase> results = new ArrayList<>();
+    try {
+      List<Future<StudiedCase>> futures = new ArrayList<>();
+      for (HiddenCase c : cases) {
+        futures.add(pool.submit(() -> o.classes ? visible(c, out) : studied(c)));
+      }
+      for (Future<StudiedCase> future : futures) {
+        StudiedCase result = future.get();
+        results.add(result);
+        if (!o.classes) {
+          out.printf(Locale.ROOT, "[%d/%d] %s%n", results.size(), cases.size(), result);
+        }
+      }
+    } finally {
+      pool.shutdownNow();
+    }
+    return results;
+  }
+
+  private static StudiedCase studied(HiddenCase c) {
+    return StudiedCase.of(c, StudiedCase.visibility(c));
+  }
+
+  private static StudiedCase visible(HiddenCase c, PrintStream out) {
+    for (Visibility v : StudiedCase.visibility(c)) {
+      out.printf(
+          Locale.ROOT,
+          "%s: left %.2f σ, beside camera offsets %.2f σ: %s%n",
+          c,
+          v.left(),
+          v.leftWithOffsets(),
+          v.level());
+    }
+    return null;
+  }
+}

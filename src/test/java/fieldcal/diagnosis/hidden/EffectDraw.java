@@ -1,0 +1,276 @@
+package fieldcal.diagnosis.hidden;
+
+import fieldcal.diagnosis.hidden.HiddenCase.Category;
+import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.FieldSize;
+import fieldcal.simulation.RandomStream;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.SimulatedEffect;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.RobotId;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * Draws effects and their strengths. Strengths grow with the cameras' noise: what can be seen depends on both only by their ratio. They spread over a factor of eight; what came out clear and what
+ * marginal is measured, see {@link Visibility}.
+ */
+final class EffectDraw {
+  private static final double USUAL_NOISE = 0.0015;
+
+  private static final Set<SimulatedEffect> ON_THE_BALL =
+      EnumSet.of(
+          SimulatedEffect.AIR_DRAG,
+          SimulatedEffect.MAGNUS,
+          SimulatedEffect.KICK_SPIN,
+          SimulatedEffect.SIDE_SPIN,
+          SimulatedEffect.FIELD_SLOPE,
+          SimulatedEffect.CARPET_NAP,
+          SimulatedEffect.SPEED_DEPENDENT_ROLL,
+          SimulatedEffect.WORN_REGION,
+          SimulatedEffect.BOUNCE_SPIN_COUPLING,
+          SimulatedEffect.DRIFT,
+          SimulatedEffect.SLIP_DEPENDENT_FRICTION,
+          SimulatedEffect.CARPET_WAVES);
+
+  /** Seen on the carpet only. */
+  private static final Set<SimulatedEffect> NEEDS_FLAT =
+      EnumSet.of(
+          SimulatedEffect.KICK_SPIN,
+          SimulatedEffect.SIDE_SPIN,
+          SimulatedEffect.FIELD_SLOPE,
+          SimulatedEffect.CARPET_NAP,
+          SimulatedEffect.SPEED_DEPENDENT_ROLL,
+          SimulatedEffect.WORN_REGION,
+          SimulatedEffect.DRIFT,
+          SimulatedEffect.SLIP_DEPENDENT_FRICTION,
+          SimulatedEffect.CARPET_WAVES);
+
+  private static final Set<SimulatedEffect> NEEDS_CHIP =
+      EnumSet.of(SimulatedEffect.SPEED_DEPENDENT_RESTITUTION, SimulatedEffect.BOUNCE_SPIN_COUPLING);
+
+  /** Means nothing with a single camera, or is absorbed by the model. */
+  private static final Set<SimulatedEffect> SEVERAL_CAMERAS =
+      EnumSet.of(
+          SimulatedEffect.CAMERA_OFFSET,
+          SimulatedEffect.CAMERA_TIME_OFFSET,
+          SimulatedEffect.CAMERA_POSE_ERROR,
+          SimulatedEffect.LENS_DISTORTION_ERROR,
+          SimulatedEffect.BALL_HEIGHT_ERROR,
+          SimulatedEffect.CLOCK_SKEW);
+
+  private static final List<SimulatedEffect> CATALOGUED =
+      List.of(SimulatedEffect.values()).stream()
+          .filter(SimulatedEffect::catalogued)
+          .filter(e -> e != SimulatedEffect.TORQUE_LIMITED && e != SimulatedEffect.DIRECTIONAL)
+          .toList();
+
+  private static final List<SimulatedEffect> UNKNOWN =
+      List.of(SimulatedEffect.values()).stream().filter(e -> !e.catalogued()).toList();
+
+  /** Of which the design says that one explains most of the other: no fair pairs. */
+  private static final List<Set<SimulatedEffect>> ALIKE =
+      List.of(
+          EnumSet.of(
+              SimulatedEffect.AIR_DRAG,
+              SimulatedEffect.MAGNUS,
+              SimulatedEffect.SPEED_DEPENDENT_ROLL),
+          EnumSet.of(
+              SimulatedEffect.FIELD_SLOPE,
+              SimulatedEffect.CARPET_NAP,
+              SimulatedEffect.WORN_REGION,
+              SimulatedEffect.DRIFT),
+          EnumSet.of(
+              SimulatedEffect.CAMERA_TIME_OFFSET,
+              SimulatedEffect.CLOCK_SKEW,
+              SimulatedEffect.ROLLING_SHUTTER),
+          EnumSet.of(
+              SimulatedEffect.CAMERA_OFFSET,
+              SimulatedEffect.CAMERA_POSE_ERROR,
+              SimulatedEffect.LENS_DISTORTION_ERROR,
+              SimulatedEffect.BALL_HEIGHT_ERROR));
+
+  private final RandomStream random;
+  private final SimulationSettings world;
+  private final List<RobotId> kickers;
+  private final double noise;
+  private final boolean strong;
+
+  EffectDraw(RandomStream random, SimulationSettings world, List<RobotId> kickers, boolean strong) {
+    this.random = random;
+    this.world = world;
+    this.kickers = kickers;
+    this.strong = strong;
+    noise = world.cameras().ballNoise() / USUAL_NOISE;
+  }
+
+  static boolean actsOnTheBall(SimulatedEffect effect) {
+    return ON_THE_BALL.contains(effect);
+  }
+
+  static boolean needsSeveralCameras(SimulatedEffect effect) {
+    return SEVERAL_CAMERAS.contains(effect);
+  }
+
+  static List<SimulatedEffect> pick(Category category, RandomStream random) {
+    return switch (category) {
+      case NULL -> List.of();
+      case SINGLE -> List.of(CATALOGUED.get(random.below(CATALOGUED.size())));
+      case UNKNOWN -> List.of(UNKNOWN.get(random.below(UNKNOWN.size())));
+      case PAIR -> {
+        SimulatedEffect first = CATALOGUED.get(random.below(CATALOGUED.size()));
+        SimulatedEffect second = CATALOGUED.get(random.below(CATALOGUED.size()));
+        while (second == first || alike(first, second)) {
+          second = CATALOGUED.get(random.below(CATALOGUED.size()));
+        }
+        yield List.of(first, second);
+      }
+    };
+  }
+
+  private static boolean alike(SimulatedEffect a, SimulatedEffect b) {
+    return ALIKE.stream().anyMatch(set -> set.contains(a) && set.contains(b));
+  }
+
+  /** One in which all can be seen. */
+  static ScenarioKind scenario(List<SimulatedEffect> effects, RandomStream random) {
+    boolean flat = effects.stream().anyMatch(NEEDS_FLAT::contains);
+    boolean chip = effects.stream().anyMatch(NEEDS_CHIP::contains);
+    boolean mixed = random.happens(0.35);
+    if (mixed || (flat && chip)) {
+      return ScenarioKind.MIXED;
+    }
+    boolean flies = chip || (!flat && random.happens(0.4));
+    return flies ? ScenarioKind.CHIP : ScenarioKind.FLAT;
+  }
+
+  /** A strength around a usual one, of either sign. */
+  private double about(double usual) {
+    return (random.happens(0.5) ? 1 : -1) * positive(usual);
+  }
+
+  private double positive(double usual) {
+    double lowest = strong ? 0.9 : 0.4;
+    return usual * noise * lowest * Math.pow(3.2 / lowest, random.uniform(0, 1));
+  }
+
+  private double angle() {
+    return random.uniform(-Math.PI, Math.PI);
+  }
+
+  private static double limited(double value, double min, double max) {
+    return Math.max(min, Math.min(max, value));
+  }
+
+  EffectSetting setting(SimulatedEffect effect, List<EffectSetting> others) {
+    return switch (effect) {
+      case AIR_DRAG -> set(effect, "cd", limited(positive(0.6), 0, 1.9));
+      case MAGNUS -> set(effect, "cl", limited(about(2), -1.95, 1.95));
+      case KICK_SPIN ->
+          set(effect, "fraction", random.uniform(-0.5, 0.3))
+              .with("scatter", number(limited(positive(0.05), 0, 0.4)));
+      case SIDE_SPIN ->
+          set(effect, "fraction", limited(about(0.06), -0.8, 0.8))
+              .with("scatter", number(random.happens(0.5) ? limited(positive(0.03), 0, 0.3) : 0));
+      case FIELD_SLOPE ->
+          set(effect, "percent", limited(positive(0.06), 0, 2)).with("direction", number(angle()));
+      case CARPET_NAP ->
+          set(effect, "amplitude", limited(positive(0.022), 0, 0.7))
+              .with("direction", number(angle()));
+      case SPEED_DEPENDENT_ROLL -> set(effect, "slope", limited(about(0.01), -0.03, 0.5));
+      case WORN_REGION ->
+          set(effect, "change", limited(about(0.085), -0.6, 2)).with("region", region());
+      case CAMERA_OFFSET -> {
+        double size = positive(8);
+        double direction = angle();
+        yield set(effect, "x_mm", size * Math.cos(direction))
+            .with("y_mm", number(size * Math.sin(direction)))
+            .with("camera", camera());
+      }
+      case CAMERA_TIME_OFFSET -> set(effect, "ms", about(6)).with("camera", camera());
+      case CAMERA_POSE_ERROR -> pose();
+      case LENS_DISTORTION_ERROR ->
+          set(effect, "delta", limited(about(0.01), -0.08, 0.08)).with("camera", camera());
+      case BALL_HEIGHT_ERROR -> set(effect, "mm", limited(about(9), -25, 45));
+      case SPEED_DEPENDENT_RESTITUTION -> set(effect, "slope", limited(about(0.12), -0.28, 0.28));
+      case BOUNCE_SPIN_COUPLING -> set(effect, "coefficient", limited(positive(0.13), 0, 0.6));
+      case DRIFT -> set(effect, "percent_per_10min", limited(about(17), -120, 400));
+      case ROBOT_KICK_BIAS -> {
+        RobotId robot = kickers.get(random.below(kickers.size()));
+        double size = Math.pow(8, random.uniform(0, 1)) * (random.happens(0.5) ? 1 : -1);
+        boolean aside = random.happens(0.5);
+        yield set(effect, "percent", aside ? 0 : 1.5 * size)
+            .with("yaw", number(aside || random.happens(0.3) ? 0.006 * size : 0))
+            .with("team", robot.team().label())
+            .with("robot", robot.number());
+      }
+      case CLOCK_SKEW -> set(effect, "ppm", about(75)).with("camera", camera());
+      case ROLLING_SHUTTER -> set(effect, "ms", limited(positive(9), 0, 30));
+      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(positive(0.4), 0, 1));
+      case CARPET_WAVES ->
+          set(effect, "amplitude", limited(positive(0.09), 0, 0.85))
+              .with("wavelength", number(random.uniform(1.2, 4)));
+      case CAMERA_SHAKE ->
+          set(effect, "amplitude_mm", positive(10))
+              .with("hz", number(random.uniform(0.4, 3)))
+              .with("camera", camera());
+      case TORQUE_LIMITED, DIRECTIONAL ->
+          throw new IllegalArgumentException("no effect on the ball: " + effect);
+    };
+  }
+
+  private EffectSetting pose() {
+    SimulatedEffect effect = SimulatedEffect.CAMERA_POSE_ERROR;
+    EffectSetting camera = set(effect, "tilt_mrad", 0).with("camera", camera());
+    double direction = angle();
+    return switch (random.below(3)) {
+      case 0 -> camera.with("tilt_mrad", number(positive(2.2))).with("axis", number(direction));
+      case 1 -> camera.with("height_mm", number(about(30)));
+      default -> {
+        double size = positive(12);
+        yield camera
+            .with("shift_x_mm", number(size * Math.cos(direction)))
+            .with("shift_y_mm", number(size * Math.sin(direction)));
+      }
+    };
+  }
+
+  private int camera() {
+    return random.below(world.cameras().count());
+  }
+
+  /** A half, a quarter, or a rectangle around a place that the diagonals cross. */
+  private String region() {
+    FieldSize field = world.field();
+    double x = field.length() / 2 + 0.3;
+    double y = field.width() / 2 + 0.3;
+    double side = random.happens(0.5) ? 1 : -1;
+    if (random.happens(0.3)) {
+      return side > 0 ? region(0, x, -y, y) : region(-x, 0, -y, y);
+    }
+    double centreX = side * random.uniform(0.1, 0.32) * field.length();
+    double centreY = centreX / field.length() * field.width() * (random.happens(0.5) ? 1 : -1);
+    double halfX = random.uniform(0.1, 0.18) * field.length();
+    double halfY = random.uniform(0.15, 0.35) * field.width();
+    return region(
+        Math.max(-x, centreX - halfX),
+        Math.min(x, centreX + halfX),
+        Math.max(-y, centreY - halfY),
+        Math.min(y, centreY + halfY));
+  }
+
+  private static String region(double x0, double x1, double y0, double y1) {
+    return String.format(Locale.ROOT, "[%.2f,%.2f,%.2f,%.2f]", x0, x1, y0, y1);
+  }
+
+  private static EffectSetting set(SimulatedEffect effect, String name, double value) {
+    return EffectSetting.of(effect, name, Double.parseDouble(number(value)));
+  }
+
+  /** Four digits, so that a case can be typed. */
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.4g", value);
+  }
+}
