@@ -285,7 +285,30 @@ class CalibratorTest {
     CalibratedKick stranger = c.kicks().get(8);
     assertThat(stranger.selected()).isFalse();
     assertThat(stranger.rejected().orElseThrow()).containsAnyOf("the others", "do not fit");
+    assertThat(stranger.trusted()).isFalse();
+    assertThat(c.trusted()).hasSize(8).doesNotContain(stranger.fit());
     assertThat(c.joint().orElseThrow().flat("accSlide").orElseThrow().value())
         .isEqualTo(-3.1, within(0.05));
+  }
+
+  /** That a kick departs from the average is no reason to distrust it. */
+  @Test
+  void aKickWhoseParametersAllLeftIsStillTrusted() {
+    Calibration c =
+        calibrate(idealKicks, flats(idealKicks), HandSelection.none(), Optional.of(KickKind.FLAT));
+    CalibratedKick kick = c.kicks().get(0);
+    List<Sample> left =
+        kick.samples().stream().map(s -> s.drop(s.parameter() + " is 3 sigma off")).toList();
+    CalibratedKick departed = new CalibratedKick(kick.fit(), left, Optional.empty());
+    assertThat(departed.selected()).isFalse();
+    assertThat(departed.rejected().orElseThrow()).contains("3 sigma off");
+    assertThat(departed.trusted()).isTrue();
+    CalibratedKick mute = new CalibratedKick(kick.fit(), List.of(), Optional.empty());
+    assertThat(mute.rejected()).contains("determines no parameter");
+    assertThat(mute.trusted()).isTrue();
+    // The joint fit was made from the same.
+    int observations = c.trusted().stream().mapToInt(f -> f.kick().observations().size()).sum();
+    assertThat(c.joint().orElseThrow().used() + c.joint().orElseThrow().rejected())
+        .isEqualTo(observations);
   }
 }

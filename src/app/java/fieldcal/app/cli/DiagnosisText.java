@@ -2,26 +2,32 @@ package fieldcal.app.cli;
 
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.wording.Amount;
+import fieldcal.app.wording.CauseText;
+import fieldcal.app.wording.CauseWords;
+import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.StructureWords;
+import fieldcal.app.wording.VerdictText;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Gain;
 import fieldcal.diagnosis.Quality;
-import fieldcal.diagnosis.StructureVariable;
 import fieldcal.diagnosis.Unexplained;
 import fieldcal.diagnosis.Verdict;
-import fieldcal.effect.EffectFields;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
-/** Prints a diagnosis for the operator's terminal: at most some forty lines of a hundred columns. */
+/** Prints a diagnosis for the operator's terminal: words first, then numbers; some forty lines of a hundred columns at most. */
 final class DiagnosisText {
   private static final int WIDTH = 98;
   private static final int MOST_PROBLEMS = 3;
+
+  /** Of more causes only what is wrong is said; what it does and what to do about it is in the report. */
+  private static final int MOST_IN_FULL = 3;
 
   private final PrintWriter out;
 
@@ -31,161 +37,139 @@ final class DiagnosisText {
 
   void print(DiagnosisOutcome outcome, Path directory) {
     Diagnosis diagnosis = outcome.diagnosis();
-    headline(outcome);
-    int number = 1;
-    for (Cause cause : diagnosis.causes()) {
-      cause(number++, cause);
+    VerdictText verdict = VerdictText.of(diagnosis);
+    if (diagnosis.verdict() == Verdict.MODEL_ADEQUATE) {
+      wrapped("", "", verdict.headline() + " " + quality(diagnosis));
+    } else {
+      wrapped("", "", verdict.headline());
+      causes(outcome);
+      if (diagnosis.verdict() == Verdict.UNEXPLAINED_STRUCTURE) {
+        line("");
+        verdict.lines().forEach(text -> wrapped("", "", text));
+      }
+      line("");
+      table(diagnosis);
     }
-    line("");
-    quality(diagnosis);
-    remains(diagnosis);
-    line("");
-    sources(outcome);
-    if (directory != null) {
-      line("files: %s, diagnosis.json, extended_model.json", directory.resolve("diagnosis.html"));
-    }
+    recordings(outcome, directory);
     out.flush();
   }
 
-  private void headline(DiagnosisOutcome outcome) {
-    Diagnosis d = outcome.diagnosis();
-    String kicks = d.kicks().size() + " kicks";
-    String size =
-        String.format(
-            Locale.ROOT, "%.2f mm RMS, noise %.2f mm", d.base().rmsMm(), d.base().noiseMm());
-    switch (d.verdict()) {
-      case MODEL_ADEQUATE ->
-          line("Nothing is wrong: the calibrated model explains all %s (%s).", kicks, size);
-      case EXPLAINED -> line("The calibrated model is wrong on %s (%s). Why:", kicks, size);
-      default -> {
-        line("The calibrated model is wrong on %s (%s).", kicks, size);
-        line(
-            d.causes().isEmpty()
-                ? "No known cause explains it."
-                : "Known causes explain a part of it only:");
+  /** The one line of numbers that a model without faults needs. */
+  private static String quality(Diagnosis d) {
+    return String.format(
+        Locale.ROOT,
+        "%d kicks fit to %s mm, of which the cameras' noise is %s mm.",
+        d.kicks().size(),
+        mm(d.base().rmsMm()),
+        mm(d.base().noiseMm()));
+  }
+
+  private void causes(DiagnosisOutcome outcome) {
+    Diagnosis diagnosis = outcome.diagnosis();
+    CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
+    boolean full = diagnosis.causes().size() <= MOST_IN_FULL;
+    int number = 1;
+    for (Cause cause : diagnosis.causes()) {
+      CauseText text = words.of(cause);
+      if (full || number == 1) {
+        line("");
+      }
+      wrapped(number++ + ". ", "   ", full ? text.sentences() : text.what());
+      wrapped("   ", "   ", text.strength() + "; " + gain(cause.gain()));
+      if (!cause.indistinguishableFrom().isEmpty()) {
+        String rivals =
+            cause.indistinguishableFrom().stream()
+                .map(EffectName::of)
+                .collect(Collectors.joining(" or "));
+        wrapped("   ", "   ", "These kicks cannot tell it from: " + rivals + ".");
+      }
+      if (!cause.discriminatingKicks().isEmpty()) {
+        wrapped("   ", "   ", "To tell them apart: " + cause.discriminatingKicks());
       }
     }
   }
 
-  private void cause(int number, Cause cause) {
-    line("");
-    wrapped(number + ". ", "   ", cause.effect().sentence());
-    wrapped(
-        "   ", "     ", cause.effect().id() + ": " + numbers(cause) + "; " + gain(cause.gain()));
-    if (!cause.indistinguishableFrom().isEmpty()) {
-      wrapped(
-          "   ",
-          "     ",
-          "These kicks cannot tell it from "
-              + String.join(", ", cause.indistinguishableFrom())
-              + ".");
-    }
-    if (!cause.discriminatingKicks().isEmpty()) {
-      wrapped("   ", "     ", "To be sure, record: " + cause.discriminatingKicks());
-    }
-  }
-
-  private static String numbers(Cause cause) {
-    String numbers =
-        EffectFields.of(cause.effect()).entrySet().stream()
-            .map(e -> number(e, cause.standardErrors()))
-            .collect(Collectors.joining(", "));
-    return cause.scatter() > 0
-        ? numbers + String.format(Locale.ROOT, ", scatter %.3g from kick to kick", cause.scatter())
-        : numbers;
-  }
-
-  private static String number(Map.Entry<String, Object> field, Map<String, Double> errors) {
-    String name = field.getKey() + " ";
-    Double error = errors.get(field.getKey());
-    if (!(field.getValue() instanceof Double value)) {
-      return name + field.getValue();
-    }
-    if (error == null || !(error > 0) || Double.isInfinite(error)) {
-      return name + String.format(Locale.ROOT, "%.4g", value);
-    }
-    // As many decimals as show two digits of the error.
-    int decimals = Math.min(7, Math.max(0, 1 - (int) Math.floor(Math.log10(error))));
-    return name
-        + String.format(Locale.ROOT, "%." + decimals + "f ± %." + decimals + "f", value, error);
-  }
-
   private static String gain(Gain gain) {
     if (!Double.isFinite(gain.mm())) {
-      return "gain unknown, too few kicks";
+      return "too few kicks to tell the gain";
     }
     String bounds =
         Double.isFinite(gain.lowMm() + gain.highMm())
-            ? String.format(Locale.ROOT, " (%.2f to %.2f)", gain.lowMm(), gain.highMm())
+            ? " (" + Amount.of(gain.lowMm()) + " to " + Amount.of(gain.highMm()) + ")"
             : "";
-    return String.format(
-        Locale.ROOT,
-        "gains %.2f mm%s on kicks held out, %.0f %%",
-        gain.mm(),
-        bounds,
-        gain.percent());
+    return "gains "
+        + Amount.of(gain.mm())
+        + " mm"
+        + bounds
+        + ", "
+        + Amount.decimals(gain.percent(), 0)
+        + " %, on kicks held out";
   }
 
-  private void quality(Diagnosis d) {
+  private void table(Diagnosis d) {
     TreeSet<Double> horizons = new TreeSet<>(d.base().predictionErrorMm().keySet());
-    StringBuilder head = new StringBuilder(String.format("%-22s %9s %9s", "mm", "fit", "held out"));
-    horizons.forEach(h -> head.append(String.format("%13s", plain(h) + " s ahead")));
+    StringBuilder head = new StringBuilder(String.format("%-21s%8s%10s", "mm", "fit", "held out"));
+    horizons.forEach(h -> head.append(String.format("%13s", seconds(h) + " s ahead")));
     line("%s", head);
     row("calibrated model", d.base(), horizons);
     if (!d.causes().isEmpty()) {
-      row("with the causes", d.extended(), horizons);
+      row("with what was found", d.extended(), horizons);
     }
-    line("%-22s %9s", "noise of the cameras", mm(d.base().noiseMm()));
+    line("%-21s%8s", "noise of the cameras", mm(d.base().noiseMm()));
+    Unexplained rest = d.unexplained();
+    if (!rest.significant()) {
+      line("What remains is no more than noise.");
+    } else if (d.verdict() == Verdict.EXPLAINED) {
+      String on =
+          rest.dependsOn().stream()
+              .limit(2)
+              .map(StructureWords::of)
+              .collect(Collectors.joining(" and "));
+      wrapped(
+          "",
+          "",
+          String.format(
+              "%s mm beyond the noise remain unexplained%s.",
+              mm(rest.systematicMm()), on.isEmpty() ? "" : ", depending on " + on));
+    }
   }
 
   private void row(String name, Quality quality, TreeSet<Double> horizons) {
     StringBuilder row =
         new StringBuilder(
-            String.format("%-22s %9s %9s", name, mm(quality.rmsMm()), mm(quality.holdoutRmsMm())));
+            String.format("%-21s%8s%10s", name, mm(quality.rmsMm()), mm(quality.holdoutRmsMm())));
     for (double h : horizons) {
       double error = quality.predictionErrorMm().getOrDefault(h, Double.NaN);
-      row.append(
-          String.format(
-              "%13s", Double.isNaN(error) ? "-" : String.format(Locale.ROOT, "%.1f", error)));
+      row.append(String.format("%13s", Amount.decimals(error, 1)));
     }
     line("%s", row);
   }
 
-  private static String plain(double horizon) {
+  private static String seconds(double horizon) {
     return horizon == Math.rint(horizon) ? Long.toString((long) horizon) : Double.toString(horizon);
   }
 
   private static String mm(double value) {
-    return Double.isFinite(value) ? String.format(Locale.ROOT, "%.2f", value) : "-";
+    return Amount.decimals(value, 2);
   }
 
-  private void remains(Diagnosis d) {
-    Unexplained u = d.unexplained();
-    if (!u.significant()) {
-      if (d.verdict() != Verdict.MODEL_ADEQUATE) {
-        line("What remains is no more than noise.");
-      }
-      return;
-    }
-    String on =
-        u.dependsOn().stream()
-            .map(StructureVariable::id)
-            .map(id -> id.replace('_', ' '))
-            .collect(Collectors.joining(", "));
-    line("Unexplained: %s mm%s.", mm(u.systematicMm()), on.isEmpty() ? "" : ", depending on " + on);
-  }
-
-  private void sources(DiagnosisOutcome outcome) {
-    Diagnosis d = outcome.diagnosis();
-    int found = outcome.calibration().data().kicks().size();
-    int used = outcome.problem().fits().size();
-    line("%d of %d kicks%s, seed %d", used, found, commands(outcome), d.seed());
+  private void recordings(DiagnosisOutcome outcome, Path directory) {
+    line("");
+    line(
+        "%d of %d kicks used%s, seed %d",
+        outcome.problem().fits().size(),
+        outcome.calibration().data().kicks().size(),
+        commands(outcome),
+        outcome.diagnosis().seed());
     List<DataProblem> problems = outcome.calibration().data().problems();
-    problems.stream()
-        .limit(MOST_PROBLEMS)
-        .forEach(p -> wrapped("in the data: ", "  ", p.toString()));
+    for (DataProblem p : problems.subList(0, Math.min(MOST_PROBLEMS, problems.size()))) {
+      wrapped("in the data: ", "  ", p.toString());
+    }
     if (problems.size() > MOST_PROBLEMS) {
       line("in the data: %d more, see diagnosis.json", problems.size() - MOST_PROBLEMS);
+    }
+    if (directory != null) {
+      line("report: %s", directory.resolve("diagnosis.html"));
     }
   }
 

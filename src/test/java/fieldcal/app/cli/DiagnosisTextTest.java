@@ -1,0 +1,88 @@
+package fieldcal.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.app.diagnose.SampleOutcome;
+import fieldcal.app.report.diagnosis.SampleDiagnosis;
+import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnosis;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** What the terminal shows: words first, no more than a screen. */
+class DiagnosisTextTest {
+
+  private static List<String> printed(Diagnosis diagnosis, int problems) {
+    StringWriter text = new StringWriter();
+    new DiagnosisText(new PrintWriter(text))
+        .print(SampleOutcome.of(diagnosis, problems), Path.of("out"));
+    List<String> lines = text.toString().lines().toList();
+    assertThat(lines).hasSizeLessThanOrEqualTo(40);
+    assertThat(lines).allSatisfy(line -> assertThat(line.length()).isLessThanOrEqualTo(100));
+    assertThat(text.toString()).doesNotContain("NaN").doesNotContain("null");
+    return lines;
+  }
+
+  @Test
+  void nothingWrongIsSaidAtOnce() {
+    List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
+    assertThat(lines.get(0)).contains("The model is right").contains("24 kicks");
+    assertThat(lines).hasSizeLessThanOrEqualTo(5);
+  }
+
+  @Test
+  void causesComeInWordsWithTheirNumbers() {
+    String text = String.join("\n", printed(SampleDiagnosis.explained(24), 2));
+    assertThat(text).startsWith("The model is wrong, and 2 causes are found");
+    assertThat(text).contains("1. Camera 1 reports everything");
+    assertThat(text).contains("21.20 ± 0.12").contains("12 mm (12 to 13), 83 %");
+    assertThat(text).contains("cannot tell it from: wrong ball height in vision");
+    assertThat(text).contains("calibrated model").contains("14.20").contains("64.9");
+    assertThat(text).contains("with what was found").contains("1.52").contains("29.0");
+    assertThat(text).contains("What remains is no more than noise.");
+    assertThat(text).contains("out/diagnosis.html");
+  }
+
+  @Test
+  void whatIsUnexplainedSaysOnWhatItDepends() {
+    String text = String.join("\n", printed(SampleDiagnosis.unexplained(24), 12));
+    assertThat(text).startsWith("Something is wrong that no known cause explains.");
+    assertThat(text).contains("depending on the time since the kick");
+    assertThat(text).contains("in the data: 9 more, see diagnosis.json");
+  }
+
+  @Test
+  void eightCausesStillFitOnAScreen() {
+    Diagnosis d = SampleDiagnosis.explained(24);
+    List<Cause> eight = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      eight.addAll(d.causes().stream().map(DiagnosisTextTest::withoutRivals).toList());
+    }
+    List<String> lines =
+        printed(
+            new Diagnosis(
+                d.verdict(),
+                d.base(),
+                d.extended(),
+                eight,
+                d.candidates(),
+                d.unexplained(),
+                d.structureBefore(),
+                d.structureAfter(),
+                d.kicks(),
+                d.simpleModel(),
+                d.model(),
+                d.seed()),
+            5);
+    assertThat(lines).anyMatch(line -> line.startsWith("8. "));
+  }
+
+  private static Cause withoutRivals(Cause c) {
+    return new Cause(
+        c.effect(), c.standardErrors(), c.scatter(), c.evidence(), c.gain(), List.of(), "");
+  }
+}

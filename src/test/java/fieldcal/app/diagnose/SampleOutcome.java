@@ -1,0 +1,69 @@
+package fieldcal.app.diagnose;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.DataProblem;
+import fieldcal.app.report.diagnosis.SampleDiagnosis;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.HandSelection;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.diagnosis.KickResiduals;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.CameraViews;
+import fieldcal.kick.Kick;
+import fieldcal.vision.BallModels;
+import fieldcal.vision.Epoch;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** What the command would hold in its hands after a diagnosis that is given. */
+public final class SampleOutcome {
+  /** Of the kicks' times. */
+  public static final Epoch EPOCH = new Epoch(1_763_712_345_000_000_000L);
+
+  private SampleOutcome() {}
+
+  /** With so many remarks about the data. */
+  public static DiagnosisOutcome of(Diagnosis diagnosis, int problems) {
+    List<Kick> kicks = diagnosis.kicks().stream().map(KickResiduals::kick).toList();
+    CameraViews cameras =
+        CameraViews.of(
+            SampleDiagnosis.observers().stream()
+                .map(o -> CameraView.of(o.id(), o.camera()))
+                .toList());
+    CollectedKicks data =
+        new CollectedKicks(
+            EPOCH,
+            kicks,
+            kicks.stream().collect(Collectors.toMap(Kick::id, k -> "friday.log.gz")),
+            cameras,
+            SampleDiagnosis.observers(),
+            Map.of(),
+            Optional.empty(),
+            BallModels.NONE,
+            java.util.stream.IntStream.range(0, problems)
+                .mapToObj(i -> new DataProblem("friday.log.gz", "remark " + i, 1, ""))
+                .toList(),
+            0.5,
+            300);
+    List<CommandFile.Command> commands = List.of();
+    CalibrationOutcome calibration =
+        new CalibrationOutcome(
+            List.of(Path.of("friday.log.gz")),
+            data,
+            BallModels.NONE,
+            HandSelection.none(),
+            commands,
+            new Calibration(
+                List.of(), Map.of(), Map.of(), Optional.empty(), cameras, diagnosis.seed()));
+    DiagnosisProblem problem =
+        new DiagnosisProblem(
+            List.of(), cameras, SampleDiagnosis.observers(), 0.5, Map.of(), 8, diagnosis.seed());
+    return new DiagnosisOutcome(calibration, problem, diagnosis);
+  }
+}

@@ -1,0 +1,78 @@
+package fieldcal.app.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.app.cli.Main;
+import fieldcal.effect.ObservedCamera;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What a diagnosis needs besides kicks: the cameras as published, and when the session began. */
+class KickCollectorTest {
+  @TempDir private static Path folder;
+
+  /** A field with four cameras. */
+  private static Path four;
+
+  /** Another field with two, which have the ids of the first two of the other. */
+  private static Path two;
+
+  @BeforeAll
+  static void simulate() {
+    four = simulated("four.log.gz", "--cameras=4", "--seed=1");
+    two = simulated("two.log.gz", "--cameras=2", "--seed=2");
+  }
+
+  private static Path simulated(String name, String... options) {
+    Path log = folder.resolve(name);
+    List<String> args =
+        new ArrayList<>(List.of("simulate", "--scenario=flat", "--kicks=2", "--out=" + log));
+    args.addAll(Arrays.asList(options));
+    assertThat(Main.commandLine().execute(args.toArray(String[]::new))).isZero();
+    return log;
+  }
+
+  private static CollectedKicks collected(Path... logs) throws IOException {
+    return new KickCollector((log, read, total) -> {}).collect(List.of(logs));
+  }
+
+  @Test
+  void camerasAreKnownAsPublished() throws IOException {
+    CollectedKicks data = collected(four);
+    assertThat(data.observers()).extracting(ObservedCamera::id).containsExactly(0, 1, 2, 3);
+    assertThat(data.observers())
+        .allSatisfy(
+            o -> {
+              assertThat(o.cameraCount()).isEqualTo(4);
+              assertThat(o.hasLens()).isTrue();
+              assertThat(o.distortion()).isCloseTo(0.12, within(0.05));
+              assertThat(Math.abs(o.axisZ())).isGreaterThan(0.9);
+            });
+  }
+
+  @Test
+  void theSessionBeginsWithTheFirstFrame() throws IOException {
+    CollectedKicks data = collected(four);
+    assertThat(data.sessionStart()).isBetween(0.0, 1.1);
+    assertThat(data.kicks().get(0).time()).isGreaterThan(data.sessionStart());
+    // A later recording does not begin another one.
+    assertThat(collected(four, two).sessionStart()).isEqualTo(data.sessionStart());
+  }
+
+  @Test
+  void camerasOfAnotherFieldKeepTheirOwnNumbersAndCount() throws IOException {
+    List<ObservedCamera> observers = collected(four, two).observers();
+    assertThat(observers).extracting(ObservedCamera::id).containsExactly(0, 1, 2, 3, 100, 101);
+    assertThat(observers).extracting(ObservedCamera::cameraCount).containsExactly(4, 4, 4, 4, 2, 2);
+    // Known by its number here, not by the one in its geometry.
+    assertThat(observers.get(4).camera().orElseThrow().positionX())
+        .isNotEqualTo(observers.get(0).camera().orElseThrow().positionX());
+  }
+}
