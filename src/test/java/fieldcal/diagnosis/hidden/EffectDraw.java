@@ -166,11 +166,11 @@ final class EffectDraw {
 
   EffectSetting setting(SimulatedEffect effect, List<EffectSetting> others) {
     return switch (effect) {
-      case AIR_DRAG -> set(effect, "cd", limited(positive(0.6), 0, 1.9));
+      case AIR_DRAG -> set(effect, "cd", limited(positive(0.4), 0, 1.9));
       case MAGNUS -> set(effect, "cl", limited(about(2), -1.95, 1.95));
       case KICK_SPIN ->
           set(effect, "fraction", random.uniform(-0.5, 0.3))
-              .with("scatter", number(limited(positive(0.05), 0, 0.4)));
+              .with("scatter", number(limited(positive(0.04), 0, 0.4)));
       case SIDE_SPIN ->
           set(effect, "fraction", limited(about(0.06), -0.8, 0.8))
               .with("scatter", number(random.happens(0.5) ? limited(positive(0.03), 0, 0.3) : 0));
@@ -192,7 +192,7 @@ final class EffectDraw {
       case CAMERA_TIME_OFFSET -> set(effect, "ms", about(6)).with("camera", camera());
       case CAMERA_POSE_ERROR -> pose();
       case LENS_DISTORTION_ERROR ->
-          set(effect, "delta", limited(about(0.01), -0.08, 0.08)).with("camera", camera());
+          set(effect, "delta", limited(about(0.013), -0.08, 0.08)).with("camera", camera());
       case BALL_HEIGHT_ERROR -> set(effect, "mm", limited(about(9), -25, 45));
       case SPEED_DEPENDENT_RESTITUTION -> set(effect, "slope", limited(about(0.12), -0.28, 0.28));
       case BOUNCE_SPIN_COUPLING -> set(effect, "coefficient", limited(positive(0.13), 0, 0.6));
