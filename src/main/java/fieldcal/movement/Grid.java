@@ -1,0 +1,160 @@
+package fieldcal.movement;
+
+import java.util.Arrays;
+
+/** A two-dimensional histogram of cells of equal size. Two of the same cells merge exactly. Mutable, for one thread. */
+public final class Grid {
+  private final double minX;
+  private final double minY;
+  private final double widthX;
+  private final double widthY;
+  private final int columns;
+  private final int rows;
+  private final long[] counts;
+  private long outside;
+
+  /**
+   * An empty grid.
+   *
+   * @param minX lower end in x
+   * @param widthX width of a cell in x
+   * @param columns cells in x
+   * @param minY lower end in y
+   * @param widthY width of a cell in y
+   * @param rows cells in y
+   * @throws IllegalArgumentException when a width or a number is not positive
+   */
+  public Grid(double minX, double widthX, int columns, double minY, double widthY, int rows) {
+    if (!(widthX > 0 && widthY > 0) || columns < 1 || rows < 1) {
+      throw new IllegalArgumentException(
+          "cells need a positive size and number: %s × %s, %d × %d"
+              .formatted(widthX, widthY, columns, rows));
+    }
+    this.minX = minX;
+    this.minY = minY;
+    this.widthX = widthX;
+    this.widthY = widthY;
+    this.columns = columns;
+    this.rows = rows;
+    counts = new long[columns * rows];
+  }
+
+  /** An empty grid about zero with square cells. */
+  static Grid centred(double width, int cells) {
+    double min = -0.5 * width * cells;
+    return new Grid(min, width, cells, min, width, cells);
+  }
+
+  /**
+   * Counts a point; what lies outside is only counted as such, NaN not at all.
+   *
+   * @param x coordinate
+   * @param y coordinate
+   * @param weight how many times it counts
+   */
+  public void add(double x, double y, long weight) {
+    double column = Math.floor((x - minX) / widthX);
+    double row = Math.floor((y - minY) / widthY);
+    if (column >= 0 && column < columns && row >= 0 && row < rows) {
+      counts[(int) row * columns + (int) column] += weight;
+    } else if (column == column && row == row) {
+      outside += weight;
+    }
+  }
+
+  /**
+   * Adds all that another one has counted.
+   *
+   * @param other of the same cells; stays as it is
+   * @throws IllegalArgumentException when its cells are others
+   */
+  public void merge(Grid other) {
+    boolean same =
+        other.minX == minX
+            && other.minY == minY
+            && other.widthX == widthX
+            && other.widthY == widthY
+            && other.columns == columns
+            && other.rows == rows;
+    if (!same) {
+      throw new IllegalArgumentException("the cells of the two grids differ");
+    }
+    for (int i = 0; i < counts.length; i++) {
+      counts[i] += other.counts[i];
+    }
+    outside += other.outside;
+  }
+
+  /** Forgets everything. */
+  public void clear() {
+    Arrays.fill(counts, 0);
+    outside = 0;
+  }
+
+  /**
+   * What a cell has counted.
+   *
+   * @param column 0 … {@link #columns} − 1
+   * @param row 0 … {@link #rows} − 1
+   * @return the sum of weights
+   */
+  public long count(int column, int row) {
+    return counts[row * columns + column];
+  }
+
+  /**
+   * What lay outside of all cells.
+   *
+   * @return the sum of weights
+   */
+  public long outside() {
+    return outside;
+  }
+
+  /**
+   * What all cells have counted.
+   *
+   * @return the sum of weights, without what lay outside
+   */
+  public long total() {
+    return Arrays.stream(counts).sum();
+  }
+
+  /**
+   * Number of cells in x.
+   *
+   * @return columns
+   */
+  public int columns() {
+    return columns;
+  }
+
+  /**
+   * Number of cells in y.
+   *
+   * @return rows
+   */
+  public int rows() {
+    return rows;
+  }
+
+  /**
+   * Centre of a column.
+   *
+   * @param column 0 … {@link #columns} − 1
+   * @return in the unit of x
+   */
+  public double centreX(int column) {
+    return minX + (column + 0.5) * widthX;
+  }
+
+  /**
+   * Centre of a row.
+   *
+   * @param row 0 … {@link #rows} − 1
+   * @return in the unit of y
+   */
+  public double centreY(int row) {
+    return minY + (row + 0.5) * widthY;
+  }
+}

@@ -1,0 +1,40 @@
+package fieldcal.movement;
+
+import fieldcal.vision.Team;
+import java.util.ArrayList;
+import java.util.List;
+
+/** From what was counted of a team to its limits. */
+public final class LimitEstimator {
+  private LimitEstimator() {}
+
+  /**
+   * Estimates the limits of a team, some milliseconds of work.
+   *
+   * @param team which
+   * @param statistics what was counted; stays as it is
+   * @return limits with standard errors or the reason why there are none, beside the league's
+   */
+  public static TeamLimits estimate(Team team, TeamStatistics statistics) {
+    VelocityLimit speeds = new VelocityLimit(statistics);
+    LimitEstimate velocity = speeds.estimate();
+    AccelerationLimit acceleration =
+        new AccelerationLimit(statistics.acceleratingManoeuvres(), velocity.value(), true);
+    AccelerationLimit braking =
+        AccelerationLimit.braking(statistics.brakingManoeuvres(), velocity.value(), acceleration);
+    List<LimitDeviation> deviations = new ArrayList<>(acceleration.deviations());
+    deviations.addAll(braking.deviations());
+    LeagueStatistics league = statistics.league();
+    return new TeamLimits(
+        team,
+        velocity,
+        acceleration.estimate(),
+        braking.estimate(),
+        league.velocityLimit(),
+        league.accelerationLimit(),
+        league.brakingLimit(),
+        deviations,
+        speeds.caps(velocity),
+        statistics.manoeuvres());
+  }
+}

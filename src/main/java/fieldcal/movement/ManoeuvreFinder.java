@@ -1,0 +1,118 @@
+package fieldcal.movement;
+
+import fieldcal.vision.RobotId;
+import java.util.function.Consumer;
+
+/** Cuts a stretch of a robot's path into manoeuvres and measures each, and learns the noise of the detections meanwhile. */
+final class ManoeuvreFinder {
+  /** So much of a neighbour is used, s. */
+  private static final double FLANK = 0.3;
+
+  /** So much of the following piece must be there, s. */
+  private static final double SEEN_AFTER = 0.1;
+
+  /** A fit much worse than the noise is no piece of constant acceleration. */
+  private static final double WORST = 2.5;
+
+  /** The noise that is believed before any is measured, m. */
+  private static final double USUAL_NOISE = 0.0025;
+
+  private static final double DIFFERENT_FRONT = 1;
+
+  private final Consumer<Manoeuvre> sink;
+  private final Pieces pieces = new Pieces();
+  private final RampFit ramp = new RampFit();
+  private final Histogram noise = new Histogram(0.01, 1200);
+  private double variance = USUAL_NOISE * USUAL_NOISE;
+
+  ManoeuvreFinder(Consumer<Manoeuvre> sink) {
+    this.sink = sink;
+  }
+
+  /** Standard deviation of one coordinate of a detection, m. */
+  double noise() {
+    return Math.sqrt(variance);
+  }
+
+  /**
+   * Measures all pieces that have neighbours.
+   *
+   * @return relative time at which the first piece begins that is not finished; the stretch's end when all of it is one piece, whose beginning nobody saw
+   */
+  double find(RobotId robot, Stretch stretch) {
+    pieces.cut(stretch, variance);
+    if (pieces.count() < 2) {
+      return stretch.span();
+    }
+    int i = 1;
+    while (i + 1 < pieces.count() && pieces.knot(i + 2) - pieces.knot(i + 1) >= SEEN_AFTER) {
+      measure(robot, stretch, i);
+      i++;
+    }
+    return pieces.knot(i);
+  }
+
+  private void measure(RobotId robot, Stretch stretch, int i) {
+    double first = pieces.knot(i);
+    double second = pieces.knot(i + 1);
+    double from = Math.max(pieces.knot(i - 1), first - FLANK);
+    double to = Math.min(pieces.knot(i + 2), second + FLANK);
+
+    if (!ramp.fit(stretch, from, to, first, second, variance)) {
+
+      return;
+    }
+    learn();
+    if (ramp.variance() > WORST * variance) {
+
+      return;
+    }
+    double used = Math.max(variance, 0.5 * (variance + ramp.variance()));
+    double ax = ramp.ax();
+    double ay = ramp.ay();
+    double a = Math.hypot(ax, ay);
+    double nx = a > 0 ? ax / a : 1;
+    double ny = a > 0 ? ay / a : 0;
+    int begin = stretch.indexAt(ramp.firstKnot());
+    int end = stretch.indexAt(ramp.secondKnot());
+    sink.accept(
+        new Manoeuvre(
+            robot,
+            stretch.baseTime() + ramp.firstKnot(),
+            ramp.secondKnot() - ramp.firstKnot(),
+            ramp.vx(),
+            ramp.vy(),
+            ax,
+            ay,
+            Math.sqrt(ramp.accelerationVariance(nx, ny, used)),
+            Math.sqrt(ramp.velocityVariance(nx, ny, used)),
+            front(stretch, begin, end),
+            end - begin));
+  }
+
+  private void learn() {
+    if (ramp.freedom() < 30) {
+      return;
+    }
+    // In logarithms, so that bins of one per cent hold every noise from 0.02 mm on.
+    noise.add(100 * 0.01 * Math.log(Math.max(1e-10, ramp.variance()) / 1e-10));
+    if (noise.samples() >= 20) {
+      variance = 1e-10 * Math.exp(noise.percentile(0.5));
+    }
+  }
+
+  private static double front(Stretch s, int begin, int end) {
+    double cos = 0;
+    double sin = 0;
+    for (int i = begin; i < end; i++) {
+      cos += Math.cos(s.orientation[i]);
+      sin += Math.sin(s.orientation[i]);
+    }
+    double mean = Math.atan2(sin, cos);
+    double turned = 0;
+    for (int i = begin; i < end; i++) {
+      turned = Math.max(turned, Math.abs(Math.IEEEremainder(s.orientation[i] - mean, 2 * Math.PI)));
+    }
+    return turned < DIFFERENT_FRONT ? mean : Double.NaN;
+  }
+}

@@ -1,0 +1,174 @@
+package fieldcal.movement;
+
+import fieldcal.vision.RobotDetection;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import fieldcal.vision.VisionFrame;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * Watches the robots of both teams, frame by frame. Tell it the referee's phase when that changes, give it every frame as it comes, and read {@link #statistics} at any time; movements are
+ * counted some two seconds after they happened.
+ *
+ * <p>Memory is bounded by the number of robots and cameras; frames allocate nothing. Never throws on bad frames. For one thread.
+ */
+public final class MovementObserver {
+  /** More than a team's sixteen and a few misread numbers is no robot. */
+  private static final int MOST_ROBOTS = 64;
+
+  private final MovementStatistics statistics = new MovementStatistics();
+  private final ManoeuvreFinder finder =
+      new ManoeuvreFinder(m -> statistics.of(m.robot().team()).add(m));
+  private final Map<RobotId, Watched> robots = new HashMap<>();
+  private final Map<Integer, CameraState> cameras = new HashMap<>();
+  private PlayPhase phase = PlayPhase.UNKNOWN;
+
+  /** A robot and what is kept of it. */
+  private static final class Watched {
+    private final RobotTrack track;
+    private final FrameSteps[] steps = new FrameSteps[Stretch.CAMERAS];
+    private final StandingNoise[] standing = new StandingNoise[Stretch.CAMERAS];
+
+    Watched(RobotTrack track) {
+      this.track = track;
+      for (int i = 0; i < Stretch.CAMERAS; i++) {
+        steps[i] = new FrameSteps();
+        standing[i] = new StandingNoise();
+      }
+    }
+
+    void forget() {
+      track.end();
+      for (int i = 0; i < Stretch.CAMERAS; i++) {
+        steps[i].forget();
+        standing[i].forget();
+      }
+    }
+  }
+
+  /** A camera's frames. */
+  private static final class CameraState {
+    private final int index;
+    private double lastTime = Double.NEGATIVE_INFINITY;
+    private long frames;
+
+    CameraState(int index) {
+      this.index = index;
+    }
+  }
+
+  /** Nothing seen yet, no referee. */
+  public MovementObserver() {}
+
+  /**
+   * What the referee says from now on.
+   *
+   * @param next the phase
+   * @throws NullPointerException when it is null
+   */
+  public void phase(PlayPhase next) {
+    Objects.requireNonNull(next, "next");
+    if (next != PlayPhase.UNKNOWN) {
+      statistics.refereeSeen = true;
+    }
+    if (next != phase) {
+      breakOff();
+      phase = next;
+    }
+  }
+
+  /**
+   * Takes a frame.
+   *
+   * @param frame of any camera; of each camera in the order of capture, a repeated one is ignored
+   */
+  public void accept(VisionFrame frame) {
+    CameraState camera =
+        cameras.computeIfAbsent(frame.cameraId(), id -> new CameraState(cameras.size()));
+    double time = frame.captureTime();
+    if (camera.index >= Stretch.CAMERAS || !Double.isFinite(time)) {
+      return;
+    }
+    if (time <= camera.lastTime && time > camera.lastTime - 1) {
+      statistics.repeatedFrames++;
+      return;
+    }
+    camera.lastTime = time;
+    camera.frames++;
+    statistics.detections += frame.robots().size();
+    if (phase != PlayPhase.HALTED && !phase.counts()) {
+      return;
+    }
+    for (int i = 0; i < frame.robots().size(); i++) {
+      RobotDetection robot = frame.robots().get(i);
+      Watched watched = watched(robot.id());
+      if (watched == null) {
+        statistics.refused++;
+      } else if (phase == PlayPhase.HALTED) {
+        watched.standing[camera.index].add(
+            robot.x(), robot.y(), statistics.standing(), statistics.standingSquares());
+      } else if (watched.track.accept(time, camera.index, robot)) {
+        statistics.counted++;
+        watched.steps[camera.index].add(
+            camera.frames, time, robot.x(), robot.y(), statistics.of(robot.id().team()).league());
+      } else {
+        statistics.refused++;
+      }
+    }
+  }
+
+  private Watched watched(RobotId id) {
+    Watched known = robots.get(id);
+    if (known == null && robots.size() < MOST_ROBOTS) {
+      known = new Watched(new RobotTrack(id, finder));
+      robots.put(id, known);
+    }
+    return known;
+  }
+
+  private void breakOff() {
+    robots.values().forEach(Watched::forget);
+  }
+
+  /** The recording is over, or a clock jumped: what is under way is counted, and nothing is concluded from what comes before to what comes after. */
+  public void finish() {
+    breakOff();
+    cameras.values().forEach(camera -> camera.lastTime = Double.NEGATIVE_INFINITY);
+  }
+
+  /** Forgets all that was counted, as in a break in which robots may be changed. */
+  public void clear() {
+    breakOff();
+    statistics.clear();
+  }
+
+  /**
+   * What was counted so far.
+   *
+   * @return the living statistics, which go on counting; merge them into others to keep a copy
+   */
+  public MovementStatistics statistics() {
+    return statistics;
+  }
+
+  /**
+   * Noise of one coordinate of a moving robot's detections, as the fits leave it.
+   *
+   * @return m; 2.5 mm before anything was fitted
+   */
+  public double noise() {
+    return finder.noise();
+  }
+
+  /**
+   * The limits of a team as far as they are known.
+   *
+   * @param team which
+   * @return estimates, each with its error or the reason why there is none
+   */
+  public TeamLimits limits(Team team) {
+    return LimitEstimator.estimate(team, statistics.of(team));
+  }
+}

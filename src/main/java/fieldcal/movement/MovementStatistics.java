@@ -1,0 +1,125 @@
+package fieldcal.movement;
+
+import fieldcal.vision.Team;
+
+/** What was counted of both teams, and of the detections themselves. Statistics of several recordings merge exactly, in any order. Mutable, for one thread. */
+public final class MovementStatistics {
+  private final TeamStatistics yellow = new TeamStatistics();
+  private final TeamStatistics blue = new TeamStatistics();
+  private final Grid standing = Grid.centred(0.5, 48);
+  private final Histogram standingSquares = new Histogram(0.02, 5000);
+  long detections;
+  long counted;
+  long refused;
+  long repeatedFrames;
+  boolean refereeSeen;
+
+  /** Nothing counted yet. */
+  public MovementStatistics() {}
+
+  /**
+   * One team's share.
+   *
+   * @param team which
+   * @return its statistics
+   */
+  public TeamStatistics of(Team team) {
+    return team == Team.YELLOW ? yellow : blue;
+  }
+
+  /**
+   * Adds all that others have counted.
+   *
+   * @param other stays as it is
+   */
+  public void merge(MovementStatistics other) {
+    yellow.merge(other.yellow);
+    blue.merge(other.blue);
+    standing.merge(other.standing);
+    standingSquares.merge(other.standingSquares);
+    detections += other.detections;
+    counted += other.counted;
+    refused += other.refused;
+    repeatedFrames += other.repeatedFrames;
+    refereeSeen |= other.refereeSeen;
+  }
+
+  /** Forgets everything but whether there is a referee. */
+  public void clear() {
+    yellow.clear();
+    blue.clear();
+    standing.clear();
+    standingSquares.clear();
+    detections = 0;
+    counted = 0;
+    refused = 0;
+    repeatedFrames = 0;
+  }
+
+  /**
+   * Deviations of standing robots' detections from their mean while the referee says halt, mm.
+   *
+   * @return the picture
+   */
+  public Grid standing() {
+    return standing;
+  }
+
+  Histogram standingSquares() {
+    return standingSquares;
+  }
+
+  /**
+   * Noise of one coordinate of standing robots' detections.
+   *
+   * @return mm; NaN when none stood in a halt
+   */
+  public double standingNoiseMm() {
+    return Math.sqrt(standingSquares.percentile(0.5));
+  }
+
+  /**
+   * Robots in frames.
+   *
+   * @return all detections, counted or not
+   */
+  public long detections() {
+    return detections;
+  }
+
+  /**
+   * Detections while movements counted.
+   *
+   * @return without the refused ones
+   */
+  public long counted() {
+    return counted;
+  }
+
+  /**
+   * Detections that cannot have been the robot they name: exchanged identities, misread patterns, jumps.
+   *
+   * @return their number
+   */
+  public long refused() {
+    return refused;
+  }
+
+  /**
+   * Frames that came twice or after a later one of the same camera.
+   *
+   * @return their number
+   */
+  public long repeatedFrames() {
+    return repeatedFrames;
+  }
+
+  /**
+   * Whether a referee told when the ball was in play.
+   *
+   * @return false when everything was counted
+   */
+  public boolean refereeSeen() {
+    return refereeSeen;
+  }
+}

@@ -1,0 +1,157 @@
+package fieldcal.movement;
+
+import java.util.Arrays;
+
+/**
+ * Cuts a stretch of a robot's path into pieces of constant acceleration: the cut with the least sum of squared residuals plus a price per piece, found exactly by dynamic programming over a
+ * grid of {@link #CELL}.
+ *
+ * <p>Each piece is a parabola of its own, with an own constant for each camera, so that cameras may disagree about where the robot is. Sums of powers up to the cell
+ * edges make a piece's residual a matter of one 2×2 system.
+ */
+final class Pieces {
+  /** Distance of possible knots, s: a third of the shortest piece that can be told from noise. */
+  static final double CELL = 0.04;
+
+  static final int MAX_CELLS = 100;
+
+  /** A piece that is to be measured lasts at least so many cells. */
+  private static final int SHORTEST = 2;
+
+  /**
+   * Price of one more piece in units of the noise's variance. Six numbers of a parabola in the plane take 6 on average out of noise alone, and 99.99 % of the time less than 28.
+   */
+  private static final double PRICE = 28;
+
+  // Sums over the detections of a camera before each cell edge: n, t, t², t³, t⁴, x, xt, xt², x²,
+  // y, yt, yt², y².
+  private static final int SUMS = 13;
+
+  private final double[][][] sums = new double[Stretch.CAMERAS][MAX_CELLS + 1][SUMS];
+  private final double[] best = new double[MAX_CELLS + 1];
+  private final int[] from = new int[MAX_CELLS + 1];
+  private final double[] knots = new double[MAX_CELLS + 1];
+  private int count;
+  private int cameras;
+
+  /** Number of pieces; piece i lasts from {@code knot(i)} to {@code knot(i + 1)}. */
+  int count() {
+    return count;
+  }
+
+  /** Relative time of a knot, s. */
+  double knot(int i) {
+    return knots[i];
+  }
+
+  /** Cuts a stretch. */
+  void cut(Stretch stretch, double variance) {
+    int cells = Math.min(MAX_CELLS, (int) Math.ceil(stretch.span() / CELL + 1e-9));
+    count = 0;
+    if (cells < 1) {
+      return;
+    }
+    accumulate(stretch, cells);
+    best[0] = 0;
+    for (int to = 1; to <= cells; to++) {
+      best[to] = Double.POSITIVE_INFINITY;
+      for (int start = 0; start < to; start++) {
+        boolean tooShort = to - start < SHORTEST && start > 0 && to < cells;
+        if (tooShort || best[start] >= best[to]) {
+          continue;
+        }
+        double total = best[start] + PRICE + residual(start, to) / variance;
+        if (total < best[to]) {
+          best[to] = total;
+          from[to] = start;
+        }
+      }
+    }
+    for (int at = cells; at > 0; at = from[at]) {
+      count++;
+    }
+    int i = count;
+    knots[i] = cells * CELL;
+    for (int at = cells; at > 0; at = from[at]) {
+      knots[--i] = from[at] * CELL;
+    }
+  }
+
+  private void accumulate(Stretch s, int cells) {
+    cameras = s.cameras();
+    for (int c = 0; c < cameras; c++) {
+      Arrays.fill(sums[c][0], 0);
+    }
+    int i = 0;
+    for (int cell = 1; cell <= cells; cell++) {
+      for (int c = 0; c < cameras; c++) {
+        System.arraycopy(sums[c][cell - 1], 0, sums[c][cell], 0, SUMS);
+      }
+      double end = cell == cells ? Double.POSITIVE_INFINITY : cell * CELL;
+      for (; i < s.size() && s.t[i] < end; i++) {
+        addTo(sums[s.camera[i]][cell], s.t[i], s.x[i], s.y[i]);
+      }
+    }
+  }
+
+  private static void addTo(double[] sum, double t, double x, double y) {
+    double tt = t * t;
+    sum[0]++;
+    sum[1] += t;
+    sum[2] += tt;
+    sum[3] += tt * t;
+    sum[4] += tt * tt;
+    sum[5] += x;
+    sum[6] += x * t;
+    sum[7] += x * tt;
+    sum[8] += x * x;
+    sum[9] += y;
+    sum[10] += y * t;
+    sum[11] += y * tt;
+    sum[12] += y * y;
+  }
+
+  /** Sum of squared residuals of the best parabola over cells [start, to), in m². */
+  double residual(int start, int to) {
+    double s11 = 0;
+    double s12 = 0;
+    double s22 = 0;
+    double bx1 = 0;
+    double bx2 = 0;
+    double by1 = 0;
+    double by2 = 0;
+    double rest = 0;
+    for (int c = 0; c < cameras; c++) {
+      double[] a = sums[c][start];
+      double[] b = sums[c][to];
+      double n = b[0] - a[0];
+      if (n < 2) {
+        continue; // one detection is explained by its camera's own constant
+      }
+      double t1 = b[1] - a[1];
+      double t2 = b[2] - a[2];
+      double x0 = b[5] - a[5];
+      double y0 = b[9] - a[9];
+      s11 += t2 - t1 * t1 / n;
+      s12 += b[3] - a[3] - t1 * t2 / n;
+      s22 += b[4] - a[4] - t2 * t2 / n;
+      bx1 += b[6] - a[6] - x0 * t1 / n;
+      bx2 += b[7] - a[7] - x0 * t2 / n;
+      by1 += b[10] - a[10] - y0 * t1 / n;
+      by2 += b[11] - a[11] - y0 * t2 / n;
+      rest += b[8] - a[8] - x0 * x0 / n + b[12] - a[12] - y0 * y0 / n;
+    }
+    double determinant = s11 * s22 - s12 * s12;
+    if (s11 <= 0) {
+      return Math.max(0, rest);
+    }
+    if (determinant <= 1e-9 * s11 * s22) {
+      return Math.max(0, rest - (bx1 * bx1 + by1 * by1) / s11);
+    }
+    double explained =
+        s22 * (bx1 * bx1 + by1 * by1)
+            - 2 * s12 * (bx1 * bx2 + by1 * by2)
+            + s11 * (bx2 * bx2 + by2 * by2);
+    return Math.max(0, rest - explained / determinant);
+  }
+}

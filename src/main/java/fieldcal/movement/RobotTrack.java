@@ -1,0 +1,160 @@
+package fieldcal.movement;
+
+import fieldcal.vision.RobotDetection;
+import fieldcal.vision.RobotId;
+
+/**
+ * Follows one robot: refuses what cannot be it, and has its path cut into manoeuvres a few seconds later.
+ *
+ * <p>A detection that lies too far from where the robot must be is an exchanged identity or a misread pattern; if such detections agree for a while, the robot was
+ * moved, and a new stretch begins. No manoeuvre spans a break.
+ */
+final class RobotTrack {
+  /** What nobody sees for so long may have done anything, s. */
+  private static final double LONGEST_GAP = 0.2;
+
+  /** Robots do not accelerate more, m/s² (twice of what the league's strongest do). */
+  private static final double STRONGEST = 20;
+
+  /** How far a detection may be off for other reasons: cameras that disagree by 26 mm, and noise, m. */
+  private static final double TOLERANCE = 0.06;
+
+  /** Nor do they drive faster, m/s; what a robot may have done while its velocity is not known yet. */
+  private static final double FASTEST = 6;
+
+  /** Detections after which the velocity is known. */
+  private static final int ACQUAINTED = 5;
+
+  /** Detections refused in a row after which the robot is believed to be elsewhere. */
+  private static final int PERSISTENT = 6;
+
+  /** New path after which it is cut again, s; each robot a little else, so that not all of them are due with the same frame. */
+  private static final double BLOCK = 1.5;
+
+  private static final double BLOCK_STEP = 0.03;
+
+  /** A piece that lasts longer has been driven at constant speed, or not at all, s. */
+  private static final double LONGEST = 3.5;
+
+  /** So much of a neighbour is enough to find the knot, s. */
+  private static final double FLANK = 0.3;
+
+  private final RobotId id;
+  private final double block;
+  private final ManoeuvreFinder finder;
+  private final Stretch stretch = new Stretch();
+  private double due;
+  private double time = Double.NEGATIVE_INFINITY;
+  private double x;
+  private double y;
+  private double vx;
+  private double vy;
+  private int followed;
+  private int refusedInARow;
+  private long refused;
+
+  RobotTrack(RobotId id, ManoeuvreFinder finder) {
+    this.id = id;
+    this.finder = finder;
+    block = BLOCK + BLOCK_STEP * (id.number() % 16) + 0.5 * BLOCK_STEP * id.team().ordinal();
+  }
+
+  RobotId id() {
+    return id;
+  }
+
+  /** How many detections cannot have been this robot. */
+  long refused() {
+    return refused;
+  }
+
+  /** Whether a detection can be this robot. */
+  private double distance(double at, RobotDetection robot) {
+    double dt = at - time;
+    return Math.hypot(robot.x() - x - vx * dt, robot.y() - y - vy * dt);
+  }
+
+  /**
+   * Takes a detection.
+   *
+   * @return false when it cannot have been this robot
+   */
+  boolean accept(double at, int camera, RobotDetection robot) {
+    if (!Double.isFinite(robot.x()) || !Double.isFinite(robot.y()) || !Double.isFinite(at)) {
+      refused++;
+      return false;
+    }
+    double dt = at - time;
+    if (!(Math.abs(dt) < LONGEST_GAP)) {
+      end();
+      start(at, robot);
+    } else {
+      double late = Math.abs(dt);
+      double possible = TOLERANCE + 0.5 * STRONGEST * late * late;
+      if (followed < ACQUAINTED) {
+        possible += FASTEST * late;
+      }
+      if (distance(at, robot) > possible) {
+        refused++;
+        if (++refusedInARow < PERSISTENT) {
+          return false;
+        }
+        end();
+        start(at, robot);
+      } else {
+        follow(dt, robot);
+      }
+    }
+    refusedInARow = 0;
+    stretch.add(at, robot.x(), robot.y(), robot.orientation(), camera);
+    if (stretch.span() >= due || stretch.full()) {
+      analyse();
+    }
+    return true;
+  }
+
+  private void start(double at, RobotDetection robot) {
+    time = at;
+    x = robot.x();
+    y = robot.y();
+    vx = 0;
+    vy = 0;
+    followed = 1;
+    due = block;
+  }
+
+  /** An alpha-beta filter: good enough to say where the robot cannot be. Its gains are those of a line fit until they reach those of a memory of some 0.1 s. */
+  private void follow(double dt, RobotDetection robot) {
+    if (dt <= 0) {
+      return;
+    }
+    double n = ++followed;
+    double alpha = Math.max(2 * (2 * n - 1) / (n * (n + 1)), Math.min(1, dt / 0.03));
+    double beta = Math.max(6 / (n * (n + 1)), Math.min(1, dt / 0.1) * Math.min(1, dt / 0.03));
+    double aheadX = robot.x() - x - vx * dt;
+    double aheadY = robot.y() - y - vy * dt;
+    x += vx * dt + alpha * aheadX;
+    y += vy * dt + alpha * aheadY;
+    vx += beta * aheadX / Math.max(dt, 0.005);
+    vy += beta * aheadY / Math.max(dt, 0.005);
+    time += dt;
+  }
+
+  private void analyse() {
+    // What is not finished comes again, with a piece of what was before it.
+    double keep = finder.find(id, stretch) - FLANK;
+    boolean tooLong = stretch.full() || stretch.span() - keep > LONGEST - block;
+    stretch.forgetBefore(tooLong ? stretch.span() - FLANK : keep);
+    due = stretch.span() + block;
+  }
+
+  /** The path breaks off here. */
+  void end() {
+    if (stretch.size() > 0) {
+      finder.find(id, stretch);
+    }
+    stretch.clear();
+    time = Double.NEGATIVE_INFINITY;
+    refusedInARow = 0;
+  }
+}

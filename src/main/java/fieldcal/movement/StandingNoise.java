@@ -1,0 +1,54 @@
+package fieldcal.movement;
+
+/** How detections of one robot that stands still scatter, for one camera: the deviation of each of sixteen from their mean. */
+final class StandingNoise {
+  private static final int GROUP = 16;
+
+  /** The halves of a group that stands agree to within so much, m: four standard errors of 3.5 mm. */
+  private static final double STANDS = 0.005;
+
+  private final double[] x = new double[GROUP];
+  private final double[] y = new double[GROUP];
+  private int n;
+
+  void forget() {
+    n = 0;
+  }
+
+  /** Takes a detection; a full group of a robot that stood is counted, in mm. */
+  void add(double px, double py, Grid sink, Histogram squares) {
+    x[n] = px;
+    y[n] = py;
+    if (++n < GROUP) {
+      return;
+    }
+    n = 0;
+    double firstX = mean(x, 0, GROUP / 2);
+    double firstY = mean(y, 0, GROUP / 2);
+    double secondX = mean(x, GROUP / 2, GROUP);
+    double secondY = mean(y, GROUP / 2, GROUP);
+    if (!(Math.hypot(firstX - secondX, firstY - secondY) < STANDS)) {
+      return;
+    }
+    double meanX = 0.5 * (firstX + secondX);
+    double meanY = 0.5 * (firstY + secondY);
+    // The mean follows the detections a little.
+    double scale = 1000 * Math.sqrt(GROUP / (GROUP - 1.0));
+    double sum = 0;
+    for (int i = 0; i < GROUP; i++) {
+      double dx = scale * (x[i] - meanX);
+      double dy = scale * (y[i] - meanY);
+      sink.add(dx, dy, 1);
+      sum += dx * dx + dy * dy;
+    }
+    squares.add(sum / (2 * GROUP));
+  }
+
+  private static double mean(double[] values, int from, int to) {
+    double sum = 0;
+    for (int i = from; i < to; i++) {
+      sum += values[i];
+    }
+    return sum / (to - from);
+  }
+}

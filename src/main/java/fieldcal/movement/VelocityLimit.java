@@ -1,0 +1,144 @@
+package fieldcal.movement;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The limit of velocity: the highest speed at which robots cruise again and again. When they also drive clearly faster, without ever cruising there, the limit was not reached, and the most they did is a
+ * lower bound.
+ */
+final class VelocityLimit {
+  /** Cruising robots keep their speed to within that part. */
+  private static final double WIDTH = 0.025;
+
+  /** A plateau holds so many manoeuvres … */
+  private static final long FEWEST = 5;
+
+  /** … and this part of all that cruise. */
+  private static final double SHARE = 0.02;
+
+  /** Speeds at the ends of manoeuvres exceed the cap by errors of the knots, by so much at most … */
+  private static final double BEYOND = 1.08;
+
+  /** … but for this part of the plateau's number, and a few. */
+  private static final double BEYOND_SHARE = 0.3;
+
+  private static final long FEW = 3;
+
+  /** As a lower bound, the speed that so many manoeuvres exceed. */
+  private static final int BOUND = 2;
+
+  private static final long FEWEST_FOR_BOUND = 40;
+
+  /** Slower cruising is creeping, m/s. */
+  private static final double SLOWEST = 0.3;
+
+  /** A robot's own cap lies below this part of the team's limit … */
+  private static final double CAPPED = 0.93;
+
+  /** … and holds so many of its manoeuvres. */
+  private static final long CAP_SAMPLES = 10;
+
+  private final TeamStatistics team;
+
+  VelocityLimit(TeamStatistics team) {
+    this.team = team;
+  }
+
+  /** A speed, its error, and how many manoeuvres are there. */
+  private record Plateau(double speed, double error, long samples) {}
+
+  LimitEstimate estimate() {
+    Histogram tops = team.topSpeeds();
+    Histogram all = all();
+    Plateau plateau = highest(all, FEWEST);
+    if (plateau != null) {
+      long beyond = above(tops, BEYOND * plateau.speed());
+      if (beyond <= FEW + BEYOND_SHARE * plateau.samples()) {
+        return new LimitEstimate(plateau.speed(), plateau.error(), all.samples(), true, "");
+      }
+    }
+    if (tops.samples() < FEWEST_FOR_BOUND) {
+      return LimitEstimate.undetermined(
+          tops.samples(), "needs " + FEWEST_FOR_BOUND + " manoeuvres");
+    }
+    double bound = exceededBy(tops, BOUND);
+    double spread = 0.5 * (exceededBy(tops, 1) - exceededBy(tops, 2 * BOUND));
+    return new LimitEstimate(
+        bound,
+        Math.max(2 * tops.width(), spread),
+        tops.samples(),
+        false,
+        "the robots never cruised at a highest speed; this is the most they did");
+  }
+
+  private Histogram all() {
+    Histogram all = new Histogram(team.topSpeeds().width(), team.topSpeeds().bins());
+    team.cruising().values().forEach(all::merge);
+    return all;
+  }
+
+  /** Robots that never exceed a speed of their own. */
+  List<SpeedCap> caps(LimitEstimate limit) {
+    List<SpeedCap> caps = new ArrayList<>();
+    for (Map.Entry<Integer, Histogram> robot : team.cruising().entrySet()) {
+      Plateau own = highest(robot.getValue(), CAP_SAMPLES);
+      if (limit.known()
+          && own != null
+          && own.speed() < CAPPED * limit.value()
+          && above(robot.getValue(), (1 + 2 * WIDTH) * own.speed()) == 0) {
+        caps.add(new SpeedCap(robot.getKey(), own.speed(), own.error(), own.samples()));
+      }
+    }
+    return caps;
+  }
+
+  private static Plateau highest(Histogram speeds, long fewest) {
+    long moving = above(speeds, SLOWEST);
+    double needed = Math.max(fewest, SHARE * moving);
+    for (int bin = speeds.bins() - 1; bin * speeds.width() > SLOWEST; bin--) {
+      double centre = (bin + 0.5) * speeds.width();
+      if (speeds.count(bin) > 0 && within(speeds, centre).samples() >= needed) {
+        // Down to where most are: the mean of a window, centred anew.
+        Plateau plateau = within(speeds, centre);
+        for (int i = 0; i < 5; i++) {
+          plateau = within(speeds, plateau.speed());
+        }
+        return plateau;
+      }
+    }
+    return null;
+  }
+
+  private static Plateau within(Histogram speeds, double centre) {
+    double sum = 0;
+    double squares = 0;
+    long n = 0;
+    int from = (int) Math.max(0, (1 - WIDTH) * centre / speeds.width());
+    int to = (int) Math.min(speeds.bins() - 1.0, (1 + WIDTH) * centre / speeds.width());
+    for (int bin = from; bin <= to; bin++) {
+      double speed = (bin + 0.5) * speeds.width();
+      long count = speeds.count(bin);
+      n += count;
+      sum += count * (speed - centre);
+      squares += count * (speed - centre) * (speed - centre);
+    }
+    double mean = n == 0 ? 0 : sum / n;
+    double variance = n < 2 ? 0 : Math.max(0, squares - n * mean * mean) / (n - 1);
+    double bin = speeds.width() * speeds.width() / 12;
+    return new Plateau(centre + mean, Math.sqrt(Math.max(variance, bin) / Math.max(1, n)), n);
+  }
+
+  private static long above(Histogram speeds, double limit) {
+    long n = speeds.beyond();
+    for (int bin = speeds.bins() - 1; bin >= 0 && bin * speeds.width() >= limit; bin--) {
+      n += speeds.count(bin);
+    }
+    return n;
+  }
+
+  private static double exceededBy(Histogram speeds, int number) {
+    return speeds.percentile(1 - Math.min(1, (double) number / speeds.samples()));
+  }
+}

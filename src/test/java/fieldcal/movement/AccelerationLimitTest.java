@@ -1,0 +1,113 @@
+package fieldcal.movement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The limit from manoeuvres that are drawn, not driven. */
+class AccelerationLimitTest {
+  private static final double SPEED = 3;
+
+  /** Manoeuvres of a team: a share of them at its limit, the others anywhere below. */
+  private static ManoeuvreTable table(
+      double limit, double torque, double directional, double share, int n, Random random) {
+    ManoeuvreTable table = new ManoeuvreTable();
+    for (int i = 0; i < n; i++) {
+      double speed = SPEED * random.nextDouble();
+      double sine = Math.sin(2 * Math.PI * random.nextDouble());
+      double most = limit * (1 - torque * speed / SPEED) * (1 - directional * sine * sine);
+      double a = random.nextDouble() < share ? most : most * random.nextDouble();
+      double error = a * 0.1 * random.nextDouble();
+      table.add(a + error * random.nextGaussian(), error, speed, sine * sine);
+    }
+    return table;
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+  void uniformTeamsHaveALimitAndNoEffect(long seed) {
+    Random random = new Random(seed);
+    double limit = 1.5 + 6 * random.nextDouble();
+    AccelerationLimit found =
+        new AccelerationLimit(table(limit, 0, 0, 0.6, 800, random), SPEED, true);
+    assertThat(found.deviations()).isEmpty();
+    LimitEstimate e = found.estimate();
+    assertThat(e.reached()).isTrue();
+    assertThat(e.samples()).isBetween(700L, 800L);
+    assertThat(e.value()).isEqualTo(limit, within(0.01 * limit));
+    assertThat(e.standardError()).isBetween(0.003 * limit, 0.008 * limit);
+  }
+
+  @Test
+  void errorsCoverTheTruth() {
+    int covered = 0;
+    int trials = 100;
+    for (int seed = 0; seed < trials; seed++) {
+      LimitEstimate e =
+          new AccelerationLimit(table(4, 0, 0, 0.7, 400, new Random(seed)), SPEED, false)
+              .estimate();
+      covered += Math.abs(e.value() - 4) < 2 * e.standardError() ? 1 : 0;
+    }
+    assertThat(covered).isBetween(85, 100);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.15, 0.3, 0.6})
+  void torqueIsNamedAndSized(double coefficient) {
+    AccelerationLimit found =
+        new AccelerationLimit(table(4, coefficient, 0, 0.6, 800, new Random(7)), SPEED, true);
+    assertThat(found.deviations()).hasSize(1);
+    LimitDeviation d = found.deviations().get(0);
+    assertThat(d.effect()).isEqualTo(MovementEffect.TORQUE_LIMITED);
+    assertThat(d.coefficient()).isEqualTo(coefficient, within(0.03));
+    assertThat(d.shareAfter()).isGreaterThan(d.shareBefore());
+    assertThat(found.estimate().value()).isEqualTo(4, within(0.06));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.15, 0.3, 0.6})
+  void directionIsNamedAndSized(double coefficient) {
+    AccelerationLimit found =
+        new AccelerationLimit(table(4, 0, coefficient, 0.6, 800, new Random(8)), SPEED, false);
+    assertThat(found.deviations()).hasSize(1);
+    LimitDeviation d = found.deviations().get(0);
+    assertThat(d.effect()).isEqualTo(MovementEffect.DIRECTIONAL);
+    assertThat(d.coefficient()).isEqualTo(coefficient, within(0.03));
+    assertThat(d.seenIn()).isEqualTo("braking");
+    assertThat(found.estimate().value()).isEqualTo(4, within(0.06));
+  }
+
+  @Test
+  void bothTogetherMultiply() {
+    AccelerationLimit found =
+        new AccelerationLimit(table(4, 0.4, 0.4, 0.6, 1500, new Random(9)), SPEED, true);
+    assertThat(found.deviations()).hasSize(2);
+    assertThat(found.deviations().get(0).coefficient()).isEqualTo(0.4, within(0.03));
+    assertThat(found.deviations().get(1).coefficient()).isEqualTo(0.4, within(0.03));
+    assertThat(found.estimate().value()).isEqualTo(4, within(0.08));
+  }
+
+  @Test
+  void tooFewManoeuvresSayNothing() {
+    AccelerationLimit found =
+        new AccelerationLimit(table(4, 0, 0, 0.6, 8, new Random(1)), SPEED, true);
+    assertThat(found.estimate().known()).isFalse();
+    assertThat(found.estimate().note()).contains("15");
+    assertThat(found.deviations()).isEmpty();
+  }
+
+  @Test
+  void weakAndUncertainManoeuvresAreRefused() {
+    ManoeuvreTable table = new ManoeuvreTable();
+    assertThat(table.add(0.1, 0.001, 1, 0)).isFalse();
+    assertThat(table.add(2, 1, 1, 0)).isFalse();
+    assertThat(table.add(Double.NaN, 0.1, 1, 0)).isFalse();
+    assertThat(table.add(2, Double.NaN, 1, 0)).isFalse();
+    assertThat(table.add(2, 0.1, 1, Double.NaN)).isTrue();
+    assertThat(table.samples()).isEqualTo(1);
+  }
+}

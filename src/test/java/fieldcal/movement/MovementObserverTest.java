@@ -1,0 +1,204 @@
+package fieldcal.movement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.simulation.robot.RobotLimits;
+import fieldcal.vision.RobotDetection;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** What must not change the limits, and what must not count. */
+class MovementObserverTest {
+  private static final RobotLimits YELLOW = RobotLimits.uniform(2.5, 3, 4);
+  private static final RobotLimits BLUE = RobotLimits.uniform(3, 4, 5);
+
+  private static MatchFrames match;
+  private static MovementObserver plain;
+
+  @BeforeAll
+  static void simulate() {
+    match = MatchFrames.of(4, 1.5, 17, 0.0035, YELLOW, BLUE);
+    plain = match.observe();
+  }
+
+  @Test
+  void duplicatedFramesChangeNothing() {
+    MovementObserver twice = match.duplicated(3).observe();
+    assertThat(twice.statistics().repeatedFrames()).isGreaterThan(4000);
+    for (Team team : Team.values()) {
+      assertThat(twice.limits(team)).isEqualTo(plain.limits(team));
+    }
+  }
+
+  @Test
+  void exchangedIdentitiesMoveNoPercentileByMoreThanABin() {
+    sameWithin(match.exchanged(0.005, 1, 3).observe(), plain);
+    sameWithin(match.exchanged(0.001, 40, 4).observe(), plain);
+  }
+
+  @Test
+  void jumpsMoveNoPercentileByMoreThanABin() {
+    MovementObserver jumping = match.jumping(0.01, 0.4, 5).observe();
+    assertThat(jumping.statistics().refused()).isGreaterThan(200);
+    sameWithin(jumping, plain);
+  }
+
+  private static void sameWithin(MovementObserver observer, MovementObserver reference) {
+    for (Team team : Team.values()) {
+      LeagueStatistics league = observer.statistics().of(team).league();
+      LeagueStatistics clean = reference.statistics().of(team).league();
+      for (double share : new double[] {0.05, 0.5, 0.75, 0.95, 0.995}) {
+        same(league.velocity(), clean.velocity(), share);
+        same(league.acceleration(), clean.acceleration(), share);
+        same(league.braking(), clean.braking(), share);
+      }
+      TeamLimits found = observer.limits(team);
+      TeamLimits expected = reference.limits(team);
+      assertThat(found.velocity().value()).isEqualTo(expected.velocity().value(), within(0.02));
+      assertThat(found.acceleration().value())
+          .isEqualTo(expected.acceleration().value(), within(0.05));
+      assertThat(found.braking().value()).isEqualTo(expected.braking().value(), within(0.1));
+      assertThat(found.deviations()).isEmpty();
+    }
+  }
+
+  private static void same(Histogram found, Histogram expected, double share) {
+    assertThat(found.percentile(share))
+        .as("percentile %s", share)
+        .isEqualTo(expected.percentile(share), within(expected.width()));
+  }
+
+  @Test
+  void aCameraThatReportsEverythingShiftedChangesNothing() {
+    List<VisionFrame> frames = new ArrayList<>();
+    for (VisionFrame f : match.frames()) {
+      List<RobotDetection> robots = new ArrayList<>();
+      for (RobotDetection r : f.robots()) {
+        double shift = f.cameraId() == 0 ? 0.02 : 0;
+        robots.add(
+            new RobotDetection(
+                r.id(), r.x() + shift, r.y(), r.orientation(), r.confidence(), r.height()));
+      }
+      frames.add(
+          new VisionFrame(
+              f.cameraId(),
+              f.frameNumber(),
+              f.captureTime(),
+              Double.NaN,
+              Double.NaN,
+              List.of(),
+              robots));
+    }
+    sameWithin(match.with(frames).observe(), plain);
+  }
+
+  @Test
+  void onlyPlayCounts() {
+    MovementObserver stopped = new MovementObserver();
+    stopped.phase(PlayPhase.STOPPED);
+    match.frames().forEach(stopped::accept);
+    stopped.phase(PlayPhase.BREAK);
+    match.frames().forEach(stopped::accept);
+    stopped.finish();
+    assertThat(stopped.statistics().counted()).isZero();
+    assertThat(stopped.statistics().of(Team.BLUE).league().velocity().samples()).isZero();
+    assertThat(stopped.limits(Team.BLUE).velocity().known()).isFalse();
+    assertThat(stopped.limits(Team.BLUE).braking().note()).isNotEmpty();
+  }
+
+  @Test
+  void withoutARefereeEverythingCounts() {
+    MovementObserver all = new MovementObserver();
+    match.frames().forEach(all::accept);
+    all.finish();
+    assertThat(all.statistics().refereeSeen()).isFalse();
+    assertThat(plain.statistics().refereeSeen()).isTrue();
+    assertThat(all.statistics().counted()).isGreaterThan(plain.statistics().counted());
+    assertThat(all.limits(Team.YELLOW).acceleration().value()).isEqualTo(3, within(0.1));
+  }
+
+  @Test
+  void theNoiseIsSeenAtRestAndInMotion() {
+    assertThat(plain.statistics().standingNoiseMm()).isEqualTo(3.5, within(0.2));
+    assertThat(plain.noise()).isEqualTo(0.0035, within(0.0003));
+    assertThat(plain.statistics().standing().total()).isGreaterThan(5000);
+  }
+
+  @Test
+  void partsMergeToTheWholeInAnyOrder() {
+    MovementStatistics forth = new MovementStatistics();
+    MovementStatistics back = new MovementStatistics();
+    MovementStatistics other = match.exchanged(0.01, 5, 9).observe().statistics();
+    forth.merge(plain.statistics());
+    forth.merge(other);
+    back.merge(other);
+    back.merge(plain.statistics());
+    for (Team team : Team.values()) {
+      assertThat(LimitEstimator.estimate(team, forth.of(team)))
+          .isEqualTo(LimitEstimator.estimate(team, back.of(team)));
+      assertThat(forth.of(team).manoeuvres())
+          .isEqualTo(plain.statistics().of(team).manoeuvres() + other.of(team).manoeuvres());
+      assertThat(forth.of(team).ownFrame().total()).isEqualTo(back.of(team).ownFrame().total());
+    }
+    assertThat(forth.counted()).isEqualTo(plain.statistics().counted() + other.counted());
+  }
+
+  @Test
+  void clearedItBeginsAnew() {
+    MovementObserver observer = match.observe();
+    observer.clear();
+    assertThat(observer.statistics().of(Team.YELLOW).manoeuvres()).isZero();
+    assertThat(observer.limits(Team.YELLOW).leagueVelocity().known()).isFalse();
+    assertThat(observer.statistics().refereeSeen()).isTrue();
+  }
+
+  @Test
+  void badFramesAreNoReasonToThrow() {
+    MovementObserver observer = new MovementObserver();
+    double[] odd = {Double.NaN, Double.POSITIVE_INFINITY, -1e300, 0, 1e300};
+    for (int i = 0; i < 2000; i++) {
+      List<RobotDetection> robots = new ArrayList<>();
+      for (int k = 0; k < 3; k++) {
+        robots.add(
+            new RobotDetection(
+                new RobotId(Team.YELLOW, i % 200),
+                odd[(i + k) % odd.length],
+                odd[(i / 2 + k) % odd.length],
+                odd[(i / 3) % odd.length],
+                1,
+                Double.NaN));
+      }
+      double time = i % 97 == 0 ? odd[(i / 97) % odd.length] : i * 0.01;
+      observer.accept(new VisionFrame(i % 20, i, time, Double.NaN, Double.NaN, List.of(), robots));
+    }
+    observer.finish();
+    assertThat(observer.limits(Team.YELLOW).acceleration().known()).isFalse();
+  }
+
+  @Test
+  void aClockThatJumpsBackIsFollowed() {
+    MovementObserver observer = new MovementObserver();
+    RobotId id = new RobotId(Team.YELLOW, 1);
+    for (double start : new double[] {1000, 0}) {
+      for (int i = 0; i < 100; i++) {
+        observer.accept(
+            new VisionFrame(
+                0,
+                i,
+                start + i / 70.0,
+                Double.NaN,
+                Double.NaN,
+                List.of(),
+                List.of(new RobotDetection(id, i * 0.02, 0, 0, 1, 0.15))));
+      }
+    }
+    observer.finish();
+    assertThat(observer.statistics().counted()).isGreaterThan(190);
+  }
+}
