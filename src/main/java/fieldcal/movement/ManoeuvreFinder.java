@@ -17,6 +17,10 @@ final class ManoeuvreFinder {
   /** The noise that is believed before any is measured, m. */
   private static final double USUAL_NOISE = 0.0025;
 
+  /** Fits after which the noise is believed. */
+  private static final int ENOUGH = 20;
+
+  /** A robot that turns by more meanwhile has no one front, rad. */
   private static final double DIFFERENT_FRONT = 1;
 
   private final Consumer<Manoeuvre> sink;
@@ -32,6 +36,10 @@ final class ManoeuvreFinder {
   /** Standard deviation of one coordinate of a detection, m. */
   double noise() {
     return Math.sqrt(variance);
+  }
+
+  boolean noiseKnown() {
+    return noise.samples() >= ENOUGH;
   }
 
   /**
@@ -95,8 +103,8 @@ final class ManoeuvreFinder {
       return;
     }
     // In logarithms, so that bins of one per cent hold every noise from 0.02 mm on.
-    noise.add(100 * 0.01 * Math.log(Math.max(1e-10, ramp.variance()) / 1e-10));
-    if (noise.samples() >= 20) {
+    noise.add(Math.log(Math.max(1e-10, ramp.variance()) / 1e-10));
+    if (noiseKnown()) {
       variance = 1e-10 * Math.exp(noise.percentile(0.5));
     }
   }

@@ -163,6 +163,15 @@ public final class MovementObserver {
   }
 
   /**
+   * Whether {@link #noise} was measured.
+   *
+   * @return false when it is only what is usual
+   */
+  public boolean noiseKnown() {
+    return finder.noiseKnown();
+  }
+
+  /**
    * The limits of a team as far as they are known.
    *
    * @param team which

@@ -13,7 +13,7 @@ final class VelocityLimit {
   private static final double WIDTH = 0.025;
 
   /** A plateau holds so many manoeuvres … */
-  private static final long FEWEST = 5;
+  private static final long FEWEST = 3;
 
   /** … and this part of all that cruise. */
   private static final double SHARE = 0.02;

@@ -17,6 +17,7 @@ import picocli.CommandLine.ParseResult;
       InfoCommand.class,
       CalibrateCommand.class,
       DiagnoseCommand.class,
+      LimitsCommand.class,
       SimulateCommand.class
     })
 public final class Main {

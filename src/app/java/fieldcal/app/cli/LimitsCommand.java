@@ -1,0 +1,57 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.limits.LimitsOutcome;
+import fieldcal.app.limits.LimitsSession;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal limits}: how fast the robots of both teams move. */
+@Command(
+    name = "limits",
+    mixinStandardHelpOptions = true,
+    description =
+        "Measures velocity, acceleration and braking limits of both teams from the raw detections"
+            + " of matches, and says what one limit for all speeds and directions gets wrong.")
+final class LimitsCommand implements Callable<Integer> {
+  @Spec private CommandSpec spec;
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "LOG",
+      description = "SSL game logs of the same two teams, .log or .log.gz; read in parallel")
+  private List<Path> logs;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "writes limits.html and limits.json there")
+  private Path out;
+
+  @Option(names = "--json", paramLabel = "FILE", description = "writes limits.json there")
+  private Path json;
+
+  @Override
+  public Integer call() throws IOException {
+    OutputPlaces.check(out, json);
+    LimitsSession session = new LimitsSession(Runtime.getRuntime().availableProcessors());
+    LimitsOutcome outcome;
+    try (TerminalProgress bar = TerminalProgress.ofBytes("reading")) {
+      outcome = session.run(logs, bar::at);
+    }
+    if (out != null) {
+      LimitsSession.writeAll(outcome, out);
+    }
+    if (json != null) {
+      LimitsSession.writeJson(outcome, json);
+    }
+    new LimitsText(spec.commandLine().getOut()).print(outcome, out);
+    return 0;
+  }
+}

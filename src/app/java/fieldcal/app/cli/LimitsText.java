@@ -1,0 +1,111 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.limits.LimitsOutcome;
+import fieldcal.app.recording.DataProblem;
+import fieldcal.movement.LimitDeviation;
+import fieldcal.movement.LimitEstimate;
+import fieldcal.movement.SpeedCap;
+import fieldcal.movement.TeamLimits;
+import fieldcal.vision.Team;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+
+/** Prints movement limits for the terminal. */
+final class LimitsText {
+  private final PrintWriter out;
+
+  LimitsText(PrintWriter out) {
+    this.out = out;
+  }
+
+  void print(LimitsOutcome outcome, Path directory) {
+    line("%-8s %-14s %-18s %10s   %s", "", "", "limit", "manoeuvres", "league's estimate");
+    for (Team team : Team.values()) {
+      team(outcome.limits(team));
+    }
+    line("");
+    for (Team team : Team.values()) {
+      verdict(outcome.limits(team));
+    }
+    noise(outcome);
+    if (!outcome.problems().isEmpty()) {
+      line("%nIn the data:");
+      for (DataProblem p : outcome.problems()) {
+        line("  %s", p);
+      }
+    }
+    if (directory != null) {
+      line("%nreport: %s", directory.resolve("limits.html"));
+    }
+    out.flush();
+  }
+
+  private void line(String format, Object... args) {
+    out.println(String.format(Locale.ROOT, format, args));
+  }
+
+  private void team(TeamLimits limits) {
+    row(limits.team().label(), "velocity", limits.velocity(), limits.leagueVelocity(), "m/s");
+    row("", "acceleration", limits.acceleration(), limits.leagueAcceleration(), "m/s²");
+    row("", "braking", limits.braking(), limits.leagueBraking(), "m/s²");
+  }
+
+  private void row(String team, String name, LimitEstimate own, LimitEstimate league, String unit) {
+    String value =
+        own.known()
+            ? String.format(
+                Locale.ROOT,
+                "%s%.3f ± %.3f",
+                own.reached() ? "" : "≥ ",
+                own.value(),
+                own.standardError())
+            : "–";
+    String theirs =
+        league.known()
+            ? String.format(Locale.ROOT, "%.2f %s", league.value(), unit)
+            : "– (" + league.note() + ")";
+    String note = own.note().isEmpty() ? "" : "   " + own.note();
+    line("%-8s %-14s %-18s %10d   %s%s", team, name, value, own.samples(), theirs, note);
+  }
+
+  private void verdict(TeamLimits limits) {
+    String team = limits.team().label();
+    if (!limits.acceleration().known() && !limits.braking().known()) {
+      line("%s: too little was seen of its robots.", team);
+      return;
+    }
+    for (LimitDeviation d : limits.deviations()) {
+      line(
+          "%s: %s, it %s: coefficient %.3f ± %.3f (seen in %s; %.0f %% of the manoeuvres are at the"
+              + " limit with it, %.0f %% without).",
+          team,
+          d.effect().id(),
+          d.effect().sentence(),
+          d.coefficient(),
+          d.standardError(),
+          d.seenIn(),
+          100 * d.shareAfter(),
+          100 * d.shareBefore());
+    }
+    if (limits.deviations().isEmpty()) {
+      line("%s: one limit for all speeds and directions describes it.", team);
+    }
+    for (SpeedCap cap : limits.speedCaps()) {
+      line(
+          "%s: robot %d never drives faster than %.2f ± %.2f m/s (%d times at that speed).",
+          team, cap.robot(), cap.speed(), cap.standardError(), cap.samples());
+    }
+  }
+
+  private void noise(LimitsOutcome outcome) {
+    if (Double.isFinite(outcome.noiseMm())) {
+      String standing =
+          Double.isFinite(outcome.statistics().standingNoiseMm())
+              ? String.format(
+                  Locale.ROOT, ", %.2f mm standing", outcome.statistics().standingNoiseMm())
+              : "";
+      line("Noise of a robot's position: %.2f mm per axis driving%s.", outcome.noiseMm(), standing);
+    }
+  }
+}

@@ -1,0 +1,172 @@
+package fieldcal.app.limits;
+
+import fieldcal.app.report.Problem;
+import fieldcal.app.report.Provenance;
+import fieldcal.app.report.ReportPage;
+import fieldcal.app.report.Rounded;
+import fieldcal.movement.Grid;
+import fieldcal.movement.LimitDeviation;
+import fieldcal.movement.LimitEstimate;
+import fieldcal.movement.SpeedCap;
+import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TeamStatistics;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.Team;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** {@code limits.html}: both teams' limits, and pictures of what they rest on. The same outcome gives the same bytes. */
+final class LimitsPage {
+  private static final ReportPage PAGE =
+      new ReportPage(
+          "Movement limits", "limits.json", "limits.html", "limits.css", List.of("limits.js"));
+
+  private LimitsPage() {}
+
+  /** What the scripts find in the page. */
+  private record Contents(
+      Provenance provenance,
+      boolean refereeSeen,
+      @Rounded(3) double noiseMm,
+      @Rounded(3) double standingNoiseMm,
+      List<TeamView> teams,
+      Picture standing,
+      List<Problem> problems) {}
+
+  private record TeamView(
+      String team,
+      Estimate velocity,
+      Estimate acceleration,
+      Estimate braking,
+      Estimate leagueVelocity,
+      Estimate leagueAcceleration,
+      Estimate leagueBraking,
+      List<EffectView> effects,
+      List<CapView> caps,
+      long manoeuvres,
+      Picture ownFrame,
+      Picture againstSpeed) {}
+
+  private record Estimate(
+      @Rounded(4) double value,
+      @Rounded(4) double standardError,
+      long samples,
+      boolean reached,
+      String note) {
+    static Estimate of(LimitEstimate e) {
+      return new Estimate(e.value(), e.standardError(), e.samples(), e.reached(), e.note());
+    }
+  }
+
+  private record EffectView(
+      String effect,
+      String sentence,
+      @Rounded(4) double coefficient,
+      @Rounded(4) double standardError,
+      String seenIn,
+      @Rounded(3) double shareWithout,
+      @Rounded(3) double shareWith) {
+    static EffectView of(LimitDeviation d) {
+      return new EffectView(
+          d.effect().id(),
+          d.effect().sentence(),
+          d.coefficient(),
+          d.standardError(),
+          d.seenIn(),
+          d.shareBefore(),
+          d.shareAfter());
+    }
+  }
+
+  private record CapView(
+      int robot, @Rounded(3) double speed, @Rounded(3) double standardError, long samples) {
+    static CapView of(SpeedCap c) {
+      return new CapView(c.robot(), c.speed(), c.standardError(), c.samples());
+    }
+  }
+
+  /** The cells that hold something: x, y, count. */
+  private record Picture(
+      @Rounded(4) double cellX,
+      @Rounded(4) double cellY,
+      @Rounded(4) double[] x,
+      @Rounded(4) double[] y,
+      long[] count) {
+    static Picture of(Grid grid) {
+      List<double[]> cells = new ArrayList<>();
+      for (int row = 0; row < grid.rows(); row++) {
+        for (int column = 0; column < grid.columns(); column++) {
+          if (grid.count(column, row) > 0) {
+            cells.add(
+                new double[] {grid.centreX(column), grid.centreY(row), grid.count(column, row)});
+          }
+        }
+      }
+      return new Picture(
+          grid.centreX(1) - grid.centreX(0),
+          grid.centreY(1) - grid.centreY(0),
+          cells.stream().mapToDouble(c -> c[0]).toArray(),
+          cells.stream().mapToDouble(c -> c[1]).toArray(),
+          cells.stream().mapToLong(c -> (long) c[2]).toArray());
+    }
+  }
+
+  static byte[] of(LimitsOutcome outcome) throws IOException {
+    List<TeamView> teams = new ArrayList<>();
+    for (Team team : Team.values()) {
+      teams.add(view(outcome.limits(team), outcome.statistics().of(team)));
+    }
+    Contents contents =
+        new Contents(
+            provenance(outcome),
+            outcome.statistics().refereeSeen(),
+            outcome.noiseMm(),
+            outcome.statistics().standingNoiseMm(),
+            teams,
+            Picture.of(outcome.statistics().standing()),
+            outcome.problems().stream().map(Problem::of).toList());
+    return PAGE.html(title(outcome), contents).getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static Provenance provenance(LimitsOutcome outcome) {
+    String version = Epoch.class.getPackage().getImplementationVersion();
+    return new Provenance(
+        outcome.logs().stream().map(Path::toString).toList(),
+        "fieldcal " + (version == null ? "(development)" : version),
+        0,
+        outcome.recordedUnix(),
+        outcome.duration());
+  }
+
+  private static String title(LimitsOutcome outcome) {
+    return String.format(
+        Locale.ROOT,
+        "Limits: yellow %s m/s, blue %s m/s",
+        speed(outcome.yellow().velocity()),
+        speed(outcome.blue().velocity()));
+  }
+
+  private static String speed(LimitEstimate e) {
+    return e.known() ? String.format(Locale.ROOT, "%.2f", e.value()) : "?";
+  }
+
+  private static TeamView view(TeamLimits limits, TeamStatistics statistics) {
+    return new TeamView(
+        limits.team().label(),
+        Estimate.of(limits.velocity()),
+        Estimate.of(limits.acceleration()),
+        Estimate.of(limits.braking()),
+        Estimate.of(limits.leagueVelocity()),
+        Estimate.of(limits.leagueAcceleration()),
+        Estimate.of(limits.leagueBraking()),
+        limits.deviations().stream().map(EffectView::of).toList(),
+        limits.speedCaps().stream().map(CapView::of).toList(),
+        limits.manoeuvres(),
+        Picture.of(statistics.ownFrame()),
+        Picture.of(statistics.againstSpeed()));
+  }
+}

@@ -1,0 +1,178 @@
+package fieldcal.app.limits;
+
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.recording.DataProblem;
+import fieldcal.movement.MovementStatistics;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/** Recordings in, limits and their files out. */
+public final class LimitsSession {
+
+  /** Told how far the reading is; called from several threads, one after the other. */
+  public interface Progress {
+    /**
+     * Some more was read.
+     *
+     * @param bytesRead of all recordings
+     * @param totalBytes of all recordings
+     */
+    void read(long bytesRead, long totalBytes);
+  }
+
+  private final int threads;
+
+  /**
+   * A session.
+   *
+   * @param threads how many recordings are read at the same time; the result does not depend on it
+   * @throws IllegalArgumentException when less than 1
+   */
+  public LimitsSession(int threads) {
+    if (threads < 1) {
+      throw new IllegalArgumentException("at least one thread must read, not " + threads);
+    }
+    this.threads = threads;
+  }
+
+  /**
+   * Reads recordings and estimates the limits from all of them together.
+   *
+   * @param logs at least one; one that is named twice is read once
+   * @param progress told how far it is
+   * @return the outcome
+   * @throws IOException when a recording cannot be read; one line for the operator
+   */
+  public LimitsOutcome run(List<Path> logs, Progress progress) throws IOException {
+    List<DataProblem> problems = new ArrayList<>();
+    List<Path> different = different(logs, problems);
+    List<RecordedMovement> read = readAll(different, progress);
+    MovementStatistics all = new MovementStatistics();
+    List<Double> noises = new ArrayList<>();
+    double begin = Double.NaN;
+    double duration = 0;
+    for (RecordedMovement one : read) {
+      all.merge(one.observer().statistics());
+      problems.addAll(one.problems());
+      if (one.observer().noiseKnown()) {
+        noises.add(1000 * one.observer().noise());
+      }
+      if (Double.isFinite(one.summary().duration())) {
+        duration += one.summary().duration();
+        double first = one.summary().epoch().unixSeconds(one.summary().firstTime());
+        begin = begin <= first ? begin : first;
+      }
+    }
+    noises.sort(null);
+    double noise = noises.isEmpty() ? Double.NaN : noises.get(noises.size() / 2);
+    return LimitsOutcome.of(different, begin, duration, all, noise, problems);
+  }
+
+  private static List<Path> different(List<Path> logs, List<DataProblem> problems)
+      throws IOException {
+    Set<Path> seen = new HashSet<>();
+    List<Path> different = new ArrayList<>();
+    for (Path log : logs) {
+      if (seen.add(Files.exists(log) ? log.toRealPath() : log)) {
+        different.add(log);
+      } else {
+        problems.add(
+            new DataProblem(
+                log.toString(),
+                "named twice; read once",
+                1,
+                "the same movements twice would only shrink the errors"));
+      }
+    }
+    return different;
+  }
+
+  private List<RecordedMovement> readAll(List<Path> logs, Progress progress) throws IOException {
+    Sum sum = new Sum(logs, progress);
+    ExecutorService pool = Executors.newFixedThreadPool(Math.min(threads, logs.size()));
+    try {
+      List<Future<RecordedMovement>> running = new ArrayList<>();
+      for (int i = 0; i < logs.size(); i++) {
+        int index = i;
+        running.add(
+            pool.submit(
+                () -> RecordedMovement.read(logs.get(index), bytes -> sum.at(index, bytes))));
+      }
+      List<RecordedMovement> done = new ArrayList<>();
+      for (Future<RecordedMovement> one : running) {
+        done.add(one.get());
+      }
+      return done;
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof IOException failure) {
+        throw failure;
+      }
+      throw new IllegalStateException(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted while reading");
+    } finally {
+      pool.shutdownNow();
+    }
+  }
+
+  /** Adds up how far the single recordings are. */
+  private static final class Sum {
+    private final long[] read;
+    private final long total;
+    private final Progress progress;
+
+    Sum(List<Path> logs, Progress progress) throws IOException {
+      read = new long[logs.size()];
+      this.progress = progress;
+      long bytes = 0;
+      for (Path log : logs) {
+        bytes += Files.exists(log) ? Files.size(log) : 0;
+      }
+      total = bytes;
+    }
+
+    synchronized void at(int index, long bytes) {
+      read[index] = bytes;
+      long sum = 0;
+      for (long one : read) {
+        sum += one;
+      }
+      progress.read(sum, total);
+    }
+  }
+
+  /**
+   * Writes {@code limits.json} alone.
+   *
+   * @param outcome what to write
+   * @param file where
+   * @throws IOException when it cannot be written
+   */
+  public static void writeJson(LimitsOutcome outcome, Path file) throws IOException {
+    JsonFiles.write(new LimitsJson(outcome).build(), file);
+  }
+
+  /**
+   * Writes {@code limits.json} and {@code limits.html}.
+   *
+   * @param outcome what to write
+   * @param directory made if needed
+   * @throws IOException when a file cannot be written
+   */
+  public static void writeAll(LimitsOutcome outcome, Path directory) throws IOException {
+    Files.createDirectories(directory);
+    writeJson(outcome, directory.resolve("limits.json"));
+    JsonFiles.write(LimitsPage.of(outcome), directory.resolve("limits.html"));
+  }
+}

@@ -1,0 +1,109 @@
+package fieldcal.app.limits;
+
+import fieldcal.app.recording.DataProblem;
+import fieldcal.gamelog.LogProblem;
+import fieldcal.gamelog.ProblemAccount;
+import fieldcal.gamelog.RecordingListener;
+import fieldcal.gamelog.RecordingReader;
+import fieldcal.gamelog.RecordingSummary;
+import fieldcal.gamelog.RefereeState;
+import fieldcal.movement.MovementObserver;
+import fieldcal.vision.ProblemKind;
+import fieldcal.vision.VisionFrame;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.LongConsumer;
+
+/**
+ * One recording, read and counted.
+ *
+ * @param log which
+ * @param observer what it saw
+ * @param summary what was read
+ * @param problems what was wrong
+ */
+record RecordedMovement(
+    Path log, MovementObserver observer, RecordingSummary summary, List<DataProblem> problems) {
+
+  /** Reads a recording to its end; {@code bytesRead} is told how far it is. */
+  static RecordedMovement read(Path log, LongConsumer bytesRead) throws IOException {
+    MovementObserver observer = new MovementObserver();
+    try (RecordingReader reader = RecordingReader.open(log)) {
+      RecordingSummary summary = reader.read(new Feed(observer, bytesRead));
+      observer.finish();
+      return new RecordedMovement(log, observer, summary, problems(log, summary, observer));
+    }
+  }
+
+  private static List<DataProblem> problems(
+      Path log, RecordingSummary summary, MovementObserver observer) {
+    List<DataProblem> list = new ArrayList<>();
+    ProblemAccount account = summary.problems();
+    for (ProblemKind kind : account.kinds()) {
+      // Cameras that are calibrated anew change nothing here: each piece has a constant of its own
+      // for each camera.
+      if (kind != LogProblem.GEOMETRY_CHANGED) {
+        ProblemAccount.Occurrence first = account.first(kind).get(0);
+        String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
+        list.add(
+            new DataProblem(
+                log + ", byte " + first.offset(), kind.text() + detail, account.count(kind), ""));
+      }
+    }
+    if (summary.frames() == 0) {
+      list.add(
+          new DataProblem(
+              log.toString(),
+              "no vision frame in the recording",
+              1,
+              "record SSL-Vision's multicast, message type 4"));
+    } else if (!observer.statistics().refereeSeen()) {
+      list.add(
+          new DataProblem(
+              log.toString(),
+              "no referee message in the recording",
+              1,
+              "everything was counted, also what is no play; breaks may lower or spoil the"
+                  + " limits"));
+    } else if (observer.statistics().counted() == 0) {
+      list.add(
+          new DataProblem(
+              log.toString(), "the ball was never in play while robots were seen", 1, ""));
+    }
+    if (observer.statistics().refused() > 0) {
+      list.add(
+          new DataProblem(
+              log.toString(),
+              "detections that cannot be the robot they name",
+              observer.statistics().refused(),
+              "exchanged identities or jumps; they were left out"));
+    }
+    return list;
+  }
+
+  /** Gives an observer what a recording holds. */
+  private record Feed(MovementObserver observer, LongConsumer bytesRead)
+      implements RecordingListener {
+    @Override
+    public void onFrame(VisionFrame frame, double receivedTime) {
+      observer.accept(frame);
+    }
+
+    @Override
+    public void onReferee(RefereeState state, double receivedTime) {
+      observer.phase(PlayPhases.of(state));
+    }
+
+    @Override
+    public void onClockJump(int cameraId, double jump) {
+      observer.finish();
+    }
+
+    @Override
+    public void onProgress(long read, long totalBytes) {
+      bytesRead.accept(read);
+    }
+  }
+}
