@@ -56,6 +56,15 @@ public record Calibration(
   }
 
   /**
+   * Every kick that has a fit, also one that fits badly: what a diagnosis starts from, since a kick that the model does not fit is what it is about.
+   *
+   * @return in order of time
+   */
+  public List<KickFit> fitted() {
+    return kicks.stream().map(CalibratedKick::fit).filter(f -> f.failure().isEmpty()).toList();
+  }
+
+  /**
    * The averaged flat model.
    *
    * @return empty unless every parameter was determined by a kick

@@ -1,6 +1,6 @@
 package fieldcal.diagnosis;
 
-import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.MotionEffect;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * Looks for the hypothesis with the largest evidence: score tests choose what is worth a refit, the best few hypotheses are carried on, not the best alone, since the best single explanation of two causes may
@@ -16,6 +17,15 @@ import java.util.function.Consumer;
 final class CauseSearch {
   /** An effect whose score promises less evidence is not refitted; chance makes 10 once in more recordings than will ever be played. */
   static final double WORTH_A_FIT = 10;
+
+  /** A hypothesis that explains less than that share of what the best does is not carried on. */
+  private static final double NEAR = 0.5;
+
+  /** A region whose score is less than that share of the best effect's is not looked at closely. */
+  private static final double OF_STRONGEST = 0.5;
+
+  /** A step that explains that share of what remains is a step on the way, whatever remains then. */
+  private static final double A_GOOD_PART = 0.25;
 
   /** Hypotheses carried on. */
   private static final int BEAM = 3;
@@ -40,13 +50,18 @@ final class CauseSearch {
     candidates = new Candidates(fitter);
   }
 
-  /** The best hypothesis with at most so many causes. */
-  FittedHypothesis search(FittedHypothesis simple, int maxCauses) {
+  /**
+   * The best hypothesis with at most so many causes.
+   *
+   * @param dirty told the best so far after each step; when it says yes, the search ends, because the kicks must be cleaned first
+   */
+  FittedHypothesis search(
+      FittedHypothesis simple, int maxCauses, Predicate<FittedHypothesis> dirty) {
     FittedHypothesis best = simple;
     List<FittedHypothesis> beam = List.of(simple);
     fitted.add(simple);
     for (int level = 0; level < maxCauses; level++) {
-      if (worthwhile(best).isEmpty()) {
+      if (dirty.test(best) || worthwhile(best).isEmpty()) {
         break;
       }
       List<FittedHypothesis> next = new ArrayList<>();
@@ -60,14 +75,52 @@ final class CauseSearch {
         }
       }
       next.sort(Comparator.comparingDouble(f -> -f.logEvidence()));
-      if (next.isEmpty() || next.get(0).logEvidence() - best.logEvidence() < WORTH_A_FIT) {
+      if (next.isEmpty() || !isProgress(best, next.get(0))) {
         break;
       }
-      best = next.get(0);
-      beam = next.subList(0, Math.min(BEAM, next.size()));
+      best = backward(next.get(0));
+      beam = beam(simple, best, next);
       progress.accept("best explanation so far: " + best.hypothesis());
     }
     return best;
+  }
+
+  /** Whether a step is worth its evidence even if what it leaves is an error of whole kicks, or explains a good part of what was left. */
+  private boolean isProgress(FittedHypothesis before, FittedHypothesis after) {
+    double excess = Structure.of(fitter, before).systematic() * before.residuals();
+    double gained = before.chiSquare() - after.chiSquare();
+    return Decision.evidence(after, before, Decision.temper(fitter, after)) > WORTH_A_FIT
+        || gained > A_GOOD_PART * excess
+            && after.logEvidence() - before.logEvidence() > WORTH_A_FIT;
+  }
+
+  /** Takes causes out again that later ones made needless. */
+  private FittedHypothesis backward(FittedHypothesis f) {
+    FittedHypothesis best = f;
+    boolean changed = true;
+    while (changed && best.hypothesis().size() > 1) {
+      changed = false;
+      double temper = Decision.temper(fitter, best);
+      for (Chart chart : best.hypothesis().charts()) {
+        FittedHypothesis less = fit(best.hypothesis().without(chart), best);
+        if (Decision.evidence(best, less, temper) < WORTH_A_FIT) {
+          best = less;
+          changed = true;
+          break;
+        }
+      }
+    }
+    return best;
+  }
+
+  /** The best, and those that come near it in what they explain. */
+  private static List<FittedHypothesis> beam(
+      FittedHypothesis simple, FittedHypothesis best, List<FittedHypothesis> next) {
+    double explained = simple.chiSquare() - best.chiSquare();
+    return next.stream()
+        .filter(f -> simple.chiSquare() - f.chiSquare() > NEAR * explained)
+        .limit(BEAM)
+        .toList();
   }
 
   /** Score tests of everything on top of a fitted hypothesis, best first. */
@@ -88,7 +141,8 @@ final class CauseSearch {
         all.add(frame.randomScore(chart));
       }
     }
-    Score region = new RegionSearch(frame).best();
+    double strongest = all.stream().mapToDouble(Score::evidence).max().orElse(0);
+    Score region = new RegionSearch(frame).best(Math.max(WORTH_A_FIT, OF_STRONGEST * strongest));
     if (region != null) {
       all.add(region);
     }
@@ -109,7 +163,14 @@ final class CauseSearch {
   private List<Score> chosen(FittedHypothesis at, int most) {
     List<Score> chosen = new ArrayList<>();
     Map<String, Integer> perEffect = new HashMap<>();
+    if (at.hypothesis().isSimple()) {
+      // With wrong numbers of hops the score of what changes bounces says little.
+      scores(at).stream().filter(s -> isBounce(s.chart())).forEach(chosen::add);
+    }
     for (Score s : worthwhile(at)) {
+      if (chosen.contains(s)) {
+        continue;
+      }
       int before = perEffect.merge(s.chart().id(), 1, Integer::sum);
       if (before <= OF_ONE_EFFECT && chosen.size() < most) {
         chosen.add(s);
@@ -235,7 +296,7 @@ final class CauseSearch {
     return fitted;
   }
 
-  static boolean isPose(Chart chart) {
-    return chart.template() instanceof CameraPoseError;
+  private static boolean isBounce(Chart chart) {
+    return chart.template() instanceof MotionEffect.Bounce;
   }
 }

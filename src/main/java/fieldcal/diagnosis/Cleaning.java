@@ -21,23 +21,22 @@ final class Cleaning {
   /** At most that share of the kicks is left out: more would be a finding. */
   private static final double MOST = 0.1;
 
+  /** The others count as explained below that many variances of noise. */
+  private static final double EXPLAINED = 1.6;
+
+  /** No robot touches a ball for longer before the kick is seen to end, and no placing lasts longer into what looks like rest, s. */
+  private static final double LONGEST = 0.2;
+
   private Cleaning() {}
 
-  /** The cleaned kicks; the same list when nothing is to be cleaned. */
-  static List<KickData> clean(HypothesisFitter fitter, FittedHypothesis at) {
-    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
-    int n = fitter.kicks.size();
-    double[] reduced = new double[n];
+  /** The kicks without what is no free flight at their ends; the same list when there is nothing of that kind. */
+  static List<KickData> ends(HypothesisFitter fitter, FittedHypothesis at) {
     List<KickData> kept = new ArrayList<>();
     boolean changed = false;
-    for (int k = 0; k < n; k++) {
+    double[][] residuals = residuals(fitter, at);
+    for (int k = 0; k < residuals.length; k++) {
       KickData data = fitter.kicks.get(k);
-      KickModel model = new KickModel(data, at.hypothesis().random().size(), fitter.sessionStart);
-      model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-      double[] r = new double[2 * data.size];
-      double sum = model.residuals(state, model.path(state, model.own), r);
-      reduced[k] = sum / (2.0 * data.usedCount);
-      boolean[] dropped = ends(data, r);
+      boolean[] dropped = ends(data, residuals[k]);
       boolean any = false;
       for (boolean d : dropped) {
         any |= d;
@@ -45,19 +44,42 @@ final class Cleaning {
       changed |= any;
       kept.add(any ? data.without(dropped) : data);
     }
+    return changed ? kept : fitter.kicks;
+  }
+
+  /** The kicks without those that stand out while the others are explained; the same list when there are none. */
+  static List<KickData> kicks(HypothesisFitter fitter, FittedHypothesis at) {
+    double[][] residuals = residuals(fitter, at);
+    int n = residuals.length;
+    double[] reduced = new double[n];
+    for (int k = 0; k < n; k++) {
+      reduced[k] =
+          KickNormal.dot(residuals[k], residuals[k]) / (2.0 * fitter.kicks.get(k).usedCount);
+    }
     double[] sorted = reduced.clone();
     Arrays.sort(sorted);
-    double limit = WORSE * Math.max(1, sorted[n / 2]);
+    double median = sorted[n / 2];
     List<KickData> good = new ArrayList<>();
     for (int k = 0; k < n; k++) {
-      if (reduced[k] <= limit || kept.get(k) != fitter.kicks.get(k)) {
-        good.add(kept.get(k));
+      if (reduced[k] <= WORSE * Math.max(1, median)) {
+        good.add(fitter.kicks.get(k));
       }
     }
-    if (n - good.size() > MOST * n) {
-      good = kept;
+    boolean few = n - good.size() <= Math.max(1, MOST * n);
+    return good.size() < n && few && median < EXPLAINED ? good : fitter.kicks;
+  }
+
+  private static double[][] residuals(HypothesisFitter fitter, FittedHypothesis at) {
+    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
+    double[][] all = new double[fitter.kicks.size()][];
+    for (int k = 0; k < all.length; k++) {
+      KickData data = fitter.kicks.get(k);
+      KickModel model = new KickModel(data, at.hypothesis().random().size(), fitter.sessionStart);
+      model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
+      all[k] = new double[2 * data.size];
+      model.residuals(state, model.path(state, model.own), all[k]);
     }
-    return changed || good.size() < n ? good : fitter.kicks;
+    return all;
   }
 
   private static boolean[] ends(KickData data, double[] r) {
@@ -80,8 +102,15 @@ final class Cleaning {
       KickData data, List<int[]> blocks, double[] off, boolean[] dropped, boolean fromEnd) {
     int fine = 0;
     int last = -1;
+    double begin = data.time[blocks.get(0)[0]];
+    int[] latest = blocks.get(off.length - 1);
+    double end = data.time[latest[latest.length - 1]];
     for (int j = 0; j < off.length / 3 && fine < 3; j++) {
       int b = fromEnd ? off.length - 1 - j : j;
+      double at = data.time[blocks.get(b)[0]];
+      if (fromEnd ? at < end - LONGEST : at > begin + LONGEST) {
+        break;
+      }
       if (off[b] > OFF) {
         last = b;
         fine = 0;

@@ -5,6 +5,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
+import fieldcal.fit.FitStatistics;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -22,16 +23,18 @@ import java.util.function.Consumer;
  */
 public final class Diagnoser {
   /** Rounds of leaving out what is no free ball. */
-  private static final int CLEANINGS = 2;
+  private static final int CLEANINGS = 4;
 
-  /** Where that share of what the simple model gets wrong remains, nothing may be named without looking closer. */
-  private static final double REMAINS = 0.02;
-
-  /** Where that share remains, nothing may be named. */
+  /** Where that share of what the simple model gets wrong remains, nothing may be named. */
   private static final double TOO_MUCH = 0.3;
 
   /** Largest scatter of a cause's strength from kick to kick, as a share of it, where something remains. */
   private static final double STEADY = 0.15;
+
+  /** A kick that no choice of the model's parameters fits better than that had another ball in it, or one that hit something, mm. */
+  private static final double WRONG_BALL_MM = 40;
+
+  private static final double HALF = 0.5;
 
   /** A diagnoser. */
   public Diagnoser() {}
@@ -71,7 +74,7 @@ public final class Diagnoser {
       List<KickData> kicks = new ArrayList<>();
       for (KickFit fit : problem.fits()) {
         KickData data = new KickData(fit, noise.cameras(), noise.stampNoise());
-        if (data.usedCount > 2 * data.start.length) {
+        if (data.usedCount > 2 * data.start.length && isOneBall(fit)) {
           kicks.add(data);
         }
       }
@@ -79,29 +82,44 @@ public final class Diagnoser {
         throw new IllegalArgumentException("no kick has enough detections for a diagnosis");
       }
       look(kicks);
-      for (int round = 0; round < CLEANINGS; round++) {
-        List<KickData> cleaned = Cleaning.clean(fitter, decision.best());
-        if (cleaned == fitter.kicks) {
-          break;
-        }
-        progress.accept("leaving out what is no free ball");
-        look(cleaned);
-      }
       Map<Chart, Gain> gains = decision.gains();
       blameOnlyTheGuilty();
       gains.keySet().retainAll(decision.best().hypothesis().charts());
       return result(gains);
     }
 
+    /** Whatever a model lacks, its own fit of one kick lacks less than that. */
+    private static boolean isOneBall(KickFit fit) {
+      FitStatistics s = fit.statistics();
+      return s.rmsMm() < WRONG_BALL_MM && s.used() > HALF * s.observations();
+    }
+
     private void look(List<KickData> kicks) {
-      fitter =
-          new HypothesisFitter(
-              kicks, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
-      progress.accept("fitting all kicks together");
-      simple = fitter.fitSimple();
-      progress.accept("testing every known effect");
-      search = new CauseSearch(fitter, progress);
-      FittedHypothesis best = search.polishRegion(search.search(simple, problem.maxCauses()));
+      List<KickData> clean = kicks;
+      FittedHypothesis best = null;
+      for (int round = 0; round < CLEANINGS; round++) {
+        List<KickData> before = clean;
+        fitter =
+            new HypothesisFitter(
+                before, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
+        progress.accept("fitting all kicks together");
+        simple = fitter.fitSimple();
+        progress.accept("testing every known effect");
+        search = new CauseSearch(fitter, progress);
+        boolean last = round == CLEANINGS - 1;
+        best =
+            search.search(
+                simple,
+                problem.maxCauses(),
+                f -> !last && Cleaning.ends(fitter, f) != fitter.kicks);
+        clean = last ? before : Cleaning.ends(fitter, best);
+        clean = last || clean != before ? clean : Cleaning.kicks(fitter, best);
+        if (clean == before) {
+          break;
+        }
+        progress.accept("leaving out what is no free ball");
+      }
+      best = search.polishRegion(best);
       progress.accept("weighing the explanations");
       decision = new Decision(search, best, problem.seed());
       decision.settle();
@@ -114,9 +132,6 @@ public final class Diagnoser {
         return;
       }
       double share = after.systematic() / Structure.of(fitter, simple).systematic();
-      if (share < REMAINS) {
-        return;
-      }
       ScoreFrame frame = new ScoreFrame(fitter, decision.best());
       List<Chart> unsteady = new ArrayList<>();
       for (Chart chart : decision.best().hypothesis().charts()) {

@@ -25,6 +25,9 @@ final class HypothesisFitter {
   /** A step that promises less decrease of chi-square is the last: an evidence is then right to that, far below what decides. */
   private static final double ENOUGH = 0.02;
 
+  /** The same as a share of chi-square: where much is unexplained, less precision will do. */
+  private static final double ENOUGH_OF_ALL = 1e-6;
+
   private static final double MOST_DAMPING = 1e10;
 
   /** Rounds of trying other numbers of flights, and of finding the scatter. */
@@ -192,7 +195,7 @@ final class HypothesisFitter {
           }
           state = tried;
           lambda = Math.max(1e-7, lambda / 8);
-          converged = gained < ENOUGH && lambda < 1e-2;
+          converged = gained < Math.max(ENOUGH, ENOUGH_OF_ALL * cost) && lambda < 1e-2;
           linearize();
         } else {
           converged = nextCost - cost < 1e-9 * cost;
@@ -243,12 +246,11 @@ final class HypothesisFitter {
 
     private void linearize() {
       SharedState[] plus = new SharedState[size];
-      SharedState[] minus = new SharedState[size];
-      Perturbation.fill(hypothesis, unknowns, state, observers, plus, minus);
+      Perturbation.fill(hypothesis, unknowns, state, observers, plus);
       KickNormal[] found = new KickNormal[models.size()];
       IntStream.range(0, found.length)
           .parallel()
-          .forEach(k -> found[k] = normal(models.get(k), plus, minus));
+          .forEach(k -> found[k] = normal(models.get(k), plus));
       normals = List.of(found);
       cost = sharedPrior(shared);
       for (KickNormal n : normals) {
@@ -256,19 +258,18 @@ final class HypothesisFitter {
       }
     }
 
-    private KickNormal normal(KickModel model, SharedState[] plus, SharedState[] minus) {
+    private KickNormal normal(KickModel model, SharedState[] plus) {
       int n = 2 * model.data.size;
       double[] residual = new double[n];
-      double[] scratch = new double[n];
       ExtendedTrajectory path = model.path(state, model.own);
       double sum = model.residuals(state, path, residual);
       double[][] own = new double[model.ownSize][n];
-      model.ownColumns(state, own, scratch);
+      model.ownColumns(state, residual, own);
       double[][] columns = new double[size][];
       for (int k = 0; k < size; k++) {
         if (plus[k] != null && Perturbation.concerns(k, model.data.kind)) {
           columns[k] = new double[n];
-          model.column(state, path, plus[k], minus[k], unknowns.step[k], columns[k], scratch);
+          model.column(state, path, residual, plus[k], unknowns.step[k], columns[k]);
         }
       }
       double total = sum + model.priorCost(state, model.own, scatter);

@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
+import fieldcal.camera.Camera;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.KickFit;
@@ -28,6 +29,7 @@ final class KickData {
   final double[] y;
   final double[] row;
   final int[] camera;
+  final double[] cameraHeight;
   final double[] w11;
   final double[] w21;
   final double[] w22;
@@ -51,6 +53,7 @@ final class KickData {
     y = new double[size];
     row = new double[size];
     camera = new int[size];
+    cameraHeight = new double[size];
     w11 = new double[size];
     w21 = new double[size];
     w22 = new double[size];
@@ -65,6 +68,8 @@ final class KickData {
       row[i] = seen.pixelY(i);
       camera[i] = seen.camera(i);
       CameraView view = views.get(camera[i]);
+      // Without geometry: infinitely high, so that a ball is reported where it is.
+      cameraHeight[i] = view.camera().map(Camera::heightAboveBallPlane).orElse(1e9);
       BallState state = path.stateAt(time[i]);
       whitening.at(view, x[i], y[i], stampNoise * state.vx(), stampNoise * state.vy());
       w11[i] = whitening.w11();
@@ -87,6 +92,7 @@ final class KickData {
     y = of.y;
     row = of.row;
     camera = of.camera;
+    cameraHeight = of.cameraHeight;
     w11 = of.w11;
     w21 = of.w21;
     w22 = of.w22;
@@ -106,6 +112,12 @@ final class KickData {
   /** How many unknowns a kick has of its own: position, velocity, time. */
   static int ownSize(KickKind kind) {
     return kind == KickKind.FLAT ? 5 : 6;
+  }
+
+  /** By how much farther from the camera's foot point a ball at a height is reported than one on the ground. */
+  double enlargement(int i, double height) {
+    double h = cameraHeight[i];
+    return h / (h - height);
   }
 
   int timeIndex() {

@@ -6,17 +6,17 @@ import fieldcal.kick.KickKind;
 import java.util.Arrays;
 
 /**
- * One kick under a hypothesis: its own unknowns (position, velocity, time, then its magnitudes of the random effects), its residuals, and their derivatives by central differences. A
+ * One kick under a hypothesis: its own unknowns (position, velocity, time, then its magnitudes of the random effects), its residuals, and their derivatives by forward differences. A
  * working object; not thread-safe, but those of different kicks are independent.
  */
 final class KickModel {
   /** Steps of the numerical derivatives: position, m; velocity, m/s; time, s; magnitude of a random effect. */
   private static final double POSITION_STEP = 1e-3;
 
-  private static final double VELOCITY_STEP = 5e-3;
-  private static final double TIME_STEP = 3e-4;
+  private static final double VELOCITY_STEP = 1e-3;
+  private static final double TIME_STEP = 1e-4;
 
-  private static final double RANDOM_STEP = 0.02;
+  private static final double RANDOM_STEP = 0.005;
 
   /** Slowest rise of a chip, m/s. */
   private static final double SLOWEST_RISE = 0.05;
@@ -147,35 +147,48 @@ final class KickModel {
     return state.values[state.values.length - ownSize + ownIndex];
   }
 
-  /** Derivatives of the prediction by the kick's own unknowns, whitened: one column each. */
-  void ownColumns(SharedState state, double[][] columns, double[] scratch) {
+  /**
+   * Derivatives of the prediction by the kick's own unknowns, whitened: one column each, by forward differences. A kick elsewhere in the field moves its path along, but for what depends on the place, which is
+   * left out.
+   *
+   * @param centre residuals at the kick's own unknowns
+   */
+  void ownColumns(SharedState state, double[] centre, double[][] columns) {
+    ExtendedTrajectory path = path(state, own);
+    for (int i = 0; i < data.size; i++) {
+      boolean counts = counts(i);
+      path.positionAt(data.time[i], ball);
+      double f = counts ? data.enlargement(i, ball[2]) : 0;
+      columns[0][2 * i] = f * data.w11[i];
+      columns[0][2 * i + 1] = f * data.w21[i];
+      columns[1][2 * i] = 0;
+      columns[1][2 * i + 1] = f * data.w22[i];
+    }
     double[] p = own.clone();
-    for (int k = 0; k < ownSize; k++) {
+    for (int k = 2; k < ownSize; k++) {
       double h = ownStep(k);
       p[k] = own[k] + h;
       residuals(state, path(state, p), columns[k]);
-      p[k] = own[k] - h;
-      residuals(state, path(state, p), scratch);
       p[k] = own[k];
-      for (int i = 0; i < scratch.length; i++) {
-        columns[k][i] = (scratch[i] - columns[k][i]) / (2 * h);
-      }
+      difference(centre, columns[k], h);
     }
   }
 
-  /** Derivative by something shared, between two states that are {@code 2h} apart. */
+  /** Derivative by something shared, by forward differences to a state that is {@code h} apart. */
   void column(
       SharedState centre,
       ExtendedTrajectory centrePath,
+      double[] centreResiduals,
       SharedState plus,
-      SharedState minus,
       double h,
-      double[] column,
-      double[] scratch) {
+      double[] column) {
     residuals(plus, sameMotion(centre, plus) ? centrePath : path(plus, own), column);
-    residuals(minus, sameMotion(centre, minus) ? centrePath : path(minus, own), scratch);
-    for (int i = 0; i < scratch.length; i++) {
-      column[i] = (scratch[i] - column[i]) / (2 * h);
+    difference(centreResiduals, column, h);
+  }
+
+  private static void difference(double[] centre, double[] column, double h) {
+    for (int i = 0; i < column.length; i++) {
+      column[i] = (centre[i] - column[i]) / h;
     }
   }
 

@@ -1,6 +1,7 @@
 package fieldcal.diagnosis;
 
 import fieldcal.ball.ChipModel;
+import fieldcal.ball.Gravity;
 import fieldcal.kick.KickKind;
 import java.util.Arrays;
 
@@ -11,6 +12,9 @@ final class OwnFit {
 
   /** What a number of flights against the 10 mm rule costs in chi-square; noise reaches it once in ten thousand kicks. */
   private static final double RULE_PRICE = 15;
+
+  /** Hops up to that many times higher or lower than the rule's limit may be wrongly counted. */
+  private static final double NEAR_RULE = 3;
 
   private final KickModel model;
   private final SharedState state;
@@ -27,7 +31,6 @@ final class OwnFit {
     int n = 2 * model.data.size;
     int p = model.ownSize;
     double[] residual = new double[n];
-    double[] scratch = new double[n];
     double[][] columns = new double[p][n];
     double[] scale = new double[p];
     Arrays.setAll(scale, model::ownStep);
@@ -36,7 +39,7 @@ final class OwnFit {
     KickNormal normal = null;
     for (int i = 0; i < MAX_ITERATIONS && lambda < 1e8; i++) {
       if (normal == null) {
-        model.ownColumns(state, columns, scratch);
+        model.ownColumns(state, residual, columns);
         normal = new KickNormal(columns, new double[0][], residual, cost, scale);
         tie(normal);
       }
@@ -97,7 +100,7 @@ final class OwnFit {
     int bestFlights = kept;
     double[] bestOwn = keptOwn;
     for (int other : new int[] {kept - 1, kept + 1}) {
-      if (other < 1 || other > ChipModel.MAX_FLIGHTS) {
+      if (other < 1 || other > ChipModel.MAX_FLIGHTS || !isNearTheRule(keptOwn, kept, other)) {
         continue;
       }
       model.flights = other;
@@ -113,6 +116,13 @@ final class OwnFit {
     model.flights = bestFlights;
     model.own = bestOwn;
     return bestFlights != kept;
+  }
+
+  /** Whether another number of flights is worth a fit: the last hop, or the one after it, comes near the rule's height. */
+  private boolean isNearTheRule(double[] own, int now, int other) {
+    double rise = own[4] * Math.pow(state.chip.dampingZ(), Math.max(now, other) - 1.0);
+    double height = rise * rise / (2 * Gravity.ACCELERATION) / ChipModel.MIN_HOP_HEIGHT;
+    return other > now ? height > 1 / NEAR_RULE : height < NEAR_RULE;
   }
 
   private double priced(double cost) {

@@ -9,14 +9,13 @@ import java.util.List;
 final class Perturbation {
   private Perturbation() {}
 
-  /** Fills in the states one step up and down for each free unknown that is no mean of a random effect; a mean acts through the kicks' own magnitudes only. */
+  /** Fills in the states one step up for each free unknown that is no mean of a random effect; a mean acts through the kicks' own magnitudes only. */
   static void fill(
       Hypothesis hypothesis,
       SharedUnknowns unknowns,
       SharedState centre,
       List<ObservedCamera> observers,
-      SharedState[] plus,
-      SharedState[] minus) {
+      SharedState[] plus) {
     int k = SharedUnknowns.MODEL;
     boolean[] measures = new boolean[unknowns.size];
     for (Chart chart : hypothesis.fixed()) {
@@ -28,7 +27,6 @@ final class Perturbation {
     for (int i = 0; i < k; i++) {
       if (unknowns.free[i]) {
         plus[i] = moved(hypothesis, centre, observers, i, unknowns.step[i], measures[i]);
-        minus[i] = moved(hypothesis, centre, observers, i, -unknowns.step[i], measures[i]);
       }
     }
   }

@@ -30,8 +30,8 @@ final class RegionSearch {
     this.frame = frame;
   }
 
-  /** The best rectangle, its evidence with the price of having been looked for taken off; null when no kick crosses anything. */
-  Score best() {
+  /** The best rectangle, its evidence with the price of having been looked for taken off; null when there is none above the least. */
+  Score best(double least) {
     double[] box = {Double.MAX_VALUE, -Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE};
     for (int k = 0; k < frame.kicks(); k++) {
       double[] one = frame.extent(k);
@@ -46,7 +46,7 @@ final class RegionSearch {
       return null;
     }
     Score coarse = coarse(box, nx, ny);
-    return coarse == null ? null : refined(coarse, box);
+    return coarse == null || coarse.evidence() - PRICE < least ? null : refined(coarse);
   }
 
   private Score coarse(double[] box, int nx, int ny) {
@@ -155,7 +155,7 @@ final class RegionSearch {
     return frame.combine(chart, information, withShared, score);
   }
 
-  private Score refined(Score coarse, double[] box) {
+  private Score refined(Score coarse) {
     Score best = frame.score(coarse.chart());
     for (double step = CELL / 2; step > FINEST / 2; step /= 2) {
       boolean improved = true;

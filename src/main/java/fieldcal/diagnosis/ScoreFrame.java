@@ -17,7 +17,7 @@ import org.apache.commons.math3.linear.RealVector;
  * hypothesis can absorb, against the residuals. One pass over the observations for each coordinate; nothing is refitted.
  */
 final class ScoreFrame {
-  private static final double STEP = 0.2;
+  private static final double STEP = 0.04;
 
   private final HypothesisFitter fitter;
   private final SharedState state;
@@ -46,8 +46,7 @@ final class ScoreFrame {
     SharedUnknowns unknowns = fitter.unknowns(hypothesis);
     state = SharedState.of(hypothesis, at.shared(), fitter.observers);
     SharedState[] plus = new SharedState[unknowns.size];
-    SharedState[] minus = new SharedState[unknowns.size];
-    Perturbation.fill(hypothesis, unknowns, state, fitter.observers, plus, minus);
+    Perturbation.fill(hypothesis, unknowns, state, fitter.observers, plus);
     free = IntStream.range(0, unknowns.size).filter(k -> plus[k] != null).toArray();
     frames = new KickFrame[fitter.kicks.size()];
     RealMatrix[] parts = new RealMatrix[frames.length];
@@ -60,7 +59,7 @@ final class ScoreFrame {
                   new KickModel(
                       fitter.kicks.get(k), hypothesis.random().size(), fitter.sessionStart);
               model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-              frames[k] = frame(model, unknowns, plus, minus, at.scatter());
+              frames[k] = frame(model, unknowns, plus, at.scatter());
               parts[k] = reducedShared(frames[k]);
               rights[k] = reducedScore(frames[k], frames[k].shared);
             });
@@ -83,20 +82,15 @@ final class ScoreFrame {
   }
 
   private KickFrame frame(
-      KickModel model,
-      SharedUnknowns unknowns,
-      SharedState[] plus,
-      SharedState[] minus,
-      double[] scatter) {
+      KickModel model, SharedUnknowns unknowns, SharedState[] plus, double[] scatter) {
     KickFrame f = new KickFrame();
     int n = 2 * model.data.size;
-    double[] scratch = new double[n];
     f.model = model;
     f.path = model.path(state, model.own);
     f.residual = new double[n];
     model.residuals(state, f.path, f.residual);
     f.own = new double[model.ownSize][n];
-    model.ownColumns(state, f.own, scratch);
+    model.ownColumns(state, f.residual, f.own);
     RealMatrix oo = new Array2DRowRealMatrix(model.ownSize, model.ownSize);
     for (int i = 0; i < model.ownSize; i++) {
       scale(f.own[i], model.ownStep(i));
@@ -123,7 +117,7 @@ final class ScoreFrame {
     for (int i = 0; i < free.length; i++) {
       int k = free[i];
       if (Perturbation.concerns(k, model.data.kind)) {
-        model.column(state, f.path, plus[k], minus[k], unknowns.step[k], f.shared[i], scratch);
+        model.column(state, f.path, f.residual, plus[k], unknowns.step[k], f.shared[i]);
         scale(f.shared[i], unknowns.step[k]);
       }
     }
@@ -173,17 +167,14 @@ final class ScoreFrame {
     KickFrame f = frames[kick];
     int n = f.residual.length;
     double[][] columns = new double[chart.size()][n];
-    double[] scratch = new double[n];
     double[] at = new double[chart.size()];
     boolean touched = false;
     for (int j = 0; j < columns.length; j++) {
       double h = STEP * chart.scale(j);
       at[j] = h;
       SharedState plus = state.plus(chart.effect(at, 0), fitter.observers);
-      at[j] = -h;
-      SharedState minus = state.plus(chart.effect(at, 0), fitter.observers);
       at[j] = 0;
-      f.model.column(state, f.path, plus, minus, h, columns[j], scratch);
+      f.model.column(state, f.path, f.residual, plus, h, columns[j]);
       scale(columns[j], chart.scale(j));
       touched |= Arrays.stream(columns[j]).anyMatch(v -> v != 0);
     }
@@ -194,13 +185,11 @@ final class ScoreFrame {
   Part part(int kick, List<Chart> charts) {
     KickFrame f = frames[kick];
     double[][] columns = new double[charts.size()][f.residual.length];
-    double[] scratch = new double[f.residual.length];
     for (int j = 0; j < columns.length; j++) {
       Chart chart = charts.get(j);
       double h = STEP * chart.scale(0);
       SharedState plus = state.plus(chart.effect(new double[] {h}, 0), fitter.observers);
-      SharedState minus = state.plus(chart.effect(new double[] {-h}, 0), fitter.observers);
-      f.model.column(state, f.path, plus, minus, h, columns[j], scratch);
+      f.model.column(state, f.path, f.residual, plus, h, columns[j]);
       scale(columns[j], chart.scale(0));
     }
     return part(f, columns);

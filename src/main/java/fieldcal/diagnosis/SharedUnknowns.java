@@ -25,9 +25,9 @@ final class SharedUnknowns {
   private static final double VAGUE = 20;
 
   /** Step of numerical derivatives by effects, in their scales. */
-  private static final double STEP = 0.2;
+  private static final double STEP = 0.04;
 
-  private static final double[] MODEL_STEPS = {0.02, 0.004, 0.004, 0.004, 0.004, 0.004};
+  private static final double[] MODEL_STEPS = {4e-3, 1e-3, 1e-3, 1e-3, 1e-3, 1e-3};
 
   final int size;
   final boolean[] free;

@@ -77,7 +77,10 @@ public final class DiagnosisSession {
   }
 
   private DiagnosisProblem problem(CalibrationOutcome outcome) {
-    List<KickFit> fits = outcome.calibration().trusted();
+    List<KickFit> fits =
+        outcome.calibration().fitted().stream()
+            .filter(f -> outcome.selection().droppedBecause(key(outcome, f)).isEmpty())
+            .toList();
     Map<Integer, KickCommand> commands = new HashMap<>();
     for (KickFit fit : fits) {
       // A command of speed zero is no kick, whatever moved the ball.
@@ -98,6 +101,10 @@ public final class DiagnosisSession {
         commands,
         maxCauses,
         settings.seed());
+  }
+
+  private static String key(CalibrationOutcome outcome, KickFit fit) {
+    return HandSelection.key(outcome.data().epoch().unixSeconds(fit.kick().time()));
   }
 
   private static void requireKicks(CalibrationOutcome outcome, DiagnosisProblem problem)

@@ -93,7 +93,7 @@ public record HiddenRun(DiagnosisProblem problem, Diagnosis diagnosis, Truth tru
                     Optional.empty(),
                     HandSelection.none()),
                 kick -> {});
-    List<KickFit> fits = calibration.trusted();
+    List<KickFit> fits = calibration.fitted();
     List<ObservedCamera> observers =
         geometry.cameras().stream()
             .map(c -> ObservedCamera.of(c, seen.cameras().get(c.id()), geometry.cameras().size()))
