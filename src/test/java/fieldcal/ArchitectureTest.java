@@ -50,7 +50,7 @@ class ArchitectureTest {
           Map.entry("gamelog", List.of("vision", "camera", "ball", "proto")),
           Map.entry("kick", List.of("vision", "camera")),
           Map.entry("fit", List.of("kick", "ball", "camera", "vision")),
-          Map.entry("calibration", List.of("fit", "kick", "ball", "camera", "vision")),
+          Map.entry("calibration", List.of("fit", "effect", "kick", "ball", "camera", "vision")),
           Map.entry("effect", List.of("ball", "camera", "kick", "vision")),
           Map.entry(
               "diagnosis",

@@ -40,4 +40,14 @@ public record CalibrationProblem(
     Objects.requireNonNull(kind, "kind");
     Objects.requireNonNull(selection, "selection");
   }
+
+  /**
+   * The same with other kicks.
+   *
+   * @param newKicks as many, in the same order
+   * @return the changed copy
+   */
+  public CalibrationProblem withKicks(List<Kick> newKicks) {
+    return new CalibrationProblem(newKicks, epoch, cameras, flat, chip, kind, selection);
+  }
 }

@@ -5,6 +5,8 @@
  * selects samples per parameter (two sigma, repeated; and by hand), averages what remains and fits all kicks jointly beside it.
  * {@link fieldcal.calibration.Calibration} holds all of it: nothing is thrown away, what was not used says why.
  *
+ * <p>{@link fieldcal.calibration.ExtendedCalibrator} does the same under a model with {@link fieldcal.effect effects}.
+ *
  * <p>Used by the operator tools and by {@code diagnosis}.
  */
 package fieldcal.calibration;

@@ -27,6 +27,16 @@ public record ExtendedModel(
   }
 
   /**
+   * The same model on another clock.
+   *
+   * @param newSessionStart begin of the session on that clock, s
+   * @return the changed copy
+   */
+  public ExtendedModel withSessionStart(double newSessionStart) {
+    return new ExtendedModel(flat, chip, effects, newSessionStart);
+  }
+
+  /**
    * What acts on the ball.
    *
    * @return the effects on the motion, bundled

@@ -52,4 +52,14 @@ public record Kick(
   public Kick withId(int newId) {
     return new Kick(newId, time, x, y, vx, vy, robot, fromRest, end, endTime, observations);
   }
+
+  /**
+   * This kick with other detections.
+   *
+   * @param newObservations the detections
+   * @return the changed copy
+   */
+  public Kick withObservations(Observations newObservations) {
+    return new Kick(id, time, x, y, vx, vy, robot, fromRest, end, endTime, newObservations);
+  }
 }
