@@ -1,6 +1,7 @@
 package fieldcal.benchmark;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
@@ -13,7 +14,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -76,11 +76,8 @@ final class CalibrateBenchmark {
     CalibrationOutcome outcome =
         new CalibrationSession(FitSettings.defaults())
             .run(
-                LOGS.stream().map(project::resolve).toList(),
-                Optional.empty(),
-                Optional.empty(),
-                HandSelection.none(),
-                List.of(),
+                CalibrationRequest.of(
+                    LOGS.stream().map(project::resolve).toList(), HandSelection.none(), List.of()),
                 new Silent());
     CalibrationSession.writeAll(outcome, directory);
     return (System.nanoTime() - before) * 1e-9;

@@ -1,5 +1,6 @@
 package fieldcal.app.calibrate;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -8,7 +9,10 @@ import fieldcal.app.recording.DataProblem;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.Calibration;
+import fieldcal.calibration.ExtendedCalibration;
 import fieldcal.calibration.Sample;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectFields;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
@@ -24,6 +28,8 @@ import java.util.Optional;
 /** Builds {@code calibration.json}. SI units; of what is not known the contract's fields are null, others left out; never NaN. */
 final class CalibrationJson {
   static final String SCHEMA = "fieldcal.calibration/1";
+
+  private static final ObjectMapper MAPPER = new ObjectMapper();
 
   private final CalibrationOutcome outcome;
   private final JsonNodeFactory nodes = JsonNodeFactory.instance;
@@ -47,8 +53,9 @@ final class CalibrationJson {
     root.set("chip", averages(KickKind.CHIP, calibration.chip()));
     root.set("joint", joint(calibration.joint()));
     root.set("published", published());
+    outcome.extended().ifPresent(e -> root.set("extended_model", extended(e)));
     ArrayNode warnings = root.putArray("warnings");
-    new CalibrationWarnings(calibration).list().forEach(warnings::add);
+    new CalibrationWarnings(outcome).list().forEach(warnings::add);
     ArrayNode problems = root.putArray("problems");
     for (DataProblem p : outcome.data().problems()) {
       problems.addObject().put("where", p.where()).put("what", p.what()).put("count", p.count());
@@ -199,6 +206,23 @@ final class CalibrationJson {
         one.put("undetermined", e.undetermined().orElse("the estimate ran into its bound"));
       }
     }
+    return node;
+  }
+
+  /** With what the parameters hold together, and what of it the league's message has no field for. */
+  private ObjectNode extended(ExtendedCalibration extended) {
+    ObjectNode node = nodes.objectNode();
+    ArrayNode effects = node.putArray("effects");
+    ArrayNode absent = nodes.arrayNode();
+    for (Effect effect : extended.model().effects()) {
+      ObjectNode one = effects.addObject().put("effect", effect.id());
+      one.set("parameters", MAPPER.valueToTree(EffectFields.of(effect)));
+      absent.add(effect.id());
+    }
+    node.set("not_in_message", absent);
+    node.put("rounds", extended.rounds());
+    put(node, "last_move_mm", extended.lastMoveMm());
+    node.put("settled", extended.settled());
     return node;
   }
 

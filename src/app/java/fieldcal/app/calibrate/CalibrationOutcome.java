@@ -3,6 +3,7 @@ package fieldcal.app.calibrate;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.ball.ChipModel;
 import fieldcal.calibration.Calibration;
+import fieldcal.calibration.ExtendedCalibration;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
@@ -22,6 +23,7 @@ import java.util.Optional;
  * @param selection decisions by hand
  * @param commands what the robots were told; may be empty
  * @param calibration the result
+ * @param extended how it came about when it was made under an extended model
  */
 public record CalibrationOutcome(
     List<Path> logs,
@@ -29,7 +31,8 @@ public record CalibrationOutcome(
     BallModels initial,
     HandSelection selection,
     List<CommandFile.Command> commands,
-    Calibration calibration) {
+    Calibration calibration,
+    Optional<ExtendedCalibration> extended) {
   /** Largest error of the finder's time of a kick from rest, measured on simulated flat kicks (3 ms) and chips (14 ms), s. */
   private static final double FINDER_ERROR = 0.015;
 

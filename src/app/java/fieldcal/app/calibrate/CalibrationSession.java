@@ -8,16 +8,18 @@ import fieldcal.ball.FlatModel;
 import fieldcal.calibration.Calibration;
 import fieldcal.calibration.CalibrationProblem;
 import fieldcal.calibration.Calibrator;
-import fieldcal.calibration.HandSelection;
+import fieldcal.calibration.ExtendedCalibration;
+import fieldcal.calibration.ExtendedCalibrator;
+import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
-import fieldcal.kick.KickKind;
+import fieldcal.kick.Kick;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /** Recordings in, calibration and its files out. */
 public final class CalibrationSession {
@@ -48,25 +50,14 @@ public final class CalibrationSession {
   /**
    * Reads and calibrates.
    *
-   * @param logs at least one recording
-   * @param kind when present, all kicks are of that kind
-   * @param initial where to start; without it, from what the recordings publish, or typical values
-   * @param selection decisions by hand
-   * @param commands what the robots were told; may be empty
+   * @param request what is wanted
    * @param progress told how far it is
    * @return the outcome
    * @throws IOException when a recording cannot be read; one line for the operator
    */
-  public CalibrationOutcome run(
-      List<Path> logs,
-      Optional<KickKind> kind,
-      Optional<BallModels> initial,
-      HandSelection selection,
-      List<CommandFile.Command> commands,
-      Progress progress)
-      throws IOException {
-    CollectedKicks data = new KickCollector(progress).collect(logs);
-    BallModels start = initial.orElse(data.published());
+  public CalibrationOutcome run(CalibrationRequest request, Progress progress) throws IOException {
+    CollectedKicks data = new KickCollector(progress).collect(request.logs());
+    BallModels start = request.initial().orElse(data.published());
     progress.fitting(data.kicks().size());
     CalibrationProblem problem =
         new CalibrationProblem(
@@ -75,11 +66,36 @@ public final class CalibrationSession {
             data.cameras(),
             start.flat().orElse(FlatModel.typical()),
             start.chip().orElse(ChipModel.typical()),
-            kind,
-            selection);
+            request.kind(),
+            request.selection());
+    Calibrator calibrator = new Calibrator(settings);
+    Consumer<Kick> fitted = kick -> progress.fitted();
+    Optional<ExtendedCalibration> extended =
+        request.model().map(m -> under(m, calibrator, problem, data, fitted));
     Calibration calibration =
-        new Calibrator(settings).calibrate(problem, kick -> progress.fitted());
-    return new CalibrationOutcome(logs, data, start, selection, commands, calibration);
+        extended
+            .map(ExtendedCalibration::calibration)
+            .orElseGet(() -> calibrator.calibrate(problem, fitted));
+    return new CalibrationOutcome(
+        request.logs(),
+        data,
+        start,
+        request.selection(),
+        request.commands(),
+        calibration,
+        extended);
+  }
+
+  private static ExtendedCalibration under(
+      ExtendedModel model,
+      Calibrator calibrator,
+      CalibrationProblem problem,
+      CollectedKicks data,
+      Consumer<Kick> fitted) {
+    // What grows with time grows from here on: how far it had come when the recordings began is in
+    // the parameters that are calibrated.
+    ExtendedModel here = model.withSessionStart(data.sessionStart());
+    return new ExtendedCalibrator(calibrator, here, data.observers()).calibrate(problem, fitted);
   }
 
   /**
@@ -118,7 +134,9 @@ public final class CalibrationSession {
       Files.deleteIfExists(text);
     } else {
       JsonFiles.write(models.toBytes(), binary);
-      JsonFiles.write(models.toText().getBytes(StandardCharsets.UTF_8), text);
+      String comments =
+          outcome.extended().map(e -> ExtendedModelNotes.comments(e.model())).orElse("");
+      JsonFiles.write((comments + models.toText()).getBytes(StandardCharsets.UTF_8), text);
     }
     new CalibrationReportWriter()
         .write(new ReportBuilder(outcome).build(), directory.resolve("report.html"));

@@ -15,14 +15,20 @@ public final class CalibrationWarnings {
   private static final double NOTABLE_OFFSET_MM = 5;
 
   private final Calibration calibration;
+  private final List<String> notes;
 
   /**
    * Warnings about a calibration.
    *
-   * @param calibration to be judged
+   * @param outcome to be judged
    */
-  public CalibrationWarnings(Calibration calibration) {
-    this.calibration = calibration;
+  public CalibrationWarnings(CalibrationOutcome outcome) {
+    calibration = outcome.calibration();
+    notes =
+        outcome
+            .extended()
+            .map(e -> new ExtendedModelNotes(e, outcome.data()).sentences())
+            .orElse(List.of());
   }
 
   /**
@@ -31,7 +37,7 @@ public final class CalibrationWarnings {
    * @return one sentence each, the most important first; may be empty
    */
   public List<String> list() {
-    List<String> warnings = new ArrayList<>();
+    List<String> warnings = new ArrayList<>(notes);
     Map<Integer, JointFit.Offset> offsets = new HashMap<>();
     calibration.joint().ifPresent(j -> offsets.putAll(j.offsets()));
     for (CameraView view : calibration.cameras().all()) {

@@ -50,7 +50,7 @@ final class ReportBuilder {
         calibration.cameras().all().stream().map(this::camera).toList(),
         outcome.data().geometry().map(Field::of),
         calibration.kicks().stream().map(kicks::kick).toList(),
-        new CalibrationWarnings(calibration).list(),
+        new CalibrationWarnings(outcome).list(),
         outcome.data().problems().stream().map(Problem::of).toList());
   }
 

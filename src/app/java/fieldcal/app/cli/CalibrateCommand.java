@@ -1,14 +1,18 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.diagnose.ExtendedModelFile;
 import fieldcal.calibration.HandSelection;
+import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
 import fieldcal.kick.KickKind;
 import fieldcal.vision.BallModels;
+import fieldcal.vision.Epoch;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,6 +34,8 @@ import picocli.CommandLine.Spec;
         "Finds the kicks of one recording or several, fits them, and gives a ball model with"
             + " standard errors.")
 final class CalibrateCommand implements Callable<Integer> {
+  private static final Epoch UNIX = new Epoch(0);
+
   @Spec private CommandSpec spec;
 
   @Parameters(arity = "1..*", paramLabel = "LOG", description = "SSL game logs, .log or .log.gz")
@@ -56,6 +62,14 @@ final class CalibrateCommand implements Callable<Integer> {
           "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
               + " or a calibration.json; without it, what the recording publishes")
   private Path initial;
+
+  @Option(
+      names = "--model",
+      paramLabel = "FILE",
+      description =
+          "extended_model.json of diagnose: its effects are taken out, so that the parameters hold"
+              + " together with them")
+  private Path model;
 
   @Option(
       names = "--selection",
@@ -89,11 +103,15 @@ final class CalibrateCommand implements Callable<Integer> {
     HandSelection byHand = SelectionFile.readOrFormer(selection, out);
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
+    Optional<ExtendedModel> extended =
+        model == null ? Optional.empty() : Optional.of(ExtendedModelFile.read(model, UNIX));
     List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
+    CalibrationRequest request =
+        new CalibrationRequest(logs, forced, start, extended, byHand, told);
     CalibrationSession session = new CalibrationSession(FitSettings.defaults().withSeed(seed));
     CalibrationOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
-      outcome = session.run(logs, forced, start, byHand, told, progress);
+      outcome = session.run(request, progress);
     }
     if (out != null) {
       CalibrationSession.writeAll(outcome, out);

@@ -38,7 +38,7 @@ final class CalibrationText {
       line("No kick found, no model.");
     }
     cameras(outcome);
-    List<String> warnings = new CalibrationWarnings(calibration).list();
+    List<String> warnings = new CalibrationWarnings(outcome).list();
     if (!warnings.isEmpty()) {
       line("%nBefore you publish:");
       warnings.forEach(w -> line("  %s", w));

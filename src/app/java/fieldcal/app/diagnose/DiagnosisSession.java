@@ -1,6 +1,7 @@
 package fieldcal.app.diagnose;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
@@ -18,7 +19,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Collectors;
 
 /** Recordings in, diagnosis and its files out. */
@@ -69,7 +69,7 @@ public final class DiagnosisSession {
       throws IOException {
     CalibrationOutcome calibration =
         new CalibrationSession(settings)
-            .run(logs, Optional.empty(), Optional.empty(), selection, commands, progress);
+            .run(CalibrationRequest.of(logs, selection, commands), progress);
     DiagnosisProblem problem = problem(calibration);
     requireKicks(calibration, problem);
     Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress::diagnosing);
@@ -77,9 +77,11 @@ public final class DiagnosisSession {
   }
 
   private DiagnosisProblem problem(CalibrationOutcome outcome) {
+    // Of fewer detections than twice its unknowns a kick has nothing to say.
     List<KickFit> fits =
         outcome.calibration().fitted().stream()
             .filter(f -> outcome.selection().droppedBecause(key(outcome, f)).isEmpty())
+            .filter(f -> f.statistics().used() > 2 * f.estimates().size())
             .toList();
     Map<Integer, KickCommand> commands = new HashMap<>();
     for (KickFit fit : fits) {

@@ -60,7 +60,8 @@ public final class SampleOutcome {
             HandSelection.none(),
             commands,
             new Calibration(
-                List.of(), Map.of(), Map.of(), Optional.empty(), cameras, diagnosis.seed()));
+                List.of(), Map.of(), Map.of(), Optional.empty(), cameras, diagnosis.seed()),
+            Optional.empty());
     DiagnosisProblem problem =
         new DiagnosisProblem(
             List.of(), cameras, SampleDiagnosis.observers(), 0.5, Map.of(), 8, diagnosis.seed());

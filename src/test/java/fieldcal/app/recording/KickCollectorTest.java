@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.app.cli.Main;
 import fieldcal.effect.ObservedCamera;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -13,6 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
 
 /** What a diagnosis needs besides kicks: the cameras as published, and when the session began. */
 class KickCollectorTest {
@@ -35,7 +38,8 @@ class KickCollectorTest {
     List<String> args =
         new ArrayList<>(List.of("simulate", "--scenario=flat", "--kicks=2", "--out=" + log));
     args.addAll(Arrays.asList(options));
-    assertThat(Main.commandLine().execute(args.toArray(String[]::new))).isZero();
+    CommandLine quiet = Main.commandLine().setOut(new PrintWriter(Writer.nullWriter()));
+    assertThat(quiet.execute(args.toArray(String[]::new))).isZero();
     return log;
   }
 
