@@ -1,5 +1,6 @@
 package fieldcal.benchmark;
 
+import fieldcal.effect.ExtendedQueries;
 import fieldcal.fit.FitAccuracy;
 import fieldcal.fit.WrongMinima;
 import fieldcal.gamelog.ReadingBenchmark;
@@ -16,8 +17,8 @@ import java.util.Map;
  */
 public final class Benchmarks {
   private static final String USAGE =
-      "usage: [fit] [wrong-minima] [reading] [calibrate] [--kicks N] [--seed N] [--megabytes N]"
-          + " [--runs N]";
+      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [--kicks N] [--seed N]"
+          + " [--megabytes N] [--runs N]";
 
   private Benchmarks() {}
 
@@ -39,6 +40,7 @@ public final class Benchmarks {
     parts.put("wrong-minima", WrongMinima::run);
     parts.put("reading", ReadingBenchmark::run);
     parts.put("calibrate", CalibrateBenchmark::run);
+    parts.put("extended", ExtendedQueries::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {
