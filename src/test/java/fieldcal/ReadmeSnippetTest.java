@@ -3,10 +3,17 @@ package fieldcal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.ball.BallState;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.camera.Camera;
+import fieldcal.effect.ExtendedModel;
+import fieldcal.effect.ExtendedModelDocument;
+import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.motion.AirDrag;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.FitProblem;
@@ -20,8 +27,10 @@ import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulatedRecording;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionFrame;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -29,8 +38,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The README's Java is this test's Java, and it works. */
 class ReadmeSnippetTest {
@@ -68,6 +79,36 @@ class ReadmeSnippetTest {
     assertThat(fit.failure()).isEmpty();
     assertThat(fit.toString()).contains("accSlide");
     assertThat(path.stateAt(arrival).groundSpeed()).isCloseTo(1.5, within(1e-9));
+  }
+
+  @Test
+  void anExtendedModelIsUsedAsTheReadmeShows(@TempDir Path folder) throws IOException {
+    ExtendedModel drag =
+        new ExtendedModel(
+            Optional.of(FlatModel.typical()), Optional.empty(), List.of(new AirDrag(0.45)), 0);
+    Path written = folder.resolve("extended_model.json");
+    ExtendedModelFile.write(drag, new Epoch(0), written);
+    File file = written.toFile();
+    double t0 = 0;
+    double x = 1;
+    double y = 2;
+    double vx = 5;
+    double vy = 0;
+
+    Map<?, ?> document = new ObjectMapper().readValue(file, Map.class); // extended_model.json
+    ExtendedModel model =
+        ExtendedModelDocument.read(
+            document); // kicks told in Unix time; IllegalArgumentException names a damaged field
+    ExtendedTrajectory pass =
+        model.flatPath(t0, x, y, vx, vy); // right after the kick, in vision's field frame
+    BallState ball = pass.stateAt(t0 + 0.5);
+    double rest = pass.restTime();
+    OptionalDouble there = pass.timeAtDistance(3.0);
+
+    assertThat(model).isEqualTo(drag);
+    assertThat(ball.x()).isBetween(2.5, 3.5);
+    assertThat(rest).isBetween(2.0, 20.0);
+    assertThat(there.orElseThrow()).isBetween(0.6, 1.0);
   }
 
   @Test
