@@ -123,7 +123,13 @@ public record VerdictText(String headline, List<String> lines) {
     return horizons.isEmpty() ? held : held + " Predictions are off by " + horizons + ".";
   }
 
-  private static String rest(Unexplained u) {
+  /**
+   * What is left when all causes are in the model.
+   *
+   * @param u what that is
+   * @return a sentence that begins in lower case
+   */
+  public static String rest(Unexplained u) {
     String on =
         u.dependsOn().isEmpty()
             ? "without a pattern that could be named"

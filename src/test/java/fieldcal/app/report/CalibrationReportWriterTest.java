@@ -1,26 +1,23 @@
 package fieldcal.app.report;
 
+import static fieldcal.app.report.PageChecks.HOSTILE;
+import static fieldcal.app.report.PageChecks.data;
+import static fieldcal.app.report.PageChecks.found;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.report.CalibrationReport.Kick;
 import fieldcal.app.report.CalibrationReport.Kind;
 import fieldcal.app.report.CalibrationReport.Model;
 import fieldcal.app.report.CalibrationReport.ModelParameter;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.regex.MatchResult;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,11 +25,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 class CalibrationReportWriterTest {
   private static final long SEED = 20251121;
-  private static final Pattern DATA =
-      Pattern.compile(
-          "<script type=\"application/json\" id=\"data\">(.*?)</script>", Pattern.DOTALL);
-  private static final String HOSTILE = "a\"'<img src=x onerror=alert(1)></script><!--{{data}}.log";
-
   @TempDir Path directory;
 
   @Test
@@ -53,16 +45,7 @@ class CalibrationReportWriterTest {
 
   @Test
   void loadsNothingFromOutside() throws IOException {
-    String page = write(SampleReport.session(SEED));
-    String own = page.replace(charts(), "");
-    assertThat(own.length()).as("the charts are inlined").isLessThan(page.length() - 500_000);
-    assertThat(found(own, "(?i)<[a-z]+[^>]*\\s(src|href|srcset|action)\\s*=")).isEmpty();
-    assertThat(found(own, "(?i)@import|\\burl\\(|<link|<img|<iframe|<object|<embed")).isEmpty();
-    assertThat(found(own, "(?i)fetch\\(|XMLHttpRequest|WebSocket|importScripts")).isEmpty();
-    assertThat(found(own, "https?://(?!www\\.w3\\.org/2000/svg)")).isEmpty();
-    assertThat(page.split("<script", -1).length)
-        .as("data, ECharts, charts, frame, plots, page")
-        .isEqualTo(7);
+    PageChecks.assertSelfContained(write(SampleReport.session(SEED)));
   }
 
   @Test
@@ -77,17 +60,14 @@ class CalibrationReportWriterTest {
             List.of(HOSTILE),
             List.of(new Problem(HOSTILE, HOSTILE, 1, HOSTILE)));
     String page = write(report);
-    assertThat(found(page, "<img src=x|<!--\\{\\{")).isEmpty();
-    assertThat(page.split("</script>", -1).length).isEqualTo(7);
+    PageChecks.assertScriptsAreWhole(page);
     assertThat(data(page).at("/report/provenance/sources/0").asText()).isEqualTo(HOSTILE);
     assertThat(data(page).at("/report/problems/0/advice").asText()).isEqualTo(HOSTILE);
   }
 
   @Test
   void scriptsBuildNoMarkupFromText() throws IOException {
-    String own = write(SampleReport.session(SEED)).replace(charts(), "");
-    assertThat(found(own, "innerHTML|outerHTML|insertAdjacentHTML|document\\.write|eval\\("))
-        .isEmpty();
+    PageChecks.assertScriptsBuildNoMarkup(write(SampleReport.session(SEED)));
   }
 
   @Test
@@ -256,27 +236,5 @@ class CalibrationReportWriterTest {
     Path file = directory.resolve("report.html");
     new CalibrationReportWriter().write(report, file);
     return Files.readString(file);
-  }
-
-  /** What matches, with little around it: the page itself would make a failure of megabytes. */
-  private static List<String> found(String text, String regex) {
-    return Pattern.compile(".{0,30}(?:" + regex + ").{0,30}")
-        .matcher(text)
-        .results()
-        .map(MatchResult::group)
-        .toList();
-  }
-
-  private static JsonNode data(String page) throws IOException {
-    Matcher matcher = DATA.matcher(page);
-    assertThat(matcher.find()).isTrue();
-    return new ObjectMapper().readTree(matcher.group(1));
-  }
-
-  private static String charts() throws IOException {
-    try (InputStream in =
-        CalibrationReportWriterTest.class.getResourceAsStream(ReportPage.CHARTS)) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    }
   }
 }

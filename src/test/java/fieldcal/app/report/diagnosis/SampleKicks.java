@@ -65,9 +65,10 @@ final class SampleKicks {
     double y = -1.5 * Math.sin(angle);
     double v = 2 + random.nextDouble();
     ExtendedTrajectory real = truth.chipPath(t0, x, y, v * Math.cos(angle), v * Math.sin(angle), 3);
+    double slower = truth.motion().effects().isEmpty() ? v : 0.97 * v;
     BallTrajectory simple =
         SampleDiagnosis.model(List.of())
-            .chipPath(t0, x, y, v * Math.cos(angle), v * Math.sin(angle), 3);
+            .chipPath(t0, x, y, slower * Math.cos(angle), slower * Math.sin(angle), 2.98);
     return observe(id, KickKind.CHIP, simple, real, t0);
   }
 

@@ -1,0 +1,218 @@
+package fieldcal.app.report.diagnosis;
+
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.report.Field;
+import fieldcal.app.report.Problem;
+import fieldcal.app.report.Provenance;
+import fieldcal.app.report.diagnosis.DiagnosisReport.CandidateRow;
+import fieldcal.app.report.diagnosis.DiagnosisReport.CauseRow;
+import fieldcal.app.report.diagnosis.DiagnosisReport.EffectParameter;
+import fieldcal.app.report.diagnosis.DiagnosisReport.ParameterRow;
+import fieldcal.app.report.diagnosis.DiagnosisReport.QualityRow;
+import fieldcal.app.report.diagnosis.DiagnosisReport.Remains;
+import fieldcal.app.report.diagnosis.DiagnosisReport.VerdictWords;
+import fieldcal.app.wording.CauseText;
+import fieldcal.app.wording.CauseWords;
+import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.VerdictText;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.Candidate;
+import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.Quality;
+import fieldcal.diagnosis.StructureVariable;
+import fieldcal.diagnosis.Unexplained;
+import fieldcal.diagnosis.Verdict;
+import fieldcal.effect.ExtendedModel;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+
+/** Turns a diagnosis into what the report shows. Immutable. */
+public final class DiagnosisReportBuilder {
+  private final Diagnosis diagnosis;
+  private final CollectedKicks data;
+  private final List<String> sources;
+  private final CauseWords words;
+
+  /**
+   * A builder for one diagnosis.
+   *
+   * @param diagnosis what to show
+   * @param data the kicks it was made from: times, recordings, cameras, field, problems
+   * @param sources the recordings, as the operator named them
+   */
+  public DiagnosisReportBuilder(Diagnosis diagnosis, CollectedKicks data, List<String> sources) {
+    this.diagnosis = diagnosis;
+    this.data = data;
+    this.sources = List.copyOf(sources);
+    words = new CauseWords(diagnosis, data.observers());
+  }
+
+  /**
+   * Builds the view model.
+   *
+   * @return what the report shows
+   */
+  public DiagnosisReport build() {
+    VerdictText verdict = VerdictText.of(diagnosis);
+    List<ProfilePicture> profiles =
+        diagnosis.structureBefore().stream()
+            .filter(p -> !p.bins().isEmpty())
+            .map(p -> ProfilePicture.of(p, diagnosis.structureAfter()))
+            .toList();
+    KickPictures kicks = new KickPictures(data, diagnosis.kicks().size());
+    return new DiagnosisReport(
+        Provenance.of(sources, data, diagnosis.seed()),
+        new VerdictWords(diagnosis.verdict().id(), verdict.headline(), verdict.lines()),
+        diagnosis.causes().stream().map(this::cause).toList(),
+        quality(diagnosis.base()),
+        quality(diagnosis.extended()),
+        diagnosis.candidates().stream().map(DiagnosisReportBuilder::candidate).toList(),
+        remains(profiles),
+        profiles,
+        shown(profiles),
+        data.geometry().map(Field::of),
+        ResidualMap.of(diagnosis.kicks()),
+        cameras(),
+        diagnosis.kicks().stream().map(kicks::of).toList(),
+        parameters(),
+        data.problems().stream().map(Problem::of).toList());
+  }
+
+  private CauseRow cause(Cause cause) {
+    CauseText text = words.of(cause);
+    List<EffectParameter> parameters =
+        cause.effect().parameters().stream()
+            .map(
+                p ->
+                    new EffectParameter(
+                        p.name(),
+                        p.unit(),
+                        p.value(),
+                        cause.standardErrors().getOrDefault(p.name(), Double.NaN)))
+            .toList();
+    return new CauseRow(
+        cause.effect().id(),
+        text.name(),
+        text.what(),
+        text.consequence(),
+        text.advice(),
+        text.strength(),
+        parameters,
+        cause.evidence(),
+        cause.gain().mm(),
+        cause.gain().percent(),
+        cause.gain().lowMm(),
+        cause.gain().highMm(),
+        CauseWords.rivals(cause),
+        cause.discriminatingKicks());
+  }
+
+  private static QualityRow quality(Quality q) {
+    return new QualityRow(
+        q.rmsMm(),
+        q.noiseMm(),
+        q.holdoutRmsMm(),
+        q.predictionErrorMm().keySet().stream().mapToDouble(h -> h).toArray(),
+        q.predictionErrorMm().values().stream().mapToDouble(e -> e).toArray());
+  }
+
+  private static CandidateRow candidate(Candidate c) {
+    return new CandidateRow(
+        EffectName.of(c.effect()),
+        EffectName.strength(c.effect(), Map.of()),
+        c.scoreGain(),
+        c.evidence(),
+        c.addedEvidence(),
+        c.named());
+  }
+
+  private Remains remains(List<ProfilePicture> profiles) {
+    Unexplained u = diagnosis.unexplained();
+    List<String> dependsOn = u.dependsOn().stream().map(StructureVariable::id).toList();
+    String strongest =
+        dependsOn.stream()
+            .filter(v -> profiles.stream().anyMatch(p -> p.variable().equals(v)))
+            .findFirst()
+            .orElseGet(() -> largest(profiles, p -> p.after().deviation()));
+    return new Remains(
+        u.significant(),
+        u.systematicMm(),
+        u.deviation(),
+        u.significant() ? VerdictText.rest(u) : "",
+        dependsOn,
+        strongest);
+  }
+
+  /** The variable that shows best what was found, or what was not. */
+  private String shown(List<ProfilePicture> profiles) {
+    if (diagnosis.verdict() == Verdict.UNEXPLAINED_STRUCTURE) {
+      Optional<String> strongest =
+          diagnosis.unexplained().dependsOn().stream().map(StructureVariable::id).findFirst();
+      if (strongest.isPresent()) {
+        return strongest.get();
+      }
+    }
+    if (diagnosis.verdict() == Verdict.EXPLAINED) {
+      return largest(profiles, p -> p.before().deviation() - p.after().deviation());
+    }
+    return largest(profiles, p -> p.before().deviation());
+  }
+
+  private static String largest(
+      List<ProfilePicture> profiles, ToDoubleFunction<ProfilePicture> size) {
+    return profiles.stream()
+        .filter(p -> !Double.isNaN(size.applyAsDouble(p)))
+        .max(Comparator.comparingDouble(size))
+        .or(() -> profiles.stream().findFirst())
+        .map(ProfilePicture::variable)
+        .orElse("");
+  }
+
+  private List<Integer> cameras() {
+    return diagnosis.kicks().stream()
+        .flatMapToInt(k -> IntStream.of(k.kick().observations().cameras()))
+        .distinct()
+        .sorted()
+        .boxed()
+        .toList();
+  }
+
+  private List<ParameterRow> parameters() {
+    List<ParameterRow> rows = new ArrayList<>();
+    ExtendedModel before = diagnosis.simpleModel();
+    ExtendedModel after = diagnosis.model();
+    addRows(
+        rows,
+        "flat",
+        before.flat().map(FlatModel::parameters),
+        after.flat().map(FlatModel::parameters));
+    addRows(
+        rows,
+        "chip",
+        before.chip().map(ChipModel::parameters),
+        after.chip().map(ChipModel::parameters));
+    return rows;
+  }
+
+  private static void addRows(
+      List<ParameterRow> rows,
+      String kind,
+      Optional<List<Parameter>> before,
+      Optional<List<Parameter>> after) {
+    List<Parameter> old = before.orElse(List.of());
+    List<Parameter> all = after.orElse(List.of());
+    for (int i = 0; i < all.size(); i++) {
+      Parameter p = all.get(i);
+      double was = i < old.size() ? old.get(i).value() : Double.NaN;
+      rows.add(new ParameterRow(kind, p.name(), p.unit(), was, p.value()));
+    }
+  }
+}
