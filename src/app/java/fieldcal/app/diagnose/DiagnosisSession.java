@@ -6,6 +6,9 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.report.diagnosis.DiagnosisReport;
+import fieldcal.app.report.diagnosis.DiagnosisReportBuilder;
+import fieldcal.app.report.diagnosis.DiagnosisReportWriter;
 import fieldcal.calibration.HandSelection;
 import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.Diagnosis;
@@ -143,7 +146,7 @@ public final class DiagnosisSession {
   }
 
   /**
-   * Writes {@code diagnosis.json} and {@code extended_model.json}.
+   * Writes {@code diagnosis.html}, {@code diagnosis.json} and {@code extended_model.json}.
    *
    * @param outcome what to write
    * @param directory made if needed
@@ -156,5 +159,13 @@ public final class DiagnosisSession {
         outcome.diagnosis().model(),
         outcome.calibration().data().epoch(),
         directory.resolve("extended_model.json"));
+    CalibrationOutcome calibration = outcome.calibration();
+    DiagnosisReport report =
+        new DiagnosisReportBuilder(
+                outcome.diagnosis(),
+                calibration.data(),
+                calibration.logs().stream().map(Path::toString).toList())
+            .build();
+    new DiagnosisReportWriter().write(report, directory.resolve("diagnosis.html"));
   }
 }
