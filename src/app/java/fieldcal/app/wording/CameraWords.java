@@ -74,7 +74,9 @@ final class CameraWords {
             camera(), Amount.of(Math.abs(ms)), ms >= 0 ? "late" : "early"),
         text(
             "It shows a ball of %s m/s %s mm %s where it is.",
-            Amount.of(FAST), Amount.of(FAST * Math.abs(ms)), ms >= 0 ? "behind" : "ahead of"),
+            Amount.decimals(FAST, 0),
+            Amount.of(FAST * Math.abs(ms)),
+            ms >= 0 ? "behind" : "ahead of"),
         "Synchronise the clocks of the vision computers, and give all cameras the same exposure and"
             + " the same way of stamping.");
   }
@@ -151,7 +153,9 @@ final class CameraWords {
             Amount.of(1000 * drift)),
         text(
             "After ten minutes it shows a ball of %s m/s %s mm %s where it is.",
-            Amount.of(FAST), Amount.of(1000 * FAST * drift), ppm >= 0 ? "behind" : "ahead of"),
+            Amount.decimals(FAST, 0),
+            Amount.of(1000 * FAST * drift),
+            ppm >= 0 ? "behind" : "ahead of"),
         "Synchronise the clocks of the vision computers.");
   }
 
@@ -165,7 +169,9 @@ final class CameraWords {
         text(
             "Low in the image a ball of %s m/s is shown up to %s mm %s where it is at the time of"
                 + " the stamp.",
-            Amount.of(FAST), Amount.of(FAST * Math.abs(ms)), ms >= 0 ? "ahead of" : "behind"),
+            Amount.decimals(FAST, 0),
+            Amount.of(FAST * Math.abs(ms)),
+            ms >= 0 ? "ahead of" : "behind"),
         "Use cameras with a global shutter, or predict with the extended model.");
   }
 

@@ -80,13 +80,21 @@ public final class EffectName {
    *
    * @param effect with its numbers
    * @param standardErrors by name of the parameter; may lack some
-   * @return its estimated parameters with errors and units, for example "x 21.3 ± 0.4 mm, y 0.2 ± 0.4 mm"; angles in degrees
+   * @return its estimated parameters that are not zero, with errors and units, for example "x 21.3 ± 0.4 mm, y 0.2 ± 0.4 mm"; angles in degrees
    */
   public static String strength(Effect effect, Map<String, Double> standardErrors) {
     return effect.parameters().stream()
         .filter(p -> p.estimated() || standardErrors.containsKey(p.name()))
+        .filter(p -> isSaid(p, effect))
         .map(p -> parameter(p, standardErrors.getOrDefault(p.name(), Double.NaN)))
         .collect(Collectors.joining(", "));
+  }
+
+  /** A part that is exactly absent needs no words, and its direction has none; all of an absent effect are said. */
+  private static boolean isSaid(Parameter p, Effect effect) {
+    boolean absentPart = effect.magnitudes().contains(p.name()) && p.value() == 0;
+    boolean axisOfNothing = p.name().equals("axis") && effect.value("tilt_mrad") == 0;
+    return effect.isAbsent() || !absentPart && !axisOfNothing;
   }
 
   private static String parameter(Parameter p, double error) {

@@ -101,10 +101,10 @@ final class MotionWords {
                 c ->
                     text(
                         "A pass at %s m/s is %s mm to the %s after %s s.",
-                        Amount.of(PASS),
+                        whole(PASS),
                         Amount.of(Math.abs(c.left())),
                         c.left() > 0 ? "left" : "right",
-                        Amount.decimals(PASS_TIME, 0)))
+                        whole(PASS_TIME)))
             .orElse(""),
         "Look whether the ball lies in the middle of the kickers and the dribblers are straight;"
             + " until that is mended, predict with the extended model.");
@@ -124,9 +124,7 @@ final class MotionWords {
                 c ->
                     text(
                         "A pass at %s m/s across the slope drifts %s mm downhill in %s s.",
-                        Amount.of(PASS),
-                        Amount.of(Math.abs(c.left())),
-                        Amount.decimals(PASS_TIME, 0)))
+                        whole(PASS), Amount.of(Math.abs(c.left())), whole(PASS_TIME)))
             .orElse(""),
         "Level the floor under the carpet if you can; otherwise predict with the extended model.");
   }
@@ -146,9 +144,7 @@ final class MotionWords {
             ? ""
             : text(
                 "A pass at %s m/s that way comes %s mm less far in %s s than one the other way.",
-                Amount.of(PASS),
-                Amount.of(fast.get().along() - slow.get().along()),
-                Amount.decimals(PASS_TIME, 0)),
+                whole(PASS), Amount.of(fast.get().along() - slow.get().along()), whole(PASS_TIME)),
         EXTENDED);
   }
 
@@ -202,7 +198,7 @@ final class MotionWords {
                     text(
                         "A pass at %s m/s that begins there and goes through it comes %s in %s s"
                             + " than elsewhere.",
-                        Amount.of(PASS), far(c.along()), Amount.decimals(PASS_TIME, 0)))
+                        whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElse(""),
         "Look at the carpet there (worn, wet, a seam, dust); until it is mended, predict with the"
             + " extended model.");
@@ -305,7 +301,7 @@ final class MotionWords {
             c ->
                 text(
                     "A pass at %s m/s comes %s in %s s than it would %s.",
-                    Amount.of(speed), far(c.along()), Amount.decimals(after, 0), without))
+                    whole(speed), far(c.along()), whole(after), without))
         .orElseGet(() -> chip(without));
   }
 
@@ -316,7 +312,7 @@ final class MotionWords {
             c ->
                 text(
                     "A chip at %s m/s, 45° steep, comes %s in %s s than it would %s.",
-                    Amount.of(CHIP), far(c.along()), Amount.decimals(CHIP_TIME, 1), without))
+                    whole(CHIP), far(c.along()), Amount.decimals(CHIP_TIME, 1), without))
         .orElse("");
   }
 
@@ -332,6 +328,10 @@ final class MotionWords {
 
   private static String far(double mm) {
     return Amount.of(Math.abs(mm)) + " mm " + (mm < 0 ? "less far" : "farther");
+  }
+
+  private static String whole(double value) {
+    return Amount.decimals(value, 0);
   }
 
   private static String percent(double fraction) {

@@ -115,8 +115,8 @@ class CauseWordsTest {
             "21 mm too far towards the −x goal and 3.1 mm too far to the right (−y)"),
         Arguments.of(
             new CameraTimeOffset(4.1, 0),
-            "Camera 0's time stamps are 4.1 ms late. It shows a ball of 6.0 m/s 25 mm behind",
-            "4.1 ms early. It shows a ball of 6.0 m/s 25 mm ahead of"),
+            "Camera 0's time stamps are 4.1 ms late. It shows a ball of 6 m/s 25 mm behind",
+            "4.1 ms early. It shows a ball of 6 m/s 25 mm ahead of"),
         Arguments.of(
             new CameraPoseError(2, 0, 60, 0, 0, 1),
             "Camera 1 hangs 60 mm lower, is turned by 2.0 mrad (0.11°)",
@@ -133,7 +133,7 @@ class CauseWordsTest {
             "8.5 mm lower than it is. It reports balls too far from"),
         Arguments.of(
             new ClockSkew(120, 1),
-            "120 ppm fast, 72 ms in ten minutes. After ten minutes it shows a ball of 6.0 m/s 432"
+            "120 ppm fast, 72 ms in ten minutes. After ten minutes it shows a ball of 6 m/s 432"
                 + " mm behind",
             "120 ppm slow"),
         Arguments.of(
@@ -158,12 +158,12 @@ class CauseWordsTest {
   @Test
   void whatTheModelDoesToAKickIsComputed() {
     assertThat(WORDS.of(new AirDrag(0.47), Map.of()).consequence())
-        .matches("A pass at 6\\.0 m/s comes \\d+ mm less far in 1 s than it would without air\\.");
+        .matches("A pass at 6 m/s comes \\d+ mm less far in 1 s than it would without air\\.");
     assertThat(WORDS.of(new KickSpin(-0.25), Map.of()).consequence())
         .contains("mm less far in 2 s than it would without spin")
         .contains("rolls from 58 % of its speed on instead of 66 %");
     assertThat(WORDS.of(new CarpetNap(0.08, 0), Map.of()).consequence())
-        .matches("A pass at 4\\.0 m/s that way comes [1-9]\\d* mm less far in 2 s than one .*");
+        .matches("A pass at 4 m/s that way comes [1-9]\\d* mm less far in 2 s than one .*");
     // Seen from 5 m, a plane 8.5 mm too high moves a ball 3 m aside by 8.5·3/5 mm.
     assertThat(WORDS.of(new BallHeightError(8.5), Map.of()).consequence())
         .containsPattern("by [2-5]\\.\\d mm on average, by up to [5-9]\\.\\d mm");

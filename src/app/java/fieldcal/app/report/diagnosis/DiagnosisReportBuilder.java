@@ -26,16 +26,26 @@ import fieldcal.diagnosis.StructureVariable;
 import fieldcal.diagnosis.Unexplained;
 import fieldcal.diagnosis.Verdict;
 import fieldcal.effect.ExtendedModel;
+import fieldcal.effect.motion.WornRegion;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /** Turns a diagnosis into what the report shows. Immutable. */
 public final class DiagnosisReportBuilder {
+  /** What happens on the field also shows in the image; people think on the field, so the image must show it twice as clearly. */
+  private static final Set<String> IMAGE =
+      Set.of(StructureVariable.IMAGE_COLUMN.id(), StructureVariable.IMAGE_ROW.id());
+
+  private static final double IMAGE_WEIGHT = 0.5;
+
   private final Diagnosis diagnosis;
   private final CollectedKicks data;
   private final List<String> sources;
@@ -74,7 +84,7 @@ public final class DiagnosisReportBuilder {
         diagnosis.causes().stream().map(this::cause).toList(),
         quality(diagnosis.base()),
         quality(diagnosis.extended()),
-        diagnosis.candidates().stream().map(DiagnosisReportBuilder::candidate).toList(),
+        candidates(),
         remains(profiles),
         profiles,
         shown(profiles),
@@ -124,6 +134,28 @@ public final class DiagnosisReportBuilder {
         q.predictionErrorMm().values().stream().mapToDouble(e -> e).toArray());
   }
 
+  /** The causes, then by evidence, then by score; of what the search tried in several ways, the best. */
+  private List<CandidateRow> candidates() {
+    return diagnosis.candidates().stream()
+        .sorted(
+            Comparator.comparing((Candidate c) -> !c.named())
+                .thenComparing(c -> Double.isNaN(c.evidence()))
+                .thenComparing(c -> -c.evidence())
+                .thenComparing(c -> -c.scoreGain()))
+        .collect(
+            Collectors.toMap(
+                DiagnosisReportBuilder::sort, c -> c, (best, other) -> best, LinkedHashMap::new))
+        .values()
+        .stream()
+        .map(DiagnosisReportBuilder::candidate)
+        .toList();
+  }
+
+  /** What is one possible cause for a reader: parts of a camera's pose or regions of the carpet are tried one by one. */
+  private static String sort(Candidate c) {
+    return c.effect() instanceof WornRegion ? c.effect().id() : EffectName.of(c.effect());
+  }
+
   private static CandidateRow candidate(Candidate c) {
     return new CandidateRow(
         EffectName.of(c.effect()),
@@ -160,10 +192,17 @@ public final class DiagnosisReportBuilder {
         return strongest.get();
       }
     }
-    if (diagnosis.verdict() == Verdict.EXPLAINED) {
-      return largest(profiles, p -> p.before().deviation() - p.after().deviation());
-    }
-    return largest(profiles, p -> p.before().deviation());
+    boolean explained = diagnosis.verdict() == Verdict.EXPLAINED;
+    return largest(
+        profiles,
+        p ->
+            IMAGE.contains(p.variable())
+                ? IMAGE_WEIGHT * clarity(p, explained)
+                : clarity(p, explained));
+  }
+
+  private static double clarity(ProfilePicture p, boolean explained) {
+    return explained ? p.before().deviation() - p.after().deviation() : p.before().deviation();
   }
 
   private static String largest(

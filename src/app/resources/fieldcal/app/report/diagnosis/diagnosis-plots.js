@@ -7,12 +7,16 @@ const DiagnosisPlots = (() => {
   const {known, number, signed, tip, axis, base, extent, fieldView} = Charts;
 
   const HALF_WINDOW = 0.1; // s; a mean over so much of a kick shows millimetres in noise of the same size
-  const STEPS = [1, 2, 5, 10, 20, 50, 100, 200, 500];
-  const DRAWN = 0.4; // m; how large on the field a large deviation of 95 % is drawn
+  const MARK_EVERY = 0.5; // s
+  const STEPS = [1, 2, 3, 5, 7, 10, 15, 20, 30, 50]; // more would make noise look like something
+  const DRAWN = 0.6; // m; how large on the field a large deviation of 95 % is drawn
 
   const line = (data, colour, more) => Object.assign({type: 'line', data, symbol: 'none', silent: true, lineStyle: {color: colour, width: 2}, z: 4}, more);
   const zero = theme => ({type: 'scatter', data: [], silent: true, z: 1, markLine: {precision: 8, silent: true, symbol: 'none', animation: false, label: {show: false}, lineStyle: {color: theme.muted, width: 1, type: 'solid'}, data: [{yAxis: 0}]}});
   const noiseBand = (theme, noise) => known(noise) ? {silent: true, itemStyle: {color: theme.good, opacity: 0.14}, data: [[{yAxis: -2 * noise}, {yAxis: 2 * noise}]]} : undefined;
+
+  /** Before and after have their colours; what stands alone has the plain one. */
+  const colourOf = (theme, side, sides) => side === 'before' && sides.length > 1 ? theme.warn : theme.accent;
 
   function quantile(values, share) {
     const sorted = values.filter(known).map(Math.abs).sort((a, b) => a - b);
@@ -45,6 +49,7 @@ const DiagnosisPlots = (() => {
   function profile(theme, profile, column, sides, noise) {
     const named = profile.names.length > 0;
     const option = base(theme, profile.label + (unitOf(profile) ? ' [' + unitOf(profile) + ']' : ''), 'mean [mm]');
+    option.grid.right = 26;
     const all = sides.flatMap(side => ['first', 'second'].flatMap(c => profile[side][c].map((v, i) => Math.abs(v) + 2 * profile[side].error[i])));
     const high = range([Math.max(0, ...all) / 1.15], Math.min(1, known(noise) ? noise / 2 : 1));
     Object.assign(option.yAxis, {min: -high, max: high, interval: high / 2});
@@ -56,7 +61,7 @@ const DiagnosisPlots = (() => {
     option.series.push(zero(theme));
     for (const side of sides) {
       const bins = profile[side];
-      const colour = side === 'before' ? theme.warn : theme.accent;
+      const colour = colourOf(theme, side, sides);
       const at = i => named ? i : bins.at[i];
       const data = bins.at.map((_, i) => ({value: [at(i), bins[column][i]], bins, i, name: side}));
       if (named) {
@@ -66,7 +71,7 @@ const DiagnosisPlots = (() => {
       const bars = bins.at.flatMap((_, i) => [[at(i), bins[column][i] - 2 * bins.error[i]], [at(i), bins[column][i] + 2 * bins.error[i]], [at(i), null]]);
       option.series.push(line(bars, colour, {lineStyle: {color: colour, width: 1.5}, z: 2}));
       option.series.push({
-        type: 'line', data, symbol: side === 'before' ? 'emptyCircle' : 'circle', symbolSize: 8, showAllSymbol: true, z: side === 'before' ? 3 : 4,
+        type: 'line', data, symbol: side === 'before' && sides.length > 1 ? 'emptyCircle' : 'circle', symbolSize: 8, showAllSymbol: true, z: side === 'before' ? 3 : 4,
         lineStyle: {color: colour, width: 2, type: side === 'before' && sides.length > 1 ? 'dashed' : 'solid'}, itemStyle: {color: colour, borderWidth: 2},
       });
     }
@@ -84,7 +89,7 @@ const DiagnosisPlots = (() => {
     const values = kicks.flatMap(kick => sides.map(side => side === 'before' ? kick.rmsBeforeMm : kick.rmsAfterMm)).filter(known);
     // Where one kick is many times worse than the rest, equal steps would hide these.
     const spread = Math.max(...values) / Math.max(0.1, Math.min(...values));
-    if (spread > 12) Object.assign(option.yAxis, {type: 'log', logBase: 10, min: Math.pow(10, Math.floor(Math.log10(Math.min(...values) * 2)) ) / 2});
+    if (spread > 12) Object.assign(option.yAxis, {type: 'log', logBase: 10, min: Math.pow(10, Math.floor(Math.log10(Math.min(...values))))});
     else option.yAxis.min = 0;
     option.grid.top = 16;
     option.series.push({type: 'scatter', data: [], silent: true, z: 1, markLine: {precision: 8, silent: true, symbol: 'none', animation: false, data: known(noise) ? [{yAxis: noise, lineStyle: {color: theme.good, width: 2, type: 'solid'}, label: {show: false}}] : []}});
@@ -93,7 +98,7 @@ const DiagnosisPlots = (() => {
     }
     for (const side of sides) {
       const of = kick => side === 'before' ? kick.rmsBeforeMm : kick.rmsAfterMm;
-      const colour = side === 'before' ? theme.warn : theme.accent;
+      const colour = colourOf(theme, side, sides);
       const hollow = side === 'before' && sides.length > 1;
       option.series.push({
         type: 'scatter', symbolSize: kicks.length > 60 ? 7 : 10, cursor: 'pointer', z: 4, itemStyle: {color: hollow ? theme.panel : colour, borderColor: colour, borderWidth: 2},
@@ -123,6 +128,24 @@ const DiagnosisPlots = (() => {
   /** Deviations of one kick that decide how it is drawn: those of the simple model, so that both pictures have one scale. */
   const deviations = kick => [...kick.seen.beforeAlong, ...kick.seen.beforeAcross];
 
+  /** Every half second: where the ball should be, and where each camera that sees it then sees it on average, drawn farther off. */
+  function timeMarks(rows, way, factor) {
+    const marks = [];
+    const end = rows.length ? rows[rows.length - 1].t : 0;
+    for (let t = MARK_EVERY; t < end; t += MARK_EVERY) {
+      const should = [at(way, 'x', t), at(way, 'y', t)];
+      const heading = at(way, 'heading', t), cos = Math.cos(heading), sin = Math.sin(heading);
+      const near = rows.filter(row => Math.abs(row.t - t) <= HALF_WINDOW);
+      for (const camera of new Set(near.map(row => row.camera))) {
+        const its = near.filter(row => row.camera === camera);
+        const mean = column => its.reduce((sum, row) => sum + row[column], 0) / its.length * factor / 1000;
+        const along = mean('along'), across = mean('across');
+        marks.push({should, is: [should[0] + along * cos - across * sin, should[1] + along * sin + across * cos]});
+      }
+    }
+    return marks;
+  }
+
   /** Where the model says the ball goes (line), and where it was seen, drawn farther off than it was (dots). */
   function path(theme, kick, side, field, factor, size) {
     const box = extent(field, [...kick.before.x, ...kick.after.x], [...kick.before.y, ...kick.after.y]);
@@ -137,7 +160,12 @@ const DiagnosisPlots = (() => {
       const style = theme.camera(camera);
       option.series.push({type: 'scatter', symbol: style.symbol, symbolSize: 5, itemStyle: {color: style.colour, opacity: 0.75}, z: 3, data: rows.filter(row => row.camera === camera)});
     }
-    option.series.push(line(way.x.map((x, i) => [x, way.y[i]]), theme.text, {z: 5, lineStyle: {color: theme.text, width: 2}}));
+    option.series.push(line(way.x.map((x, i) => [x, way.y[i]]), theme.text, {z: 4, lineStyle: {color: theme.text, width: 2}}));
+    // A ball that is too early or too late stays on the line: marks of the same time show it.
+    const marks = timeMarks(rows, way, factor);
+    option.series.push({type: 'scatter', symbol: 'circle', symbolSize: 11, silent: true, z: 5, itemStyle: {color: theme.panel, borderColor: theme.text, borderWidth: 2}, data: marks.map(mark => mark.should)});
+    option.series.push(line(marks.flatMap(mark => [mark.should, mark.is, [null, null]]), theme.bad, {z: 6, lineStyle: {color: theme.bad, width: 2.5}}));
+    option.series.push({type: 'scatter', symbol: 'circle', symbolSize: 5, silent: true, z: 7, itemStyle: {color: theme.bad}, data: marks.map(mark => mark.is)});
     option.series.push({type: 'scatter', symbol: 'circle', symbolSize: 14, silent: true, z: 6, itemStyle: {color: 'transparent', borderColor: theme.text, borderWidth: 3}, data: [[way.x[0], way.y[0]]]});
     option.tooltip.formatter = ({data}) => known(data.t) ? tip('Camera ' + data.camera, number(data.t, 2) + ' s after the kick', signed(data.along, 1) + ' mm along, ' + signed(data.across, 1) + ' mm across') : '';
     return option;
@@ -210,7 +238,7 @@ const DiagnosisPlots = (() => {
     Object.assign(option.yAxis, {min: 0, scale: false});
     option.grid.top = 24;
     for (const {quality, side, name} of qualities) {
-      const colour = side === 'before' ? theme.warn : theme.accent;
+      const colour = colourOf(theme, side, qualities);
       const hollow = side === 'before' && qualities.length > 1;
       option.series.push({
         type: 'bar', barMaxWidth: 46, itemStyle: {color: hollow ? 'transparent' : colour, borderColor: colour, borderWidth: 2},

@@ -9,6 +9,10 @@
   const sides = found ? ['before', 'after'] : ['before'];
   const noise = report.before.noiseMm;
   const gainOf = kick => kick.rmsBeforeMm - kick.rmsAfterMm;
+  const MAP_HINTS = {
+    model_adequate: 'Short arrows that point in all directions: this is what noise looks like. A camera that is off would turn all arrows of its colour the same way, a slope all arrows of the field.',
+    unexplained_structure: 'Look for arrows that have something in common: one colour (a camera), one part of the field (carpet, lines, edges of the views), towards or away from one point.',
+  };
   const WORST = 6, CANDIDATES = 10;
   const state = {variable: report.shown, kick: null, all: false};
   let theme;
@@ -16,7 +20,7 @@
   const sideName = side => found ? (side === 'before' ? 'before: simple model' : 'after: with the causes') : 'simple model';
   const sideSwatches = (...more) => found
     ? [el('span', {}, swatch('circle', theme.warn, true), 'before: simple model'), el('span', {}, swatch('circle', theme.accent), 'after: with the causes'), ...more]
-    : [el('span', {}, swatch('circle', theme.warn), 'simple model'), ...more];
+    : [el('span', {}, swatch('circle', theme.accent), 'simple model'), ...more];
   const cameraSwatches = () => report.cameras.map(id => el('span', {}, swatch(theme.camera(id).symbol, theme.camera(id).colour), 'camera ' + id));
 
   // ---- words ----
@@ -51,10 +55,10 @@
         el('p', {}, el('b', {}, 'To do: '), cause.advice),
         rivals.length ? el('p', {class: 'rivals'}, rivals.join(' ')) : ''),
       el('div', {class: 'facts'},
-        fact('strength', cause.strength),
-        fact('gain on held-out kicks', gainWords(cause)),
-        fact('with 95 % certainty', bounds(cause)),
-        fact('evidence', number(cause.evidence, 0))));
+        el('p', {}, el('span', {class: 'label'}, 'Strength '), el('b', {}, cause.strength)),
+        fact('Gain, held-out kicks', gainWords(cause)),
+        fact('95 % bounds', bounds(cause)),
+        fact('Evidence', number(cause.evidence, 0))));
   }
 
   function showCauses() {
@@ -77,6 +81,7 @@
   }
 
   function depends(bins) {
+    if (bins.deviation > 1000) return 'more than 1000 σ';
     return known(bins.deviation) ? number(Math.max(0, bins.deviation), bins.deviation < 10 ? 1 : 0) + ' σ' : '–';
   }
 
@@ -134,7 +139,7 @@
     choices('kick-worst', worst().map(k => [k.id, 'kick ' + k.id]), kick.id, select);
     $('kick-worst').prepend(el('span', {class: 'note'}, found ? 'largest gains:' : 'worst:'));
     const factor = DiagnosisPlots.magnification(DiagnosisPlots.deviations(kick));
-    $('kick-legend').replaceChildren(...cameraSwatches(), el('span', {}, swatch('line', theme.text), 'predicted path'), el('span', {}, 'on the field, deviations are drawn ' + factor + ' times larger'), el('span', {}, swatch('band', theme.good), 'noise ± 2σ'));
+    $('kick-legend').replaceChildren(...cameraSwatches(), el('span', {}, swatch('line', theme.text), 'predicted path'), el('span', {}, swatch('circle', theme.text, true), 'where the ball should be every half second'), el('span', {}, swatch('line', theme.bad), 'and from there to where it is seen'), el('span', {}, 'on the field, deviations are drawn ' + factor + ' times larger'), el('span', {}, swatch('band', theme.good), 'noise ± 2σ'));
     const box = $('kick-charts');
     forget(box);
     const places = [
@@ -142,6 +147,7 @@
       ...['Along', 'Across'].flatMap(direction => sides.map(side => [
         figure(box, direction + ' the path', direction === 'Along' ? '+ is farther than predicted' : '+ is to the left', 'chart low'), () => DiagnosisPlots.residual(theme, kick, side, direction, noise)])),
     ];
+    if (!found) places[0][0].parentNode.classList.add('beside');
     // Drawn when all are there: their number decides how wide each is.
     for (const [place, option] of places) draw(place, option(place));
   }
@@ -156,6 +162,7 @@
     forget(box);
     $('map-legend').replaceChildren(...cameraSwatches(), el('span', {}, 'arrows go from where the ball should be to where it is seen, ' + factor + ' times longer: one metre on the field is ' + number(1000 / factor, 0) + ' mm'));
     const places = sides.map(side => [side, figure(box, 'Mean residual', sideName(side), 'chart field')]);
+    if (!found) box.append(el('p', {class: 'hint'}, MAP_HINTS[report.verdict.id] || ''));
     for (const [side, place] of places) draw(place, DiagnosisPlots.map(theme, report.map, side, report.field, factor, {width: place.clientWidth, height: place.clientHeight}));
   }
 
@@ -181,8 +188,9 @@
     if (candidate.named) return badge('warn', '✔ cause');
     if (!known(candidate.evidence)) return 'no chance';
     if (candidate.evidence <= 0) return 'speaks against it';
-    if (known(candidate.addedEvidence) && candidate.addedEvidence <= 0) return found ? 'nothing left for it' : 'not enough';
-    return 'not enough';
+    if (!found) return 'not enough';
+    if (!known(candidate.addedEvidence)) return 'not needed';
+    return candidate.addedEvidence <= 0 ? 'nothing left for it' : 'not enough left';
   }
 
   function showCandidates() {
@@ -195,8 +203,9 @@
       el('td', {}, known(c.evidence) ? signed(c.evidence, Math.abs(c.evidence) < 10 ? 1 : 0) : '–'),
       found ? el('td', {}, known(c.addedEvidence) ? signed(c.addedEvidence, Math.abs(c.addedEvidence) < 10 ? 1 : 0) : '') : '',
       el('td', {class: 'text'}, standing(c))));
-    const head = ['Possible cause', 'Evidence (bars: logarithmic)', 'alone', ...(found ? ['beside'] : []), ''];
-    content('candidates').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null, title: h === 'beside' ? 'beside the causes found' : null}, h)))), el('tbody', {}, rows))));
+    const head = ['Possible cause', 'Evidence', 'alone', ...(found ? ['beside'] : []), ''];
+    content('candidates').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null, title: h === 'beside' ? 'beside the causes found' : null}, h)))), el('tbody', {}, rows))),
+      el('p', {class: 'note'}, 'Evidence alone, bars logarithmic' + (found ? '; beside: what is left of it when the causes found are in the model.' : '.')));
     const more = report.candidates.length - CANDIDATES;
     if (more > 0) choices('candidates-shown', [[false, 'best ' + CANDIDATES], [true, 'all ' + report.candidates.length]], state.all, all => { state.all = all; showCandidates(); });
   }
@@ -205,14 +214,12 @@
     const {significant, systematicMm, deviation, words, dependsOn, shown} = report.remains;
     const text = significant
       ? words.charAt(0).toUpperCase() + words.slice(1) + ' (' + number(deviation, 1) + ' standard deviations of noise.)'
-      : 'Nothing but noise: ' + number(systematicMm, 2) + ' mm of the residuals have a system, ' + number(deviation, 1) + ' standard deviations above what noise alone does.';
+      : 'Nothing but noise is left (systematic part: ' + number(systematicMm, 2) + ' mm).';
     $('remains').querySelector('.text').textContent = text;
-    const profile = profileOf(shown);
-    // The same picture twice says nothing more.
-    const drawn = profile && (found || shown !== state.variable);
-    if (drawn) drawProfile(content('remains'), profile, [found ? 'after' : 'before']);
+    // Where nothing was found, the first picture of the page is already of the strongest variable.
+    const profile = profileOf(found ? shown : dependsOn.find(variable => variable !== report.shown));
+    if (profile) drawProfile(content('remains'), profile, [found ? 'after' : 'before']);
     else forget(content('remains'));
-    return dependsOn;
   }
 
   // ---- tables ----
@@ -222,7 +229,7 @@
     $('cause-table').hidden = !found;
     const rows = report.causes.flatMap(cause => [
       el('tr', {class: 'group'}, el('th', {colspan: 3}, cause.name, ' ', el('small', {}, cause.id + ' · evidence ' + number(cause.evidence, 1) + ' · gain ' + gainWords(cause) + ', ' + bounds(cause)))),
-      ...cause.parameters.map(p => el('tr', {}, el('td', {class: 'text'}, p.name), el('td', {class: 'big'}, withError(p.value, p.error)), el('td', {class: 'text'}, p.unit))),
+      ...cause.parameters.map(p => el('tr', {}, el('td', {class: 'text'}, p.name), el('td', {class: known(p.error) ? 'big' : null}, known(p.error) ? withError(p.value, p.error) : Charts.number(p.value, Number.isInteger(p.value) ? 0 : 3)), el('td', {class: 'text'}, p.unit === 'rad' ? 'rad = ' + number(p.value * 180 / Math.PI, 1) + '°' : p.unit))),
     ]);
     box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text'}, 'Parameter'), el('th', {}, 'Value ± s.e.'), el('th', {class: 'text'}, 'Unit'))), el('tbody', {}, rows)));
   }
@@ -233,7 +240,7 @@
       return its.length === 0 ? [] : [el('tr', {class: 'group'}, el('th', {colspan: 4}, kind === 'flat' ? 'Flat' : 'Chip')), ...its.map(p => el('tr', {},
         el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), el('td', {}, number(p.before, 4)), ...(found ? [el('td', {class: 'big'}, number(p.after, 4)), el('td', {}, signed(p.after - p.before, 4))] : [])))];
     });
-    const head = ['Parameter', found ? 'Simple model' : 'Value', ...(found ? ['With the causes', 'Change'] : [])];
+    const head = ['Parameter', found ? 'before' : 'Value', ...(found ? ['after', 'change'] : [])];
     content('parameters').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows))),
       el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for the causes; with the causes in it they are the ball\'s own.' : '.')));
   }
