@@ -17,8 +17,8 @@ import java.util.Map;
  */
 public final class Benchmarks {
   private static final String USAGE =
-      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [--kicks N] [--seed N]"
-          + " [--megabytes N] [--runs N]";
+      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [--kicks N]"
+          + " [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -41,6 +41,7 @@ public final class Benchmarks {
     parts.put("reading", ReadingBenchmark::run);
     parts.put("calibrate", CalibrateBenchmark::run);
     parts.put("extended", ExtendedQueries::run);
+    parts.put("limits", LimitsBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {
@@ -74,14 +75,11 @@ public final class Benchmarks {
       String value = args[++i];
       s =
           switch (args[i - 1]) {
-            case "--kicks" ->
-                new BenchmarkSettings(Integer.parseInt(value), s.seed(), s.megabytes(), s.runs());
-            case "--seed" ->
-                new BenchmarkSettings(s.kicks(), Long.parseLong(value), s.megabytes(), s.runs());
-            case "--megabytes" ->
-                new BenchmarkSettings(s.kicks(), s.seed(), Integer.parseInt(value), s.runs());
-            case "--runs" ->
-                new BenchmarkSettings(s.kicks(), s.seed(), s.megabytes(), Integer.parseInt(value));
+            case "--kicks" -> s.withKicks(Integer.parseInt(value));
+            case "--seed" -> s.withSeed(Long.parseLong(value));
+            case "--megabytes" -> s.withMegabytes(Integer.parseInt(value));
+            case "--runs" -> s.withRuns(Integer.parseInt(value));
+            case "--minutes" -> s.withMinutes(Integer.parseInt(value));
             default ->
                 throw new IllegalArgumentException(
                     "'" + args[i - 1] + "' is neither a name nor an option");

@@ -13,7 +13,7 @@ final class Pieces {
   /** Distance of possible knots, s: a third of the shortest piece that can be told from noise. */
   static final double CELL = 0.04;
 
-  static final int MAX_CELLS = 100;
+  static final int MAX_CELLS = 150;
 
   /** A piece that is to be measured lasts at least so many cells. */
   private static final int SHORTEST = 2;

@@ -33,8 +33,8 @@ final class RobotTrack {
 
   private static final double BLOCK_STEP = 0.03;
 
-  /** A piece that lasts longer has been driven at constant speed, or not at all, s. */
-  private static final double LONGEST = 3.5;
+  /** A piece that has not ended after so long is driven at constant speed, or not at all, and is not waited for, s. */
+  private static final double LONGEST = 4;
 
   /** So much of a neighbour is enough to find the knot, s. */
   private static final double FLANK = 0.3;
@@ -143,7 +143,7 @@ final class RobotTrack {
   private void analyse() {
     // What is not finished comes again, with a piece of what was before it.
     double keep = finder.find(id, stretch) - FLANK;
-    boolean tooLong = stretch.full() || stretch.span() - keep > LONGEST - block;
+    boolean tooLong = stretch.full() || stretch.span() - keep > LONGEST;
     stretch.forgetBefore(tooLong ? stretch.span() - FLANK : keep);
     due = stretch.span() + block;
   }

@@ -8,8 +8,8 @@ import java.util.Arrays;
  * <p>Positions and times count from the first detection after {@link #clear}, so that sums of powers keep their digits.
  */
 final class Stretch {
-  /** Four cameras at 75 Hz for three seconds; when more see the robot, the stretch is analysed earlier. */
-  static final int CAPACITY = 1024;
+  /** Four cameras at 75 Hz for five seconds; when more see the robot, the stretch is analysed earlier. */
+  static final int CAPACITY = 1536;
 
   /** More cameras never see one robot at once. */
   static final int CAMERAS = 8;
