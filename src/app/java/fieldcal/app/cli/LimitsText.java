@@ -26,7 +26,7 @@ final class LimitsText {
     }
     line("");
     for (Team team : Team.values()) {
-      verdict(outcome.limits(team));
+      verdict(outcome.nameOf(team), outcome.limits(team));
     }
     noise(outcome);
     if (!outcome.problems().isEmpty()) {
@@ -69,8 +69,7 @@ final class LimitsText {
     line("%-8s %-14s %-18s %10d   %s%s", team, name, value, own.samples(), theirs, note);
   }
 
-  private void verdict(TeamLimits limits) {
-    String team = limits.team().label();
+  private void verdict(String team, TeamLimits limits) {
     if (!limits.acceleration().known() && !limits.braking().known()) {
       line("%s: too little was seen of its robots.", team);
       return;

@@ -62,6 +62,7 @@ final class LimitsJson {
       one.put("samples", cap.samples());
     }
     node.put("manoeuvres", limits.manoeuvres());
+    node.put("name", outcome.names().get(limits.team()));
     return node;
   }
 

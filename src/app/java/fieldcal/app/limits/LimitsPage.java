@@ -118,7 +118,7 @@ final class LimitsPage {
   static byte[] of(LimitsOutcome outcome) throws IOException {
     List<TeamView> teams = new ArrayList<>();
     for (Team team : Team.values()) {
-      teams.add(view(outcome.limits(team), outcome.statistics().of(team)));
+      teams.add(view(outcome.nameOf(team), outcome.limits(team), outcome.statistics().of(team)));
     }
     Contents contents =
         new Contents(
@@ -154,9 +154,9 @@ final class LimitsPage {
     return e.known() ? String.format(Locale.ROOT, "%.2f", e.value()) : "?";
   }
 
-  private static TeamView view(TeamLimits limits, TeamStatistics statistics) {
+  private static TeamView view(String name, TeamLimits limits, TeamStatistics statistics) {
     return new TeamView(
-        limits.team().label(),
+        name,
         Estimate.of(limits.velocity()),
         Estimate.of(limits.acceleration()),
         Estimate.of(limits.braking()),

@@ -3,13 +3,16 @@ package fieldcal.app.limits;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.movement.MovementStatistics;
+import fieldcal.vision.Team;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
@@ -59,11 +62,13 @@ public final class LimitsSession {
     List<RecordedMovement> read = readAll(different, progress);
     MovementStatistics all = new MovementStatistics();
     List<Double> noises = new ArrayList<>();
+    Map<Team, String> names = new EnumMap<>(Team.class);
     double begin = Double.NaN;
     double duration = 0;
     for (RecordedMovement one : read) {
       all.merge(one.observer().statistics());
       problems.addAll(one.problems());
+      compare(one, names, problems);
       if (one.observer().noiseKnown()) {
         noises.add(1000 * one.observer().noise());
       }
@@ -75,7 +80,25 @@ public final class LimitsSession {
     }
     noises.sort(null);
     double noise = noises.isEmpty() ? Double.NaN : noises.get(noises.size() / 2);
-    return LimitsOutcome.of(different, begin, duration, all, noise, problems);
+    return LimitsOutcome.of(different, names, begin, duration, all, noise, problems);
+  }
+
+  /** Colours change hands from match to match: two teams under one colour have no common limit. */
+  private static void compare(
+      RecordedMovement one, Map<Team, String> names, List<DataProblem> problems) {
+    one.names()
+        .forEach(
+            (team, name) -> {
+              String before = names.putIfAbsent(team, name);
+              if (before != null && !before.equals(name)) {
+                problems.add(
+                    new DataProblem(
+                        one.log().toString(),
+                        team.label() + " is '" + name + "' here, '" + before + "' before",
+                        1,
+                        "limits of different teams are mixed; measure each pairing on its own"));
+              }
+            });
   }
 
   private static List<Path> different(List<Path> logs, List<DataProblem> problems)

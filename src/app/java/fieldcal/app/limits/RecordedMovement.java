@@ -9,11 +9,14 @@ import fieldcal.gamelog.RecordingSummary;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.movement.MovementObserver;
 import fieldcal.vision.ProblemKind;
+import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.LongConsumer;
 
 /**
@@ -22,18 +25,24 @@ import java.util.function.LongConsumer;
  * @param log which
  * @param observer what it saw
  * @param summary what was read
+ * @param names of the teams, as the referee says; without one, or when it is empty, none
  * @param problems what was wrong
  */
 record RecordedMovement(
-    Path log, MovementObserver observer, RecordingSummary summary, List<DataProblem> problems) {
+    Path log,
+    MovementObserver observer,
+    RecordingSummary summary,
+    Map<Team, String> names,
+    List<DataProblem> problems) {
 
   /** Reads a recording to its end; {@code bytesRead} is told how far it is. */
   static RecordedMovement read(Path log, LongConsumer bytesRead) throws IOException {
     MovementObserver observer = new MovementObserver();
     try (RecordingReader reader = RecordingReader.open(log)) {
-      RecordingSummary summary = reader.read(new Feed(observer, bytesRead));
+      Map<Team, String> names = new EnumMap<>(Team.class);
+      RecordingSummary summary = reader.read(new Feed(observer, names, bytesRead));
       observer.finish();
-      return new RecordedMovement(log, observer, summary, problems(log, summary, observer));
+      return new RecordedMovement(log, observer, summary, names, problems(log, summary, observer));
     }
   }
 
@@ -84,7 +93,7 @@ record RecordedMovement(
   }
 
   /** Gives an observer what a recording holds. */
-  private record Feed(MovementObserver observer, LongConsumer bytesRead)
+  private record Feed(MovementObserver observer, Map<Team, String> names, LongConsumer bytesRead)
       implements RecordingListener {
     @Override
     public void onFrame(VisionFrame frame, double receivedTime) {
@@ -94,6 +103,14 @@ record RecordedMovement(
     @Override
     public void onReferee(RefereeState state, double receivedTime) {
       observer.phase(PlayPhases.of(state));
+      name(Team.YELLOW, state.yellow());
+      name(Team.BLUE, state.blue());
+    }
+
+    private void name(Team team, RefereeState.TeamState state) {
+      if (!state.name().isBlank()) {
+        names.put(team, state.name());
+      }
     }
 
     @Override

@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
+import fieldcal.proto.Referee;
 import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -119,22 +120,42 @@ class LimitsCommandTest {
     assertThat(twice.at("/problems/0/what").asText()).contains("named twice");
   }
 
-  @Test
-  void withoutARefereeItSaysSo() throws IOException {
-    Path log = folder.resolve("silent.log.gz");
+  /** A copy in which the referee calls yellow by another name, or says nothing at all. */
+  private static Path withReferee(Path to, String yellow) throws IOException {
     try (GameLogReader reader = GameLogReader.open(first);
-        GameLogWriter writer = GameLogWriter.create(log)) {
+        GameLogWriter writer = GameLogWriter.create(to)) {
       while (reader.next()) {
-        if (reader.type() == MessageType.SSL_VISION_2014) {
-          byte[] payload =
-              Arrays.copyOfRange(
-                  reader.buffer(),
-                  reader.payloadOffset(),
-                  reader.payloadOffset() + reader.payloadLength());
-          writer.write(reader.receivedNanos(), MessageType.SSL_VISION_2014, payload);
+        byte[] payload =
+            Arrays.copyOfRange(
+                reader.buffer(),
+                reader.payloadOffset(),
+                reader.payloadOffset() + reader.payloadLength());
+        if (reader.type() == MessageType.SSL_REFBOX_2013) {
+          if (yellow.isEmpty()) {
+            continue;
+          }
+          Referee.Builder referee = Referee.parseFrom(payload).toBuilder();
+          referee.getYellowBuilder().setName(yellow);
+          payload = referee.build().toByteArray();
         }
+        writer.write(reader.receivedNanos(), reader.type(), payload);
       }
     }
+    return to;
+  }
+
+  @Test
+  void anotherTeamUnderTheSameColourIsTold() throws IOException {
+    Path other = withReferee(folder.resolve("other.log.gz"), "Somebody Else");
+    Answer answer = run("limits", first, other);
+    assertThat(answer.exit()).as(answer.err()).isZero();
+    assertThat(answer.out()).contains("yellow is 'Somebody Else' here").doesNotContain("blue is");
+    assertThat(json(other).at("/teams/yellow/name").asText()).isEqualTo("Somebody Else");
+  }
+
+  @Test
+  void withoutARefereeItSaysSo() throws IOException {
+    Path log = withReferee(folder.resolve("silent.log.gz"), "");
     Answer answer = run("limits", log);
     assertThat(answer.exit()).as(answer.err()).isZero();
     assertThat(answer.out()).contains("no referee message", "everything was counted");
