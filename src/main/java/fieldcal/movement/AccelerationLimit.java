@@ -39,6 +39,11 @@ final class AccelerationLimit {
    */
   private static final double SYSTEMATIC = 0.003;
 
+  /**
+   * What a coefficient is off by beside noise: pieces of constant acceleration over one that falls with speed, cells of the table. Up to 0.01 in simulated matches of ten minutes.
+   */
+  private static final double SYSTEMATIC_COEFFICIENT = 0.01;
+
   private static final double[] QUANTILES = {0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.92, 0.97};
   private static final double[] COEFFICIENTS = {0, 0.3, 0.6};
   private static final double[] NARROWING = {0.3, 0.15, 0.07};
@@ -223,7 +228,7 @@ final class AccelerationLimit {
           new LimitDeviation(
               named.get(k),
               coefficient(k),
-              mode.errors()[k + 1] / mode.beta()[0],
+              Math.hypot(mode.errors()[k + 1] / mode.beta()[0], SYSTEMATIC_COEFFICIENT),
               seenIn,
               uniform.share(),
               mode.share()));
