@@ -161,8 +161,8 @@ final class MotionWords {
                 ? ""
                 : text(
                     " (%s m/s² at 1 m/s, %s m/s² at 3 m/s)",
-                    Amount.of(roll.getAsDouble() + slope),
-                    Amount.of(roll.getAsDouble() + 3 * slope))),
+                    Amount.decimals(roll.getAsDouble() + slope, 3),
+                    Amount.decimals(roll.getAsDouble() + 3 * slope, 3))),
         text(
             "One accRoll is right at one speed only: slower balls roll %s than it predicts, faster"
                 + " ones %s.",

@@ -83,7 +83,7 @@ class CauseWordsTest {
             "roll to the right (−y), direction −90° are braked 6.0 % more"),
         Arguments.of(
             new SpeedDependentRoll(0.05),
-            "more than a slow one: by 0.050 m/s² for every m/s (0.33 m/s² at 1 m/s, 0.43",
+            "more than a slow one: by 0.050 m/s² for every m/s (0.330 m/s² at 1 m/s, 0.430",
             "less than a slow one: by 0.050 m/s²"),
         Arguments.of(
             new WornRegion(0.25, 2, 4.5, -1, 1),

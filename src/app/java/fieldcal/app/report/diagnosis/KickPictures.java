@@ -68,7 +68,10 @@ final class KickPictures {
       columns[0][i] = t - t0;
       columns[1][i] = s.x();
       columns[2][i] = s.y();
-      columns[3][i] = moves || i == 0 ? Math.atan2(s.vy(), s.vx()) : columns[3][i - 1];
+      double last = columns[3][Math.max(0, i - 1)];
+      // Without steps of a full turn, so that the page may interpolate.
+      columns[3][i] =
+          moves ? last + Math.IEEEremainder(Math.atan2(s.vy(), s.vx()) - last, 2 * Math.PI) : last;
     }
     return new KickPicture.Path(columns[0], columns[1], columns[2], columns[3]);
   }

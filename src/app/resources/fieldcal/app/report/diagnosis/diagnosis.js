@@ -190,7 +190,7 @@
     if (candidate.evidence <= 0) return 'speaks against it';
     if (!found) return 'not enough';
     if (!known(candidate.addedEvidence)) return 'not needed';
-    return candidate.addedEvidence <= 0 ? 'nothing left for it' : 'not enough left';
+    return candidate.addedEvidence <= 0 ? 'nothing left for it' : 'not accepted';
   }
 
   function showCandidates() {
