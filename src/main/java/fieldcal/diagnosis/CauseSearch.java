@@ -193,6 +193,10 @@ final class CauseSearch {
     }
     double[] start = start(next, from);
     FittedHypothesis f = fit(next, start, from, replaced == null ? score : null);
+    if (isBounce(score.chart())) {
+      FittedHypothesis other = fitter.fit(next, start, fitter.withOwnFits(from), true);
+      f = other.logEvidence() > f.logEvidence() ? other : f;
+    }
     fitted.add(f);
     return f;
   }

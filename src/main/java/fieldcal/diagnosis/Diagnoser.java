@@ -127,6 +127,11 @@ public final class Diagnoser {
 
     /** Where structure remains, a cause stays only if it is the same in all kicks. */
     private void blameOnlyTheGuilty() {
+      List<Chart> laws =
+          decision.best().hypothesis().random().stream()
+              .filter(c -> Independence.isLaw(fitter, decision.best(), c))
+              .toList();
+      decision.acquit(laws);
       Structure after = decision.structure();
       if (!after.isSignificant() || decision.best().hypothesis().isSimple()) {
         return;
@@ -179,7 +184,9 @@ public final class Diagnoser {
       HoldOut heldBefore = HoldOut.of(fitter, simple, problem.seed());
       HoldOut heldAfter =
           best.hypothesis().isSimple() ? heldBefore : HoldOut.of(fitter, best, problem.seed());
-      List<Cause> causes = causes(best, gains);
+      List<Cause> kickers =
+          new KickerBiasTest(fitter, best, problem.commands(), problem.seed()).causes();
+      List<Cause> causes = causes(best, gains, kickers);
       List<StructureProfile> before = Profiles.of(fitter, simple);
       List<StructureProfile> left = Profiles.of(fitter, best);
       Quality base = quality(simple, heldBefore);
@@ -204,12 +211,12 @@ public final class Diagnoser {
           before,
           left,
           residuals(best, heldBefore, heldAfter),
-          model(simple),
-          model(best),
+          model(simple, List.of()),
+          model(best, kickers),
           problem.seed());
     }
 
-    private List<Cause> causes(FittedHypothesis best, Map<Chart, Gain> gains) {
+    private List<Cause> causes(FittedHypothesis best, Map<Chart, Gain> gains, List<Cause> kickers) {
       List<Cause> causes = new ArrayList<>();
       for (Chart chart : best.hypothesis().charts()) {
         Map<String, Double> errors =
@@ -224,6 +231,7 @@ public final class Diagnoser {
                 decision.ties(chart),
                 ""));
       }
+      causes.addAll(kickers);
       causes.sort((a, b) -> Double.compare(b.evidence(), a.evidence()));
       return causes;
     }
@@ -325,10 +333,12 @@ public final class Diagnoser {
       return all;
     }
 
-    private ExtendedModel model(FittedHypothesis f) {
+    private ExtendedModel model(FittedHypothesis f, List<Cause> kickers) {
       boolean flats = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.FLAT);
       boolean chips = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.CHIP);
-      List<Effect> effects = f.hypothesis().charts().stream().map(f::effect).toList();
+      List<Effect> effects = new ArrayList<>();
+      f.hypothesis().charts().forEach(c -> effects.add(f.effect(c)));
+      kickers.forEach(c -> effects.add(c.effect()));
       return new ExtendedModel(
           flats ? Optional.of(SharedUnknowns.flat(f.shared())) : Optional.empty(),
           chips ? Optional.of(SharedUnknowns.chip(f.shared())) : Optional.empty(),

@@ -72,6 +72,22 @@ final class HypothesisFitter {
     return new SharedUnknowns(hypothesis, flat, chip, flats, chips);
   }
 
+  /** Shared values and magnitudes of another fit with the kicks as their own fits left them: position, velocity, time and above all number of flights, which a wrong joint model may have spoilt. */
+  FittedHypothesis withOwnFits(FittedHypothesis f) {
+    return new FittedHypothesis(
+        new Hypothesis(f.hypothesis().fixed(), List.of()),
+        f.shared(),
+        kicks.stream().map(k -> k.start).toList(),
+        kicks.stream().mapToInt(k -> k.flights).toArray(),
+        new double[0],
+        f.chiSquare(),
+        f.cost(),
+        f.residuals(),
+        f.logEvidence(),
+        f.covariance(),
+        false);
+  }
+
   /** From where each kick's own fit ended. */
   FittedHypothesis fitSimple() {
     double[] shared = unknowns(Hypothesis.SIMPLE).expectedValue.clone();
