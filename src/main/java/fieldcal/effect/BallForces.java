@@ -133,6 +133,10 @@ final class BallForces {
       double speed = Math.sqrt(s[3] * s[3] + s[4] * s[4]);
       directionX = speed > 0 ? s[3] / speed : 0;
       directionY = speed > 0 ? s[4] / speed : 0;
+    } else if (s[3] * frozenX + s[4] * frozenY < CREEP) {
+      // A trial step beyond the stop: what depends on the direction stays as it is until there.
+      m.vx = CREEP * frozenX;
+      m.vy = CREEP * frozenY;
     }
     double deceleration = rollingDeceleration(m);
     double share = 1 / (1 + effects.ball.inertiaFactor());

@@ -20,35 +20,45 @@ final class Path {
   private int count;
   private double[] start;
   private double[] duration;
-  private double[] way;
   private double[] coefficients;
   private Phase[] phases;
+
+  /** Lengths before each piece; made when first asked for, because fits never do. Whoever makes them makes the same. */
+  private volatile double[] ways;
 
   Path(int capacity) {
     start = new double[capacity];
     duration = new double[capacity];
-    way = new double[capacity + 1];
     phases = new Phase[capacity];
     coefficients = new double[capacity * STRIDE];
   }
 
-  /** Adds a piece; states are x, y, z, vx, vy, vz. */
+  /** Adds a piece; states are x, y, z, vx, vy, vz and so on, rates their derivatives. */
   void add(
-      Phase phase, double at, double h, double[] from, double[] acc0, double[] to, double[] acc1) {
+      Phase phase,
+      double at,
+      double h,
+      double[] from,
+      double[] rate0,
+      double[] to,
+      double[] rate1) {
     if (count == start.length) {
       grow();
     }
     start[count] = at;
     duration[count] = h;
     phases[count] = phase;
-    for (int axis = 0; axis < 3; axis++) {
+    // On the carpet nothing is asked of the height.
+    int axes = phase == Phase.FLYING ? 3 : 2;
+    double half = 0.5 * h * h;
+    for (int axis = 0; axis < axes; axis++) {
       int c = count * STRIDE + axis * PER_AXIS;
       double p = from[axis];
       double v = from[axis + 3] * h;
-      double a = 0.5 * acc0[axis] * h * h;
+      double a = half * rate0[axis + 3];
       double d = to[axis] - p - v - a;
       double e = to[axis + 3] * h - v - 2 * a;
-      double f = 0.5 * acc1[axis] * h * h - a;
+      double f = half * rate1[axis + 3] - a;
       coefficients[c] = p;
       coefficients[c + 1] = v;
       coefficients[c + 2] = a;
@@ -57,14 +67,22 @@ final class Path {
       coefficients[c + 5] = 6 * d - 3 * e + f;
     }
     count++;
-    way[count] = way[count - 1] + length(count - 1, 1);
+  }
+
+  /** Takes the last piece away again. */
+  void dropLast() {
+    count--;
+  }
+
+  /** A coordinate of the piece added last, after a share of it. */
+  double lastPosition(int axis, double s) {
+    return position(count - 1, axis, s);
   }
 
   private void grow() {
     int capacity = 2 * start.length;
     start = Arrays.copyOf(start, capacity);
     duration = Arrays.copyOf(duration, capacity);
-    way = Arrays.copyOf(way, capacity + 1);
     phases = Arrays.copyOf(phases, capacity);
     coefficients = Arrays.copyOf(coefficients, capacity * STRIDE);
   }
@@ -91,7 +109,19 @@ final class Path {
 
   /** Length over the ground of all pieces before the i-th. */
   double wayBefore(int i) {
-    return way[i];
+    return ways()[i];
+  }
+
+  private double[] ways() {
+    double[] known = ways;
+    if (known == null) {
+      known = new double[count + 1];
+      for (int i = 0; i < count; i++) {
+        known[i + 1] = known[i] + length(i, 1);
+      }
+      ways = known;
+    }
+    return known;
   }
 
   /** The last piece that begins at or before a time. */
@@ -152,7 +182,7 @@ final class Path {
   double shareAtLength(int i, double length) {
     double low = 0;
     double high = 1;
-    double total = way[i + 1] - way[i];
+    double total = wayBefore(i + 1) - wayBefore(i);
     double s = total > 0 ? length / total : 0;
     for (int round = 0; round < 60; round++) {
       double miss = length(i, s) - length;

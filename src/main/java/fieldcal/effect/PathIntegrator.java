@@ -5,31 +5,45 @@ import fieldcal.ball.FlatModel;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Phase;
 import fieldcal.effect.MotionEffect.Bounce;
-import fieldcal.effect.MotionEffect.FrictionZone;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 
 /**
- * Integrates the path of one kick: classical Runge–Kutta steps of fourth order that end at the events (end of slip, impact, edge of a zone, stop).
- * Where no effect makes an acceleration vary, a phase is one exact step. Used once.
+ * Integrates the path of one kick: classical Runge–Kutta steps of fourth order that end at the events (end of slip, impact, edge of a zone, stop). On the carpet
+ * the length of a step follows from how fast the acceleration changes, so that results change smoothly with the parameters: no step is tried and rejected. Where
+ * no effect makes an acceleration vary, a phase is one exact step. Used once.
  */
 final class PathIntegrator {
   static final int BY_RULE = -1;
   static final int NO_BOUNCES = 0;
 
-  /** Longest step under varying acceleration, s. Forces vary over seconds, so the error per step is (0.1/10)^5: nothing. */
-  private static final double MAX_STEP = 0.1;
+  /** Longest step on the carpet under varying acceleration, s; keeps the interpolation between its ends below a hundredth of a micrometre. */
+  private static final double MAX_STEP = 0.6;
 
-  /** Largest turn of the direction of friction within a step, rad; the error of the path stays below a micrometre. */
-  private static final double MAX_TURN = 0.1;
+  /** Longest step in flight under varying acceleration, s: gravity turns the velocity, and with it drag and lift, within tenths of a second. */
+  private static final double MAX_FLIGHT_STEP = 0.1;
 
-  /** Below this speed (m/s) a direction no longer turns: the rest of the path is shorter than a micrometre. */
-  private static final double SLOW = 5e-4;
+  /** Error of the velocity that a step may make, m/s: over the ten seconds that a ball rolls it grows to a fraction of a micrometre. */
+  private static final double VELOCITY_ERROR = 1e-9;
+
+  /** Error of the place that a step may make where the direction of friction turns, m. */
+  private static final double PLACE_ERROR = 5e-8;
+
+  /** Where friction turns the ball aside by less than this until a phase's end (m), its direction is taken to be constant. */
+  private static final double STRAIGHT = 1e-7;
 
   /** Largest share of the time to a phase's end that a step covers while the direction of friction still turns. */
   private static final double MOST = 0.5;
 
-  /** Below this ratio of the turning to the braking acceleration a direction does not turn. */
-  private static final double STRAIGHT = 1e-12;
+  /** Error constant of the method, for an acceleration that changes with time and velocity alike. */
+  private static final double ORDER_5 = 120;
+
+  /** A look ahead of this length shows how fast the acceleration changes at a phase's begin, s. */
+  private static final double LOOK_AHEAD = 0.05;
+
+  /** Velocity (m/s) below which a phase has ended, and height (m) at which a ball has landed. */
+  private static final double END = 1e-7;
+
+  private static final double LANDED = 1e-12;
 
   private static final double TINY = 1e-12;
 
@@ -38,19 +52,25 @@ final class PathIntegrator {
   private final MotionEffects effects;
   private final BallForces forces;
   private final int flightsGiven;
-  private final double longest;
+  private final boolean varies;
   private final Path path;
   private final boolean[] inside;
   private final double[] state = new double[BallForces.SIZE];
   private final double[] trial = new double[BallForces.SIZE];
   private final double[] at = new double[BallForces.SIZE];
-  private final double[] k1 = new double[BallForces.SIZE];
+  private double[] k1 = new double[BallForces.SIZE];
   private final double[] k2 = new double[BallForces.SIZE];
   private final double[] k3 = new double[BallForces.SIZE];
   private final double[] k4 = new double[BallForces.SIZE];
-  private final double[] acc0 = new double[3];
-  private final double[] acc1 = new double[3];
+  private double[] end = new double[BallForces.SIZE];
   private double time;
+
+  /** Whether {@code k1} is the rate at the present state, left over from the end of the last step. */
+  private boolean ready;
+
+  /** How fast the acceleration along the way changes, m/s³. */
+  private double variation;
+
   private double slipShare;
   private int flights;
 
@@ -58,9 +78,8 @@ final class PathIntegrator {
     this.effects = effects;
     forces = new BallForces(effects, sessionStart, accRoll);
     flightsGiven = flights;
-    boolean varies = effects.forces.length + effects.resistances.length + effects.zones.length > 0;
-    longest = varies ? MAX_STEP : ExtendedTrajectory.MAX_DURATION;
-    path = new Path(varies ? 96 : 8);
+    varies = effects.forces.length + effects.resistances.length > 0;
+    path = new Path(varies ? 24 : 8);
     inside = new boolean[effects.zones.length];
   }
 
@@ -117,6 +136,7 @@ final class PathIntegrator {
   }
 
   private void slide(double until) {
+    ready = false;
     for (int n = 0; n < MAX_STEPS && time < until; n++) {
       double slipX = state[3] - state[6];
       double slipY = state[4] - state[7];
@@ -124,24 +144,7 @@ final class PathIntegrator {
       if (slip < TINY) {
         return;
       }
-      forces.derivative(Phase.SLIDING, time, state, k1);
-      double rate = (slipX * (k1[3] - k1[6]) + slipY * (k1[4] - k1[7])) / slip;
-      double across = Math.abs(slipX * (k1[4] - k1[7]) - slipY * (k1[3] - k1[6])) / slip;
-      double step = limited(slip, across);
-      boolean ends = slip + rate * step <= 0;
-      boolean turns = across > STRAIGHT * -rate || effects.forces.length > 0;
-      if (turns && slip > SLOW && step * -rate > MOST * slip) {
-        // The direction turns fastest near the end, and external forces act fully only until then.
-        step = MOST * slip / -rate;
-        ends = false;
-      }
-      if (ends) {
-        step = -slip / rate;
-        forces.freeze(slipX / slip, slipY / slip);
-      }
-      boolean whole = advance(Phase.SLIDING, step);
-      forces.unfreeze();
-      if (ends && whole) {
+      if (brake(Phase.SLIDING, slip, slipX / slip, slipY / slip, until - time)) {
         // What slip is left, by rounding or a force that changed meanwhile, friction takes at once.
         state[3] -= slipShare * (state[3] - state[6]);
         state[4] -= slipShare * (state[4] - state[7]);
@@ -158,31 +161,17 @@ final class PathIntegrator {
       inside[i] = flights > 0 ? effects.zones[i].contains(state[0], state[1]) : inside[i];
     }
     forces.setInside(inside);
+    ready = false;
     for (int n = 0; n < MAX_STEPS && time < until; n++) {
       double speed = Math.sqrt(state[3] * state[3] + state[4] * state[4]);
       if (speed < TINY) {
         if (forces.holds(time, state)) {
           return;
         }
+        ready = false;
         continue;
       }
-      forces.derivative(Phase.ROLLING, time, state, k1);
-      double rate = (state[3] * k1[3] + state[4] * k1[4]) / speed;
-      double across = Math.abs(state[3] * k1[4] - state[4] * k1[3]) / speed;
-      double step = Math.min(limited(speed, across), until - time);
-      boolean ends = speed + rate * step <= 0;
-      if (across > STRAIGHT * -rate && speed > SLOW && step * -rate > MOST * speed) {
-        // The direction turns fastest near the end.
-        step = MOST * speed / -rate;
-        ends = false;
-      }
-      if (ends) {
-        step = -speed / rate;
-        forces.freeze(state[3] / speed, state[4] / speed);
-      }
-      boolean whole = advance(Phase.ROLLING, step);
-      forces.unfreeze();
-      if (ends && whole) {
+      if (brake(Phase.ROLLING, speed, state[3] / speed, state[4] / speed, until - time)) {
         state[3] = 0;
         state[4] = 0;
         state[6] = 0;
@@ -191,32 +180,107 @@ final class PathIntegrator {
     }
   }
 
-  /** A step during which a direction does not turn too far. */
-  private double limited(double size, double across) {
-    return across * longest > MAX_TURN * size && size > SLOW ? MAX_TURN * size / across : longest;
+  /**
+   * A step on the carpet, during which a velocity shrinks: that of the slip or, rolling, the ball's.
+   *
+   * @param size of that velocity
+   * @param x its direction
+   * @param y its direction
+   * @return whether it has shrunk to nothing
+   */
+  private boolean brake(Phase phase, double size, double x, double y, double longest) {
+    double slides = phase == Phase.SLIDING ? 1 : 0;
+    if (!ready) {
+      forces.derivative(phase, time, state, k1);
+      lookAhead(phase, slides, size, x, y);
+    }
+    double rate = along(k1, slides, x, y);
+    double across = Math.abs(along(k1, slides, -y, x));
+    double scale = size / Math.sqrt(rate * rate + across * across);
+    double aside = across == 0 ? 0 : across * scale * scale;
+    boolean straight = aside < STRAIGHT && rate < 0;
+    double step = Math.min(longest, smoothFor(rate));
+    if (straight) {
+      forces.freeze(x, y);
+      step = Math.min(step, -size / rate);
+    } else if (across > TINY * rate) {
+      // The direction turns fastest near the end.
+      double share = Math.pow(PLACE_ERROR * ORDER_5 / aside, 0.2);
+      step = Math.min(step, Math.min(MOST, share) * scale);
+    }
+    attempt(phase, step);
+    boolean ends = false;
+    double left = along(trial, slides, x, y);
+    if (straight && (left <= 0 || step == -size / rate)) {
+      ends = true;
+      for (int i = 0; i < 8 && Math.abs(left) > END && ends; i++) {
+        double slope = along(end, slides, x, y);
+        ends = slope < 0 && step - left / slope > 0;
+        if (ends) {
+          step -= left / slope;
+          attempt(phase, step);
+          left = along(trial, slides, x, y);
+        }
+      }
+    }
+    boolean whole = keep(phase, step);
+    forces.unfreeze();
+    variation = step > 0 ? Math.abs(along(k1, slides, x, y) - rate) / step : 0;
+    return ends && whole;
+  }
+
+  /** The part of a velocity or its rate along a direction: the slip's or the ball's. */
+  private static double along(double[] s, double slides, double x, double y) {
+    return (s[3] - slides * s[6]) * x + (s[4] - slides * s[7]) * y;
+  }
+
+  private void lookAhead(Phase phase, double slides, double size, double x, double y) {
+    variation = 0;
+    double rate = along(k1, slides, x, y);
+    if (varies && rate != 0) {
+      double ahead = Math.min(LOOK_AHEAD, 0.25 * size / Math.abs(rate));
+      move(k1, ahead);
+      forces.derivative(phase, time + ahead, at, k2);
+      variation = Math.abs(along(k2, slides, x, y) - rate) / ahead;
+    }
+  }
+
+  /** A step during which the acceleration along the way changes so little that the method's error stays below its limit. */
+  private double smoothFor(double rate) {
+    if (!varies) {
+      return ExtendedTrajectory.MAX_DURATION;
+    }
+    double perTime = variation / Math.abs(rate);
+    double fifth = VELOCITY_ERROR * ORDER_5 / (variation * perTime * perTime * perTime);
+    return fifth < MAX_STEP ? Math.min(MAX_STEP, Math.pow(fifth, 0.2)) : MAX_STEP;
   }
 
   private void fly() {
-    double end = time + ExtendedTrajectory.MAX_DURATION;
-    while (time < end) {
-      forces.derivative(Phase.FLYING, time, state, k1);
+    double limit = time + ExtendedTrajectory.MAX_DURATION;
+    boolean pulled = effects.forces.length > 0;
+    ready = false;
+    while (time < limit) {
+      if (!ready) {
+        forces.derivative(Phase.FLYING, time, state, k1);
+      }
       double g = -k1[5];
       double root = state[5] * state[5] + 2 * g * state[2];
       double landing = g > 0 ? (state[5] + Math.sqrt(root)) / g : Double.POSITIVE_INFINITY;
-      boolean varies = effects.forces.length > 0;
-      double step = Math.min(landing, varies ? MAX_STEP : end - time);
+      double step = Math.min(landing, pulled ? MAX_FLIGHT_STEP : limit - time);
       rungeKutta(Phase.FLYING, step);
       boolean lands = step == landing || trial[2] < 0;
-      for (int i = 0; i < 8 && lands && Math.abs(trial[2]) > TINY; i++) {
+      for (int i = 0; i < 8 && lands && Math.abs(trial[2]) > LANDED; i++) {
         step -= trial[2] / trial[5];
-        if (step > MAX_STEP && varies) {
+        if (step > MAX_FLIGHT_STEP && pulled) {
           // The landing lies beyond what a step may cover: go on and look again.
-          step = MAX_STEP;
+          step = MAX_FLIGHT_STEP;
           lands = false;
         }
         rungeKutta(Phase.FLYING, step);
       }
-      commit(Phase.FLYING, step);
+      forces.derivative(Phase.FLYING, time + step, trial, end);
+      add(Phase.FLYING, step);
+      accept(step);
       if (lands) {
         state[2] = 0;
         return;
@@ -250,80 +314,40 @@ final class PathIntegrator {
     state[5] = -dampingZ * state[5];
   }
 
-  /** One step on the carpet, which ends at the edge of a zone when there is one; tells whether it was made whole. */
-  private boolean advance(Phase phase, double step) {
-    rungeKutta(phase, step);
-    for (int i = 0; i < inside.length; i++) {
-      double share = effects.zones[i].otherSide(inside[i], state[0], state[1], trial[0], trial[1]);
-      if (share <= 1) {
-        return crossEdges(phase, step);
-      }
+  /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; tells whether it was made whole. */
+  private boolean keep(Phase phase, double step) {
+    if (!(step > 0)) {
+      accept(step);
+      return true;
     }
-    commit(phase, step);
-    return true;
-  }
-
-  /** The earliest of the edges that the tried step crosses. */
-  private boolean crossEdges(Phase phase, double step) {
+    add(phase, step);
     double first = step;
     int crossed = -1;
     for (int i = 0; i < inside.length; i++) {
-      double edge = edge(effects.zones[i], inside[i], step);
+      double edge = ZoneEdge.timeInto(path, effects.zones[i], inside[i], step);
       if (edge <= first) {
         first = edge;
         crossed = i;
       }
     }
     if (first < step) {
-      rungeKutta(phase, first);
+      path.dropLast();
+      attempt(phase, first);
+      add(phase, first);
     }
-    commit(phase, first);
+    accept(first);
     if (crossed >= 0) {
       inside[crossed] = !inside[crossed];
       forces.setInside(inside);
+      ready = false;
     }
     return first == step && crossed < 0;
   }
 
-  /** Time into the tried step at which an edge is met, by bisection on the parabola through it; infinite when none is. */
-  private double edge(FrictionZone zone, boolean within, double step) {
-    double share = zone.otherSide(within, state[0], state[1], trial[0], trial[1]);
-    if (!(share <= 1)) {
-      return Double.POSITIVE_INFINITY;
-    }
-    double before = 0;
-    double after = timeAtShare(share, step);
-    while (after - before > TINY) {
-      double middle = 0.5 * (before + after);
-      double x = state[0] + middle * (state[3] + 0.5 * k1[3] * middle);
-      double y = state[1] + middle * (state[4] + 0.5 * k1[4] * middle);
-      if (zone.contains(x, y) == within) {
-        before = middle;
-      } else {
-        after = middle;
-      }
-    }
-    return Math.min(after, step);
-  }
-
-  /** When a decelerated ball has made a share of a step's way. */
-  private double timeAtShare(double share, double step) {
-    double dx = trial[0] - state[0];
-    double dy = trial[1] - state[1];
-    double length = Math.sqrt(dx * dx + dy * dy);
-    double v = (state[3] * dx + state[4] * dy) / length;
-    double a = 0.5 * (k1[3] * dx + k1[4] * dy) / length;
-    double low = 0;
-    double high = step;
-    while (high - low > TINY) {
-      double middle = 0.5 * (low + high);
-      if (middle * (v + a * middle) < share * length) {
-        low = middle;
-      } else {
-        high = middle;
-      }
-    }
-    return high;
+  /** The state after a step, in {@code trial}, and the rate there, in {@code end}. */
+  private void attempt(Phase phase, double step) {
+    rungeKutta(phase, step);
+    forces.derivative(phase, time + step, trial, end);
   }
 
   /** The state after a step, in {@code trial}; {@code k1} is the rate at its begin. */
@@ -345,18 +369,19 @@ final class PathIntegrator {
     }
   }
 
-  private void commit(Phase phase, double step) {
+  private void add(Phase phase, double step) {
     if (step > 0) {
-      acc0[0] = k1[3];
-      acc0[1] = k1[4];
-      acc0[2] = k1[5];
-      forces.derivative(phase, time + step, trial, k2);
-      acc1[0] = k2[3];
-      acc1[1] = k2[4];
-      acc1[2] = k2[5];
-      path.add(phase, time, step, state, acc0, trial, acc1);
+      path.add(phase, time, step, state, k1, trial, end);
     }
+  }
+
+  /** Goes on from where the step just tried ended, with the rate there. */
+  private void accept(double step) {
     System.arraycopy(trial, 0, state, 0, state.length);
+    double[] used = k1;
+    k1 = end;
+    end = used;
+    ready = true;
     time += step;
   }
 }
