@@ -15,22 +15,22 @@ public final class EffectName {
       Map.ofEntries(
           Map.entry("air_drag", "air drag"),
           Map.entry("magnus", "lift of spinning balls (Magnus)"),
-          Map.entry("kick_spin", "topspin or backspin from the kicker"),
+          Map.entry("kick_spin", "topspin/backspin from the kicker"),
           Map.entry("side_spin", "side spin from the kicker"),
           Map.entry("field_slope", "sloping field"),
           Map.entry("carpet_nap", "direction of the carpet"),
           Map.entry("speed_dependent_roll", "rolling that depends on speed"),
           Map.entry("worn_region", "worn part of the carpet"),
           Map.entry("camera_offset", "camera offset"),
-          Map.entry("camera_time_offset", "late or early time stamps"),
-          Map.entry("camera_pose_error", "wrong camera position or tilt"),
+          Map.entry("camera_time_offset", "wrong time stamps"),
+          Map.entry("camera_pose_error", "misplaced camera"),
           Map.entry("lens_distortion_error", "wrong lens distortion"),
           Map.entry("ball_height_error", "wrong ball height in vision"),
           Map.entry("speed_dependent_restitution", "bounces that depend on speed"),
           Map.entry("bounce_spin_coupling", "bounces that depend on spin"),
           Map.entry("drift", "carpet that changes over time"),
           Map.entry("robot_kick_bias", "badly calibrated kicker"),
-          Map.entry("clock_skew", "camera clock that runs fast or slow"),
+          Map.entry("clock_skew", "camera clock at the wrong rate"),
           Map.entry("rolling_shutter", "rolling shutter"));
 
   private EffectName() {}
@@ -54,6 +54,9 @@ public final class EffectName {
   public static String of(Effect effect) {
     List<String> names = effect.parameters().stream().map(Parameter::name).toList();
     String name = of(effect.id());
+    if (effect.id().equals("kick_spin") && !effect.isAbsent()) {
+      return effect.value("fraction") < 0 ? "backspin from the kicker" : "topspin from the kicker";
+    }
     if (names.contains("camera")) {
       return name + ", camera " + (int) effect.value("camera");
     }

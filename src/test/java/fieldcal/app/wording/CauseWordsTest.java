@@ -64,6 +64,8 @@ class CauseWordsTest {
     List<String> names =
         EffectCatalogue.all().stream().map(Effect::id).map(EffectName::of).toList();
     assertThat(names).doesNotHaveDuplicates().hasSize(EffectCatalogue.all().size());
+    assertThat(names).as("they are joined by or").noneMatch(n -> n.contains(" or "));
+    assertThat(EffectName.of(new KickSpin(-0.2))).isEqualTo("backspin from the kicker");
     assertThat(EffectName.of("ball_of_wool")).isEqualTo("ball of wool");
   }
 
@@ -200,7 +202,7 @@ class CauseWordsTest {
             "");
     assertThat(WORDS.of(spin).strength())
         .isEqualTo("fraction −0.200 ± 0.030; differs from kick to kick by ± 0.080");
-    assertThat(CauseWords.rivals(spin)).contains("from air drag or late or early time stamps:");
+    assertThat(CauseWords.rivals(spin)).contains("from air drag or wrong time stamps:");
     assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
   }
 

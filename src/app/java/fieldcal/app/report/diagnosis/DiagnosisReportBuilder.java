@@ -134,13 +134,15 @@ public final class DiagnosisReportBuilder {
         q.predictionErrorMm().values().stream().mapToDouble(e -> e).toArray());
   }
 
-  /** The causes, then by evidence, then by score; of what the search tried in several ways, the best. */
+  /** The causes, then by evidence alone, beside the causes, and score; of what the search tried in several ways, the best. */
   private List<CandidateRow> candidates() {
     return diagnosis.candidates().stream()
         .sorted(
             Comparator.comparing((Candidate c) -> !c.named())
                 .thenComparing(c -> Double.isNaN(c.evidence()))
                 .thenComparing(c -> -c.evidence())
+                .thenComparing(c -> Double.isNaN(c.addedEvidence()))
+                .thenComparing(c -> -c.addedEvidence())
                 .thenComparing(c -> -c.scoreGain()))
         .collect(
             Collectors.toMap(

@@ -186,11 +186,11 @@
 
   function standing(candidate) {
     if (candidate.named) return badge('warn', '✔ cause');
+    const beside = found ? candidate.addedEvidence : candidate.evidence;
+    if (known(beside) && beside > 0) return 'not accepted';
     if (!known(candidate.evidence)) return 'no chance';
     if (candidate.evidence <= 0) return 'speaks against it';
-    if (!found) return 'not enough';
-    if (!known(candidate.addedEvidence)) return 'not needed';
-    return candidate.addedEvidence <= 0 ? 'nothing left for it' : 'not accepted';
+    return known(beside) ? 'nothing left for it' : 'not needed';
   }
 
   function showCandidates() {
@@ -205,7 +205,8 @@
       el('td', {class: 'text'}, standing(c))));
     const head = ['Possible cause', 'Evidence', 'alone', ...(found ? ['beside'] : []), ''];
     content('candidates').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null, title: h === 'beside' ? 'beside the causes found' : null}, h)))), el('tbody', {}, rows))),
-      el('p', {class: 'note'}, 'Evidence alone, bars logarithmic' + (found ? '; beside: what is left of it when the causes found are in the model.' : '.')));
+      el('p', {class: 'note'}, 'Evidence alone, bars logarithmic' + (found ? '; beside: what is left of it when the causes found are in the model. ' : '. ')
+        + (rows.length && shown.some(c => standing(c) === 'not accepted') ? 'These numbers take the cameras\' noise for all that disturbs. Where more remains unexplained, evidence counts for less, and a cause must pay on kicks that were held out: what does not is not accepted.' : '')));
     const more = report.candidates.length - CANDIDATES;
     if (more > 0) choices('candidates-shown', [[false, 'best ' + CANDIDATES], [true, 'all ' + report.candidates.length]], state.all, all => { state.all = all; showCandidates(); });
   }
