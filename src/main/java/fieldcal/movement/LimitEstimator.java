@@ -9,7 +9,7 @@ public final class LimitEstimator {
   private LimitEstimator() {}
 
   /**
-   * Estimates the limits of a team, some milliseconds of work.
+   * Estimates the limits of a team. Takes 20 ms to some tenths of a second, the longer the more is named: not for the frame thread; merge the statistics into fresh ones there, and estimate from those elsewhere.
    *
    * @param team which
    * @param statistics what was counted; stays as it is

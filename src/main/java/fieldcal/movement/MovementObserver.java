@@ -172,7 +172,7 @@ public final class MovementObserver {
   }
 
   /**
-   * The limits of a team as far as they are known.
+   * The limits of a team as far as they are known; takes as long as {@link LimitEstimator#estimate}.
    *
    * @param team which
    * @return estimates, each with its error or the reason why there is none
