@@ -1,6 +1,7 @@
 package fieldcal.diagnosis;
 
 import fieldcal.effect.MotionEffect;
+import fieldcal.effect.motion.BounceSpinCoupling;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -26,6 +27,14 @@ final class CauseSearch {
 
   /** A step that explains that share of what remains is a step on the way, whatever remains then. */
   private static final double A_GOOD_PART = 0.25;
+
+  private static final double[] BOUNCE_STARTS = {0.08, -0.08, 0.25, -0.25};
+
+  /** Spin of a ball between hops, as a fraction of rolling. */
+  private static final double TYPICAL_SPIN = 0.6;
+
+  /** A search that has fitted so many hypotheses without an end will find none. */
+  private static final int MOST_FITS = 60;
 
   /** Hypotheses carried on. */
   private static final int BEAM = 3;
@@ -61,7 +70,7 @@ final class CauseSearch {
     List<FittedHypothesis> beam = List.of(simple);
     fitted.add(simple);
     for (int level = 0; level < maxCauses; level++) {
-      if (dirty.test(best) || worthwhile(best).isEmpty()) {
+      if (fitted.size() > MOST_FITS || dirty.test(best) || worthwhile(best).isEmpty()) {
         break;
       }
       List<FittedHypothesis> next = new ArrayList<>();
@@ -194,11 +203,27 @@ final class CauseSearch {
     double[] start = start(next, from);
     FittedHypothesis f = fit(next, start, from, replaced == null ? score : null);
     if (isBounce(score.chart())) {
-      FittedHypothesis other = fitter.fit(next, start, fitter.withOwnFits(from), true);
-      f = other.logEvidence() > f.logEvidence() ? other : f;
+      for (double[] other : bounceStarts(next, score.chart(), start)) {
+        FittedHypothesis tried = fitter.fit(next, other, fitter.withOwnFits(from), true);
+        f = tried.logEvidence() > f.logEvidence() ? tried : f;
+      }
     }
     fitted.add(f);
     return f;
+  }
+
+  /** Where to start with what changes bounces: at its absence, and, since spin that ends in rolling puts creases into the objective, on both sides of them. */
+  private static List<double[]> bounceStarts(Hypothesis next, Chart chart, double[] start) {
+    List<double[]> starts = new ArrayList<>(List.of(start));
+    if (chart.template() instanceof BounceSpinCoupling) {
+      for (double coefficient : BOUNCE_STARTS) {
+        double[] other = start.clone();
+        other[offset(next, chart)] = coefficient;
+        other[SharedUnknowns.OTHER_HOPS] += TYPICAL_SPIN * coefficient;
+        starts.add(other);
+      }
+    }
+    return starts;
   }
 
   /** The fit of a hypothesis, new or known, from another one's. */

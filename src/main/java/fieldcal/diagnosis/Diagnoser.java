@@ -23,7 +23,7 @@ import java.util.function.Consumer;
  */
 public final class Diagnoser {
   /** Rounds of leaving out what is no free ball. */
-  private static final int CLEANINGS = 4;
+  private static final int CLEANINGS = 3;
 
   /** Where that share of what the simple model gets wrong remains, nothing may be named. */
   private static final double TOO_MUCH = 0.3;

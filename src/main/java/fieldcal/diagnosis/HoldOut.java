@@ -30,6 +30,9 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
   /** Detections that near to a horizon count for it, s. */
   private static final double NEAR = 0.01;
 
+  /** Largest error of a prediction, m. */
+  private static final double WORST = 10;
+
   private static final int BOOTSTRAPS = 2000;
 
   static HoldOut of(HypothesisFitter fitter, FittedHypothesis full, long seed) {
@@ -139,11 +142,16 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
         if (data.used[i] && Math.abs(data.time[i] - from - horizon) < NEAR) {
           distances
               .computeIfAbsent(horizon, h -> new ArrayList<>())
-              .add(model.squaredDistance(state, path, i));
+              .add(atMost(model.squaredDistance(state, path, i)));
         }
       }
     }
     return distances;
+  }
+
+  /** A prediction that leaves the field, or that no camera could see, is as wrong as can be. */
+  private static double atMost(double squared) {
+    return squared <= WORST * WORST ? squared : WORST * WORST;
   }
 
   /** Residual per axis over all kicks, mm; NaN when none was held out. */

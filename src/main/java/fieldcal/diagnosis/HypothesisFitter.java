@@ -20,13 +20,19 @@ import org.apache.commons.math3.linear.RealMatrix;
  * kicks are worked on in parallel, with the same result as one by one.
  */
 final class HypothesisFitter {
-  private static final int MAX_ITERATIONS = 40;
+  private static final int MAX_ITERATIONS = 60;
 
   /** A step that promises less decrease of chi-square is the last: an evidence is then right to that, far below what decides. */
   private static final double ENOUGH = 0.02;
 
   /** The same as a share of chi-square: where much is unexplained, less precision will do. */
   private static final double ENOUGH_OF_ALL = 1e-6;
+
+  /** A step that raises chi-square by less than that share of it is a step on the spot. */
+  private static final double UNEVEN = 1e-5;
+
+  /** A kick whose cost a step raises by that factor went astray. */
+  private static final double ASTRAY = 1.5;
 
   private static final double MOST_DAMPING = 1e10;
 
@@ -104,6 +110,9 @@ final class HypothesisFitter {
   FittedHypothesis fit(
       Hypothesis hypothesis, double[] start, FittedHypothesis from, boolean flights) {
     Run run = run(hypothesis, start, from);
+    if (!from.converged()) {
+      run.settleKicks();
+    }
     return run.fit(flights);
   }
 
@@ -161,6 +170,12 @@ final class HypothesisFitter {
       }
     }
 
+    /** Every kick's own unknowns under the shared ones as they are. */
+    void settleKicks() {
+      SharedState at = SharedState.of(hypothesis, shared, observers);
+      models.parallelStream().forEach(m -> new OwnFit(m, at, scatter).minimize());
+    }
+
     FittedHypothesis fit(boolean flights) {
       minimize();
       for (int round = 0; round < FLIGHT_ROUNDS && flights && tryFlights(); round++) {
@@ -202,7 +217,7 @@ final class HypothesisFitter {
           owns.add(moved(models.get(k), normals.get(k).ownStep(step)));
         }
         SharedState tried = SharedState.of(hypothesis, next, observers);
-        double nextCost = costOf(tried, next, owns);
+        double nextCost = settledCost(tried, next, owns);
         if (nextCost <= cost) {
           double gained = cost - nextCost;
           System.arraycopy(next, 0, shared, 0, size);
@@ -214,7 +229,8 @@ final class HypothesisFitter {
           converged = gained < Math.max(ENOUGH, ENOUGH_OF_ALL * cost) && lambda < 1e-2;
           linearize();
         } else {
-          converged = nextCost - cost < 1e-9 * cost;
+          // Detections that pass from one hop to the next make the cost uneven.
+          converged = nextCost - cost < UNEVEN * cost;
           lambda = Math.max(1e-5, lambda * 6);
           if (lambda > MOST_DAMPING || Double.isNaN(nextCost) && lambda > 1e6) {
             return;
@@ -245,6 +261,35 @@ final class HypothesisFitter {
                 double[] r = new double[2 * model.data.size];
                 costs[k] =
                     model.residuals(at, model.path(at, own), r) + model.priorCost(at, own, scatter);
+              });
+      return Arrays.stream(costs).sum() + sharedPrior(values);
+    }
+
+    /**
+     * The cost at a trial point. A kick for which the common step went wrong finds its own unknowns anew: one kick, thrown into another valley, must not hold up all others.
+     *
+     * @param owns the kicks' own unknowns after the common step; replaced where they went wrong
+     */
+    private double settledCost(SharedState at, double[] values, List<double[]> owns) {
+      double[] costs = new double[models.size()];
+      IntStream.range(0, costs.length)
+          .parallel()
+          .forEach(
+              k -> {
+                KickModel model = models.get(k);
+                double[] before = model.own;
+                double[] r = new double[2 * model.data.size];
+                costs[k] =
+                    model.residuals(at, model.path(at, owns.get(k)), r)
+                        + model.priorCost(at, owns.get(k), scatter);
+                if (!(costs[k] <= ASTRAY * normals.get(k).cost + r.length)) {
+                  double other = new OwnFit(model, at, scatter).minimize();
+                  if (!(costs[k] <= other)) {
+                    costs[k] = other;
+                    owns.set(k, model.own);
+                  }
+                  model.own = before;
+                }
               });
       return Arrays.stream(costs).sum() + sharedPrior(values);
     }
