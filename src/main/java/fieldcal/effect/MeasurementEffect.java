@@ -4,10 +4,10 @@ package fieldcal.effect;
  * An effect that changes what a camera reports of a ball. The report is made in this order, each step by all effects that concern the camera:
  *
  * <ol>
- *   <li>{@link #timeError}: when the ball was really where the camera saw it;
+ *   <li>{@link Timing#timeError}: when the ball was really where the camera saw it;
  *   <li>{@link #moveCamera}: where the camera really hangs; the ray goes from there to the ball's centre;
  *   <li>{@link #turnRay}: the ray as the published rotation understands it;
- *   <li>{@link #refractRay}: the ray as the published lens understands it;
+ *   <li>{@link Refraction#refractRay}: the ray as the published lens understands it;
  *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards.
  * </ol>
  */
@@ -34,42 +34,46 @@ public interface MeasurementEffect extends Effect {
   }
 
   /**
-   * Time stamp minus the time at which the ball was where it was seen.
-   *
-   * @param camera the camera
-   * @param sessionTime the time stamp, s since the session's begin
-   * @param pixelRow where in the image the ball was seen, pixels; not above 0 or NaN = unknown
-   * @return s, positive = the stamp is late
-   */
-  default double timeError(ObservedCamera camera, double sessionTime, double pixelRow) {
-    return 0;
-  }
-
-  /**
-   * Moves the camera from where it is published to where it is.
+   * Moves the camera from where it is published to where it is, the same for every ball: asked once.
    *
    * @param sight the sight, its ray not yet drawn
    */
   default void moveCamera(Sight sight) {}
 
   /**
-   * Turns the ray.
+   * Turns the ray: a rotation, the same for every ball. It is asked once, for a ray along each axis.
    *
    * @param sight the sight
    */
   default void turnRay(Sight sight) {}
 
   /**
-   * Bends the ray.
-   *
-   * @param sight the sight
-   */
-  default void refractRay(Sight sight) {}
-
-  /**
-   * Changes the plane or adds to the reported position.
+   * Changes the plane or adds to the reported position, the same for every ball: asked once, when there is no ray yet.
    *
    * @param sight the sight
    */
   default void report(Sight sight) {}
+
+  /** An effect on time stamps. */
+  interface Timing extends MeasurementEffect {
+    /**
+     * Time stamp minus the time at which the ball was where it was seen.
+     *
+     * @param camera the camera
+     * @param sessionTime the time stamp, s since the session's begin
+     * @param pixelRow where in the image the ball was seen, pixels; not above 0 or NaN = unknown
+     * @return s, positive = the stamp is late
+     */
+    double timeError(ObservedCamera camera, double sessionTime, double pixelRow);
+  }
+
+  /** An effect of the lens, other for every ray. */
+  interface Refraction extends MeasurementEffect {
+    /**
+     * Bends the ray.
+     *
+     * @param sight the sight
+     */
+    void refractRay(Sight sight);
+  }
 }

@@ -1,29 +1,23 @@
 package fieldcal.effect;
 
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * What the cameras of a recording report of a ball under given effects. Immutable; safe for many threads. A camera that is not listed
  * reports balls where they are, at the time of its stamp.
  */
 public final class MeasurementEffects {
-  private final Map<Integer, View> views = new HashMap<>();
+  private final View[] views;
   private final List<MeasurementEffect> effects;
-
-  private record View(ObservedCamera camera, MeasurementEffect[] effects) {}
 
   private MeasurementEffects(
       Collection<ObservedCamera> cameras, List<? extends MeasurementEffect> effects) {
     this.effects = List.copyOf(effects);
+    views = new View[cameras.size()];
+    int n = 0;
     for (ObservedCamera camera : cameras) {
-      MeasurementEffect[] concerning =
-          this.effects.stream()
-              .filter(e -> !e.isAbsent() && e.isApplicable(camera) && e.concerns(camera))
-              .toArray(MeasurementEffect[]::new);
-      views.put(camera.id(), new View(camera, concerning));
+      views[n++] = new View(camera, this.effects);
     }
   }
 
@@ -57,15 +51,8 @@ public final class MeasurementEffects {
    * @return session time, s
    */
   public double ballTime(int camera, double stamp, double pixelRow) {
-    View view = views.get(camera);
-    if (view == null) {
-      return stamp;
-    }
-    double error = 0;
-    for (MeasurementEffect effect : view.effects) {
-      error += effect.timeError(view.camera, stamp, pixelRow);
-    }
-    return stamp - error;
+    View view = find(camera);
+    return view == null ? stamp : stamp - view.timeError(stamp, pixelRow);
   }
 
   /**
@@ -76,30 +63,22 @@ public final class MeasurementEffects {
    * @param ground receives x and y, m; NaN when the ball is not below the camera
    */
   public void report(int camera, double[] ball, double[] ground) {
-    View view = views.get(camera);
-    if (view == null || view.effects.length == 0) {
-      if (view == null || view.camera.camera().isEmpty()) {
-        ground[0] = ball[0];
-        ground[1] = ball[1];
-      } else {
-        view.camera.camera().get().projectToGround(ball[0], ball[1], ball[2], ground);
+    View view = find(camera);
+    if (view == null) {
+      ground[0] = ball[0];
+      ground[1] = ball[1];
+    } else {
+      view.report(ball, ground);
+    }
+  }
+
+  /** A handful of cameras is searched faster than hashed. Of two with one id the later one counts. */
+  private View find(int camera) {
+    for (int i = views.length - 1; i >= 0; i--) {
+      if (views[i].id == camera) {
+        return views[i];
       }
-      return;
     }
-    Sight sight = new Sight(view.camera);
-    for (MeasurementEffect effect : view.effects) {
-      effect.moveCamera(sight);
-    }
-    sight.look(ball);
-    for (MeasurementEffect effect : view.effects) {
-      effect.turnRay(sight);
-    }
-    for (MeasurementEffect effect : view.effects) {
-      effect.refractRay(sight);
-    }
-    for (MeasurementEffect effect : view.effects) {
-      effect.report(sight);
-    }
-    sight.land(ball, ground);
+    return null;
   }
 }

@@ -3,12 +3,11 @@ package fieldcal.effect;
 import fieldcal.camera.Camera;
 
 /**
- * One look of a camera at a ball, on its way from the ball to the reported position: a working object that measurement effects change in turn. World frame,
+ * A look of a camera at a ball, on its way from the ball to the reported position: a working object that measurement effects change in turn. World frame,
  * m; directions are not normalised. Valid during the call only.
  */
 public final class Sight {
   private final ObservedCamera observer;
-  private final Camera camera;
   private double cameraX;
   private double cameraY;
   private double cameraZ;
@@ -21,7 +20,7 @@ public final class Sight {
 
   Sight(ObservedCamera observer) {
     this.observer = observer;
-    camera = observer.camera().orElse(null);
+    Camera camera = observer.camera().orElse(null);
     if (camera != null) {
       cameraX = camera.positionX();
       cameraY = camera.positionY();
@@ -30,23 +29,28 @@ public final class Sight {
     }
   }
 
-  /** Draws the ray from where the camera is by now to the ball's centre. */
-  void look(double[] ball) {
-    rayX = ball[0] - cameraX;
-    rayY = ball[1] - cameraY;
-    rayZ = ball[2] + Camera.BALL_RADIUS - cameraZ;
+  double cameraX() {
+    return cameraX;
   }
 
-  /** Cuts the ray, drawn from the published position, with the plane. */
-  void land(double[] ball, double[] ground) {
-    if (camera == null) {
-      ground[0] = ball[0] + offsetX;
-      ground[1] = ball[1] + offsetY;
-      return;
-    }
-    double way = rayZ < 0 ? (plane - camera.positionZ()) / rayZ : Double.NaN;
-    ground[0] = camera.positionX() + way * rayX + offsetX;
-    ground[1] = camera.positionY() + way * rayY + offsetY;
+  double cameraY() {
+    return cameraY;
+  }
+
+  double cameraZ() {
+    return cameraZ;
+  }
+
+  double plane() {
+    return plane;
+  }
+
+  double offsetX() {
+    return offsetX;
+  }
+
+  double offsetY() {
+    return offsetY;
   }
 
   /**

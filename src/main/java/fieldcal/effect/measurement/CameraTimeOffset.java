@@ -2,7 +2,7 @@ package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
 import fieldcal.effect.EffectParameters;
-import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.MeasurementEffect.Timing;
 import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
@@ -12,7 +12,7 @@ import java.util.List;
  * @param ms lateness of the time stamps, ms
  * @param camera which camera, by id
  */
-public record CameraTimeOffset(double ms, int camera) implements MeasurementEffect {
+public record CameraTimeOffset(double ms, int camera) implements Timing {
   private static final String ID = "camera_time_offset";
 
   /**

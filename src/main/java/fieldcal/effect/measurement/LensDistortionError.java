@@ -2,7 +2,7 @@ package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
 import fieldcal.effect.EffectParameters;
-import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.MeasurementEffect.Refraction;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.Sight;
 import java.util.List;
@@ -14,7 +14,7 @@ import java.util.List;
  * @param delta published minus true radial distortion (–)
  * @param camera which camera, by id
  */
-public record LensDistortionError(double delta, int camera) implements MeasurementEffect {
+public record LensDistortionError(double delta, int camera) implements Refraction {
   private static final String ID = "lens_distortion_error";
 
   /**

@@ -2,7 +2,7 @@ package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
 import fieldcal.effect.EffectParameters;
-import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.MeasurementEffect.Timing;
 import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
@@ -11,7 +11,7 @@ import java.util.List;
  *
  * @param ms time from the first to the last row, ms
  */
-public record RollingShutter(double ms) implements MeasurementEffect {
+public record RollingShutter(double ms) implements Timing {
   private static final String ID = "rolling_shutter";
 
   /**

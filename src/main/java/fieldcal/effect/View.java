@@ -1,0 +1,127 @@
+package fieldcal.effect;
+
+import fieldcal.camera.Camera;
+import fieldcal.effect.MeasurementEffect.Refraction;
+import fieldcal.effect.MeasurementEffect.Timing;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * How one camera reports balls under the effects that concern it. What is the same for every ball is worked out once: fits ask for hundreds of millions of
+ * reports. Immutable.
+ */
+final class View {
+  private static final double[] UNTURNED = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+  final int id;
+  private final ObservedCamera observer;
+  private final Camera camera;
+  private final MeasurementEffect[] effects;
+  private final Timing[] timings;
+  private final Refraction[] refractions;
+
+  /** True position, m; the ray's turn by rows, null when it is not turned; height of the plane, m; what is added, m. */
+  private double x;
+
+  private double y;
+  private double z;
+  private double[] turn;
+  private double plane;
+  private double addedX;
+  private double addedY;
+
+  View(ObservedCamera observer, List<MeasurementEffect> all) {
+    this.observer = observer;
+    id = observer.id();
+    camera = observer.camera().orElse(null);
+    List<MeasurementEffect> concerning = new ArrayList<>(all.size());
+    List<Timing> late = new ArrayList<>(1);
+    List<Refraction> bending = new ArrayList<>(1);
+    for (MeasurementEffect e : all) {
+      if (!e.isAbsent() && e.isApplicable(observer) && e.concerns(observer)) {
+        concerning.add(e);
+        if (e instanceof Timing timing) {
+          late.add(timing);
+        }
+        if (e instanceof Refraction refraction) {
+          bending.add(refraction);
+        }
+      }
+    }
+    effects = concerning.toArray(MeasurementEffect[]::new);
+    timings = late.toArray(Timing[]::new);
+    refractions = bending.toArray(Refraction[]::new);
+    prepare(new Sight(observer));
+  }
+
+  private void prepare(Sight sight) {
+    for (MeasurementEffect effect : effects) {
+      effect.moveCamera(sight);
+      effect.report(sight);
+    }
+    x = sight.cameraX();
+    y = sight.cameraY();
+    z = sight.cameraZ();
+    plane = sight.plane();
+    addedX = sight.offsetX();
+    addedY = sight.offsetY();
+    double[] turned = new double[9];
+    for (int axis = 0; axis < 3; axis++) {
+      sight.turnRay(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+      for (MeasurementEffect effect : effects) {
+        effect.turnRay(sight);
+      }
+      turned[axis] = sight.rayX();
+      turned[3 + axis] = sight.rayY();
+      turned[6 + axis] = sight.rayZ();
+    }
+    turn = Arrays.equals(turned, UNTURNED) ? null : turned;
+  }
+
+  double timeError(double stamp, double pixelRow) {
+    double error = 0;
+    for (Timing effect : timings) {
+      error += effect.timeError(observer, stamp, pixelRow);
+    }
+    return error;
+  }
+
+  void report(double[] ball, double[] ground) {
+    if (camera == null) {
+      ground[0] = ball[0] + addedX;
+      ground[1] = ball[1] + addedY;
+      return;
+    }
+    if (effects.length == 0) {
+      camera.projectToGround(ball[0], ball[1], ball[2], ground);
+      return;
+    }
+    double rayX = ball[0] - x;
+    double rayY = ball[1] - y;
+    double rayZ = ball[2] + Camera.BALL_RADIUS - z;
+    if (turn != null) {
+      double[] m = turn;
+      double straightX = rayX;
+      double straightY = rayY;
+      double straightZ = rayZ;
+      rayX = m[0] * straightX + m[1] * straightY + m[2] * straightZ;
+      rayY = m[3] * straightX + m[4] * straightY + m[5] * straightZ;
+      rayZ = m[6] * straightX + m[7] * straightY + m[8] * straightZ;
+    }
+    if (refractions.length > 0) {
+      Sight sight = new Sight(observer);
+      sight.turnRay(rayX, rayY, rayZ);
+      for (Refraction effect : refractions) {
+        effect.refractRay(sight);
+      }
+      rayX = sight.rayX();
+      rayY = sight.rayY();
+      rayZ = sight.rayZ();
+    }
+    // The ray, drawn from the published position, meets the plane.
+    double way = rayZ < 0 ? (plane - camera.positionZ()) / rayZ : Double.NaN;
+    ground[0] = camera.positionX() + way * rayX + addedX;
+    ground[1] = camera.positionY() + way * rayY + addedY;
+  }
+}
