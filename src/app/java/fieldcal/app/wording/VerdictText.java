@@ -45,14 +45,13 @@ public record VerdictText(String headline, List<String> lines) {
   private static String adequate(Diagnosis d, List<String> lines) {
     lines.add(
         text(
-            "What is left between the model and the cameras is noise: %s mm, of which the cameras"
-                + " make %s mm.",
+            "Between the model and what the cameras saw are %s mm; their noise alone makes %s mm.",
             mm(d.base().rmsMm()), mm(d.base().noiseMm())));
     lines.add(
         text(
-            "%d possible causes were tried, and none of them predicts kicks that it has not seen"
+            "%d sorts of causes were tried, and none of them predicts kicks that it has not seen"
                 + " any better.",
-            d.candidates().size()));
+            sorts(d)));
     horizon(d.base())
         .ifPresent(
             h ->
@@ -93,6 +92,10 @@ public record VerdictText(String headline, List<String> lines) {
         .findFirst()
         .ifPresent(v -> lines.add(StructureWords.kicksToRecord(v)));
     return "Something is wrong that no known cause explains.";
+  }
+
+  private static long sorts(Diagnosis d) {
+    return d.candidates().stream().map(c -> c.effect().id()).distinct().count();
   }
 
   /** What the causes gain together. */

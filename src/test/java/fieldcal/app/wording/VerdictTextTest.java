@@ -28,7 +28,8 @@ class VerdictTextTest {
   void adequateIsCalm() {
     VerdictText text = VerdictText.of(SampleDiagnosis.adequate(4));
     assertThat(text.headline()).isEqualTo("The model is right: nothing to correct.");
-    assertThat(text.lines().get(0)).contains("noise: 1.5 mm, of which the cameras make 1.5 mm");
+    assertThat(text.lines().get(0)).contains("are 1.5 mm; their noise alone makes 1.5 mm");
+    assertThat(text.lines().get(1)).startsWith("19 sorts of causes were tried");
     assertThat(text.lines().get(2)).contains("1 s ahead to 13 mm");
   }
 
