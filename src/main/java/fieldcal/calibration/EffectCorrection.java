@@ -14,28 +14,71 @@ import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 
 /** What cameras would have reported of a kick without the effects of a model. Immutable and thread-safe. */
 final class EffectCorrection {
+  private final Optional<FlatModel> flat;
+  private final Optional<ChipModel> chip;
   private final MotionEffects motion;
   private final MeasurementEffects cameras;
   private final MeasurementEffects perfectCameras;
   private final double sessionStart;
 
   EffectCorrection(ExtendedModel model, Collection<ObservedCamera> observers) {
+    flat = model.flat();
+    chip = model.chip();
     motion = model.motion();
     cameras = MeasurementEffects.of(observers, model.measurement());
     perfectCameras = MeasurementEffects.of(observers, List.of());
     sessionStart = model.sessionStart();
   }
 
-  /** The detections moved by the simple minus the extended prediction at the fitted unknowns; unchanged when there is no fit. */
+  /**
+   * The detections moved by the simple minus the extended prediction with the unknowns of a fit.
+   *
+   * @param kick as seen
+   * @param fit of the kick as corrected so far, not a failed one
+   * @return the corrected kick
+   */
   Kick of(Kick kick, KickFit fit) {
-    if (fit.failure().isPresent()) {
-      return kick;
-    }
-    BallTrajectory simple = fit.trajectory();
-    BallTrajectory extended = extended(fit);
+    return fit.kind() == KickKind.FLAT
+        ? of(
+            kick,
+            fit,
+            new FlatModel(value(fit, "accSlide"), value(fit, "accRoll"), value(fit, "kSwitch")))
+        : of(
+            kick,
+            fit,
+            new ChipModel(
+                value(fit, "dampingXyFirstHop"),
+                value(fit, "dampingXyOtherHops"),
+                value(fit, "dampingZ"),
+                value(fit, "accRoll")));
+  }
+
+  /**
+   * The same with the simple parameters of the extended model, to begin with: those of a fit that knows nothing of the effects may be far off.
+   *
+   * @param kick as seen
+   * @param fit of it, not a failed one
+   * @return the corrected kick
+   */
+  Kick first(Kick kick, KickFit fit) {
+    return fit.kind() == KickKind.FLAT
+        ? flat.map(m -> of(kick, fit, m)).orElseGet(() -> of(kick, fit))
+        : chip.map(m -> of(kick, fit, m)).orElseGet(() -> of(kick, fit));
+  }
+
+  private Kick of(Kick kick, KickFit fit, FlatModel m) {
+    return moved(kick, flatPath(m, MotionEffects.NONE, fit), flatPath(m, motion, fit));
+  }
+
+  private Kick of(Kick kick, KickFit fit, ChipModel m) {
+    return moved(kick, chipPath(m, MotionEffects.NONE, fit), chipPath(m, motion, fit));
+  }
+
+  private Kick moved(Kick kick, BallTrajectory simple, BallTrajectory extended) {
     Observations seen = kick.observations();
     Observations.Builder corrected = new Observations.Builder();
     double[] ball = new double[3];
@@ -64,27 +107,30 @@ final class EffectCorrection {
     return kick.withObservations(corrected.build());
   }
 
-  private ExtendedTrajectory extended(KickFit fit) {
-    double t0 = value(fit, "t0");
-    double x = value(fit, "x");
-    double y = value(fit, "y");
-    double vx = value(fit, "vx");
-    double vy = value(fit, "vy");
-    if (fit.kind() == KickKind.FLAT) {
-      FlatModel flat =
-          new FlatModel(value(fit, "accSlide"), value(fit, "accRoll"), value(fit, "kSwitch"));
-      return ExtendedTrajectory.flat(flat, motion, sessionStart, t0, x, y, vx, vy);
-    }
-    ChipModel chip =
-        new ChipModel(
-            value(fit, "dampingXyFirstHop"),
-            value(fit, "dampingXyOtherHops"),
-            value(fit, "dampingZ"),
-            value(fit, "accRoll"));
-    double vz = Math.max(0, value(fit, "vz"));
-    int flights = fit.statistics().flights();
+  private BallTrajectory flatPath(FlatModel m, MotionEffects effects, KickFit fit) {
+    return ExtendedTrajectory.flat(
+        m,
+        effects,
+        sessionStart,
+        value(fit, "t0"),
+        value(fit, "x"),
+        value(fit, "y"),
+        value(fit, "vx"),
+        value(fit, "vy"));
+  }
+
+  private BallTrajectory chipPath(ChipModel m, MotionEffects effects, KickFit fit) {
     return ExtendedTrajectory.chipWithHops(
-        chip, motion, sessionStart, t0, x, y, vx, vy, vz, flights);
+        m,
+        effects,
+        sessionStart,
+        value(fit, "t0"),
+        value(fit, "x"),
+        value(fit, "y"),
+        value(fit, "vx"),
+        value(fit, "vy"),
+        Math.max(0, value(fit, "vz")),
+        fit.statistics().flights());
   }
 
   private static double value(KickFit fit, String name) {

@@ -2,8 +2,14 @@ package fieldcal.calibration;
 
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
 import fieldcal.kick.Kick;
-import fieldcal.kick.Observations;
+import fieldcal.kick.KickKind;
 import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
@@ -19,22 +25,24 @@ public final class ExtendedCalibrator {
   /** Detections that move less than that are settled: a fourteenth of the noise of good cameras, m. */
   private static final double SETTLED = 5e-5;
 
-  private static final int MAX_ROUNDS = 8;
+  private static final int MAX_ROUNDS = 4;
 
   private final Calibrator calibrator;
+  private final KickFitter fitter;
   private final ExtendedModel model;
   private final EffectCorrection correction;
 
   /**
    * A calibrator.
    *
-   * @param calibrator of the corrected kicks
-   * @param model whose effects are taken out, with the session's begin on the clock of the kicks; its simple parameters play no part
+   * @param settings of the fits, with the seed
+   * @param model whose effects are taken out, with the session's begin on the clock of the kicks; its simple parameters are where the first round begins
    * @param cameras as published, one for every camera that saw a kick
    */
   public ExtendedCalibrator(
-      Calibrator calibrator, ExtendedModel model, Collection<ObservedCamera> cameras) {
-    this.calibrator = Objects.requireNonNull(calibrator, "calibrator");
+      FitSettings settings, ExtendedModel model, Collection<ObservedCamera> cameras) {
+    calibrator = new Calibrator(settings);
+    fitter = new KickFitter(settings);
     this.model = Objects.requireNonNull(model, "model");
     correction = new EffectCorrection(model, cameras);
   }
@@ -47,41 +55,51 @@ public final class ExtendedCalibrator {
    * @return the calibration; without kicks one that is empty
    */
   public ExtendedCalibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {
-    List<Kick> kicks = problem.kicks();
-    List<Kick> corrected = kicks;
+    List<CorrectedKick> kicks =
+        problem.kicks().stream().map(kick -> new CorrectedKick(kick, correction)).toList();
     Calibration calibration = calibrator.calibrate(problem, progress);
     int rounds = 0;
     double move = Double.POSITIVE_INFINITY;
     while (move > SETTLED && rounds < MAX_ROUNDS) {
-      List<CalibratedKick> fitted = calibration.kicks();
-      List<Kick> next =
-          IntStream.range(0, kicks.size())
-              .parallel()
-              .mapToObj(i -> correction.of(kicks.get(i), fitted.get(i).fit()))
-              .toList();
-      move = 0;
-      for (int i = 0; i < kicks.size(); i++) {
-        if (fitted.get(i).trusted()) {
-          move = Math.max(move, moved(corrected.get(i), next.get(i)));
-        }
-      }
-      corrected = next;
-      calibration = calibrator.calibrate(problem.withKicks(next), kick -> {});
+      move = correct(problem, kicks, calibration);
+      calibration =
+          calibrator.calibrate(
+              problem.withKicks(kicks.stream().map(CorrectedKick::kick).toList()), kick -> {});
       rounds++;
     }
     return new ExtendedCalibration(calibration, model, rounds, 1000 * move, move <= SETTLED);
   }
 
-  /** Root mean square over the detections of one kick. */
-  private static double moved(Kick from, Kick to) {
-    Observations a = from.observations();
-    Observations b = to.observations();
-    double sum = 0;
-    for (int i = 0; i < a.size(); i++) {
-      double dx = b.x(i) - a.x(i);
-      double dy = b.y(i) - a.y(i);
-      sum += dx * dx + dy * dy;
+  /** How far the kick that moves most does, m; kicks that are not trusted do not count. */
+  private double correct(
+      CalibrationProblem problem, List<CorrectedKick> kicks, Calibration calibration) {
+    List<CalibratedKick> fitted = calibration.kicks();
+    double[] moves =
+        IntStream.range(0, kicks.size())
+            .parallel()
+            .mapToDouble(
+                i ->
+                    kicks
+                        .get(i)
+                        .correct(
+                            fitted.get(i).fit(),
+                            (kick, from) -> again(problem, calibration.cameras(), kick, from),
+                            SETTLED))
+            .toArray();
+    return IntStream.range(0, moves.length)
+        .filter(i -> fitted.get(i).trusted())
+        .mapToDouble(i -> moves[i])
+        .max()
+        .orElse(0);
+  }
+
+  private KickFit again(CalibrationProblem problem, CameraViews views, Kick kick, KickFit from) {
+    FitProblem one = FitProblem.of(kick, views, problem.flat(), problem.chip());
+    if (from.kind() == KickKind.CHIP) {
+      // What flat kicks said of accRoll stays.
+      Estimate roll = from.estimate("accRoll");
+      one = roll.parameter().estimated() ? one : one.withChipRollFixed(roll.value());
     }
-    return a.size() == 0 ? 0 : Math.sqrt(sum / a.size());
+    return fitter.refit(one, from);
   }
 }

@@ -68,14 +68,13 @@ public final class CalibrationSession {
             start.chip().orElse(ChipModel.typical()),
             request.kind(),
             request.selection());
-    Calibrator calibrator = new Calibrator(settings);
     Consumer<Kick> fitted = kick -> progress.fitted();
     Optional<ExtendedCalibration> extended =
-        request.model().map(m -> under(m, calibrator, problem, data, fitted));
+        request.model().map(m -> under(m, problem, data, fitted));
     Calibration calibration =
         extended
             .map(ExtendedCalibration::calibration)
-            .orElseGet(() -> calibrator.calibrate(problem, fitted));
+            .orElseGet(() -> new Calibrator(settings).calibrate(problem, fitted));
     return new CalibrationOutcome(
         request.logs(),
         data,
@@ -86,16 +85,12 @@ public final class CalibrationSession {
         extended);
   }
 
-  private static ExtendedCalibration under(
-      ExtendedModel model,
-      Calibrator calibrator,
-      CalibrationProblem problem,
-      CollectedKicks data,
-      Consumer<Kick> fitted) {
+  private ExtendedCalibration under(
+      ExtendedModel model, CalibrationProblem problem, CollectedKicks data, Consumer<Kick> fitted) {
     // What grows with time grows from here on: how far it had come when the recordings began is in
     // the parameters that are calibrated.
     ExtendedModel here = model.withSessionStart(data.sessionStart());
-    return new ExtendedCalibrator(calibrator, here, data.observers()).calibrate(problem, fitted);
+    return new ExtendedCalibrator(settings, here, data.observers()).calibrate(problem, fitted);
   }
 
   /**

@@ -17,6 +17,9 @@ import java.util.stream.Collectors;
  * effects that they hold together with.
  */
 final class ExtendedModelNotes {
+  /** Less is lost in the noise of one kick. */
+  private static final double NOTABLE_MOVE_MM = 0.5;
+
   private final ExtendedCalibration extended;
   private final CollectedKicks data;
 
@@ -53,7 +56,7 @@ final class ExtendedModelNotes {
               + ". They are for programs that use the extended model; for others calibrate without"
               + " --model.");
     }
-    if (!extended.settled()) {
+    if (extended.lastMoveMm() > NOTABLE_MOVE_MM) {
       sentences.add(
           String.format(
               Locale.ROOT,

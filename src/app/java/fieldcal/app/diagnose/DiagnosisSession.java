@@ -9,6 +9,7 @@ import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.report.diagnosis.DiagnosisReport;
 import fieldcal.app.report.diagnosis.DiagnosisReportBuilder;
 import fieldcal.app.report.diagnosis.DiagnosisReportWriter;
+import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.HandSelection;
 import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.Diagnosis;
@@ -126,12 +127,16 @@ public final class DiagnosisSession {
             : found + (found == 1 ? " kick" : " kicks") + " found, " + used + " of use";
     String why =
         outcome.calibration().kicks().stream()
-            .filter(k -> !k.trusted())
+            .filter(k -> !problem.fits().contains(k.fit()))
             .findFirst()
-            .map(k -> " (kick " + k.fit().kick().id() + ": " + k.distrusted().orElse("") + ")")
+            .map(k -> " (kick " + k.fit().kick().id() + ": " + reason(k) + ")")
             .orElse("");
     throw new InputException(
         logs + ": " + have + why + "; a diagnosis needs at least " + MIN_KICKS + ", better 20");
+  }
+
+  private static String reason(CalibratedKick kick) {
+    return kick.distrusted().orElse("too few detections");
   }
 
   /**
