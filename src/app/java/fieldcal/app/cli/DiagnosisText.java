@@ -25,6 +25,7 @@ import java.util.stream.Collectors;
 final class DiagnosisText {
   private static final int WIDTH = 98;
   private static final int MOST_PROBLEMS = 3;
+  private static final int FEW_KICKS = 10;
 
   /** Of more causes only what is wrong is said; what it does and what to do about it is in the report. */
   private static final int MOST_IN_FULL = 3;
@@ -40,6 +41,9 @@ final class DiagnosisText {
     VerdictText verdict = VerdictText.of(diagnosis);
     if (diagnosis.verdict() == Verdict.MODEL_ADEQUATE) {
       wrapped("", "", verdict.headline() + " " + quality(diagnosis));
+      if (diagnosis.kicks().size() < FEW_KICKS) {
+        wrapped("", "", "So few kicks do not show small causes: record twenty, of all speeds.");
+      }
     } else {
       wrapped("", "", verdict.headline());
       causes(outcome);

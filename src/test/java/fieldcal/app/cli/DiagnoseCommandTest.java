@@ -2,6 +2,11 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.effect.ExtendedModel;
+import fieldcal.vision.Epoch;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -94,5 +99,64 @@ class DiagnoseCommandTest {
     Answer answer = run("diagnose", head.toString());
     assertOneLine(answer, head);
     assertThat(answer.err()).contains("no kick found");
+  }
+
+  @Test
+  void twoRecordingsGiveOneDiagnosis() throws IOException {
+    // The second has other cameras under the same ids.
+    Path first = dragged(1);
+    Path second = dragged(2);
+    Path out = folder.resolve("out");
+    Path json = folder.resolve("mine.json");
+    Answer answer =
+        run(
+            "diagnose",
+            first.toString(),
+            second.toString(),
+            "--commands=" + first.toString().replace(".log.gz", ".commands.csv"),
+            "--out=" + out,
+            "--json=" + json);
+    assertThat(answer.exit()).as(answer.err()).isZero();
+    assertThat(answer.err()).isEmpty();
+    assertThat(answer.out()).contains("cause is found: air drag").contains("kicks used");
+    assertThat(answer.out()).containsPattern("[1-9]\\d? with their commands");
+    for (String name : List.of("diagnosis.html", "extended_model.json")) {
+      assertThat(out.resolve(name)).isNotEmptyFile();
+    }
+    assertThat(json).hasSameTextualContentAs(out.resolve("diagnosis.json"));
+    JsonNode root = new ObjectMapper().readTree(json.toFile());
+    assertThat(root.get("verdict").textValue()).isEqualTo("explained");
+    assertThat(root.get("sources")).hasSize(2);
+    JsonNode cause = root.get("causes").get(0);
+    assertThat(cause.get("effect").textValue()).isEqualTo("air_drag");
+    assertThat(cause.get("parameters").get("cd").doubleValue()).isBetween(0.4, 0.5);
+    assertThat(cause.get("holdout_gain_percent").doubleValue()).isGreaterThan(30);
+    ExtendedModel model = ExtendedModelFile.read(out.resolve("extended_model.json"), new Epoch(0));
+    assertThat(model.effects()).hasSize(1);
+    assertThat(model.flat()).isPresent();
+  }
+
+  private Path dragged(int seed) {
+    Path log = folder.resolve("drag" + seed + ".log.gz");
+    Answer answer =
+        run(
+            "simulate",
+            "--scenario=flat",
+            "--kicks=6",
+            "--physics=contact",
+            "--effect=air_drag:cd=0.45",
+            "--seed=" + seed,
+            "--out=" + log);
+    assertThat(answer.exit()).as(answer.err()).isZero();
+    return log;
+  }
+
+  @Test
+  void noCauseIsNamedWhenNoneMayBe() throws IOException {
+    Path log = dragged(3);
+    Path json = folder.resolve("none.json");
+    Answer answer = run("diagnose", log.toString(), "--max-causes=0", "--json=" + json);
+    assertThat(answer.exit()).as(answer.err()).isZero();
+    assertThat(new ObjectMapper().readTree(json.toFile()).get("causes")).isEmpty();
   }
 }

@@ -32,6 +32,8 @@ class DiagnosisTextTest {
     List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
     assertThat(lines.get(0)).contains("The model is right").contains("24 kicks");
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
+    assertThat(String.join(" ", lines)).doesNotContain("So few kicks");
+    assertThat(String.join(" ", printed(SampleDiagnosis.adequate(6), 0))).contains("So few kicks");
   }
 
   @Test
