@@ -1,0 +1,239 @@
+package fieldcal.diagnosis;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * Which kicks tell causes apart that would explain the recorded ones as well, in an operator's words. Causes that are easily taken for each other have a text of their own; for any other two it
+ * says in which kicks each of them shows. Texts name no file's ids.
+ */
+final class NextKicks {
+  private static final String DRAG_LIFT_ROLL =
+      "Record six chips of 4–6 m/s at 45° and six flat kicks each at 2 and at 6 m/s that roll out:"
+          + " only the air brakes a ball in flight, only lift makes flights of the same speed"
+          + " longer or shorter with the spin, and rolling resistance acts on the carpet alone.";
+
+  private static final String WHICH_CLOCK =
+      "Record ten flat kicks of 5–6 m/s each at the begin and at the end of a session of twenty"
+          + " minutes or more, from camera to camera, half of them along the rows of the images and"
+          + " half along their columns, both ways: a wrong rate grows over the session, a late"
+          + " stamp stays, a rolling shutter changes with the row and not with the column.";
+
+  private static final String PLACE_OR_STAMP =
+      "Let a ball rest at three places that two cameras see, and kick six flat ones of 5–6 m/s"
+          + " through each in both directions: a late stamp shifts the moving ball only, and turns"
+          + " with its direction; a misplaced camera shifts the resting one as well.";
+
+  private static final String SCALE_OR_LENS =
+      "Record four flat kicks of 2–3 m/s through the middle of each camera's view and four along"
+          + " its edges and into its corners: a wrong height shifts the ball in proportion to its"
+          + " distance from the middle, a wrong lens hardly at half way and strongly at the edges.";
+
+  private static final String WHERE_OR_WHEN =
+      "Repeat the same four flat kicks of 2–3 m/s, to and fro, in both halves of the field, at the"
+          + " begin and at the end of the session: a worn part stays where it is and slows both"
+          + " ways, a carpet's direction slows one way in both halves, a change over time shows in"
+          + " the repetition.";
+
+  private static final String BOUNCES =
+      "Record four chips each of 3, 4.5 and 6 m/s at the same angle, with the dribbler off, and the"
+          + " same again with the ball spinning on the dribbler before: only bounces that depend on"
+          + " spin differ between the two.";
+
+  private static final String SPIN_OR_KICKER =
+      "Let both robots kick the same flat kicks of 2, 4 and 6 m/s from the same place, with their"
+          + " commands recorded: a kicker of the wrong strength changes the speed right after the"
+          + " kick, spin how far the ball slides after it.";
+
+  /** By the two ids, in any order. */
+  private static final Map<Set<String>, String> PAIRS =
+      Map.ofEntries(
+          pair("air_drag", "magnus", DRAG_LIFT_ROLL),
+          pair("air_drag", "speed_dependent_roll", DRAG_LIFT_ROLL),
+          pair("magnus", "speed_dependent_roll", DRAG_LIFT_ROLL),
+          pair("camera_time_offset", "clock_skew", WHICH_CLOCK),
+          pair("camera_time_offset", "rolling_shutter", WHICH_CLOCK),
+          pair("clock_skew", "rolling_shutter", WHICH_CLOCK),
+          pair("camera_time_offset", "camera_offset", PLACE_OR_STAMP),
+          pair("camera_time_offset", "camera_pose_error", PLACE_OR_STAMP),
+          pair("clock_skew", "camera_offset", PLACE_OR_STAMP),
+          pair("clock_skew", "camera_pose_error", PLACE_OR_STAMP),
+          pair("camera_pose_error", "lens_distortion_error", SCALE_OR_LENS),
+          pair("ball_height_error", "lens_distortion_error", SCALE_OR_LENS),
+          pair("carpet_nap", "worn_region", WHERE_OR_WHEN),
+          pair("drift", "worn_region", WHERE_OR_WHEN),
+          pair("carpet_nap", "drift", WHERE_OR_WHEN),
+          pair("bounce_spin_coupling", "speed_dependent_restitution", BOUNCES),
+          pair("kick_spin", "robot_kick_bias", SPIN_OR_KICKER),
+          pair("side_spin", "robot_kick_bias", SPIN_OR_KICKER),
+          pair(
+              "camera_offset",
+              "ball_height_error",
+              "With two cameras no kick does: both shift the two views against each other by the"
+                  + " same everywhere. Look up or measure which height of the ball's centre vision"
+                  + " assumes (21.5 mm is right), compare a resting ball's reported position with"
+                  + " its pixels, or record with a third camera."),
+          pair(
+              "camera_pose_error",
+              "ball_height_error",
+              "Record four flat kicks of 2–3 m/s across the whole view of every camera: a wrong"
+                  + " height of the ball shows in all of them alike, a misplaced camera in one."
+                  + " With a single camera compare the drawn field lines with its picture,"
+                  + " which only a misplaced camera shifts."),
+          pair(
+              "camera_offset",
+              "camera_pose_error",
+              "No kick is needed: a shift is the same said twice, so correct either. That a camera"
+                  + " is tilted or hangs at another height would show in slow flat kicks from below"
+                  + " it to the corners of its view."),
+          pair(
+              "camera_offset",
+              "lens_distortion_error",
+              "Record four flat kicks of 2–3 m/s through the middle of the camera's view and four"
+                  + " along each edge: an offset is the same everywhere, a wrong lens pulls"
+                  + " opposite edges apart."),
+          pair(
+              "carpet_nap",
+              "field_slope",
+              "Record six flat kicks of 1.5–2 m/s that roll out, straight across the direction that"
+                  + " was found, both ways, and six of 5–6 m/s along it: a slope bends the path of"
+                  + " the ones that cross and acts on a sliding ball too, the carpet does neither."
+                  + " A ball laid down at rest that starts to roll proves the slope."),
+          pair(
+              "worn_region",
+              "field_slope",
+              "Kick the same flat kick of 2 m/s to and fro through the place, four times each, and"
+                  + " let it roll out: a worn part brakes both ways, a slope one way only."),
+          pair(
+              "air_drag",
+              "speed_dependent_restitution",
+              "Record six flat kicks of 6 m/s and four chips each of 3 and 6 m/s of which at least"
+                  + " three bounces are seen: the air brakes the flat ones too, bounces change the"
+                  + " height of the next hop."));
+
+  /** What each cause is called, and the kicks in which it shows. */
+  private static final Map<String, Sign> SIGNS =
+      Map.ofEntries(
+          sign("air_drag", "air drag", "flat kicks and chips of 5–6 m/s beside slow ones of 2 m/s"),
+          sign(
+              "magnus",
+              "lift of a spinning ball",
+              "chips of 4–6 m/s with and without spin from the dribbler"),
+          sign(
+              "kick_spin",
+              "spin from the kicker",
+              "how far flat kicks of 4–6 m/s slide, by both robots"),
+          sign(
+              "side_spin",
+              "side spin",
+              "the curved first half second of flat kicks of 4–6 m/s, by both robots"),
+          sign(
+              "field_slope",
+              "a slope",
+              "flat kicks of 1.5–2 m/s that roll out in four directions, whose paths it bends"),
+          sign(
+              "carpet_nap",
+              "the carpet's direction",
+              "equal flat kicks of 2–3 m/s that roll out in eight directions"),
+          sign(
+              "speed_dependent_roll",
+              "rolling that depends on speed",
+              "flat kicks of 1, 2, 4 and 6 m/s on one line that roll out"),
+          sign(
+              "worn_region",
+              "a worn part of the carpet",
+              "equal flat kicks of 2–3 m/s through the place and one metre beside it, both ways"),
+          sign(
+              "camera_offset",
+              "a camera's offset",
+              "balls that rest, or roll at 1–2 m/s, where two cameras see them"),
+          sign(
+              "camera_time_offset",
+              "a late time stamp",
+              "flat kicks of 5–6 m/s from camera to camera in both directions"),
+          sign(
+              "camera_pose_error",
+              "a misplaced camera",
+              "flat kicks of 2–3 m/s from below the camera to the corners of its view"),
+          sign(
+              "lens_distortion_error",
+              "a wrong lens",
+              "flat kicks of 2–3 m/s along the edges of the camera's view"),
+          sign(
+              "ball_height_error",
+              "a wrong height of the ball",
+              "slow flat kicks across the whole view of every camera"),
+          sign(
+              "speed_dependent_restitution",
+              "a bounce that depends on speed",
+              "chips of 3, 4.5 and 6 m/s at the same angle"),
+          sign(
+              "bounce_spin_coupling",
+              "a bounce that depends on spin",
+              "chips of 4 m/s with and without spin from the dribbler"),
+          sign(
+              "drift",
+              "a carpet that changes",
+              "the same flat kicks of 2–3 m/s at the begin and at the end of the session"),
+          sign(
+              "robot_kick_bias",
+              "a badly calibrated kicker",
+              "equal kicks by both robots from the same place, with their commands recorded"),
+          sign(
+              "clock_skew",
+              "a clock at the wrong rate",
+              "flat kicks of 5–6 m/s from camera to camera at the begin and at the end of a session"
+                  + " of twenty minutes"),
+          sign(
+              "rolling_shutter",
+              "a rolling shutter",
+              "flat kicks of 5–6 m/s along the columns of a camera's image, both ways"));
+
+  private NextKicks() {}
+
+  private record Sign(String name, String kicks) {}
+
+  private static Map.Entry<Set<String>, String> pair(String a, String b, String text) {
+    return Map.entry(Set.of(a, b), text);
+  }
+
+  private static Map.Entry<String, Sign> sign(String id, String name, String kicks) {
+    return Map.entry(id, new Sign(name, kicks));
+  }
+
+  /**
+   * Which kicks to record next.
+   *
+   * @param cause id of the effect that is named
+   * @param rivals ids of those that would explain the same
+   * @return a sentence or two for each sort of rival; empty without rivals
+   */
+  static String toTellApart(String cause, List<String> rivals) {
+    return rivals.stream()
+        .filter(rival -> !rival.equals(cause))
+        .map(rival -> toTellApart(cause, rival))
+        .distinct()
+        .collect(Collectors.joining(" "));
+  }
+
+  private static String toTellApart(String cause, String rival) {
+    String known = PAIRS.get(Set.of(cause, rival));
+    if (known != null) {
+      return known;
+    }
+    // The pair is the same in either order.
+    Sign a = sign(cause.compareTo(rival) < 0 ? cause : rival);
+    Sign b = sign(cause.compareTo(rival) < 0 ? rival : cause);
+    return "Record five or more kicks of each sort: %s shows in %s; %s in %s."
+        .formatted(a.name, a.kicks, b.name, b.kicks);
+  }
+
+  /** Of a cause that is new to the catalogue, as much as can be said of any. */
+  private static Sign sign(String id) {
+    return SIGNS.getOrDefault(
+        id,
+        new Sign(id.replace('_', ' '), "kicks of different speeds, places, directions and times"));
+  }
+}
