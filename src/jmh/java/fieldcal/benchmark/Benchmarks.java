@@ -17,8 +17,8 @@ import java.util.Map;
  */
 public final class Benchmarks {
   private static final String USAGE =
-      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [--kicks N]"
-          + " [--seed N] [--megabytes N] [--runs N] [--minutes N]";
+      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [k-switch]"
+          + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -42,6 +42,7 @@ public final class Benchmarks {
     parts.put("calibrate", CalibrateBenchmark::run);
     parts.put("extended", ExtendedQueries::run);
     parts.put("limits", LimitsBenchmark::run);
+    parts.put("k-switch", KSwitchCauses::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {
