@@ -151,7 +151,11 @@ final class CauseSearch {
       }
     }
     double strongest = all.stream().mapToDouble(Score::evidence).max().orElse(0);
-    Score region = new RegionSearch(frame).best(Math.max(WORTH_A_FIT, OF_STRONGEST * strongest));
+    // A second region would be a pattern of the carpet, and no known cause.
+    Score region =
+        at.hypothesis().hasEffect("worn_region")
+            ? null
+            : new RegionSearch(frame).best(Math.max(WORTH_A_FIT, OF_STRONGEST * strongest));
     if (region != null) {
       all.add(region);
     }

@@ -21,7 +21,10 @@ final class KickerBiasTest {
   private static final int FEWEST = 4;
 
   /** Chance of naming a sound robot. */
-  private static final double CHANCE = 1e-5;
+  private static final double CHANCE = 2e-4;
+
+  /** How many standard errors a robot's bias must be from the others'. */
+  private static final double FROM_OTHERS = 3;
 
   /** Smaller biases matter to nobody: share of the speed, and rad. */
   private static final double LEAST_SPEED = 0.01;
@@ -41,7 +44,7 @@ final class KickerBiasTest {
     boolean isBiased(double least, double limit, boolean alone) {
       return Math.abs(value) > least
           && Math.abs(value) > limit * error
-          && (alone || Math.abs(fromOthers) > limit * errorFromOthers);
+          && (alone || Math.abs(fromOthers) > FROM_OTHERS * errorFromOthers);
     }
   }
 
