@@ -52,8 +52,17 @@ final class KSwitchCauses {
 
   private KSwitchCauses() {}
 
-  /** One thing that is wrong. */
-  private record World(String name, SimulationSettings settings) {}
+  /**
+   * One thing that is wrong.
+   *
+   * @param name for the table
+   * @param sessions that are recorded, of the same field and cameras
+   */
+  private record World(String name, List<SimulationSettings> sessions) {
+    World(String name, SimulationSettings settings) {
+      this(name, List.of(settings));
+    }
+  }
 
   static void run(BenchmarkSettings settings, PrintStream out) {
     out.printf(
@@ -85,6 +94,10 @@ final class KSwitchCauses {
                 name, plain.withKickBehaviour(plain.kickBehaviour().withRollSpin(spin, scatter))));
       }
     }
+    worlds.add(
+        new World(
+            "backspin 0.35, and as many kicks without",
+            List.of(plain.withKickBehaviour(plain.kickBehaviour().withRollSpin(-0.35, 0)), plain)));
     worlds.add(with(plain, "air drag, cd 0.45", "air_drag:cd=0.45"));
     worlds.add(with(plain, "rolling grows by 0.06 m/s² per m/s", "speed_dependent_roll:0.06"));
     worlds.add(
@@ -105,11 +118,13 @@ final class KSwitchCauses {
   }
 
   private static void measure(World world, PrintStream out) {
-    SimulatedRecording recording = Simulation.record(world.settings());
+    List<SimulatedRecording> recordings =
+        world.sessions().stream().map(Simulation::record).toList();
+    SimulatedRecording recording = recordings.get(0);
     FieldGeometry field = recording.geometry();
     Map<Integer, Camera> cameras =
         field.cameras().stream().map(Camera::of).collect(Collectors.toMap(Camera::id, c -> c));
-    List<Kick> kicks = kicks(recording, cameras);
+    List<Kick> kicks = kicks(recordings, cameras);
     CameraViews views =
         CameraViews.of(
             cameras.values().stream().map(c -> CameraView.of(c.id(), Optional.of(c))).toList());
@@ -137,14 +152,17 @@ final class KSwitchCauses {
         text(diagnosis));
   }
 
-  private static List<Kick> kicks(SimulatedRecording recording, Map<Integer, Camera> cameras) {
+  private static List<Kick> kicks(
+      List<SimulatedRecording> recordings, Map<Integer, Camera> cameras) {
     List<Kick> kicks = new ArrayList<>();
-    KickFinder finder =
-        new KickFinder(
-            KickFinderSettings.defaults(), kick -> kicks.add(kick.withId(kicks.size() + 1)));
-    finder.geometry(recording.geometry(), cameras);
-    recording.frames().forEach(finder::accept);
-    finder.finish();
+    for (SimulatedRecording recording : recordings) {
+      KickFinder finder =
+          new KickFinder(
+              KickFinderSettings.defaults(), kick -> kicks.add(kick.withId(kicks.size() + 1)));
+      finder.geometry(recording.geometry(), cameras);
+      recording.frames().forEach(finder::accept);
+      finder.finish();
+    }
     return kicks;
   }
 
