@@ -244,7 +244,7 @@ public final class Diagnoser {
                 decision.evidence(chart),
                 gains.get(chart),
                 decision.ties(chart),
-                ""));
+                NextKicks.toTellApart(chart.id(), decision.ties(chart))));
       }
       causes.addAll(kickers);
       causes.sort((a, b) -> Double.compare(b.evidence(), a.evidence()));
