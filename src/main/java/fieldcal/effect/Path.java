@@ -178,12 +178,12 @@ final class Path {
     return Math.sqrt(vx * vx + vy * vy);
   }
 
-  /** The share of a piece after which it has the given length; a safeguarded Newton iteration. */
+  /** The share of a piece after which it has the given length; a safeguarded Newton iteration from where a ball of constant deceleration would be. */
   double shareAtLength(int i, double length) {
     double low = 0;
     double high = 1;
     double total = wayBefore(i + 1) - wayBefore(i);
-    double s = total > 0 ? length / total : 0;
+    double s = total > 0 ? shareAtSteadyBraking(i, length / total) : 0;
     for (int round = 0; round < 60; round++) {
       double miss = length(i, s) - length;
       if (miss > 0) {
@@ -195,11 +195,21 @@ final class Path {
       if (!(next >= low && next <= high)) {
         next = 0.5 * (low + high);
       }
-      if (Math.abs(next - s) * duration[i] < 1e-10) {
+      // The next step would be as this one squared.
+      if (Math.abs(next - s) * duration[i] < 1e-7) {
         return next;
       }
       s = next;
     }
     return s;
+  }
+
+  /** The share of the time after which that share of the way is done, if the speed changed evenly. */
+  private double shareAtSteadyBraking(int i, double way) {
+    double begin = groundSpeed(i, 0);
+    double end = groundSpeed(i, 1);
+    double there = Math.sqrt(begin * begin + (end * end - begin * begin) * way);
+    double s = way * (begin + end) / (begin + there);
+    return s <= 1 ? s : 1;
   }
 }
