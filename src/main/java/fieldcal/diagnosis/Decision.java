@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * Which of the causes that a search found may be named. What remains unexplained is an error that all detections of a kick share, so evidence counts less the more of it there is: the
@@ -137,7 +138,7 @@ final class Decision {
   }
 
   /** What each cause gains on kicks that were held out; those that do not pay leave. */
-  Map<Chart, Gain> gains() {
+  Map<Chart, Gain> gains(Consumer<String> progress) {
     while (true) {
       HoldOut all = HoldOut.of(search.fitter(), best, seed);
       Map<Chart, Gain> gains = new java.util.LinkedHashMap<>();
@@ -152,6 +153,7 @@ final class Decision {
       if (useless == null) {
         return gains;
       }
+      progress.accept("not named: " + useless + " does not pay on kicks that were held out");
       best = without(useless);
       without.clear();
       settle();

@@ -5,11 +5,13 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
+import fieldcal.fit.FitSettings;
 import fieldcal.fit.FitStatistics;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -61,6 +63,7 @@ public final class Diagnoser {
   private static final class Run {
     private final DiagnosisProblem problem;
     private final Consumer<String> progress;
+    private final List<KickFit> fits;
     private final NoiseCalibration noise;
     private HypothesisFitter fitter;
     private FittedHypothesis simple;
@@ -70,12 +73,16 @@ public final class Diagnoser {
     Run(DiagnosisProblem problem, Consumer<String> progress) {
       this.problem = problem;
       this.progress = progress;
-      noise = NoiseCalibration.of(problem.fits(), problem.cameras());
+      progress.accept("comparing kicks with each other");
+      fits =
+          Kinds.beside(
+              problem.fits(), problem.cameras(), FitSettings.defaults().withSeed(problem.seed()));
+      noise = NoiseCalibration.of(fits, problem.cameras());
     }
 
     Diagnosis diagnose() {
       List<KickData> kicks = new ArrayList<>();
-      for (KickFit fit : problem.fits()) {
+      for (KickFit fit : fits) {
         KickData data = new KickData(fit, noise.cameras(), noise.stampNoise());
         if (data.usedCount > 2 * data.start.length && isOneBall(fit)) {
           kicks.add(data);
@@ -85,7 +92,7 @@ public final class Diagnoser {
         throw new IllegalArgumentException("no kick has enough detections for a diagnosis");
       }
       look(kicks);
-      Map<Chart, Gain> gains = decision.gains();
+      Map<Chart, Gain> gains = decision.gains(progress);
       blameOnlyTheGuilty();
       gains.keySet().retainAll(decision.best().hypothesis().charts());
       return result(gains);
@@ -140,6 +147,10 @@ public final class Diagnoser {
           decision.best().hypothesis().random().stream()
               .filter(c -> Independence.isLaw(fitter, decision.best(), c))
               .toList();
+      laws.forEach(
+          c ->
+              progress.accept(
+                  "not named: " + c + " follows from the kick's speed, direction or time"));
       decision.acquit(laws);
       Structure after = decision.structure();
       if (!after.isSignificant() || decision.best().hypothesis().isSimple()) {
@@ -153,6 +164,14 @@ public final class Diagnoser {
           unsteady.add(chart);
         }
       }
+      unsteady.forEach(
+          c ->
+              progress.accept(
+                  String.format(
+                      Locale.ROOT,
+                      "not named: %s leaves %.0f %% unexplained, or is not as strong in all kicks",
+                      c,
+                      100 * share)));
       decision.acquit(unsteady);
     }
 
@@ -165,32 +184,11 @@ public final class Diagnoser {
     }
 
     private FlatModel flatStart() {
-      double[] v = medians(KickKind.FLAT, "accSlide", "accRoll", "kSwitch");
-      return v == null ? FlatModel.typical() : new FlatModel(v[0], v[1], v[2]);
+      return Kinds.flat(fits);
     }
 
     private ChipModel chipStart() {
-      double[] v =
-          medians(KickKind.CHIP, "dampingXyFirstHop", "dampingXyOtherHops", "dampingZ", "accRoll");
-      return v == null ? ChipModel.typical() : new ChipModel(v[0], v[1], v[2], v[3]);
-    }
-
-    private double[] medians(KickKind kind, String... names) {
-      double[] values = new double[names.length];
-      for (int j = 0; j < names.length; j++) {
-        String name = names[j];
-        double[] sorted =
-            problem.fits().stream()
-                .filter(f -> f.kind() == kind)
-                .mapToDouble(f -> f.estimate(name).value())
-                .sorted()
-                .toArray();
-        if (sorted.length == 0) {
-          return null;
-        }
-        values[j] = sorted[sorted.length / 2];
-      }
-      return values;
+      return Kinds.chip(fits, flatStart());
     }
 
     private Diagnosis result(Map<Chart, Gain> gains) {

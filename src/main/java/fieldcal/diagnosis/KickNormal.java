@@ -95,7 +95,7 @@ final class KickNormal {
     RealMatrix damped = oo.copy();
     for (int i = 0; i < damped.getRowDimension(); i++) {
       double d = damped.getEntry(i, i);
-      damped.setEntry(i, i, d * (1 + lambda) + FLOOR);
+      damped.setEntry(i, i, d * (1 + lambda) + FLOOR * (1 + d));
     }
     factor = new CholeskyDecomposition(damped, 1e-9, 0);
     solvedOs = factor.getSolver().solve(os);
@@ -131,6 +131,9 @@ final class KickNormal {
   /** Logarithm of the determinant of the first {@code n} own unknowns' block, unscaled steps left in. */
   double logDeterminant(int n) {
     RealMatrix part = oo.getSubMatrix(0, n - 1, 0, n - 1);
+    for (int i = 0; i < n; i++) {
+      part.addToEntry(i, i, FLOOR * (1 + part.getEntry(i, i)));
+    }
     RealMatrix l = new CholeskyDecomposition(part, 1e-6, 0).getL();
     double sum = 0;
     for (int i = 0; i < n; i++) {

@@ -2,7 +2,9 @@ package fieldcal.diagnosis;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
 import fieldcal.fit.CameraViews;
+import fieldcal.fit.Estimate;
 import fieldcal.fit.FitProblem;
 import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
@@ -26,9 +28,107 @@ final class Kinds {
   /** A model that fewer kicks determine judges no others. */
   private static final int FEWEST = 3;
 
+  /** By how much less a chip must lose per observation than a flat kick, as a share, to take its place. */
+  private static final double LESS = 0.97;
+
+  /** What kickers that chip give a ball at least, as rise over run; a flat kick that is fitted as a chip needs less. */
+  private static final double STEEP = 0.5;
+
+  private static final int ROUNDS = 2;
+
   private Kinds() {}
 
-  /** The kicks, some of them as the other kind; the same list when none changes. */
+  /**
+   * Kicks fitted on their own, each compared with what is typical of the others: both models with their parameters held at the medians of the recording, so that no strange model can excuse a wrong
+   * kind.
+   */
+  static List<KickFit> beside(List<KickFit> fits, CameraViews cameras, FitSettings settings) {
+    List<KickFit> all = fits;
+    for (int round = 0; round < ROUNDS; round++) {
+      List<KickFit> before = all;
+      FlatModel flat = flat(before);
+      ChipModel chip = chip(before, flat);
+      boolean flats = before.stream().anyMatch(f -> f.kind() == KickKind.FLAT);
+      boolean chips = before.stream().anyMatch(f -> f.kind() == KickKind.CHIP);
+      KickFitter fitter = new KickFitter(settings);
+      all =
+          before.parallelStream()
+              .map(
+                  fit -> {
+                    FitProblem free = FitProblem.of(fit.kick(), cameras, flat, chip);
+                    FitProblem held =
+                        new FitProblem(
+                            fit.kick(),
+                            cameras,
+                            flats ? fixed(free.flat()) : free.flat(),
+                            chips ? fixed(free.chip()) : free.chip());
+                    return better(fitter, fit, free, held);
+                  })
+              .toList();
+      if (all.equals(before)) {
+        break;
+      }
+    }
+    return all;
+  }
+
+  private static KickFit better(KickFitter fitter, KickFit fit, FitProblem free, FitProblem held) {
+    KickFit chip = fitter.fit(held, KickKind.CHIP);
+    if (chip.failure().isPresent()) {
+      return fit;
+    }
+    KickFit flat = fitter.fit(held, KickKind.FLAT);
+    double asChip = chip.statistics().meanLoss();
+    double asFlat =
+        flat.failure().isPresent() ? Double.POSITIVE_INFINITY : flat.statistics().meanLoss();
+    double run = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
+    boolean steep = chip.estimate("vz").value() > STEEP * run;
+    boolean toChip = fit.kind() == KickKind.FLAT && steep && asChip < LESS * asFlat;
+    boolean toFlat = fit.kind() == KickKind.CHIP && !steep && asFlat < asChip;
+    if (!toChip && !toFlat) {
+      return fit;
+    }
+    KickFit changed = fitter.fit(free, toChip ? KickKind.CHIP : KickKind.FLAT);
+    return changed.failure().isPresent() ? fit : changed;
+  }
+
+  private static List<Parameter> fixed(List<Parameter> parameters) {
+    return parameters.stream().map(Parameter::fixed).toList();
+  }
+
+  /** What is typical of the recording's flat kicks; typical of the league without any. */
+  static FlatModel flat(List<KickFit> fits) {
+    FlatModel typical = FlatModel.typical();
+    return new FlatModel(
+        median(fits, KickKind.FLAT, "accSlide", typical.accSlide()),
+        median(fits, KickKind.FLAT, "accRoll", typical.accRoll()),
+        median(fits, KickKind.FLAT, "kSwitch", typical.kSwitch()));
+  }
+
+  /** What is typical of the recording's chips, which roll as its flat kicks do. */
+  static ChipModel chip(List<KickFit> fits, FlatModel flat) {
+    ChipModel typical = ChipModel.typical();
+    boolean flats = fits.stream().anyMatch(f -> f.kind() == KickKind.FLAT);
+    return new ChipModel(
+        median(fits, KickKind.CHIP, "dampingXyFirstHop", typical.dampingXyFirstHop()),
+        median(fits, KickKind.CHIP, "dampingXyOtherHops", typical.dampingXyOtherHops()),
+        median(fits, KickKind.CHIP, "dampingZ", typical.dampingZ()),
+        flats ? flat.accRoll() : median(fits, KickKind.CHIP, "accRoll", typical.accRoll()));
+  }
+
+  private static double median(List<KickFit> fits, KickKind kind, String name, double otherwise) {
+    double[] sorted =
+        fits.stream()
+            .filter(f -> f.kind() == kind)
+            .map(f -> f.estimate(name))
+            .filter(Estimate::usable)
+            .mapToDouble(Estimate::value)
+            .sorted()
+            .toArray();
+    return sorted.length == 0 ? otherwise : sorted[sorted.length / 2];
+  }
+
+  /** The kicks under a joint fit, some of them as the other kind; the same list when none changes. */
   static List<KickData> settle(
       HypothesisFitter fitter,
       FittedHypothesis simple,
@@ -55,6 +155,10 @@ final class Kinds {
                 return;
               }
               KickData changed = new KickData(fit, noise.cameras(), noise.stampNoise());
+              double[] begin = changed.start;
+              if (other == KickKind.CHIP && begin[4] < STEEP * Math.hypot(begin[2], begin[3])) {
+                return;
+              }
               KickModel model = new KickModel(changed, 0, fitter.sessionStart);
               OwnFit own = new OwnFit(model, state, new double[0]);
               double cost = own.minimize();
