@@ -204,7 +204,10 @@ final class KSwitchCauses {
         diagnosis.causes().stream().map(KSwitchCauses::text).collect(Collectors.joining("; "));
     return switch (diagnosis.verdict()) {
       case MODEL_ADEQUATE -> "model adequate";
-      case EXPLAINED -> causes;
+      case EXPLAINED ->
+          diagnosis.unexplained().significant()
+              ? "%s; %.2f mm remain".formatted(causes, diagnosis.unexplained().systematicMm())
+              : causes;
       case UNEXPLAINED_STRUCTURE ->
           "%.2f mm unexplained, depends on %s"
               .formatted(
