@@ -16,7 +16,7 @@ final class Cleaning {
   private static final double FINE = 4;
 
   /** A kick that many times worse than its fellows has another ball, or one that hit something. */
-  private static final double WORSE = 6;
+  private static final double WORSE = 3;
 
   /** At most that share of the kicks is left out: more would be a finding. */
   private static final double MOST = 0.1;

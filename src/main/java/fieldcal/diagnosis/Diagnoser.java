@@ -30,6 +30,9 @@ public final class Diagnoser {
   /** Where that share of what the simple model gets wrong remains, nothing may be named. */
   private static final double TOO_MUCH = 0.1;
 
+  /** Evidence that a cause needs where something remains: what remains might be its doing. */
+  private static final double BEYOND_DOUBT = 40;
+
   /** What varies from kick to kick by itself, or has a shape that was chosen to fit, must leave less than that share. */
   private static final double ALMOST_NOTHING = 0.03;
 
@@ -160,7 +163,9 @@ public final class Diagnoser {
       ScoreFrame frame = new ScoreFrame(fitter, decision.best());
       List<Chart> unsteady = new ArrayList<>();
       for (Chart chart : decision.best().hypothesis().charts()) {
-        if (share > TOO_MUCH || !isSteady(frame, chart, share)) {
+        if (share > TOO_MUCH
+            || decision.evidence(chart) < BEYOND_DOUBT
+            || !isSteady(frame, chart, share)) {
           unsteady.add(chart);
         }
       }
