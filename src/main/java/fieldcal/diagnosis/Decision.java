@@ -144,9 +144,10 @@ final class Decision {
       Map<Chart, Gain> gains = new java.util.LinkedHashMap<>();
       Chart useless = null;
       for (Chart chart : best.hypothesis().charts()) {
-        Gain gain = all.gainOn(HoldOut.of(search.fitter(), without(chart), seed), seed);
+        HoldOut less = HoldOut.of(search.fitter(), without(chart), seed);
+        Gain gain = all.gainOn(less, seed);
         gains.put(chart, gain);
-        if (!(gain.lowMm() > 0) || gain.percent() < LEAST_GAIN) {
+        if (!(gain.lowMm() > 0) || gain.percent() < LEAST_GAIN || all.gainsByOneKick(less)) {
           useless = chart;
         }
       }

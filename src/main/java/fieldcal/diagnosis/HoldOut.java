@@ -33,6 +33,9 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
   /** Largest error of a prediction, m. */
   private static final double WORST = 10;
 
+  /** Share of a gain that kicks other than the best one must have. */
+  private static final double OF_OTHERS = 0.15;
+
   private static final int BOOTSTRAPS = 2000;
 
   static HoldOut of(HypothesisFitter fitter, FittedHypothesis full, long seed) {
@@ -179,6 +182,18 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
                 h,
                 1000 * Math.sqrt(list.stream().mapToDouble(d -> d).average().orElse(Double.NaN))));
     return rms;
+  }
+
+  /** Whether a gain is that of one kick alone: without the kick that gains most, next to nothing of it is left. */
+  boolean gainsByOneKick(HoldOut without) {
+    double sum = 0;
+    double most = 0;
+    for (int k = 0; k < squares.length; k++) {
+      double gained = without.squares[k] - squares[k];
+      sum += gained;
+      most = Math.max(most, gained);
+    }
+    return sum - most < OF_OTHERS * sum;
   }
 
   /** What this gains on another hypothesis, with bounds from drawing the kicks anew (bootstrap, Efron 1979). */

@@ -200,7 +200,7 @@ final class HypothesisFitter {
         double[] b = new double[size];
         reduce(lambda, a, b);
         double[] step = solve(a, b, lambda);
-        if (step == null) {
+        if (step == null || !OwnFit.isFinite(step)) {
           lambda = Math.max(1e-6, lambda * 10);
           if (lambda > MOST_DAMPING) {
             return;
@@ -280,8 +280,10 @@ final class HypothesisFitter {
                 double[] before = model.own;
                 double[] r = new double[2 * model.data.size];
                 costs[k] =
-                    model.residuals(at, model.path(at, owns.get(k)), r)
-                        + model.priorCost(at, owns.get(k), scatter);
+                    OwnFit.isFinite(owns.get(k))
+                        ? model.residuals(at, model.path(at, owns.get(k)), r)
+                            + model.priorCost(at, owns.get(k), scatter)
+                        : Double.POSITIVE_INFINITY;
                 if (!(costs[k] <= ASTRAY * normals.get(k).cost + r.length)) {
                   double other = new OwnFit(model, at, scatter).minimize();
                   if (!(costs[k] <= other)) {

@@ -53,7 +53,7 @@ final class OwnFit {
         next[4] = Math.max(0.05, next[4]);
       }
       double[] nextResidual = new double[n];
-      double nextCost = cost(next, nextResidual);
+      double nextCost = isFinite(next) ? cost(next, nextResidual) : Double.POSITIVE_INFINITY;
       if (nextCost <= cost) {
         double gained = cost - nextCost;
         model.own = next;
@@ -72,6 +72,15 @@ final class OwnFit {
       }
     }
     return cost;
+  }
+
+  /** A step from equations that determine nothing may be no number. */
+  static boolean isFinite(double[] values) {
+    double sum = 0;
+    for (double v : values) {
+      sum += v;
+    }
+    return Double.isFinite(sum);
   }
 
   private double cost(double[] own, double[] residual) {
