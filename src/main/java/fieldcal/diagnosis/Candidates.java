@@ -20,7 +20,7 @@ import java.util.List;
 
 /**
  * Every effect of the catalogue at every place where the data could show it. Effects that the data cannot show (a time offset of the only camera, bounces without chips) are left out;
- * a region of the carpet is looked for by {@link RegionSearch}, kickers by {@link KickerBiasTest}.
+ * a region of the carpet is looked for by {@link RegionSearch}, kickers by {@link KickerBias}.
  */
 final class Candidates {
   /** A camera must have seen that many detections to be blamed. */

@@ -36,6 +36,9 @@ final class CauseSearch {
   /** A search that has fitted so many hypotheses without an end will find none. */
   private static final int MOST_FITS = 60;
 
+  /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
+  private static final double NOTHING_LEFT = 3;
+
   /** Hypotheses carried on. */
   private static final int BEAM = 3;
 
@@ -73,16 +76,7 @@ final class CauseSearch {
       if (fitted.size() > MOST_FITS || dirty.test(best) || worthwhile(best).isEmpty()) {
         break;
       }
-      List<FittedHypothesis> next = new ArrayList<>();
-      for (FittedHypothesis from : beam) {
-        int refits = from == best ? REFITS : REFITS_OF_OTHERS;
-        for (Score score : chosen(from, refits)) {
-          FittedHypothesis f = extend(from, score);
-          if (f != null) {
-            next.add(f);
-          }
-        }
-      }
+      List<FittedHypothesis> next = extensions(best, beam);
       next.sort(Comparator.comparingDouble(f -> -f.logEvidence()));
       if (next.isEmpty() || !isProgress(best, next.get(0))) {
         break;
@@ -92,6 +86,23 @@ final class CauseSearch {
       progress.accept("best explanation so far: " + best.hypothesis());
     }
     return best;
+  }
+
+  /** Refits of what the scores promise, until one of them leaves nothing to be explained: whatever else explains as much is found when rivals are compared. */
+  private List<FittedHypothesis> extensions(FittedHypothesis best, List<FittedHypothesis> beam) {
+    List<FittedHypothesis> next = new ArrayList<>();
+    for (FittedHypothesis from : beam) {
+      for (Score score : chosen(from, from == best ? REFITS : REFITS_OF_OTHERS)) {
+        FittedHypothesis f = extend(from, score);
+        if (f != null) {
+          next.add(f);
+          if (Structure.of(fitter, f).deviation() < NOTHING_LEFT) {
+            return next;
+          }
+        }
+      }
+    }
+    return next;
   }
 
   /** Whether a step is worth its evidence even if what it leaves is an error of whole kicks, or explains a good part of what was left. */
@@ -176,18 +187,17 @@ final class CauseSearch {
   private List<Score> chosen(FittedHypothesis at, int most) {
     List<Score> chosen = new ArrayList<>();
     Map<String, Integer> perEffect = new HashMap<>();
-    if (at.hypothesis().isSimple()) {
-      // With wrong numbers of hops the score of what changes bounces says little.
-      scores(at).stream().filter(s -> isBounce(s.chart())).forEach(chosen::add);
-    }
     for (Score s : worthwhile(at)) {
-      if (chosen.contains(s)) {
-        continue;
-      }
       int before = perEffect.merge(s.chart().id(), 1, Integer::sum);
       if (before <= OF_ONE_EFFECT && chosen.size() < most) {
         chosen.add(s);
       }
+    }
+    if (at.hypothesis().isSimple()) {
+      // With wrong numbers of hops the score of what changes bounces says little.
+      scores(at).stream()
+          .filter(s -> isBounce(s.chart()) && !chosen.contains(s))
+          .forEach(chosen::add);
     }
     return chosen;
   }

@@ -203,7 +203,7 @@ public final class Diagnoser {
       HoldOut heldAfter =
           best.hypothesis().isSimple() ? heldBefore : HoldOut.of(fitter, best, problem.seed());
       List<Cause> kickers =
-          new KickerBiasTest(fitter, best, problem.commands(), problem.seed()).causes();
+          new KickerBias(fitter, best, problem.commands(), problem.seed()).causes();
       List<Cause> causes = causes(best, gains, kickers);
       List<StructureProfile> before = Profiles.of(fitter, simple);
       List<StructureProfile> left = Profiles.of(fitter, best);

@@ -16,7 +16,7 @@ import org.apache.commons.math3.distribution.TDistribution;
  * Whether a robot kicks faster or aside of what it was told: its fitted kicks against its commands. It must differ from the command and from the other robots, whose common excess would be an error
  * of scale and no kicker's; all robots' kicks together say how much kicks scatter.
  */
-final class KickerBiasTest {
+final class KickerBias {
   /** Fewer kicks say nothing of a robot. */
   private static final int FEWEST = 4;
 
@@ -52,7 +52,7 @@ final class KickerBiasTest {
       new TreeMap<>(Comparator.comparing(RobotId::team).thenComparing(RobotId::number));
   private final long seed;
 
-  KickerBiasTest(
+  KickerBias(
       HypothesisFitter fitter,
       FittedHypothesis best,
       Map<Integer, KickCommand> commands,
