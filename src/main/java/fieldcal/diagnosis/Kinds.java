@@ -31,6 +31,9 @@ final class Kinds {
   /** By how much less a chip must lose per observation than a flat kick, as a share, to take its place. */
   private static final double LESS = 0.97;
 
+  /** A kick that loses hardly more with what is typical of its kind than with parameters of its own is of its kind. */
+  private static final double LIKE_THE_OTHERS = 1.3;
+
   /** What kickers that chip give a ball at least, as rise over run; a flat kick that is fitted as a chip needs less. */
   private static final double STEEP = 0.5;
 
@@ -73,6 +76,11 @@ final class Kinds {
   }
 
   private static KickFit better(KickFitter fitter, KickFit fit, FitProblem free, FitProblem held) {
+    KickFit same = fitter.fit(held, fit.kind());
+    if (same.failure().isEmpty()
+        && same.statistics().meanLoss() < LIKE_THE_OTHERS * fit.statistics().meanLoss()) {
+      return fit;
+    }
     KickFit chip = fitter.fit(held, KickKind.CHIP);
     if (chip.failure().isPresent()) {
       return fit;
