@@ -76,8 +76,10 @@ final class Kinds {
   }
 
   private static KickFit better(KickFitter fitter, KickFit fit, FitProblem free, FitProblem held) {
-    KickFit same = fitter.fit(held, fit.kind());
-    if (same.failure().isEmpty()
+    boolean lowChip = fit.kind() == KickKind.CHIP && !isSteep(fit);
+    KickFit same = lowChip ? fit : fitter.fit(held, fit.kind());
+    if (!lowChip
+        && same.failure().isEmpty()
         && same.statistics().meanLoss() < LIKE_THE_OTHERS * fit.statistics().meanLoss()) {
       return fit;
     }
@@ -89,8 +91,7 @@ final class Kinds {
     double asChip = chip.statistics().meanLoss();
     double asFlat =
         flat.failure().isPresent() ? Double.POSITIVE_INFINITY : flat.statistics().meanLoss();
-    double run = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
-    boolean steep = chip.estimate("vz").value() > STEEP * run;
+    boolean steep = isSteep(chip);
     boolean toChip = fit.kind() == KickKind.FLAT && steep && asChip < LESS * asFlat;
     boolean toFlat = fit.kind() == KickKind.CHIP && !steep && asFlat < asChip;
     if (!toChip && !toFlat) {
@@ -98,6 +99,11 @@ final class Kinds {
     }
     KickFit changed = fitter.fit(free, toChip ? KickKind.CHIP : KickKind.FLAT);
     return changed.failure().isPresent() ? fit : changed;
+  }
+
+  private static boolean isSteep(KickFit chip) {
+    double run = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
+    return chip.estimate("vz").value() > STEEP * run;
   }
 
   private static List<Parameter> fixed(List<Parameter> parameters) {
