@@ -31,7 +31,7 @@ final class Kinds {
   /** By how much less a chip must lose per observation than a flat kick, as a share, to take its place. */
   private static final double LESS = 0.97;
 
-  /** A kick that loses hardly more with what is typical of its kind than with parameters of its own is of its kind. */
+  /** A flat kick that loses hardly more with what is typical of flat kicks than with parameters of its own is one. */
   private static final double LIKE_THE_OTHERS = 1.3;
 
   /** What kickers that chip give a ball at least, as rise over run; a flat kick that is fitted as a chip needs less. */
@@ -76,12 +76,12 @@ final class Kinds {
   }
 
   private static KickFit better(KickFitter fitter, KickFit fit, FitProblem free, FitProblem held) {
-    boolean lowChip = fit.kind() == KickKind.CHIP && !isSteep(fit);
-    KickFit same = lowChip ? fit : fitter.fit(held, fit.kind());
-    if (!lowChip
-        && same.failure().isEmpty()
-        && same.statistics().meanLoss() < LIKE_THE_OTHERS * fit.statistics().meanLoss()) {
-      return fit;
+    if (fit.kind() == KickKind.FLAT) {
+      KickFit same = fitter.fit(held, KickKind.FLAT);
+      if (same.failure().isEmpty()
+          && same.statistics().meanLoss() < LIKE_THE_OTHERS * fit.statistics().meanLoss()) {
+        return fit;
+      }
     }
     KickFit chip = fitter.fit(held, KickKind.CHIP);
     if (chip.failure().isPresent()) {
