@@ -31,7 +31,7 @@ public final class Diagnoser {
   private static final double TOO_MUCH = 0.1;
 
   /** Evidence that a cause needs where something remains: what remains might be its doing. */
-  private static final double BEYOND_DOUBT = 40;
+  private static final double BEYOND_DOUBT = 100;
 
   /** What varies from kick to kick by itself, or has a shape that was chosen to fit, must leave less than that share. */
   private static final double ALMOST_NOTHING = 0.03;
@@ -117,8 +117,7 @@ public final class Diagnoser {
                 before, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
         progress.accept("fitting all kicks together");
         simple = fitter.fitSimple();
-        List<KickData> settled =
-            Kinds.settle(fitter, simple, noise, problem.cameras(), flatStart(), chipStart());
+        List<KickData> settled = settledKinds(simple);
         if (settled != fitter.kicks) {
           fitter = fitter.of(settled);
           simple = fitter.fitSimple();
@@ -131,17 +130,30 @@ public final class Diagnoser {
                 simple,
                 problem.maxCauses(),
                 f -> !last && Cleaning.ends(fitter, f) != fitter.kicks);
-        clean = last ? fitter.kicks : Cleaning.ends(fitter, best);
-        clean = last || clean != fitter.kicks ? clean : Cleaning.kicks(fitter, best);
+        clean = last ? fitter.kicks : cleaned(best);
         if (clean == fitter.kicks) {
           break;
         }
-        progress.accept("leaving out what is no free ball");
+        progress.accept("looking again at kicks that stand out");
       }
       best = search.polishRegion(best);
       progress.accept("weighing the explanations");
       decision = new Decision(search, best, problem.seed());
       decision.settle();
+    }
+
+    private List<KickData> settledKinds(FittedHypothesis at) {
+      return Kinds.settle(fitter, at, noise, problem.cameras(), flatStart(), chipStart());
+    }
+
+    /** The kicks as they look in the light of an explanation; the same list when nothing is to be changed. */
+    private List<KickData> cleaned(FittedHypothesis best) {
+      List<KickData> settled = best.hypothesis().isSimple() ? fitter.kicks : settledKinds(best);
+      if (settled != fitter.kicks) {
+        return settled;
+      }
+      List<KickData> ends = Cleaning.ends(fitter, best);
+      return ends == fitter.kicks ? Cleaning.kicks(fitter, best) : ends;
     }
 
     /** Where structure remains, a cause stays only if it is the same in all kicks. */

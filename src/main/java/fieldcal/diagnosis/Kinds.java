@@ -11,6 +11,7 @@ import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -65,7 +66,7 @@ final class Kinds {
                             cameras,
                             flats ? fixed(free.flat()) : free.flat(),
                             chips ? fixed(free.chip()) : free.chip());
-                    return better(fitter, fit, free, held);
+                    return better(fitter, fit, free, held, chips);
                   })
               .toList();
       if (all.equals(before)) {
@@ -75,7 +76,8 @@ final class Kinds {
     return all;
   }
 
-  private static KickFit better(KickFitter fitter, KickFit fit, FitProblem free, FitProblem held) {
+  private static KickFit better(
+      KickFitter fitter, KickFit fit, FitProblem free, FitProblem held, boolean chips) {
     if (fit.kind() == KickKind.FLAT) {
       KickFit same = fitter.fit(held, KickKind.FLAT);
       if (same.failure().isEmpty()
@@ -92,7 +94,9 @@ final class Kinds {
     double asFlat =
         flat.failure().isPresent() ? Double.POSITIVE_INFINITY : flat.statistics().meanLoss();
     boolean steep = isSteep(chip);
-    boolean toChip = fit.kind() == KickKind.FLAT && steep && asChip < LESS * asFlat;
+    // Without other chips a chip's model is free, and must beat a flat kick's that is free, too.
+    double limit = chips ? LESS * asFlat : BETTER * fit.statistics().meanLoss();
+    boolean toChip = fit.kind() == KickKind.FLAT && steep && asChip < limit;
     boolean toFlat = fit.kind() == KickKind.CHIP && !steep && asFlat < asChip;
     if (!toChip && !toFlat) {
       return fit;
@@ -145,12 +149,15 @@ final class Kinds {
   /** The kicks under a joint fit, some of them as the other kind; the same list when none changes. */
   static List<KickData> settle(
       HypothesisFitter fitter,
-      FittedHypothesis simple,
+      FittedHypothesis at,
       NoiseCalibration noise,
       CameraViews cameras,
       FlatModel flat,
       ChipModel chip) {
-    SharedState state = SharedState.of(simple.hypothesis(), simple.shared(), fitter.observers);
+    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
+    int random = at.hypothesis().random().size();
+    double[] means =
+        Arrays.copyOfRange(at.shared(), at.shared().length - random, at.shared().length);
     KickFitter kickFitter = new KickFitter(FitSettings.defaults());
     KickData[] settled = fitter.kicks.toArray(KickData[]::new);
     IntStream.range(0, settled.length)
@@ -159,7 +166,7 @@ final class Kinds {
             k -> {
               KickData data = settled[k];
               KickKind other = data.kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT;
-              double now = cost(fitter, simple, state, k);
+              double now = cost(fitter, at, state, k);
               boolean judged = fitter.kicks.stream().filter(d -> d.kind == other).count() >= FEWEST;
               if (!judged || now < FITS) {
                 return;
@@ -173,8 +180,9 @@ final class Kinds {
               if (other == KickKind.CHIP && begin[4] < STEEP * Math.hypot(begin[2], begin[3])) {
                 return;
               }
-              KickModel model = new KickModel(changed, 0, fitter.sessionStart);
-              OwnFit own = new OwnFit(model, state, new double[0]);
+              KickModel model = new KickModel(changed, random, fitter.sessionStart);
+              model.startFrom(begin, changed.flights, means);
+              OwnFit own = new OwnFit(model, state, at.scatter());
               double cost = own.minimize();
               if (other == KickKind.CHIP && own.chooseFlights()) {
                 cost = own.minimize();
@@ -190,7 +198,7 @@ final class Kinds {
   private static double cost(
       HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
     KickData data = fitter.kicks.get(k);
-    KickModel model = new KickModel(data, 0, fitter.sessionStart);
+    KickModel model = new KickModel(data, at.hypothesis().random().size(), fitter.sessionStart);
     model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
     double[] r = new double[2 * data.size];
     return model.residuals(state, model.path(state, model.own), r) / (2.0 * data.usedCount);

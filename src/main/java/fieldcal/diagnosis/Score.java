@@ -57,7 +57,7 @@ record Score(
     return new Score(chart, false, gain, evidence, coordinates, 0);
   }
 
-  private static RealMatrix symmetric(RealMatrix m) {
+  static RealMatrix symmetric(RealMatrix m) {
     return m.add(m.transpose()).scalarMultiply(0.5);
   }
 

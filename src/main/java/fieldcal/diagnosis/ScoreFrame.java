@@ -77,7 +77,7 @@ final class ScoreFrame {
     if (free.length == 0) {
       sum.setEntry(0, 0, 1);
     }
-    shared = new CholeskyDecomposition(sum, 1e-6, 0);
+    shared = new CholeskyDecomposition(Score.symmetric(sum), 1e-6, 0);
     sharedRight = right;
   }
 
