@@ -6,6 +6,7 @@ import fieldcal.diagnosis.hidden.Visibility;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -24,6 +25,7 @@ public final class HiddenEffectStudy {
         --cases N      how many cases (default 500)
         --seed S       of the whole study (default 1): cases have the seeds S·1000000 and up
         --case SEED    this case alone, with everything that the diagnosis tells on its way
+        --seeds A,B    exactly these cases, as of failed ones
         --only ID      only cases that hide this effect (several: separated by commas)
         --category C   only cases of one category: single, null, pair, unknown
         --threads N    cases at a time (default 2)
@@ -38,6 +40,7 @@ public final class HiddenEffectStudy {
     int cases = 500;
     long seed = 1;
     Optional<Long> one = Optional.empty();
+    List<Long> seeds = List.of();
     List<String> only = List.of();
     String category = "";
     int threads = 2;
@@ -86,6 +89,7 @@ public final class HiddenEffectStudy {
         case "--cases" -> o.cases = Integer.parseInt(value);
         case "--seed" -> o.seed = Long.parseLong(value);
         case "--case" -> o.one = Optional.of(Long.parseLong(value));
+        case "--seeds" -> o.seeds = Arrays.stream(value.split(",")).map(Long::valueOf).toList();
         case "--only" -> o.only = List.of(value.split(","));
         case "--category" -> o.category = value;
         case "--threads" -> o.threads = Integer.parseInt(value);
@@ -96,6 +100,9 @@ public final class HiddenEffectStudy {
   }
 
   private static List<HiddenCase> cases(Options o) {
+    if (!o.seeds.isEmpty()) {
+      return o.seeds.stream().map(HiddenCase::draw).toList();
+    }
     List<HiddenCase> cases = new ArrayList<>();
     for (long i = 0; i < SEEDS && cases.size() < o.cases; i++) {
       HiddenCase c = HiddenCase.draw(o.seed * SEEDS + i);

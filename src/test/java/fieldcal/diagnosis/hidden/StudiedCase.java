@@ -176,11 +176,12 @@ public record StudiedCase(
             .collect(Collectors.joining("; "));
     return String.format(
         Locale.ROOT,
-        "%d %s %s [gain %s σ] %s -> %s [%s; held out %.2f -> %.2f noise; %.1f + %.1f + %.1f s]",
+        "%d %s %s%s -> %s [%s; held out %.2f -> %.2f noise; %.1f + %.1f + %.1f s]",
         hidden.seed(),
         outcome().map(Enum::name).orElse("FAILED"),
-        hidden.hidden().isEmpty() ? "null" : level().name().toLowerCase(Locale.ROOT),
-        seen,
+        hidden.hidden().isEmpty()
+            ? ""
+            : level().name().toLowerCase(Locale.ROOT) + " [gain " + seen + " σ] ",
         hidden,
         said,
         strengths,
