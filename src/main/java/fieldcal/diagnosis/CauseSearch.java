@@ -34,7 +34,7 @@ final class CauseSearch {
   private static final double TYPICAL_SPIN = 0.6;
 
   /** A search that has fitted so many hypotheses without an end will find none. */
-  private static final int MOST_FITS = 60;
+  private static final int MOST_FITS = 40;
 
   /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
   private static final double NOTHING_LEFT = 3;
@@ -81,7 +81,11 @@ final class CauseSearch {
       if (next.isEmpty() || !isProgress(best, next.get(0))) {
         break;
       }
-      best = backward(next.get(0));
+      FittedHypothesis better = backward(next.get(0));
+      if (better.hypothesis().sameCauses(best.hypothesis())) {
+        break;
+      }
+      best = better;
       beam = beam(simple, best, next);
       progress.accept("best explanation so far: " + best.hypothesis());
     }

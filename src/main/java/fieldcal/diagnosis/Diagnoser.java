@@ -44,6 +44,12 @@ public final class Diagnoser {
 
   private static final double HALF = 0.5;
 
+  /** A kick that its own parameters fit that many times worse than the median kick is a stray. */
+  private static final double STRAY = 3;
+
+  /** Share of the kicks that may be strays. */
+  private static final double FEW = 0.08;
+
   /** A diagnoser. */
   public Diagnoser() {}
 
@@ -85,7 +91,7 @@ public final class Diagnoser {
 
     Diagnosis diagnose() {
       List<KickData> kicks = new ArrayList<>();
-      for (KickFit fit : fits) {
+      for (KickFit fit : withoutStrays(fits)) {
         KickData data = new KickData(fit, noise.cameras(), noise.stampNoise());
         if (data.usedCount > 2 * data.start.length && isOneBall(fit)) {
           kicks.add(data);
@@ -105,6 +111,14 @@ public final class Diagnoser {
     private static boolean isOneBall(KickFit fit) {
       FitStatistics s = fit.statistics();
       return s.rmsMm() < WRONG_BALL_MM && s.used() > HALF * s.observations();
+    }
+
+    /** Without the one kick or two that not even parameters of their own explain, while they do the others; if they are more, that is what is to be explained. */
+    private static List<KickFit> withoutStrays(List<KickFit> fits) {
+      double[] sorted = fits.stream().mapToDouble(KickFit::rmsMm).sorted().toArray();
+      double limit = STRAY * sorted[sorted.length / 2];
+      List<KickFit> good = fits.stream().filter(f -> f.rmsMm() < limit).toList();
+      return fits.size() - good.size() <= Math.max(1, FEW * fits.size()) ? good : fits;
     }
 
     private void look(List<KickData> kicks) {

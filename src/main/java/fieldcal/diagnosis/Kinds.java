@@ -176,18 +176,16 @@ final class Kinds {
                 return;
               }
               KickData changed = new KickData(fit, noise.cameras(), noise.stampNoise());
-              double[] begin = changed.start;
-              if (other == KickKind.CHIP && begin[4] < STEEP * Math.hypot(begin[2], begin[3])) {
-                return;
-              }
               KickModel model = new KickModel(changed, random, fitter.sessionStart);
-              model.startFrom(begin, changed.flights, means);
+              model.startFrom(changed.start, changed.flights, means);
               OwnFit own = new OwnFit(model, state, at.scatter());
               double cost = own.minimize();
               if (other == KickKind.CHIP && own.chooseFlights()) {
                 cost = own.minimize();
               }
-              if (cost / (2.0 * changed.usedCount) < BETTER * now) {
+              double run = Math.hypot(model.own[2], model.own[3]);
+              boolean flies = other == KickKind.FLAT || model.own[4] > STEEP * run;
+              if (flies && cost / (2.0 * changed.usedCount) < BETTER * now) {
                 settled[k] = changed;
               }
             });
