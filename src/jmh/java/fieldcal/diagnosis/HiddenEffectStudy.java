@@ -7,16 +7,18 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.CompletionService;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 
 /**
- * {@code ./gradlew hiddenEffectStudy}: hundreds of drawn cases, diagnosed without the truth and judged with it. The same seed gives the same cases and, times aside, the same output.
+ * {@code ./gradlew hiddenEffectStudy}: hundreds of drawn cases, diagnosed without the truth and judged with it. Cases are told as they come; the summary is the same for the same seed, times aside.
  */
 public final class HiddenEffectStudy {
   private static final String USAGE =
@@ -118,14 +120,14 @@ public final class HiddenEffectStudy {
       throws InterruptedException, ExecutionException {
     List<HiddenCase> cases = cases(o);
     ExecutorService pool = Executors.newFixedThreadPool(o.threads);
+    CompletionService<StudiedCase> done = new ExecutorCompletionService<>(pool);
     List<StudiedCase> results = new ArrayList<>();
     try {
-      List<Future<StudiedCase>> futures = new ArrayList<>();
       for (HiddenCase c : cases) {
-        futures.add(pool.submit(() -> o.classes ? visible(c, out) : studied(c)));
+        done.submit(() -> o.classes ? visible(c, out) : studied(c));
       }
-      for (Future<StudiedCase> future : futures) {
-        StudiedCase result = future.get();
+      while (results.size() < cases.size()) {
+        StudiedCase result = done.take().get();
         results.add(result);
         if (!o.classes) {
           out.printf(Locale.ROOT, "[%d/%d] %s%n", results.size(), cases.size(), result);
@@ -133,6 +135,9 @@ public final class HiddenEffectStudy {
       }
     } finally {
       pool.shutdownNow();
+    }
+    if (!o.classes) {
+      results.sort(Comparator.comparingLong(r -> r.hidden().seed()));
     }
     return results;
   }
