@@ -83,8 +83,8 @@ final class BallForces {
     force[1] = 0;
     force[2] = 0;
     BallMotion m = motion(t, s, phase == Phase.FLYING);
-    for (ExternalForce effect : effects.forces) {
-      effect.addAcceleration(m, force);
+    for (ExternalForce.Field field : effects.forces) {
+      field.add(m, force);
     }
     rate[0] = s[3];
     rate[1] = s[4];
@@ -163,8 +163,8 @@ final class BallForces {
     force[0] = 0;
     force[1] = 0;
     force[2] = 0;
-    for (ExternalForce effect : effects.forces) {
-      effect.addAcceleration(motion, force);
+    for (ExternalForce.Field field : effects.forces) {
+      field.add(motion, force);
     }
     double push = Math.hypot(force[0], force[1]);
     if (push == 0) {

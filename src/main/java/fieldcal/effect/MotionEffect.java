@@ -29,6 +29,27 @@ public interface MotionEffect extends Effect {
      * @param acceleration x, y, z, m/s²; add to it
      */
     void addAcceleration(BallMotion motion, double[] acceleration);
+
+    /**
+     * The same force with what is the same everywhere worked out; the integrator asks this one.
+     *
+     * @return does what {@link #addAcceleration} does
+     */
+    default Field field() {
+      return this::addAcceleration;
+    }
+
+    /** A force over the mass, without the effect that it comes from. */
+    @FunctionalInterface
+    interface Field {
+      /**
+       * Adds it.
+       *
+       * @param motion how the ball moves
+       * @param acceleration x, y, z, m/s²; add to it
+       */
+      void add(BallMotion motion, double[] acceleration);
+    }
   }
 
   /** What makes rolling differ from a constant deceleration: a = −(−accRoll·∏ factors + Σ addends) along the velocity. */

@@ -5,16 +5,23 @@ import fieldcal.effect.MotionEffect.ExternalForce;
 import fieldcal.effect.MotionEffect.FrictionZone;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SpinAtKick;
+import java.util.Arrays;
 import java.util.List;
 
 /** The effects that act on a ball, sorted by what they change, and the ball's body. Immutable; make it once for many kicks. */
 public final class MotionEffects {
+  private static final SpinAtKick[] NO_SPINS = {};
+  private static final ExternalForce.Field[] NO_FORCES = {};
+  private static final RollingResistance[] NO_RESISTANCES = {};
+  private static final FrictionZone[] NO_ZONES = {};
+  private static final Bounce[] NO_BOUNCES = {};
+
   /** A golf ball on which nothing acts but what the models say. */
   public static final MotionEffects NONE = of(List.of());
 
   final BallBody ball;
   final SpinAtKick[] spins;
-  final ExternalForce[] forces;
+  final ExternalForce.Field[] forces;
   final RollingResistance[] resistances;
   final FrictionZone[] zones;
   final Bounce[] bounces;
@@ -23,16 +30,43 @@ public final class MotionEffects {
   private MotionEffects(BallBody ball, List<? extends MotionEffect> effects) {
     this.ball = ball;
     this.effects = List.copyOf(effects);
-    // An absent effect is left out, so that it changes nothing, not even a rounding error.
-    List<MotionEffect> acting = this.effects.stream().filter(e -> !e.isAbsent()).toList();
-    spins = acting.stream().filter(SpinAtKick.class::isInstance).toArray(SpinAtKick[]::new);
-    forces = acting.stream().filter(ExternalForce.class::isInstance).toArray(ExternalForce[]::new);
-    resistances =
-        acting.stream()
-            .filter(RollingResistance.class::isInstance)
-            .toArray(RollingResistance[]::new);
-    zones = acting.stream().filter(FrictionZone.class::isInstance).toArray(FrictionZone[]::new);
-    bounces = acting.stream().filter(Bounce.class::isInstance).toArray(Bounce[]::new);
+    SpinAtKick[] spinning = NO_SPINS;
+    ExternalForce.Field[] pulling = NO_FORCES;
+    RollingResistance[] resisting = NO_RESISTANCES;
+    FrictionZone[] worn = NO_ZONES;
+    Bounce[] bouncing = NO_BOUNCES;
+    for (MotionEffect effect : this.effects) {
+      if (effect.isAbsent()) {
+        // It is left out, so that it changes nothing, not even a rounding error.
+        continue;
+      }
+      if (effect instanceof SpinAtKick e) {
+        spinning = and(spinning, e);
+      }
+      if (effect instanceof ExternalForce e) {
+        pulling = and(pulling, e.field());
+      }
+      if (effect instanceof RollingResistance e) {
+        resisting = and(resisting, e);
+      }
+      if (effect instanceof FrictionZone e) {
+        worn = and(worn, e);
+      }
+      if (effect instanceof Bounce e) {
+        bouncing = and(bouncing, e);
+      }
+    }
+    spins = spinning;
+    forces = pulling;
+    resistances = resisting;
+    zones = worn;
+    bounces = bouncing;
+  }
+
+  private static <T> T[] and(T[] some, T another) {
+    T[] more = Arrays.copyOf(some, some.length + 1);
+    more[some.length] = another;
+    return more;
   }
 
   /**

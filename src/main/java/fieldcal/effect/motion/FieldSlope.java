@@ -69,10 +69,19 @@ public record FieldSlope(double percent, double direction) implements ExternalFo
 
   @Override
   public void addAcceleration(BallMotion motion, double[] acceleration) {
-    if (!motion.isFlying()) {
-      double pull = Gravity.ACCELERATION * percent / 100;
-      acceleration[0] += pull * Math.cos(direction);
-      acceleration[1] += pull * Math.sin(direction);
-    }
+    field().add(motion, acceleration);
+  }
+
+  @Override
+  public Field field() {
+    double pull = Gravity.ACCELERATION * percent / 100;
+    double x = pull * Math.cos(direction);
+    double y = pull * Math.sin(direction);
+    return (motion, acceleration) -> {
+      if (!motion.isFlying()) {
+        acceleration[0] += x;
+        acceleration[1] += y;
+      }
+    };
   }
 }
