@@ -1,0 +1,99 @@
+package fieldcal.diagnosis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.KickCollector;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.CalibrationProblem;
+import fieldcal.calibration.Calibrator;
+import fieldcal.calibration.HandSelection;
+import fieldcal.fit.FitSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** Recordings of worlds that are not ours: the hidden effect is named and sized, and nothing where there is nothing. */
+class RecordedEffectsTest {
+  private static Diagnosis diagnose(String name) throws IOException {
+    Path log =
+        Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", name + ".log.gz");
+    CollectedKicks data = new KickCollector((l, read, total) -> {}).collect(List.of(log));
+    Calibration calibration =
+        new Calibrator(FitSettings.defaults())
+            .calibrate(
+                new CalibrationProblem(
+                    data.kicks(),
+                    data.epoch(),
+                    data.cameras(),
+                    data.published().flat().orElse(FlatModel.typical()),
+                    data.published().chip().orElse(ChipModel.typical()),
+                    Optional.empty(),
+                    HandSelection.none()),
+                kick -> {});
+    return new Diagnoser()
+        .diagnose(
+            new DiagnosisProblem(
+                calibration.fitted(),
+                calibration.cameras(),
+                data.observers(),
+                data.sessionStart(),
+                Map.of(),
+                DiagnosisProblem.DEFAULT_MAX_CAUSES,
+                1),
+            said -> {});
+  }
+
+  private static Cause only(Diagnosis diagnosis, String effect) {
+    assertThat(diagnosis.verdict()).isEqualTo(Verdict.EXPLAINED);
+    assertThat(diagnosis.causes()).hasSize(1);
+    Cause cause = diagnosis.causes().get(0);
+    assertThat(cause.effect().id()).isEqualTo(effect);
+    assertThat(cause.gain().lowMm()).isPositive();
+    return cause;
+  }
+
+  @Test
+  void airDragIsFoundAndSized() throws IOException {
+    Diagnosis diagnosis = diagnose("world-flat-air-drag");
+    Cause drag = only(diagnosis, "air_drag");
+    double error = drag.standardErrors().get("cd");
+    assertThat(drag.effect().value("cd")).isCloseTo(0.5, within(Math.max(3 * error, 0.005)));
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(1.05 * diagnosis.extended().noiseMm());
+    assertThat(diagnosis.unexplained().significant()).isFalse();
+  }
+
+  @Test
+  void aCameraTooHighIsFoundAndSized() throws IOException {
+    Diagnosis diagnosis = diagnose("world-chip-camera-height-error");
+    Cause pose = only(diagnosis, "camera_pose_error");
+    assertThat(pose.effect().value("camera")).isEqualTo(1);
+    assertThat(pose.effect().value("height_mm")).isCloseTo(50, within(0.5));
+  }
+
+  @Test
+  void nothingIsFoundWhereNothingIs() throws IOException {
+    for (String name : new String[] {"world-null-flat", "world-null-chip"}) {
+      Diagnosis diagnosis = diagnose(name);
+      assertThat(diagnosis.verdict()).as(name).isEqualTo(Verdict.MODEL_ADEQUATE);
+      assertThat(diagnosis.causes()).as(name).isEmpty();
+    }
+  }
+
+  @Test
+  void theOffsetBetweenTheSimulatorsCamerasIsFoundAndNothingElse() throws IOException {
+    Diagnosis diagnosis = diagnose("erforce-flat");
+    Cause offset = only(diagnosis, "camera_offset");
+    // One camera by 20, the other by -20: 40 mm between them.
+    assertThat(2 * Math.abs(offset.effect().value("x_mm"))).isCloseTo(40, within(2.0));
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(0.3 * diagnosis.base().holdoutRmsMm());
+  }
+}
