@@ -194,8 +194,10 @@ final class EffectDraw {
       case LENS_DISTORTION_ERROR ->
           set(effect, "delta", limited(about(0.013), -0.08, 0.08)).with("camera", camera());
       case BALL_HEIGHT_ERROR -> set(effect, "mm", limited(about(9), -25, 45));
-      case SPEED_DEPENDENT_RESTITUTION -> set(effect, "slope", limited(about(0.12), -0.28, 0.28));
-      case BOUNCE_SPIN_COUPLING -> set(effect, "coefficient", limited(positive(0.13), 0, 0.6));
+      // Below −0.1 a fast chip would keep more of its speed than any carpet leaves it.
+      case SPEED_DEPENDENT_RESTITUTION -> set(effect, "slope", limited(about(0.12), -0.1, 0.28));
+      // 2/7 is a ball that grips.
+      case BOUNCE_SPIN_COUPLING -> set(effect, "coefficient", limited(positive(0.13), 0, 0.2857));
       case DRIFT -> set(effect, "percent_per_10min", limited(about(17), -120, 400));
       case ROBOT_KICK_BIAS -> {
         RobotId robot = kickers.get(random.below(kickers.size()));

@@ -41,9 +41,10 @@ class HiddenEffectTest {
   @ParameterizedTest
   @ValueSource(
       longs = {
-        7000146, 7000192, 7000599, 7007925, 7000541, 7000917, 7000491, 7000627, 7000224, 7000329,
-        7000791, 7000993, 7001549, 7000233, 7000074, 7000821, 7000973, 7001206, 7000844, 7001176,
-        7000120, 7000870, 7000067, 3000015, 7000854, 7000068, 7000799, 7000064, 7000257
+        7000030, 7000146, 7000192, 7000599, 7007925, 7000541, 7000917, 7000491, 7000627, 7000224,
+        7000329, 7000791, 7000993, 7001549, 7000233, 7000074, 7000821, 7000973, 7001206, 7000844,
+        7001176, 7000120, 7000870, 7000067, 3000015, 7000789, 7000854, 7000068, 7000799, 7000064,
+        7000257
       })
   void aSingleEffectIsNamedSizedAndPays(long seed) {
     StudiedCase studied = study(seed);
@@ -72,7 +73,7 @@ class HiddenEffectTest {
   }
 
   @ParameterizedTest
-  @ValueSource(longs = {7000041, 7000059, 7000275, 7000416})
+  @ValueSource(longs = {7000041, 7000059, 7000275, 7000289, 7000416})
   void bothOfAPairAreFound(long seed) {
     StudiedCase studied = study(seed);
     assertThat(studied.outcome().orElseThrow()).as("%s", studied).isIn(Outcome.RIGHT, Outcome.TIE);
@@ -82,22 +83,11 @@ class HiddenEffectTest {
         .allMatch(f -> f.how() != How.NOT);
   }
 
-  /**
-   * Known defects: chips whose bounces depend on spin, and few kicks of both kinds. 7000030 has a chip of which too little was seen to count its hops and says that something remains; 7000162
-   * stops far from the true coefficient; 7000434 has a chip that was taken for a flat kick; 7000789 and 7001218 find no name.
-   */
+  /** Known defects: 7000162 and 7001218 are said to be unexplained, in 7000434 a chip that was taken for a flat kick is explained by causes that are not there. */
   @Disabled("hops and kinds of single chips are not settled yet when few kicks tell what is usual")
   @ParameterizedTest
-  @ValueSource(longs = {7000030, 7000162, 7000434, 7000789, 7001218})
+  @ValueSource(longs = {7000162, 7000434, 7001218})
   void aSingleEffectBehindDoubtfulChipsIsFound(long seed) {
     aSingleEffectIsNamedSizedAndPays(seed);
-  }
-
-  /** Known defect: only the lens is found, and then what remains is not. */
-  @Disabled("hops and kinds of single chips are not settled yet when few kicks tell what is usual")
-  @ParameterizedTest
-  @ValueSource(longs = 7000289)
-  void aPairBehindDoubtfulChipsIsFound(long seed) {
-    bothOfAPairAreFound(seed);
   }
 }
