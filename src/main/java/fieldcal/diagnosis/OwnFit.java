@@ -100,7 +100,7 @@ final class OwnFit {
     }
   }
 
-  /** Tries one flight more and one less; true when that explains the kick better. */
+  /** Tries one flight more and one less, or, far from what the rule says, what it says; true when that explains the kick better. */
   boolean chooseFlights() {
     int n = 2 * model.data.size;
     int kept = model.flights;
@@ -108,8 +108,12 @@ final class OwnFit {
     double best = priced(cost(model.own, new double[n]));
     int bestFlights = kept;
     double[] bestOwn = keptOwn;
-    for (int other : new int[] {kept - 1, kept + 1}) {
-      if (other < 1 || other > ChipModel.MAX_FLIGHTS || !isNearTheRule(keptOwn, kept, other)) {
+    int rule = model.flightsByRule(state, keptOwn);
+    boolean lost = Math.abs(rule - kept) > 1;
+    int[] others = lost ? new int[] {rule - 1, rule, rule + 1} : new int[] {kept - 1, kept + 1};
+    for (int other : others) {
+      boolean possible = other >= 1 && other <= ChipModel.MAX_FLIGHTS;
+      if (!possible || !lost && !isNearTheRule(keptOwn, kept, other)) {
         continue;
       }
       model.flights = other;
