@@ -18,6 +18,7 @@ final class ActiveKick {
 
   private final JumpDetector.Jump jump;
   private final RobotId robot;
+  private final boolean dribbled;
   private final KickFinderSettings settings;
   private final List<BallTrack> members = new ArrayList<>();
   private final Observations.Builder observations = new Observations.Builder();
@@ -30,9 +31,10 @@ final class ActiveKick {
   private BallTrack newest;
   private double outsideSince = Double.NaN;
 
-  ActiveKick(JumpDetector.Jump jump, RobotId robot, KickFinderSettings settings) {
+  ActiveKick(JumpDetector.Jump jump, RobotId robot, boolean dribbled, KickFinderSettings settings) {
     this.jump = jump;
     this.robot = robot;
+    this.dribbled = dribbled;
     this.settings = settings;
   }
 
@@ -206,6 +208,7 @@ final class ActiveKick {
         jump.fromRest(),
         end,
         last,
-        seen);
+        seen,
+        dribbled);
   }
 }

@@ -18,6 +18,7 @@ import java.util.Optional;
  * @param end why the observations end
  * @param endTime when they end, s
  * @param observations all detections of this ball, unfiltered, those before the kick included when it was at rest
+ * @param afterDribbling whether the kicker had moved with the ball at its front before, or caught it there; then the ball may spin
  */
 public record Kick(
     int id,
@@ -30,7 +31,8 @@ public record Kick(
     boolean fromRest,
     KickEnd end,
     double endTime,
-    Observations observations) {
+    Observations observations,
+    boolean afterDribbling) {
 
   /** Checks that nothing is missing. {@inheritDoc} */
   public Kick {
@@ -44,13 +46,44 @@ public record Kick(
   }
 
   /**
+   * A kick without dribbling before.
+   *
+   * @param id running number within the recording, from 1
+   * @param time s since the recording's epoch
+   * @param x m
+   * @param y m
+   * @param vx m/s
+   * @param vy m/s
+   * @param robot who kicked
+   * @param fromRest whether the ball lay still before
+   * @param end why the observations end
+   * @param endTime s
+   * @param observations all detections of this ball
+   */
+  public Kick(
+      int id,
+      double time,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      Optional<RobotId> robot,
+      boolean fromRest,
+      KickEnd end,
+      double endTime,
+      Observations observations) {
+    this(id, time, x, y, vx, vy, robot, fromRest, end, endTime, observations, false);
+  }
+
+  /**
    * This kick with another running number.
    *
    * @param newId the number
    * @return the renumbered kick
    */
   public Kick withId(int newId) {
-    return new Kick(newId, time, x, y, vx, vy, robot, fromRest, end, endTime, observations);
+    return new Kick(
+        newId, time, x, y, vx, vy, robot, fromRest, end, endTime, observations, afterDribbling);
   }
 
   /**
@@ -60,6 +93,7 @@ public record Kick(
    * @return the changed copy
    */
   public Kick withObservations(Observations newObservations) {
-    return new Kick(id, time, x, y, vx, vy, robot, fromRest, end, endTime, newObservations);
+    return new Kick(
+        id, time, x, y, vx, vy, robot, fromRest, end, endTime, newObservations, afterDribbling);
   }
 }

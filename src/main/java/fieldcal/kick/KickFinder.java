@@ -58,6 +58,7 @@ public final class KickFinder {
   private final Map<Integer, CameraTracks> cameras = new HashMap<>();
   private final Map<Integer, Camera> views = new HashMap<>();
   private final RobotPoses robots = new RobotPoses();
+  private final DribbleWatch dribbles = new DribbleWatch();
   private final PlayingArea area = new PlayingArea();
   private final List<ActiveKick> active = new ArrayList<>();
   private final TrackMatcher matcher = new TrackMatcher(views);
@@ -122,6 +123,7 @@ public final class KickFinder {
     }
     now = Math.max(now, t);
     robots.update(frame);
+    dribbles.update(frame);
     for (BallDetection ball : frame.balls()) {
       tracks.offer(ball);
     }
@@ -139,6 +141,7 @@ public final class KickFinder {
       endAll(KickEnd.RECORDING_ENDED);
       cameras.values().forEach(CameraTracks::clear);
       robots.clear();
+      dribbles.clear();
     }
   }
 
@@ -151,6 +154,7 @@ public final class KickFinder {
     endAll(KickEnd.RECORDING_ENDED);
     cameras.clear();
     robots.clear();
+    dribbles.clear();
     now = Double.NEGATIVE_INFINITY;
   }
 
@@ -223,7 +227,8 @@ public final class KickFinder {
       counts.deflections++;
       return;
     }
-    ActiveKick kick = new ActiveKick(jump, robot, settings);
+    boolean dribbled = robot != null && dribbles.dribbled(robot, jump.time(), jump.fromRest());
+    ActiveKick kick = new ActiveKick(jump, robot, dribbled, settings);
     kick.join(track);
     active.add(kick);
     for (CameraTracks camera : cameras.values()) {
@@ -317,6 +322,12 @@ public final class KickFinder {
     lastEnd = kick.lastTime();
     lastEndX = kick.newest().x(0);
     lastEndY = kick.newest().y(0);
+    if (reason == KickEnd.TOUCHED_ROBOT) {
+      RobotId catcher = robots.nearest(lastEnd, lastEndX, lastEndY, settings.robotReach());
+      if (catcher != null) {
+        dribbles.caught(catcher, lastEnd);
+      }
+    }
     Kick finished = kick.finish(reason, time);
     if (finished == null) {
       counts.tooShort++;

@@ -89,6 +89,20 @@ final class RobotPoses {
     return nearest;
   }
 
+  /** The robot nearest to a place; null when none is within reach. */
+  RobotId nearest(double t, double x, double y, double reach) {
+    RobotId best = null;
+    double nearest = reach;
+    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
+      double d = distance(e.getValue(), t, x, y);
+      if (d < nearest) {
+        nearest = d;
+        best = e.getKey().robot();
+      }
+    }
+    return best;
+  }
+
   /**
    * Who can have given a ball at (x, y) the velocity (vx, vy): the nearest robot within reach from which the ball moves away.
    *
