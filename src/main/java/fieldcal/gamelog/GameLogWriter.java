@@ -91,6 +91,15 @@ public final class GameLogWriter implements Closeable {
     out.write(buffer, offset, length);
   }
 
+  /**
+   * Hands everything written so far to the operating system: if this process dies, a log that is not compressed can be read up to here.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void flush() throws IOException {
+    out.flush();
+  }
+
   @Override
   public void close() throws IOException {
     out.close();

@@ -32,7 +32,7 @@ public final class Simulation {
   private final SimulatedWorld world;
   private final VisionSystem vision;
 
-  private Simulation(SimulationSettings settings, Scenario scenario) {
+  private Simulation(SimulationSettings settings, Scenario scenario, boolean interactive) {
     this.settings = settings;
     this.scenario = scenario;
     physics = Effects.physics(settings.physics(), settings.effects());
@@ -40,7 +40,12 @@ public final class Simulation {
     epoch = new Epoch(BASE_NANOS + Math.floorMod(settings.seed(), 100_000L) * HOUR_NANOS);
     List<SimulatedRobot> robots = scenario.robots();
     world = new SimulatedWorld(settings.field(), physics, behaviour, robots, settings.seed());
-    vision = new VisionSystem(settings, world);
+    vision = interactive ? new VisionSystem(settings, world, 0) : new VisionSystem(settings, world);
+  }
+
+  /** A simulation whose packets come without delay, for somebody who steers by them. */
+  static Simulation interactive(SimulationSettings settings, Scenario scenario) {
+    return new Simulation(settings, scenario, true);
   }
 
   /**
@@ -71,7 +76,7 @@ public final class Simulation {
    * @throws IllegalArgumentException when an effect leaves the range of the physics
    */
   public static Simulation with(SimulationSettings settings, Scenario scenario) {
-    return new Simulation(settings, scenario);
+    return new Simulation(settings, scenario, false);
   }
 
   /**

@@ -20,12 +20,13 @@ public final class VisionSystem {
   /** From vision to the recorder, s. */
   private static final double NETWORK = 0.0003;
 
-  /** How long after its exposure a frame may still be on its way, s. */
+  /** How long after its exposure a frame may still be on its way, s: a recorder can wait that long to have all in order. */
   private static final double SAFE_LAG = 0.1;
 
   private static final double GEOMETRY_INTERVAL = 1;
 
   private final SimulatedWorld world;
+  private final double lag;
   private final List<SimulatedCamera> cameras;
   private final FieldGeometry geometry;
   private final double ballPlane;
@@ -48,7 +49,13 @@ public final class VisionSystem {
    * @param world what there is to see
    */
   public VisionSystem(SimulationSettings settings, SimulatedWorld world) {
+    this(settings, world, SAFE_LAG);
+  }
+
+  /** With a lag of 0, packets are delivered when they arrive, as somebody who drives robots needs them; order of arrival is kept up to a rolling shutter of 10 ms. */
+  VisionSystem(SimulationSettings settings, SimulatedWorld world, double lag) {
     this.world = world;
+    this.lag = lag;
     CameraSettings cameraSettings = Effects.cameras(settings.cameras(), settings.effects());
     List<CameraErrors> errors = Effects.cameraErrors(cameraSettings.count(), settings.effects());
     ballPlane = cameraSettings.ballPlane();
@@ -123,7 +130,7 @@ public final class VisionSystem {
       add(nextGeometry, VisionPacket.of(geometry));
       nextGeometry += GEOMETRY_INTERVAL;
     }
-    deliver(now - SAFE_LAG, sink);
+    deliver(now - lag, sink);
   }
 
   /**

@@ -1,0 +1,73 @@
+package fieldcal.app.play;
+
+import fieldcal.play.PlayAnswer.BallRequest;
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.RobotOrder;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.VisionPacket;
+import java.io.Closeable;
+import java.io.IOException;
+import java.util.List;
+
+/** A field with robots that obey: simulated in this process, on the network, or real. For one thread. */
+public interface PlayField extends Closeable {
+
+  /** Gets what arrives. */
+  interface Receiver {
+    /**
+     * A packet of vision.
+     *
+     * @param receivedTime when it arrived, s since the epoch
+     * @param packet what is in it
+     * @param payload its bytes
+     */
+    void vision(double receivedTime, VisionPacket packet, byte[] payload);
+
+    /**
+     * A message of the referee.
+     *
+     * @param receivedTime when it arrived, s since the epoch
+     * @param payload its bytes
+     */
+    void referee(double receivedTime, byte[] payload);
+  }
+
+  /**
+   * Where times count from.
+   *
+   * @return the epoch
+   */
+  Epoch epoch();
+
+  /**
+   * Waits for the next tick, some hundredths of a second at most.
+   *
+   * @param receiver gets what arrives meanwhile
+   * @return now, s since the epoch, on the clock of vision
+   * @throws IOException when the field is gone; one line for the operator
+   */
+  double next(Receiver receiver) throws IOException;
+
+  /**
+   * Tells the robots what to do until the next tick.
+   *
+   * @param orders for both robots
+   * @throws IOException when they cannot be sent
+   */
+  void order(List<RobotOrder> orders) throws IOException;
+
+  /**
+   * The robots cannot get at the ball: somebody has to lay it down. Called in every tick until it lies well.
+   *
+   * @param request where and why
+   * @throws IOException when it cannot be sent
+   */
+  void layBall(BallRequest request) throws IOException;
+
+  /**
+   * What the referee allows now.
+   *
+   * @return {@code RUN} when there is none
+   */
+  Permission permission();
+}

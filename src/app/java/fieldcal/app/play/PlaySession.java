@@ -1,0 +1,308 @@
+package fieldcal.app.play;
+
+import fieldcal.gamelog.MessageType;
+import fieldcal.kick.KickKind;
+import fieldcal.play.CalibrationPlay;
+import fieldcal.play.KickChooser;
+import fieldcal.play.PlayAnswer;
+import fieldcal.play.PlayArea;
+import fieldcal.play.PlayLine;
+import fieldcal.play.PlayPhase;
+import fieldcal.play.PlayPlan;
+import fieldcal.play.PlayState;
+import fieldcal.play.PlayWorld;
+import fieldcal.play.PlayedKick;
+import fieldcal.play.SpreadKicks;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionPacket;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+
+/**
+ * Runs the calibration play on a field until it is over: recording, live fits, and snapshots for whoever looks on.
+ *
+ * <p>{@link #run} does all the work on the caller's thread. {@link #pause}, {@link #resume}, {@link #abort} and {@link #snapshot} may be called from any thread at any time; they act in the next tick.
+ */
+public final class PlaySession {
+  /** The play sees that a ball moves some hundredths of a second after the kick, s. */
+  static final double NOTICED = 0.04;
+
+  /** Field time between two snapshots, s. */
+  private static final double SNAPSHOTS = 0.05;
+
+  /** Vision must send the geometry within that time, s; SSL-Vision does every three seconds. */
+  private static final double GEOMETRY = 10;
+
+  private final SessionRequest request;
+  private final PlayField field;
+  private final Consumer<SessionSnapshot> listener;
+  private final WorldModel model = new WorldModel();
+  private final LiveFits fits;
+  private final AtomicReference<SessionSnapshot> latest = new AtomicReference<>();
+
+  private volatile boolean paused;
+  private volatile String abortReason;
+
+  private SessionRecorder recorder;
+  private CalibrationPlay play;
+  private FieldGeometry geometry;
+  private Map<String, fieldcal.calibration.Average> averages = Map.of();
+  private double started = Double.NaN;
+  private double shown = Double.NEGATIVE_INFINITY;
+
+  /**
+   * A session that has not begun.
+   *
+   * @param request what is wanted
+   * @param field where; closed by {@link #run}
+   * @param listener gets a snapshot some 20 times per second of field time, and at every change, on the thread of {@link #run}; it should return quickly
+   */
+  public PlaySession(SessionRequest request, PlayField field, Consumer<SessionSnapshot> listener) {
+    this.request = request;
+    this.field = field;
+    this.listener = listener;
+    fits = new LiveFits(request.kind());
+  }
+
+  /**
+   * What a session ended with.
+   *
+   * @param last the last snapshot
+   * @param log the recording; empty when nothing was recorded
+   * @param commands what the robots were told; empty when nothing was recorded
+   */
+  public record Outcome(SessionSnapshot last, Optional<Path> log, Optional<Path> commands) {
+
+    /**
+     * Whether all kicks were made.
+     *
+     * @return false when it was stopped
+     */
+    public boolean complete() {
+      return last.state().phase() == PlayPhase.FINISHED;
+    }
+  }
+
+  /**
+   * Plays until all kicks are made, or something ends it. Both robots are told to stand at the end, whatever happened.
+   *
+   * @return how it ended
+   * @throws IOException when the field is gone or the recording cannot be written; one line for the operator
+   */
+  public Outcome run() throws IOException {
+    try (PlayField open = field) {
+      if (request.directory().isPresent()) {
+        String name = "session-" + request.kind().id();
+        recorder = SessionRecorder.begin(request.directory().get(), name, open.epoch());
+      }
+      try {
+        waitForGeometry();
+        play = new CalibrationPlay(plan(), chooser(), this::played);
+        while (!play.over()) {
+          tick();
+        }
+        settle();
+      } catch (UncheckedIOException e) {
+        throw e.getCause();
+      } finally {
+        stopRobots();
+        if (recorder != null) {
+          recorder.close();
+        }
+      }
+    }
+    return new Outcome(
+        latest.get(),
+        Optional.ofNullable(recorder).map(SessionRecorder::log),
+        Optional.ofNullable(recorder).map(SessionRecorder::commands));
+  }
+
+  private void waitForGeometry() throws IOException {
+    double first = Double.NaN;
+    while (geometry == null) {
+      double now = field.next(receiver());
+      first = Double.isNaN(first) ? now : first;
+      if (abortReason != null) {
+        throw new IOException("aborted before it began: " + abortReason);
+      }
+      if (now - first > GEOMETRY) {
+        throw new IOException(
+            "vision sent no geometry for " + (int) GEOMETRY + " s; is it running?");
+      }
+    }
+  }
+
+  private PlayPlan plan() {
+    PlayPlan plan =
+        request.kind() == KickKind.CHIP
+            ? PlayPlan.chip(request.first(), request.second(), geometry, request.kicks())
+                .withLines(
+                    PlayLine.across(geometry, request.across(), false),
+                    PlayLine.across(geometry, request.across(), true))
+            : PlayPlan.flat(
+                request.first(), request.second(), geometry, request.half(), request.kicks());
+    PlayArea area = plan.area();
+    double margin = request.margin().orElse(area.margin());
+    return plan.withLimits(request.limits())
+        .withArea(new PlayArea(area.length(), area.width(), margin, area.goalWidth()));
+  }
+
+  private KickChooser chooser() {
+    return new SpreadKicks(
+        request.kicks(), request.slowest(), request.fastest(), request.elevation(), request.seed());
+  }
+
+  private void tick() throws IOException {
+    double now = field.next(receiver());
+    if (Double.isNaN(started)) {
+      started = now;
+    }
+    for (KickResult result : fits.judge(now)) {
+      play.judge(result.played().number(), result.good());
+      averages = fits.model();
+      shown = Double.NEGATIVE_INFINITY;
+    }
+    if (paused) {
+      play.pause();
+    } else {
+      play.resume();
+    }
+    if (abortReason != null) {
+      play.abort(abortReason);
+    }
+    PlayPhase before = play.state().phase();
+    PlayWorld world = model.at(now, field.permission());
+    PlayAnswer answer = play.tick(world);
+    field.order(answer.orders());
+    if (answer.request().isPresent()) {
+      field.layBall(answer.request().get());
+    }
+    if (play.state().phase() != before || now - shown >= SNAPSHOTS) {
+      show(world, answer, now);
+    }
+  }
+
+  private void show(PlayWorld world, PlayAnswer answer, double now) {
+    shown = now;
+    PlayState state = play.state();
+    SessionSnapshot snapshot =
+        new SessionSnapshot(
+            now - started,
+            state,
+            paused,
+            world,
+            Optional.of(geometry),
+            List.of(request.first(), request.second()),
+            answer.request().map(r -> List.of(r.x(), r.y())).orElse(List.of()),
+            fits.results(),
+            averages);
+    latest.set(snapshot);
+    listener.accept(snapshot);
+  }
+
+  private PlayField.Receiver receiver() {
+    return new PlayField.Receiver() {
+      @Override
+      public void vision(double receivedTime, VisionPacket packet, byte[] payload) {
+        record(receivedTime, MessageType.SSL_VISION_2014, payload);
+        packet.geometry().ifPresent(PlaySession.this::geometry);
+        packet
+            .frame()
+            .ifPresent(
+                frame -> {
+                  model.accept(frame);
+                  fits.accept(frame);
+                });
+      }
+
+      @Override
+      public void referee(double receivedTime, byte[] payload) {
+        record(receivedTime, MessageType.SSL_REFBOX_2013, payload);
+      }
+    };
+  }
+
+  private void record(double receivedTime, MessageType type, byte[] payload) {
+    if (recorder == null) {
+      return;
+    }
+    try {
+      recorder.message(receivedTime, type, payload);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void geometry(FieldGeometry next) {
+    if (!next.equals(geometry)) {
+      geometry = next;
+      fits.geometry(next);
+    }
+  }
+
+  private void played(PlayedKick kick) {
+    fits.played(kick);
+    shown = Double.NEGATIVE_INFINITY;
+    if (recorder != null) {
+      try {
+        recorder.command(kick);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+
+  /** Some ticks more, so that the robots have heard that they are to stand. */
+  private void settle() throws IOException {
+    for (int i = 0; i < 20; i++) {
+      double now = field.next(receiver());
+      PlayWorld world = model.at(now, field.permission());
+      PlayAnswer answer = play.tick(world);
+      field.order(answer.orders());
+      if (i == 0) {
+        show(world, answer, now);
+      }
+    }
+  }
+
+  private void stopRobots() throws IOException {
+    field.order(
+        List.of(
+            fieldcal.play.RobotOrder.stop(request.first()),
+            fieldcal.play.RobotOrder.stop(request.second())));
+  }
+
+  /** Both robots stand until {@link #resume}. */
+  public void pause() {
+    paused = true;
+  }
+
+  /** Goes on after {@link #pause}. */
+  public void resume() {
+    paused = false;
+  }
+
+  /**
+   * Ends the session; what was recorded stays.
+   *
+   * @param reason for the operator
+   */
+  public void abort(String reason) {
+    abortReason = reason;
+  }
+
+  /**
+   * The newest snapshot.
+   *
+   * @return empty before the play has begun
+   */
+  public Optional<SessionSnapshot> snapshot() {
+    return Optional.ofNullable(latest.get());
+  }
+}

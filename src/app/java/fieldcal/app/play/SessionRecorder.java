@@ -1,0 +1,120 @@
+package fieldcal.app.play;
+
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.gamelog.GameLogWriter;
+import fieldcal.gamelog.MessageType;
+import fieldcal.play.PlayedKick;
+import fieldcal.vision.Epoch;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Locale;
+
+/**
+ * Writes what happens as it happens: a game log of all that vision and referee send, and the commands beside it. What was recorded half a second ago, and every finished kick, is with the operating
+ * system, so that nothing of it is lost when this process is killed. Not thread-safe.
+ */
+public final class SessionRecorder implements Closeable {
+  private static final double FLUSH = 0.5;
+
+  private final Path log;
+  private final Path commands;
+  private final Epoch epoch;
+  private final GameLogWriter writer;
+  private double flushed = Double.NEGATIVE_INFINITY;
+
+  private SessionRecorder(Path log, Path commands, Epoch epoch) throws IOException {
+    this.log = log;
+    this.commands = commands;
+    this.epoch = epoch;
+    writer = GameLogWriter.create(log);
+    Files.writeString(commands, CommandFile.HEADER + "\n", StandardCharsets.UTF_8);
+  }
+
+  /**
+   * Begins a recording under a name that is not taken yet: NAME.log, NAME-2.log …
+   *
+   * @param directory made if needed
+   * @param name for example {@code session-flat}
+   * @param epoch of all times
+   * @return the recorder
+   * @throws IOException when it cannot be written
+   */
+  public static SessionRecorder begin(Path directory, String name, Epoch epoch) throws IOException {
+    Files.createDirectories(directory);
+    String free = name;
+    for (int i = 2; Files.exists(directory.resolve(free + ".log")); i++) {
+      free = name + "-" + i;
+    }
+    return new SessionRecorder(
+        directory.resolve(free + ".log"), directory.resolve(free + ".commands.csv"), epoch);
+  }
+
+  /**
+   * The game log.
+   *
+   * @return its file
+   */
+  public Path log() {
+    return log;
+  }
+
+  /**
+   * What the robots were told.
+   *
+   * @return its file
+   */
+  public Path commands() {
+    return commands;
+  }
+
+  /**
+   * Writes a message.
+   *
+   * @param receivedTime s since the epoch
+   * @param type what it is
+   * @param payload its bytes
+   * @throws IOException when it cannot be written
+   */
+  public void message(double receivedTime, MessageType type, byte[] payload) throws IOException {
+    writer.write(epoch.unixNanosOf(receivedTime), type, payload);
+    if (receivedTime - flushed > FLUSH) {
+      flush(receivedTime);
+    }
+  }
+
+  /**
+   * Writes what a robot was told, once its ball is done.
+   *
+   * @param kick the kick
+   * @throws IOException when it cannot be written
+   */
+  public void command(PlayedKick kick) throws IOException {
+    String line =
+        String.format(
+            Locale.ROOT,
+            "%.6f,%s,%d,%s,%.4f,%.3f,%.3f%n",
+            epoch.unixSeconds(kick.time() - PlaySession.NOTICED),
+            kick.robot().team().label(),
+            kick.robot().number(),
+            kick.planned().chip() ? "chip" : "flat",
+            kick.planned().speed(),
+            Math.toDegrees(Math.IEEEremainder(kick.direction(), 2 * Math.PI)),
+            Math.toDegrees(kick.planned().elevation()));
+    Files.writeString(commands, line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+    flush(kick.ended());
+  }
+
+  private void flush(double now) throws IOException {
+    writer.flush();
+    flushed = now;
+  }
+
+  @Override
+  public void close() throws IOException {
+    writer.close();
+  }
+}

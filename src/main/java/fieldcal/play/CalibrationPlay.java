@@ -1,0 +1,270 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.PlayWorld.Robot;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/**
+ * Two robots collect kicks. Told the world each tick, it answers what both robots are to do.
+ *
+ * <p>Call {@link #tick} at 30 Hz or more, always from one thread, and send the answered orders at once. Tell {@link #judge} how each kick turned out: one that does not count is made again. Nothing
+ * is thrown once it runs: what goes wrong is waited out, or ends the play with a reason in {@link #state}. Not thread-safe.
+ */
+public final class CalibrationPlay {
+  /** Without a frame for that long nobody knows where robots are, s. */
+  private static final double NO_VISION = 0.15;
+
+  /** A robot that is told to drive and does not for that long is stuck, s. */
+  private static final double STUCK = 3;
+
+  /** A robot that is told to drive and does not for that long ends the play, s. */
+  private static final double STUCK_FOR_GOOD = 20;
+
+  /** Waits for the last fits that long, s. */
+  private static final double LAST_FITS = 60;
+
+  private final PlayPlan plan;
+  private final Ledger ledger;
+  private final BallMemory ball = new BallMemory();
+  private final Driver driver;
+  private final Safety safety;
+  private final Motion[] motions = {new Motion(), new Motion()};
+
+  private Step step;
+  private Optional<String> waiting = Optional.empty();
+  private boolean paused;
+  private String holding;
+  private double heldSince;
+  private double heldTotal;
+  private double started = Double.NaN;
+  private double enoughSince = Double.NaN;
+
+  /** Whether a robot gets on. */
+  private static final class Motion {
+    private double x;
+    private double y;
+    private double since = Double.NaN;
+
+    double stuckFor(Robot robot, double ordered, double time) {
+      boolean moves = Math.hypot(robot.x() - x, robot.y() - y) > 0.03;
+      if (ordered < 0.2 || moves || Double.isNaN(since)) {
+        x = robot.x();
+        y = robot.y();
+        since = time;
+      }
+      return time - since;
+    }
+  }
+
+  /**
+   * A play that has not begun.
+   *
+   * @param plan what is to be played
+   * @param chooser which kicks
+   * @param listener told of each kick when its ball is no longer left alone, from within {@link #tick}; it may call {@link #judge} at once
+   * @throws NullPointerException when an argument is null
+   */
+  public CalibrationPlay(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
+    this.plan = Objects.requireNonNull(plan, "plan");
+    Objects.requireNonNull(chooser, "chooser");
+    Objects.requireNonNull(listener, "listener");
+    ledger = new Ledger(plan, chooser, listener);
+    driver = new Driver(new PathPlanner(plan.area()), plan.limits().braking());
+    safety = new Safety(plan.area(), plan.limits());
+    step = new CheckStep(ledger, -1);
+  }
+
+  /**
+   * One tick.
+   *
+   * @param world what is known of the field
+   * @return what both robots are to do until the next tick
+   */
+  public PlayAnswer tick(PlayWorld world) {
+    if (Double.isNaN(started)) {
+      started = world.time();
+    }
+    if (step.phase().over()) {
+      return standStill();
+    }
+    ball.update(world.ball(), world.time());
+    Situation s = new Situation(plan, ball, driver, safety, world);
+    Optional<String> hold = reasonToHold(s);
+    if (hold.isPresent()) {
+      return hold(s, hold.get());
+    }
+    release(world.time());
+    Step next = step.tick(s);
+    step = next;
+    waiting = s.waiting();
+    PlayAnswer answer = s.answer();
+    watchProgress(s, answer);
+    return step.phase().over() ? standStill() : answer;
+  }
+
+  private PlayAnswer standStill() {
+    return new PlayAnswer(
+        List.of(RobotOrder.stop(plan.first()), RobotOrder.stop(plan.second())), Optional.empty());
+  }
+
+  private Optional<String> reasonToHold(Situation s) {
+    if (paused) {
+      return Optional.of("paused");
+    }
+    Permission permission = s.world().permission();
+    if (permission != Permission.RUN) {
+      return Optional.of("referee: " + permission.name());
+    }
+    if (!(s.time() - s.world().visionTime() < NO_VISION)) {
+      return Optional.of("no vision");
+    }
+    for (int i = 0; i < 2; i++) {
+      if (!s.sees(i)) {
+        return Optional.of(plan.robot(i) + " is not seen");
+      }
+    }
+    return Optional.empty();
+  }
+
+  private PlayAnswer hold(Situation s, String reason) {
+    if (holding == null) {
+      heldSince = s.time();
+    }
+    holding = reason;
+    waiting = Optional.of(reason);
+    if (step instanceof WatchStep watch) {
+      watch.onlyWatch(s);
+    }
+    boolean allowed = paused || s.world().permission() != Permission.RUN;
+    if (allowed) {
+      // Somebody wants it so: wait as long as it takes.
+      heldTotal += s.time() - heldSince;
+      heldSince = s.time();
+    } else if (s.time() - heldSince > plan.limits().patience()) {
+      stop(String.format(Locale.ROOT, "%s for %.0f s", reason, s.time() - heldSince));
+    }
+    return standStill();
+  }
+
+  private void release(double time) {
+    if (holding == null) {
+      return;
+    }
+    heldTotal += time - heldSince;
+    holding = null;
+    if (!(step instanceof WatchStep)) {
+      // Who knows what happened meanwhile.
+      step = new CheckStep(ledger, -1);
+    }
+  }
+
+  private void watchProgress(Situation s, PlayAnswer answer) {
+    for (int i = 0; i < 2; i++) {
+      double ordered = answer.orders().get(i).velocity().speed();
+      double stuck = motions[i].stuckFor(s.robot(i), ordered, s.time());
+      if (stuck > STUCK_FOR_GOOD) {
+        stop(plan.robot(i) + " does not move");
+      } else if (stuck > STUCK) {
+        waiting = Optional.of(plan.robot(i) + " does not move");
+      }
+    }
+    ledger.hopeless().ifPresent(this::stop);
+    if (ledger.complete() && step instanceof CheckStep) {
+      step = new EndStep(PlayPhase.FINISHED, "");
+      waiting = Optional.empty();
+    } else if (ledger.enough() && step instanceof CheckStep) {
+      enoughSince = Double.isNaN(enoughSince) ? s.time() : enoughSince;
+      if (s.time() - enoughSince > LAST_FITS) {
+        stop("the last kicks were not judged");
+      }
+    } else {
+      enoughSince = Double.NaN;
+      watchStall(s);
+    }
+  }
+
+  private void watchStall(Situation s) {
+    double since = Double.isNaN(ledger.lastMade()) ? started : ledger.lastMade();
+    double idle = s.time() - Math.max(since, started) - heldTotal;
+    if (idle > plan.limits().stall()) {
+      String last = waiting.orElse(ledger.lastFailure());
+      stop(
+          String.format(
+              Locale.ROOT,
+              "no kick for %.0f s while %s%s",
+              idle,
+              step.phase().text(),
+              last.isEmpty() ? "" : ": " + last));
+    }
+    if (step instanceof WatchStep) {
+      heldTotal = 0;
+    }
+  }
+
+  private void stop(String reason) {
+    if (!step.phase().over()) {
+      step = new EndStep(PlayPhase.STOPPED, reason);
+      waiting = Optional.of(reason);
+    }
+  }
+
+  /**
+   * Ends the play: from the next tick on both robots are told to stand.
+   *
+   * @param reason for the operator
+   */
+  public void abort(String reason) {
+    stop(Objects.requireNonNull(reason, "reason"));
+  }
+
+  /** Both robots stand from the next tick on, until {@link #resume}. A ball that rolls is watched all the same. */
+  public void pause() {
+    paused = true;
+  }
+
+  /** Goes on after {@link #pause}. */
+  public void resume() {
+    paused = false;
+  }
+
+  /**
+   * Whether a kick counts. Kicks that are not judged are waited for at the end.
+   *
+   * @param number of the {@link PlayedKick}
+   * @param good false to make it again
+   */
+  public void judge(int number, boolean good) {
+    ledger.judge(number, good);
+  }
+
+  /**
+   * How far it is.
+   *
+   * @return a snapshot
+   */
+  public PlayState state() {
+    boolean stopped = step instanceof EndStep end && end.phase() == PlayPhase.STOPPED;
+    return new PlayState(
+        step.phase(),
+        stopped ? Optional.of(((EndStep) step).reason()) : waiting,
+        ledger.good(),
+        ledger.made(),
+        ledger.unjudged(),
+        ledger.wanted(),
+        ledger.pending(),
+        step.kicker());
+  }
+
+  /**
+   * Whether it is over.
+   *
+   * @return true when all kicks are made or it was stopped
+   */
+  public boolean over() {
+    return step.phase().over();
+  }
+}

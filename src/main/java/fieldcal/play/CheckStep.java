@@ -1,0 +1,100 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Robot;
+import java.util.Optional;
+
+/** Looks where the ball is and decides what to do. Robots stand; one that holds the ball keeps it. */
+final class CheckStep implements Step {
+  /** A ball that is out of sight for longer does not come back by itself, s. */
+  private static final double LOST = 2;
+
+  private final Ledger ledger;
+  private final int holder;
+  private double since = Double.NaN;
+
+  CheckStep(Ledger ledger, int holder) {
+    this.ledger = ledger;
+    this.holder = holder;
+  }
+
+  @Override
+  public PlayPhase phase() {
+    return PlayPhase.CHECK;
+  }
+
+  @Override
+  public Step tick(Situation s) {
+    if (Double.isNaN(since)) {
+      since = s.time();
+    }
+    if (ledger.enough()) {
+      s.waitFor("the last kicks are being fitted");
+      return this;
+    }
+    BallMemory ball = s.ball();
+    PlannedKick kick = ledger.next();
+    if (holder >= 0 && s.fromDribbler(holder) < 0.1) {
+      s.dribble(holder);
+      return withBall(s, kick);
+    }
+    double hidden = ball.known() ? s.ballUnseen() : s.time() - since;
+    if (!ball.known() || hidden > LOST) {
+      s.waitFor("the ball is not seen");
+      return hidden > LOST ? new HelpStep(ledger, "the ball is not seen") : this;
+    }
+    if (!s.area().reachable(ball.x(), ball.y()) && (ball.resting() > 0.2 || hidden > 0.5)) {
+      return new HelpStep(ledger, where(s));
+    }
+    if (ball.resting() < 0.15 || hidden > 0.3) {
+      s.waitFor(hidden > 0.3 ? "the ball is not seen" : "the ball still moves");
+      return s.time() - since > s.limits().flightTimeout()
+          ? new HelpStep(ledger, "the ball does not come to rest")
+          : this;
+    }
+    return next(s, kick);
+  }
+
+  private Step withBall(Situation s, PlannedKick kick) {
+    double x = s.area().placingX(s.ball().x());
+    double y = s.area().placingY(s.ball().y());
+    Optional<Task> here = Decider.from(s, kick, holder, x, y);
+    Optional<Task> task = here.isPresent() ? here : Decider.fromEnd(s, kick, holder);
+    if (task.isEmpty()) {
+      s.waitFor("somebody is in the way of " + s.plan().robot(holder));
+      return new CheckStep(ledger, -1);
+    }
+    return new PlaceStep(ledger, task.get());
+  }
+
+  private Step next(Situation s, PlannedKick kick) {
+    Optional<Task> here = Decider.fromHere(s, kick, -1);
+    if (here.isPresent()) {
+      return new PositionStep(ledger, here.get());
+    }
+    int carrier = Decider.carrier(s, kick);
+    for (int i : new int[] {carrier, 1 - carrier}) {
+      Optional<Task> task = Decider.fromEnd(s, kick, i);
+      if (task.isPresent()) {
+        Optional<FetchStep> fetch = FetchStep.of(s, ledger, task.get());
+        if (fetch.isPresent()) {
+          return fetch.get();
+        }
+      }
+    }
+    Optional<Robot> third = s.others().stream().filter(r -> near(s, r)).findFirst();
+    s.waitFor(third.map(r -> r.id() + " is in the way").orElse("no robot can get at the ball"));
+    return s.time() - since > 0.25 * s.limits().patience()
+        ? new HelpStep(ledger, s.waiting().orElseThrow())
+        : this;
+  }
+
+  private static boolean near(Situation s, Robot robot) {
+    return s.ball().distance(robot.x(), robot.y()) < 1;
+  }
+
+  private static String where(Situation s) {
+    BallMemory ball = s.ball();
+    boolean goal = s.area().inGoal(ball.x(), ball.y(), 0.12);
+    return goal ? "the ball is in the goal" : "the ball is outside of what the robots can reach";
+  }
+}

@@ -1,0 +1,130 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Pose;
+import java.util.Optional;
+
+/** Who kicks the ball next, and from where: best from where it lies, else from the end of the line. */
+final class Decider {
+  /** Aims beside the receiver that are tried when somebody is in the way, rad. */
+  private static final double[] ASIDE = {0, 0.08, -0.08, 0.18, -0.18, 0.3, -0.3};
+
+  /** Width of carpet along the kick that must be free, to either side, m. */
+  private static final double CORRIDOR = 0.28;
+
+  /** A chip must start that near to the line where the cameras overlap, m. */
+  private static final double CHIP_ASIDE = 0.45;
+
+  /** How much of a flat kick's way a model of the carpet gives it, s²/m: it slides to 0.65 of its speed at 3.1 m/s², then rolls at 0.28. */
+  private static final double WAY_PER_SPEED_SQUARED = 0.85;
+
+  private Decider() {}
+
+  /** A kick from where the ball lies, with the kicker that is quicker there; a robot that holds the ball is preferred. */
+  static Optional<Task> fromHere(Situation s, PlannedKick kick, int holder) {
+    Task best = null;
+    double bestCost = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < 2; i++) {
+      if (holder >= 0 && holder != i) {
+        continue;
+      }
+      Optional<Task> task = from(s, kick, i, s.ball().x(), s.ball().y());
+      if (task.isPresent()) {
+        double run = task.get().along(task.get().receiver().x(), task.get().receiver().y());
+        double drive = s.ball().distance(s.robot(i).x(), s.robot(i).y());
+        double cost = drive - 0.15 * run;
+        if (cost < bestCost) {
+          bestCost = cost;
+          best = task.get();
+        }
+      }
+    }
+    return Optional.ofNullable(best);
+  }
+
+  /** A kick by one robot from a place, if there is enough way, room behind the ball and nobody before it. */
+  static Optional<Task> from(Situation s, PlannedKick kick, int kicker, double x, double y) {
+    PlayLine line = s.plan().lineOf(kick);
+    double toX = line.x(1 - kicker);
+    double toY = line.y(1 - kicker);
+    double run = Math.hypot(toX - x, toY - y);
+    boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
+    boolean onLine = !kick.chip() || line.aside(x, y) < CHIP_ASIDE;
+    if (run < leastRun(line, kick) || !inside || !onLine) {
+      return Optional.empty();
+    }
+    double straight = Math.atan2(toY - y, toX - x);
+    for (double aside : ASIDE) {
+      double aim = straight + aside;
+      double distance = Math.min(run, s.limits().receiverDistance());
+      Pose receiver =
+          new Pose(
+              s.area().clampX(x + distance * Math.cos(aim)),
+              s.area().clampY(y + distance * Math.sin(aim)),
+              aim + Math.PI);
+      Task task = new Task(kick, kicker, x, y, aim, receiver);
+      if (isFree(s, task, distance)) {
+        return Optional.of(task);
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static double leastRun(PlayLine line, PlannedKick kick) {
+    double share = 0.55 * line.length();
+    double speed = kick.speed();
+    return kick.chip() ? share : Math.min(share, WAY_PER_SPEED_SQUARED * speed * speed + 0.3);
+  }
+
+  /** Whether no third robot stands behind the ball or in its way. */
+  static boolean isFree(Situation s, Task task, double distance) {
+    Pose behind = task.behind();
+    if (!s.area().free(behind.x(), behind.y())) {
+      return false;
+    }
+    return inTheWay(s, task, distance).isEmpty();
+  }
+
+  /** A third robot in the way of a kick or of its kicker. */
+  static Optional<Robot> inTheWay(Situation s, Task task, double distance) {
+    return s.others().stream()
+        .filter(
+            r -> {
+              double along = task.along(r.x(), r.y());
+              double aside = Math.abs(task.aside(r.x(), r.y()));
+              return along > -0.4 && along < distance + 0.2 && aside < CORRIDOR;
+            })
+        .findFirst();
+  }
+
+  /** The robot that carries the ball to its end sooner. */
+  static int carrier(Situation s, PlannedKick kick) {
+    PlayLine line = s.plan().lineOf(kick);
+    double[] cost = new double[2];
+    for (int i = 0; i < 2; i++) {
+      cost[i] =
+          s.ball().distance(s.robot(i).x(), s.robot(i).y()) / s.limits().driveSpeed()
+              + s.ball().distance(line.x(i), line.y(i)) / s.limits().carrySpeed();
+    }
+    return cost[0] <= cost[1] ? 0 : 1;
+  }
+
+  /** A kick from a robot's own end of the line, or from near it when somebody is there. */
+  static Optional<Task> fromEnd(Situation s, PlannedKick kick, int kicker) {
+    PlayLine line = s.plan().lineOf(kick);
+    double length = line.length();
+    double ux = (line.x(1 - kicker) - line.x(kicker)) / length;
+    double uy = (line.y(1 - kicker) - line.y(kicker)) / length;
+    double[][] shifts = {{0, 0}, {0.4, 0}, {0, 0.4}, {0, -0.4}, {0.9, 0}, {0.9, 0.4}, {0.9, -0.4}};
+    for (double[] shift : shifts) {
+      double x = s.area().placingX(line.x(kicker) + shift[0] * ux - shift[1] * uy);
+      double y = s.area().placingY(line.y(kicker) + shift[0] * uy + shift[1] * ux);
+      Optional<Task> task = from(s, kick, kicker, x, y);
+      boolean occupied = s.others().stream().anyMatch(r -> Math.hypot(r.x() - x, r.y() - y) < 0.45);
+      if (task.isPresent() && !occupied) {
+        return task;
+      }
+    }
+    return Optional.empty();
+  }
+}

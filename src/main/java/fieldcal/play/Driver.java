@@ -1,0 +1,54 @@
+package fieldcal.play;
+
+import fieldcal.play.PathPlanner.Circle;
+import fieldcal.play.PathPlanner.Way;
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Pose;
+import fieldcal.play.RobotOrder.Velocity;
+import java.util.List;
+
+/** From a pose to reach to a velocity now. */
+final class Driver {
+  /** Speed per distance close to the target, 1/s: slow enough for 60 ms from camera to wheel. */
+  private static final double GAIN = 5;
+
+  private static final double TURN_GAIN = 6;
+  private static final double TURN_BRAKING = 8;
+  private static final double TURN_MAX = 6;
+
+  private final PathPlanner planner;
+  private final double braking;
+
+  Driver(PathPlanner planner, double braking) {
+    this.planner = planner;
+    this.braking = braking;
+  }
+
+  Velocity to(Robot robot, Pose target, double maxSpeed, List<Circle> obstacles) {
+    Way way = planner.way(robot.x(), robot.y(), target.x(), target.y(), obstacles);
+    double dx = way.x() - robot.x();
+    double dy = way.y() - robot.y();
+    double distance = Math.hypot(dx, dy);
+    double angular = turn(robot.orientation(), target.orientation());
+    if (distance < 0.002) {
+      return new Velocity(0, 0, angular);
+    }
+    double speed = Math.min(maxSpeed, Math.sqrt(2 * braking * way.length()));
+    if (way.corner() < -0.999) {
+      speed = Math.min(speed, GAIN * distance);
+    } else {
+      double round = 0.4 + 0.8 * Math.max(0, way.corner());
+      speed = Math.min(speed, Math.sqrt(round * round + 2 * braking * distance));
+    }
+    return new Velocity(speed * dx / distance, speed * dy / distance, angular);
+  }
+
+  static double turn(double from, double to) {
+    double turn = Math.IEEEremainder(to - from, 2 * Math.PI);
+    double rate =
+        Math.min(
+            Math.min(TURN_MAX, TURN_GAIN * Math.abs(turn)),
+            Math.sqrt(2 * TURN_BRAKING * Math.abs(turn)));
+    return Math.copySign(rate, turn);
+  }
+}

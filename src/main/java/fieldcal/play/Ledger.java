@@ -1,0 +1,119 @@
+package fieldcal.play;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** Counts the kicks, and asks for the next one when the last has been made. */
+final class Ledger {
+  private final int wanted;
+  private final KickChooser chooser;
+  private final Consumer<PlayedKick> listener;
+  private final int maxAttempts;
+  private final Map<Integer, PlannedKick> unjudged = new HashMap<>();
+  private PlannedKick next;
+  private int made;
+  private int good;
+  private int bad;
+  private int failures;
+  private String lastFailure = "";
+  private double lastMade = Double.NaN;
+
+  Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
+    wanted = plan.kicks();
+    maxAttempts = plan.limits().maxAttempts();
+    this.chooser = chooser;
+    this.listener = listener;
+  }
+
+  /** Whether enough kicks are made, if those that are being fitted turn out well. */
+  boolean enough() {
+    return good + unjudged.size() >= wanted;
+  }
+
+  boolean complete() {
+    return good >= wanted;
+  }
+
+  PlannedKick next() {
+    if (next == null) {
+      next = chooser.next();
+    }
+    return next;
+  }
+
+  Optional<PlannedKick> pending() {
+    return Optional.ofNullable(next);
+  }
+
+  int takeNumber() {
+    made++;
+    failures = 0;
+    return made;
+  }
+
+  /** The ball of a kick is no longer left alone. */
+  void made(PlayedKick kick) {
+    unjudged.put(kick.number(), kick.planned());
+    next = null;
+    lastMade = kick.ended();
+    listener.accept(kick);
+  }
+
+  void judge(int number, boolean counts) {
+    PlannedKick kick = unjudged.remove(number);
+    if (kick != null) {
+      good += counts ? 1 : 0;
+      bad += counts ? 0 : 1;
+      chooser.done(kick, counts);
+    }
+  }
+
+  void failed(String reason) {
+    failures++;
+    lastFailure = reason;
+  }
+
+  /** Why it makes no sense to go on, if so. */
+  Optional<String> hopeless() {
+    if (failures >= maxAttempts) {
+      return Optional.of(
+          failures + " kicks in vain, one after the other; the last: " + lastFailure);
+    }
+    if (bad > 2 * wanted + maxAttempts) {
+      return Optional.of(
+          bad
+              + " kicks could not be used, "
+              + good
+              + " of "
+              + wanted
+              + " could; see what is wrong");
+    }
+    return Optional.empty();
+  }
+
+  String lastFailure() {
+    return lastFailure;
+  }
+
+  double lastMade() {
+    return lastMade;
+  }
+
+  int good() {
+    return good;
+  }
+
+  int made() {
+    return made;
+  }
+
+  int unjudged() {
+    return unjudged.size();
+  }
+
+  int wanted() {
+    return wanted;
+  }
+}

@@ -1,0 +1,27 @@
+package fieldcal.play;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The play's answer to one tick.
+ *
+ * @param orders what the two robots are to do, in the order of the plan
+ * @param request asks for a hand, when the robots cannot get at the ball
+ */
+public record PlayAnswer(List<RobotOrder> orders, Optional<BallRequest> request) {
+
+  /** Copies the list. {@inheritDoc} */
+  public PlayAnswer {
+    orders = List.copyOf(orders);
+  }
+
+  /**
+   * Somebody should lay the ball down: a person on a real field, the simulator elsewhere. The robots stand still meanwhile.
+   *
+   * @param x where, m
+   * @param y where, m
+   * @param reason why the robots cannot
+   */
+  public record BallRequest(double x, double y, String reason) {}
+}

@@ -1,0 +1,124 @@
+package fieldcal.play;
+
+/**
+ * How fast the robots drive and how long the play waits.
+ *
+ * @param driveSpeed fastest drive, m/s
+ * @param carrySpeed fastest drive with the ball at the dribbler, m/s
+ * @param creepSpeed up to the ball, m/s
+ * @param braking deceleration that is counted on, m/s²; less than what the robots can
+ * @param clearance between our robots and any other, edge to edge, m
+ * @param receiverDistance farthest that the receiver stands from the ball, m; infinite = at its end of the line
+ * @param settle how long the ball lies still before it is kicked, s: its resting place pins the kick
+ * @param flightTimeout longest that a ball is left alone, s
+ * @param patience longest wait for something to get better (robot gone, no vision, ball out of reach), s
+ * @param stall longest time without any kick, waits left out, s
+ * @param maxAttempts most kicks in vain, one after the other
+ */
+public record PlayLimits(
+    double driveSpeed,
+    double carrySpeed,
+    double creepSpeed,
+    double braking,
+    double clearance,
+    double receiverDistance,
+    double settle,
+    double flightTimeout,
+    double patience,
+    double stall,
+    int maxAttempts) {
+
+  /** What usual robots can do without effort. */
+  public static final PlayLimits DEFAULT =
+      new PlayLimits(2.5, 1.2, 0.3, 2.0, 0.06, Double.POSITIVE_INFINITY, 0.6, 15, 60, 120, 6);
+
+  /**
+   * Checks the ranges. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when a value is not positive or NaN
+   */
+  public PlayLimits {
+    double[] positive = {
+      driveSpeed,
+      carrySpeed,
+      creepSpeed,
+      braking,
+      clearance,
+      receiverDistance,
+      settle,
+      flightTimeout,
+      patience,
+      stall,
+      maxAttempts
+    };
+    for (double value : positive) {
+      if (!(value > 0)) {
+        throw new IllegalArgumentException("a limit of the play must be positive, not " + value);
+      }
+    }
+  }
+
+  /**
+   * Slower or faster driving.
+   *
+   * @param speed fastest drive, m/s
+   * @return the changed limits; carrying is at most that fast
+   */
+  public PlayLimits withDriveSpeed(double speed) {
+    return new PlayLimits(
+        speed,
+        Math.min(carrySpeed, speed),
+        creepSpeed,
+        braking,
+        clearance,
+        receiverDistance,
+        settle,
+        flightTimeout,
+        patience,
+        stall,
+        maxAttempts);
+  }
+
+  /**
+   * Another place of the receiver.
+   *
+   * @param distance farthest from the ball, m
+   * @return the changed limits
+   */
+  public PlayLimits withReceiverDistance(double distance) {
+    return new PlayLimits(
+        driveSpeed,
+        carrySpeed,
+        creepSpeed,
+        braking,
+        clearance,
+        distance,
+        settle,
+        flightTimeout,
+        patience,
+        stall,
+        maxAttempts);
+  }
+
+  /**
+   * Other waits.
+   *
+   * @param seconds longest wait for something to get better, s
+   * @param withoutKick longest time without any kick, s
+   * @return the changed limits
+   */
+  public PlayLimits withPatience(double seconds, double withoutKick) {
+    return new PlayLimits(
+        driveSpeed,
+        carrySpeed,
+        creepSpeed,
+        braking,
+        clearance,
+        receiverDistance,
+        settle,
+        flightTimeout,
+        seconds,
+        withoutKick,
+        maxAttempts);
+  }
+}

@@ -1,0 +1,130 @@
+package fieldcal.play;
+
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.RobotId;
+import java.util.Objects;
+
+/**
+ * What is to be played.
+ *
+ * @param first one robot
+ * @param second the other, of either team
+ * @param area where they may be
+ * @param line along which the ball is kicked
+ * @param otherLine along which it is kicked after the ends were swapped
+ * @param kicks how many good kicks are wanted
+ * @param limits speeds and time-outs
+ */
+public record PlayPlan(
+    RobotId first,
+    RobotId second,
+    PlayArea area,
+    PlayLine line,
+    PlayLine otherLine,
+    int kicks,
+    PlayLimits limits) {
+
+  /**
+   * Checks the parts. {@inheritDoc}
+   *
+   * @throws NullPointerException when one is null
+   * @throws IllegalArgumentException when the robots are the same, no kick is wanted, or a line's end is outside the field
+   */
+  public PlayPlan {
+    Objects.requireNonNull(limits, "limits");
+    if (first.equals(second)) {
+      throw new IllegalArgumentException("the play needs two robots, not " + first + " twice");
+    }
+    if (kicks < 1) {
+      throw new IllegalArgumentException("at least one kick is needed, not " + kicks);
+    }
+    for (PlayLine l : new PlayLine[] {line, otherLine}) {
+      for (int end = 0; end < 2; end++) {
+        if (Math.abs(l.x(end)) > area.length() / 2 || Math.abs(l.y(end)) > area.width() / 2) {
+          throw new IllegalArgumentException(l + " leaves the field");
+        }
+      }
+    }
+  }
+
+  /**
+   * Flat kicks along the diagonals.
+   *
+   * @param first one robot
+   * @param second the other
+   * @param geometry the field
+   * @param half which part of the field
+   * @param kicks how many good kicks
+   * @return the plan
+   */
+  public static PlayPlan flat(
+      RobotId first, RobotId second, FieldGeometry geometry, PlayLine.Half half, int kicks) {
+    return new PlayPlan(
+        first,
+        second,
+        PlayArea.of(geometry),
+        PlayLine.diagonal(geometry, half, false),
+        PlayLine.diagonal(geometry, half, true),
+        kicks,
+        PlayLimits.DEFAULT);
+  }
+
+  /**
+   * Chips along the half-way line.
+   *
+   * @param first one robot
+   * @param second the other
+   * @param geometry the field
+   * @param kicks how many good kicks
+   * @return the plan
+   */
+  public static PlayPlan chip(RobotId first, RobotId second, FieldGeometry geometry, int kicks) {
+    return new PlayPlan(
+        first,
+        second,
+        PlayArea.of(geometry),
+        PlayLine.across(geometry, 0, false),
+        PlayLine.across(geometry, 0, true),
+        kicks,
+        PlayLimits.DEFAULT);
+  }
+
+  /**
+   * Other limits.
+   *
+   * @param newLimits speeds and time-outs
+   * @return the changed plan
+   */
+  public PlayPlan withLimits(PlayLimits newLimits) {
+    return new PlayPlan(first, second, area, line, otherLine, kicks, newLimits);
+  }
+
+  /**
+   * Another area.
+   *
+   * @param newArea where robots may be
+   * @return the changed plan
+   */
+  public PlayPlan withArea(PlayArea newArea) {
+    return new PlayPlan(first, second, newArea, line, otherLine, kicks, limits);
+  }
+
+  /**
+   * Other lines.
+   *
+   * @param newLine before the ends are swapped
+   * @param newOtherLine after that
+   * @return the changed plan
+   */
+  public PlayPlan withLines(PlayLine newLine, PlayLine newOtherLine) {
+    return new PlayPlan(first, second, area, newLine, newOtherLine, kicks, limits);
+  }
+
+  RobotId robot(int index) {
+    return index == 0 ? first : second;
+  }
+
+  PlayLine lineOf(PlannedKick kick) {
+    return kick.otherLine() ? otherLine : line;
+  }
+}

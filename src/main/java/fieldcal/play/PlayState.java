@@ -1,0 +1,25 @@
+package fieldcal.play;
+
+import java.util.Optional;
+
+/**
+ * How far the play is; immutable.
+ *
+ * @param phase what it is busy with
+ * @param waiting why nothing moves at the moment, or why it stopped; empty when all is well
+ * @param good kicks that count
+ * @param made kicks that were made, those that do not count included
+ * @param unjudged kicks that were made and are being fitted
+ * @param wanted how many good kicks are wanted
+ * @param next the kick that is being prepared or watched
+ * @param kicker index of the robot that kicks next, 0 or 1; -1 when undecided
+ */
+public record PlayState(
+    PlayPhase phase,
+    Optional<String> waiting,
+    int good,
+    int made,
+    int unjudged,
+    int wanted,
+    Optional<PlannedKick> next,
+    int kicker) {}

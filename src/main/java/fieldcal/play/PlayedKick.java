@@ -1,0 +1,42 @@
+package fieldcal.play;
+
+import fieldcal.vision.RobotId;
+
+/**
+ * A kick that was made.
+ *
+ * @param number running number of this play, from 1; failed ones count
+ * @param planned what was wanted
+ * @param robot who kicked
+ * @param time when the ball was seen to move, s, some hundredths late
+ * @param x where the ball lay, m
+ * @param y where the ball lay, m
+ * @param direction that the robot was to kick in, rad
+ * @param ended when the ball was no longer left alone, s
+ * @param end what ended it
+ */
+public record PlayedKick(
+    int number,
+    PlannedKick planned,
+    RobotId robot,
+    double time,
+    double x,
+    double y,
+    double direction,
+    double ended,
+    End end) {
+
+  /** Why a ball was no longer left alone. */
+  public enum End {
+    /** It came to rest. */
+    STOPPED,
+    /** It left the field. */
+    LEFT_FIELD,
+    /** The receiver has it, or it bounced off a robot. */
+    RECEIVED,
+    /** Nobody saw it any more. */
+    LOST,
+    /** It took too long. */
+    TIMEOUT
+  }
+}

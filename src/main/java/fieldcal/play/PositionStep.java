@@ -1,0 +1,76 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Robot;
+import java.util.Optional;
+
+/** Kicker and receiver drive to their places; then everything has to be calm. */
+final class PositionStep implements Step {
+  private static final double TIMEOUT = 15;
+
+  private final Ledger ledger;
+  private final Task task;
+  private double since = Double.NaN;
+
+  PositionStep(Ledger ledger, Task task) {
+    this.ledger = ledger;
+    this.task = task;
+  }
+
+  @Override
+  public PlayPhase phase() {
+    return PlayPhase.POSITION;
+  }
+
+  @Override
+  public int kicker() {
+    return task.kicker();
+  }
+
+  @Override
+  public Step tick(Situation s) {
+    if (Double.isNaN(since)) {
+      since = s.time();
+    }
+    int i = task.kicker();
+    s.drive(i, task.behind(), s.limits().driveSpeed(), Task.AROUND);
+    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), 0.35);
+    if (s.ball().distance(task.x(), task.y()) > 0.05 || s.ballUnseen() > 0.5) {
+      return new CheckStep(ledger, -1);
+    }
+    if (s.time() - since > TIMEOUT) {
+      ledger.failed(s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball"));
+      return new CheckStep(ledger, -1);
+    }
+    return ready(s) ? new KickStep(ledger, task) : this;
+  }
+
+  private boolean ready(Situation s) {
+    Robot kicker = s.robot(task.kicker());
+    Robot receiver = s.robot(task.other());
+    double distance = Math.min(3, task.along(task.receiver().x(), task.receiver().y()));
+    Optional<Robot> third = Decider.inTheWay(s, task, distance);
+    if (third.isPresent()) {
+      s.waitFor(third.get().id() + " is in the way of the kick");
+      if (s.time() - since > 3) {
+        since = Double.NEGATIVE_INFINITY;
+      }
+      return false;
+    }
+    double aside = Math.abs(task.aside(kicker.x(), kicker.y()));
+    double behind = -task.along(kicker.x(), kicker.y());
+    double turn = Math.IEEEremainder(task.aim() - kicker.orientation(), 2 * Math.PI);
+    boolean placed =
+        aside < 0.015
+            && behind > 0.12
+            && behind < 0.21
+            && Math.abs(turn) < 0.02
+            && kicker.speed() < 0.08;
+    double off = Math.hypot(receiver.x() - task.receiver().x(), receiver.y() - task.receiver().y());
+    boolean late = s.time() - since > 8;
+    boolean received = off < (late ? 0.6 : 0.15) && receiver.speed() < 0.3;
+    if (placed && !received) {
+      s.waitFor(s.plan().robot(task.other()) + " is not in its place yet");
+    }
+    return placed && received && s.ball().resting() > s.limits().settle();
+  }
+}

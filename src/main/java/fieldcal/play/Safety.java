@@ -1,0 +1,88 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Velocity;
+import java.util.List;
+
+/**
+ * The last word on every velocity: no robot closes in on another, or on the edge of the area, faster than it can still brake. A robot that somebody else drives into ours is given way to.
+ */
+final class Safety {
+  /** From camera to wheel and back, s. */
+  private static final double DELAY = 0.06;
+
+  /** How fast robots that are too close move apart, m/s. */
+  private static final double APART = 0.4;
+
+  private static final int ROUNDS = 3;
+
+  private final PlayArea area;
+  private final double braking;
+  private final double clearance;
+
+  Safety(PlayArea area, PlayLimits limits) {
+    this.area = area;
+    braking = limits.braking();
+    clearance = limits.clearance();
+  }
+
+  /** The velocity nearest to the wanted one that is safe. */
+  Velocity limited(Robot robot, Velocity wanted, List<Robot> others, List<Robot> ours) {
+    double[] v = {wanted.vx(), wanted.vy()};
+    for (int round = 0; round < ROUNDS; round++) {
+      for (Robot other : others) {
+        if (!other.id().equals(robot.id())) {
+          keepApart(robot, other, ours.contains(other), v);
+        }
+      }
+      keepInside(robot, v);
+    }
+    return new Velocity(v[0], v[1], wanted.angular());
+  }
+
+  private void keepApart(Robot robot, Robot other, boolean ours, double[] v) {
+    double dx = other.x() - robot.x();
+    double dy = other.y() - robot.y();
+    double distance = Math.hypot(dx, dy);
+    if (distance > 3 || distance == 0) {
+      return;
+    }
+    double nx = dx / distance;
+    double ny = dy / distance;
+    double theirs = -(other.vx() * nx + other.vy() * ny);
+    double mine = robot.vx() * nx + robot.vy() * ny;
+    double gap = distance - 2 * PlayArea.ROBOT_RADIUS - 0.5 * clearance;
+    double ahead = gap - Math.max(0, mine + theirs) * DELAY;
+    double allowed;
+    if (ahead < 0) {
+      allowed = -APART * Math.min(1, -ahead / 0.03) - (ours ? 0 : Math.max(0, theirs));
+    } else {
+      // Two of ours share the way that is left; what others do is theirs, and is taken off.
+      double share = ours && theirs > 0.02 ? 0.5 : 1;
+      allowed = share * Math.sqrt(2 * braking * ahead) - (ours ? 0 : Math.max(0, theirs));
+      allowed = Math.min(allowed, 8 * ahead);
+    }
+    double closing = v[0] * nx + v[1] * ny;
+    if (closing > allowed) {
+      v[0] -= (closing - allowed) * nx;
+      v[1] -= (closing - allowed) * ny;
+    }
+  }
+
+  private void keepInside(Robot robot, double[] v) {
+    v[0] = inside(robot.x(), robot.vx(), v[0], area.length() / 2 + area.margin());
+    v[1] = inside(robot.y(), robot.vy(), v[1], area.width() / 2 + area.margin());
+  }
+
+  private double inside(double position, double speed, double wanted, double limit) {
+    double low = -outward(position + limit, -speed);
+    double high = outward(limit - position, speed);
+    return Math.max(low, Math.min(high, wanted));
+  }
+
+  /** Fastest outward when there is so much room; inward when there is none. */
+  private double outward(double room, double speed) {
+    double ahead = room - 0.02 - Math.max(0, speed) * DELAY;
+    return ahead < 0 ? Math.max(-APART, 5 * ahead) : Math.sqrt(braking * ahead);
+  }
+}

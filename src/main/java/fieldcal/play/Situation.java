@@ -1,0 +1,176 @@
+package fieldcal.play;
+
+import fieldcal.play.PathPlanner.Circle;
+import fieldcal.play.PlayAnswer.BallRequest;
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Kick;
+import fieldcal.play.RobotOrder.Pose;
+import fieldcal.play.RobotOrder.Velocity;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** One tick as the steps see it: what there is, and what they order. */
+final class Situation {
+  /** How long a robot may drive on without being seen, s. */
+  static final double ROBOT_UNSEEN = 0.25;
+
+  private final PlayPlan plan;
+  private final BallMemory ball;
+  private final Driver driver;
+  private final Safety safety;
+  private final PlayWorld world;
+  private final List<Robot> seen;
+  private final Robot[] ours = new Robot[2];
+  private final Velocity[] velocities = {Velocity.ZERO, Velocity.ZERO};
+  private final Pose[] targets = new Pose[2];
+  private final Kick[] kicks = {Kick.NONE, Kick.NONE};
+  private final boolean[] dribblers = new boolean[2];
+  private String waiting;
+  private BallRequest request;
+
+  Situation(PlayPlan plan, BallMemory ball, Driver driver, Safety safety, PlayWorld world) {
+    this.plan = plan;
+    this.ball = ball;
+    this.driver = driver;
+    this.safety = safety;
+    this.world = world;
+    // A robot that somebody took off stays an obstacle for some seconds only.
+    seen = world.robots().stream().filter(r -> world.time() - r.seen() < 3 && isFinite(r)).toList();
+    for (Robot r : seen) {
+      if (r.id().equals(plan.first())) {
+        ours[0] = r;
+      } else if (r.id().equals(plan.second())) {
+        ours[1] = r;
+      }
+    }
+  }
+
+  private static boolean isFinite(Robot r) {
+    return Double.isFinite(r.x() + r.y() + r.orientation() + r.vx() + r.vy());
+  }
+
+  PlayPlan plan() {
+    return plan;
+  }
+
+  PlayLimits limits() {
+    return plan.limits();
+  }
+
+  PlayArea area() {
+    return plan.area();
+  }
+
+  PlayWorld world() {
+    return world;
+  }
+
+  double time() {
+    return world.time();
+  }
+
+  BallMemory ball() {
+    return ball;
+  }
+
+  /** One of our robots; null when it is not seen, which no step is asked to cope with. */
+  Robot robot(int index) {
+    return ours[index];
+  }
+
+  boolean sees(int index) {
+    return ours[index] != null && world.time() - ours[index].seen() < ROBOT_UNSEEN;
+  }
+
+  double ballUnseen() {
+    return ball.unseen(world.time());
+  }
+
+  /** Robots that are not ours. */
+  List<Robot> others() {
+    return seen.stream().filter(r -> r != ours[0] && r != ours[1]).toList();
+  }
+
+  /** Another robot than the given one of ours near a place. */
+  Optional<Robot> near(double x, double y, double distance, int except) {
+    return seen.stream()
+        .filter(r -> r != ours[except] && Math.hypot(r.x() - x, r.y() - y) < distance)
+        .findFirst();
+  }
+
+  /** Distance from the ball to the point where a robot's dribbler holds one, m. */
+  double fromDribbler(int index) {
+    Robot r = ours[index];
+    double x = r.x() + PlayArea.AT_DRIBBLER * Math.cos(r.orientation());
+    double y = r.y() + PlayArea.AT_DRIBBLER * Math.sin(r.orientation());
+    return ball.distance(x, y);
+  }
+
+  /** Drives round everybody, and round the ball at a distance; 0 ignores the ball. */
+  void drive(int index, Pose target, double speed, double ballClearance) {
+    List<Circle> circles = new ArrayList<>();
+    double radius = 2 * PlayArea.ROBOT_RADIUS + limits().clearance();
+    for (Robot r : seen) {
+      if (r != ours[index]) {
+        circles.add(new Circle(r.x() + 0.2 * r.vx(), r.y() + 0.2 * r.vy(), radius));
+      }
+    }
+    if (ballClearance > 0 && ball.known()) {
+      circles.add(new Circle(ball.x(), ball.y(), ballClearance));
+    }
+    velocities[index] = driver.to(ours[index], target, speed, circles);
+    targets[index] = target;
+  }
+
+  /** Drives straight, whatever is there. */
+  void creep(int index, double vx, double vy, double orientation) {
+    double angular = Driver.turn(ours[index].orientation(), orientation);
+    velocities[index] = new Velocity(vx, vy, angular);
+    targets[index] = null;
+  }
+
+  void dribble(int index) {
+    dribblers[index] = true;
+  }
+
+  void arm(int index, Kick kick) {
+    kicks[index] = kick;
+  }
+
+  void waitFor(String reason) {
+    waiting = reason;
+  }
+
+  Optional<String> waiting() {
+    return Optional.ofNullable(waiting);
+  }
+
+  void request(double x, double y, String reason) {
+    request = new BallRequest(x, y, reason);
+    waiting = reason;
+  }
+
+  /** What comes of it all. */
+  PlayAnswer answer() {
+    List<Robot> both = new ArrayList<>();
+    for (Robot r : ours) {
+      if (r != null) {
+        both.add(r);
+      }
+    }
+    List<RobotOrder> orders = new ArrayList<>();
+    for (int i = 0; i < 2; i++) {
+      orders.add(
+          ours[i] == null
+              ? RobotOrder.stop(plan.robot(i))
+              : new RobotOrder(
+                  plan.robot(i),
+                  safety.limited(ours[i], velocities[i], seen, both),
+                  Optional.ofNullable(targets[i]),
+                  kicks[i],
+                  dribblers[i]));
+    }
+    return new PlayAnswer(orders, Optional.ofNullable(request));
+  }
+}

@@ -1,0 +1,62 @@
+package fieldcal.play;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.List;
+import java.util.Random;
+
+/** Kicks with evenly spread speeds in a random order, half along one line and half along the other; kicks that were not good are made again, a little nearer to the middle of the range: what is not determined by the slowest or fastest kick is so again when it is repeated as it was. Not thread-safe. */
+public final class SpreadKicks implements KickChooser {
+  /** How far towards the middle of the range a kick goes when it is made again. */
+  private static final double INWARDS = 0.3;
+
+  private final Deque<PlannedKick> waiting = new ArrayDeque<>();
+  private final PlannedKick spare;
+
+  /**
+   * Spreads kicks over a range of speeds.
+   *
+   * @param count how many, at least 1
+   * @param slowest m/s
+   * @param fastest m/s
+   * @param elevation rad, 0 = flat
+   * @param seed of the order
+   * @throws IllegalArgumentException when the count is below 1 or a speed out of range
+   */
+  public SpreadKicks(int count, double slowest, double fastest, double elevation, long seed) {
+    if (count < 1 || !(fastest >= slowest)) {
+      throw new IllegalArgumentException(
+          count + " kicks from " + slowest + " to " + fastest + " m/s cannot be spread");
+    }
+    Random random = new Random(seed);
+    int first = count - count / 2;
+    for (int block = 0; block < 2; block++) {
+      int n = block == 0 ? first : count - first;
+      List<PlannedKick> kicks = new ArrayList<>();
+      for (int i = 0; i < n; i++) {
+        double share = n == 1 ? 0.5 : (double) i / (n - 1);
+        double speed = slowest + share * (fastest - slowest);
+        kicks.add(new PlannedKick(speed, elevation, block == 1));
+      }
+      Collections.shuffle(kicks, random);
+      waiting.addAll(kicks);
+    }
+    spare = new PlannedKick(0.5 * (slowest + fastest), elevation, true);
+  }
+
+  @Override
+  public PlannedKick next() {
+    return waiting.isEmpty() ? spare : waiting.removeFirst();
+  }
+
+  @Override
+  public void done(PlannedKick kick, boolean good) {
+    if (!good) {
+      // At once: the robots are on the right line still.
+      double speed = kick.speed() + INWARDS * (spare.speed() - kick.speed());
+      waiting.addFirst(new PlannedKick(speed, kick.elevation(), kick.otherLine()));
+    }
+  }
+}

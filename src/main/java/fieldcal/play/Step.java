@@ -1,0 +1,16 @@
+package fieldcal.play;
+
+/** One phase of the play. A step orders what is to be done in this tick and says which step comes next. */
+interface Step {
+
+  /** What the operator sees. */
+  PlayPhase phase();
+
+  /** The robot that is to kick, 0 or 1; -1 when undecided. */
+  default int kicker() {
+    return -1;
+  }
+
+  /** The step of the next tick: itself to stay. Both robots are seen, or it is not asked. */
+  Step tick(Situation s);
+}

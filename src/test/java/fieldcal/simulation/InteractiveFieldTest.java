@@ -1,0 +1,117 @@
+package fieldcal.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.simulation.robot.RobotCommand;
+import fieldcal.simulation.robot.RobotCommand.Kick;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class InteractiveFieldTest {
+  private static final RobotId FIRST = new RobotId(Team.YELLOW, 0);
+  private static final RobotId SECOND = new RobotId(Team.BLUE, 1);
+
+  private static InteractiveField field(FieldTrouble... troubles) {
+    return InteractiveField.of(
+        SimulationSettings.DEFAULT.withSeed(4), FIRST, SECOND, List.of(troubles));
+  }
+
+  private static List<SimulatedPacket> run(InteractiveField field, double seconds) {
+    List<SimulatedPacket> packets = new ArrayList<>();
+    double end = field.world().time() + seconds;
+    while (field.world().time() < end) {
+      field.step(packets::add);
+    }
+    return packets;
+  }
+
+  private static boolean sees(List<SimulatedPacket> packets, RobotId robot) {
+    return packets.stream()
+        .flatMap(p -> p.packet().frame().stream())
+        .flatMap(f -> f.robots().stream())
+        .anyMatch(r -> r.id().equals(robot));
+  }
+
+  @Test
+  void packetsArriveInOrderAndInTime() {
+    InteractiveField field = field();
+    double[] last = {0};
+    for (int i = 0; i < 400; i++) {
+      field.step(
+          p -> {
+            assertThat(p.receivedTime()).isGreaterThanOrEqualTo(last[0]);
+            assertThat(field.world().time() - p.receivedTime())
+                .isBetween(-1e-9, SimulatedWorld.TICK + 1e-9);
+            last[0] = p.receivedTime();
+          });
+    }
+    assertThat(last[0]).isCloseTo(2, within(0.05));
+  }
+
+  @Test
+  void sameSeedAndCommandsGiveTheSamePackets() {
+    List<List<SimulatedPacket>> runs = new ArrayList<>();
+    for (int i = 0; i < 2; i++) {
+      InteractiveField field = field();
+      field.command(FIRST, RobotCommand.driveTo(1, 1, 0.5, 2));
+      runs.add(run(field, 1.5));
+    }
+    assertThat(runs.get(0)).isEqualTo(runs.get(1)).isNotEmpty();
+  }
+
+  @Test
+  void aRobotThatIsTakenOffIsNotSeenAndComesBack() {
+    InteractiveField field = field(new FieldTrouble(FieldTrouble.Kind.ROBOT_GONE, 1, 2, 1));
+    assertThat(sees(run(field, 0.9), SECOND)).isTrue();
+    run(field, 0.2);
+    assertThat(sees(run(field, 1.5), SECOND)).isFalse();
+    run(field, 0.6);
+    assertThat(sees(run(field, 0.5), SECOND)).isTrue();
+  }
+
+  @Test
+  void noFrameArrivesWhileVisionIsOut() {
+    InteractiveField field = field(new FieldTrouble(FieldTrouble.Kind.NO_VISION, 0.5, 1, 0));
+    run(field, 0.5);
+    assertThat(run(field, 0.9)).isEmpty();
+    run(field, 0.2);
+    assertThat(run(field, 0.5)).isNotEmpty();
+  }
+
+  @Test
+  void kickersThatDoNotFireOnlyPush() {
+    for (boolean fires : new boolean[] {true, false}) {
+      InteractiveField field =
+          fires ? field() : field(new FieldTrouble(FieldTrouble.Kind.MISSED_KICK, 0, 10, 0));
+      double x = field.world().ball().x();
+      double y = field.world().ball().y();
+      field.command(FIRST, RobotCommand.driveTo(x + 0.2, y, 0, 0.4).kicking(new Kick(4, 0)));
+      field.world().robots().stream()
+          .filter(r -> r.id().equals(FIRST))
+          .forEach(r -> r.place(x - 0.2, y, 0));
+      double fastest = 0;
+      for (int i = 0; i < 400; i++) {
+        field.step(p -> {});
+        fastest = Math.max(fastest, field.world().ball().groundSpeed());
+      }
+      assertThat(fastest > 3).isEqualTo(fires);
+    }
+  }
+
+  @Test
+  void troublesAreDrawnFromTheSeed() {
+    assertThat(FieldTrouble.random(7, 5, 60)).isEqualTo(FieldTrouble.random(7, 5, 60)).hasSize(5);
+    assertThat(FieldTrouble.random(8, 5, 60)).isNotEqualTo(FieldTrouble.random(7, 5, 60));
+    assertThatThrownBy(() -> new FieldTrouble(FieldTrouble.Kind.HALT, Double.NaN, 1, 0))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(
+            () -> InteractiveField.of(SimulationSettings.DEFAULT, FIRST, FIRST, List.of()))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("one name");
+  }
+}
