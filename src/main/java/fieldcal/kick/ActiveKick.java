@@ -13,6 +13,15 @@ final class ActiveKick {
   /** Twice what cameras disagree by on the ground, and the noise, m: some 0.2 m of height. */
   private static final double AIRBORNE = 0.1;
 
+  /** Two cameras agree on a ball in the last 0.2 m of its fall; it takes that long at 2 m/s, s. */
+  private static final double FALL = 0.1;
+
+  /** Detections in a row that say so before a ball counts as in the air. */
+  private static final int SURELY = 3;
+
+  /** A ball that was just kicked is still near the robots around its kicker, s. */
+  private static final double SOON = 0.05;
+
   /** A ball that ends nearer was nudged, or put elsewhere while it was hidden; the weakest kick rolls that far, m. */
   private static final double SHORTEST = 0.3;
 
@@ -22,24 +31,46 @@ final class ActiveKick {
   private final KickFinderSettings settings;
   private final List<BallTrack> members = new ArrayList<>();
   private final Observations.Builder observations = new Observations.Builder();
-  private final ContactWatch contact = new ContactWatch();
+  private final ContactWatch contact;
   private final LineFit line = new LineFit();
   private final double[] xy = new double[2];
   private boolean leftKicker;
   private double farthest;
   private boolean entered;
   private BallTrack newest;
+  private BallTrack source;
   private double outsideSince = Double.NaN;
+  private int seenInTheAir;
 
   ActiveKick(JumpDetector.Jump jump, RobotId robot, boolean dribbled, KickFinderSettings settings) {
     this.jump = jump;
     this.robot = robot;
     this.dribbled = dribbled;
     this.settings = settings;
+    contact = new ContactWatch(jump.time());
   }
 
   double time() {
     return jump.time();
+  }
+
+  /** Begins with the track that told of the kick, a tenth of a second late: the ball may have met a robot meanwhile. */
+  void startedBy(BallTrack track, RobotPoses robots) {
+    source = track;
+    join(track);
+    for (int age = track.size() - 1; age >= 0; age--) {
+      double t = track.time(age);
+      if (t - jump.time() > SOON
+          && ContactWatch.isNear(robots.distance(t, track.x(age), track.y(age), robot))) {
+        contact.watchFrom(t);
+        return;
+      }
+    }
+  }
+
+  /** The track that told of the kick: if it tells of another one, that is another. */
+  BallTrack source() {
+    return source;
   }
 
   JumpDetector.Jump jump() {
@@ -93,6 +124,7 @@ final class ActiveKick {
     for (int age = track.size() - 1; age >= 0; age--) {
       if (track.time(age) >= from) {
         track.copyTo(age, observations);
+        went(track.x(age), track.y(age));
       }
     }
     members.add(track);
@@ -130,12 +162,16 @@ final class ActiveKick {
     double t = track.lastTime();
     double x = track.x(0);
     double y = track.y(0);
-    farthest = Math.max(farthest, Math.hypot(x - jump.x(), y - jump.y()));
+    went(x, y);
     leftKicker |= t - jump.time() > 0.1 && Math.hypot(x - jump.x(), y - jump.y()) > 0.3;
-    double distance = robots.distance(t, x, y, leftKicker ? null : robot);
-    boolean reachable = t - jump.time() > 0.05 && !inTheAir(track, t);
-    if (reachable && contact.update(track, distance) == ContactWatch.Verdict.TOUCHED) {
-      return KickEnd.TOUCHED_ROBOT;
+    seenInTheAir = inTheAir(track, t) ? seenInTheAir + 1 : 0;
+    if (seenInTheAir >= SURELY) {
+      contact.release();
+    } else if (t - jump.time() > SOON) {
+      double distance = robots.distance(t, x, y, leftKicker ? null : robot);
+      if (contact.update(track, members, distance) == ContactWatch.Verdict.TOUCHED) {
+        return KickEnd.TOUCHED_ROBOT;
+      }
     }
     double outside = area.outside(x, y);
     entered |= outside <= 0;
@@ -147,7 +183,19 @@ final class ActiveKick {
     } else if (outside > 0.1 || t - outsideSince > 0.15) {
       return KickEnd.LEFT_FIELD;
     }
-    return t - jump.time() > 0.5 && stopped(track) ? KickEnd.STOPPED : null;
+    if (t - jump.time() < 0.5 || !stopped(track)) {
+      return null;
+    }
+    return contact.stoppedShort(track) ? KickEnd.TOUCHED_ROBOT : KickEnd.STOPPED;
+  }
+
+  private void went(double x, double y) {
+    farthest = Math.max(farthest, Math.hypot(x - jump.x(), y - jump.y()));
+  }
+
+  /** Whether the ball was in the air until shortly before, so that a jump of its velocity may be a bounce. */
+  boolean wasInTheAir(BallTrack track, double t) {
+    return inTheAir(track, t - 0.02) || inTheAir(track, t - 0.05) || inTheAir(track, t - FALL);
   }
 
   /** Two cameras that report the same ball far apart see it in the air, where no robot touches it. */
@@ -158,10 +206,12 @@ final class ActiveKick {
     double x = xy[0];
     double y = xy[1];
     for (BallTrack other : members) {
-      if (other.camera() != track.camera()
-          && other.positionAt(t, LIVE, line, xy)
-          && Math.hypot(xy[0] - x, xy[1] - y) > AIRBORNE) {
-        return true;
+      if (other.camera() != track.camera() && other.positionAt(t, LIVE, line, xy)) {
+        // A ball that was just stopped is not where the other camera's last images send it.
+        double guessed = t > other.lastTime() ? (t - other.lastTime()) * line.speed() : 0;
+        if (Math.hypot(xy[0] - x, xy[1] - y) > AIRBORNE + guessed) {
+          return true;
+        }
       }
     }
     return false;
@@ -193,7 +243,7 @@ final class ActiveKick {
     } else if (end == KickEnd.LEFT_FIELD && !Double.isNaN(outsideSince)) {
       last = Math.min(last, outsideSince);
     }
-    if (!(last > jump.time() + 0.05) || farthest < SHORTEST) {
+    if (!(last > jump.time() + 0.03) || farthest < SHORTEST) {
       return null;
     }
     Observations seen = observations.build().between(Double.NEGATIVE_INFINITY, last);

@@ -36,6 +36,9 @@ final class DribbleWatch {
   /** The kick's time is known to some milliseconds only, s. */
   private static final double BEFORE_KICK = 0.02;
 
+  /** Fewer may be false, or a ball that passes by. */
+  private static final int LEAST_SEEN = 3;
+
   /** Two seconds of one camera at 75 Hz. */
   private static final int CAPACITY = 160;
 
@@ -93,6 +96,23 @@ final class DribbleWatch {
   /** A ball that was under way ended at this robot. */
   void caught(RobotId robot, double t) {
     of(robot).caught = t;
+  }
+
+  /** Whether the robot had the ball at its front, or stopped it, within {@code span} before {@code t}. */
+  boolean hadBall(RobotId robot, double t, double span) {
+    Contacts c = contacts.get(robot);
+    if (c == null) {
+      return false;
+    }
+    int seen = 0;
+    for (long k = c.count - 1; k >= Math.max(0, c.count - CAPACITY); k--) {
+      double at = c.time[(int) (k % CAPACITY)];
+      if (at < t - span) {
+        break;
+      }
+      seen += at <= t ? 1 : 0;
+    }
+    return seen >= LEAST_SEEN || c.caught <= t + BEFORE_KICK && t - c.caught < span;
   }
 
   /** Whether the robot that kicks at {@code t} had the ball before: took it along, or caught it and did not let go of it. */

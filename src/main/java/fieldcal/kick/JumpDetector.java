@@ -52,6 +52,12 @@ final class JumpDetector {
       return Math.hypot(vx, vy);
     }
 
+    /** The same ball, if it was kicked that much earlier and was hidden since. */
+    Jump earlier(double by) {
+      return new Jump(
+          time - by, x - vx * by, y - vy * by, vx, vy, vxBefore, vyBefore, fromRest, born);
+    }
+
     double speedBefore() {
       return Math.hypot(vxBefore, vyBefore);
     }

@@ -5,8 +5,10 @@ import fieldcal.vision.BallDetection;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionFrame;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,6 +31,9 @@ public final class KickFinder {
 
   private static final double SAME_PLACE = 0.35;
 
+  /** Kicks that ended before another camera told of them; more do not happen within {@link #SAME_TIME}. */
+  private static final int REMEMBERED = 4;
+
   /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
   private static final double LEAST_GAIN = 0.2;
 
@@ -50,6 +55,15 @@ public final class KickFinder {
   /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
   static final double SAME_BALL = 0.5;
 
+  /** A kicker hides the ball for up to that long, s: 0.5 m at 2 m/s. */
+  private static final double HIDDEN_START = 0.3;
+
+  /** A ball that another camera saw so far from there just before was not there, m. */
+  private static final double ELSEWHERE = 0.2;
+
+  /** It had the ball within that time before, s. */
+  private static final double HELD = 1.5;
+
   /** After a longer gap nothing is known of where the ball went, s. */
   private static final double LONG_GAP = 0.6;
 
@@ -61,8 +75,11 @@ public final class KickFinder {
   private final DribbleWatch dribbles = new DribbleWatch();
   private final PlayingArea area = new PlayingArea();
   private final List<ActiveKick> active = new ArrayList<>();
+  private final Deque<ActiveKick> ended = new ArrayDeque<>();
   private final TrackMatcher matcher = new TrackMatcher(views);
   private final KickFinderCounts counts = new KickFinderCounts();
+  private final double[] robotVelocity = new double[2];
+  private final double[] hiddenStart = new double[3];
   private double now = Double.NEGATIVE_INFINITY;
   private int found;
   private double lastEnd = Double.NEGATIVE_INFINITY;
@@ -152,6 +169,7 @@ public final class KickFinder {
 
   private void restart() {
     endAll(KickEnd.RECORDING_ENDED);
+    ended.clear();
     cameras.clear();
     robots.clear();
     dribbles.clear();
@@ -200,17 +218,84 @@ public final class KickFinder {
   }
 
   private void consider(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
-    ActiveKick same = sameKick(jump);
-    if (same != null) {
-      if (owner == null) {
-        same.join(track);
-      }
+    if (isKnown(jump, track, owner)) {
       return;
     }
     RobotId robot =
-        robots.kicker(jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), settings.robotReach());
-    if (robot == null && (owner != null || !startedAlone(jump))
-        || area.outside(jump.x(), jump.y()) > MARGIN) {
+        robots.kicker(
+            jump.time(),
+            jump.x(),
+            jump.y(),
+            jump.vx(),
+            jump.vy(),
+            settings.robotReach(),
+            robotVelocity);
+    if (robot != null || startedAlone(jump)) {
+      considerKick(jump, track, owner, robot);
+    } else if (owner == null) {
+      considerHidden(jump, track);
+    }
+  }
+
+  /** Whether this is a kick's ball that comes into view, or another camera told of this kick already; then its track shows the same ball. */
+  private boolean isKnown(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
+    if (jump.born() && owner != null) {
+      return true;
+    }
+    ActiveKick same = sameKick(jump, track);
+    if (same != null && owner == null) {
+      same.join(track);
+    }
+    return same != null || justEnded(jump, track);
+  }
+
+  /** Nobody is near the ball that moves all of a sudden: it may have been hidden by its kicker at first. */
+  private void considerHidden(JumpDetector.Jump jump, BallTrack track) {
+    RobotId robot =
+        robots.kickerBefore(
+            jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), HIDDEN_START, hiddenStart);
+    if (robot == null) {
+      return;
+    }
+    JumpDetector.Jump start = jump.earlier(hiddenStart[0]);
+    robotVelocity[0] = hiddenStart[1];
+    robotVelocity[1] = hiddenStart[2];
+    if (dribbles.hadBall(robot, start.time(), HELD)
+        && !underWay(track, start)
+        && !isKnown(start, track, null)) {
+      considerKick(start, track, null, robot);
+    }
+  }
+
+  /** Whether another camera saw this ball elsewhere before it can have been kicked here, so that it only comes into view. */
+  private boolean underWay(BallTrack track, JumpDetector.Jump start) {
+    for (CameraTracks camera : cameras.values()) {
+      for (BallTrack other : camera.tracks()) {
+        if (other != track
+            && wasElsewhere(other, start)
+            && (other.lastTime() < track.time(track.size() - 1)
+                ? matcher.continues(other, track)
+                : other.camera() != track.camera() && matcher.meets(other, track))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean wasElsewhere(BallTrack other, JumpDetector.Jump start) {
+    for (int age = 0; age < other.size(); age++) {
+      if (other.time(age) < start.time() - JUST_BEFORE) {
+        double away = Math.hypot(other.x(age) - start.x(), other.y(age) - start.y());
+        return other.size() >= 3 && away > ELSEWHERE;
+      }
+    }
+    return false;
+  }
+
+  private void considerKick(
+      JumpDetector.Jump jump, BallTrack track, ActiveKick owner, RobotId robot) {
+    if (area.outside(jump.x(), jump.y()) > MARGIN) {
       return;
     }
     if (owner != null && isPartOf(owner, jump, track, robot)) {
@@ -223,13 +308,17 @@ public final class KickFinder {
     if (owner != null) {
       end(owner, KickEnd.TOUCHED_ROBOT, jump.time() - 0.005);
     }
-    if (isDeflection(jump)) {
+    if (isDeflection(jump, robot)) {
       counts.deflections++;
       return;
     }
+    start(jump, track, robot);
+  }
+
+  private void start(JumpDetector.Jump jump, BallTrack track, RobotId robot) {
     boolean dribbled = robot != null && dribbles.dribbled(robot, jump.time(), jump.fromRest());
     ActiveKick kick = new ActiveKick(jump, robot, dribbled, settings);
-    kick.join(track);
+    kick.startedBy(track, robots);
     active.add(kick);
     for (CameraTracks camera : cameras.values()) {
       for (BallTrack other : camera.tracks()) {
@@ -247,12 +336,13 @@ public final class KickFinder {
   private static boolean isPartOf(
       ActiveKick owner, JumpDetector.Jump jump, BallTrack track, RobotId robot) {
     boolean justKicked = owner.kickedBy(robot) && jump.time() - owner.time() < SAME_ROBOT_AGAIN;
-    return justKicked || owner.inTheAir(track, jump.time() - JUST_BEFORE);
+    return justKicked || owner.wasInTheAir(track, jump.time());
   }
 
   /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */
   private boolean startedAlone(JumpDetector.Jump jump) {
     return jump.fromRest()
+        && robots.nearest(jump.time(), jump.x(), jump.y(), settings.robotReach()) == null
         && jump.speed() > 1.5 * settings.minSpeed()
         && area.outside(jump.x(), jump.y()) <= 0;
   }
@@ -264,8 +354,20 @@ public final class KickFinder {
     return robots.distanceTo(robot, t, track.x(0), track.y(0)) - before < LEAST_SEPARATION;
   }
 
-  private boolean isDeflection(JumpDetector.Jump jump) {
-    return !jump.fromRest() && jump.speed() < speedBefore(jump) + LEAST_GAIN;
+  /**
+   * A ball that bounces off a robot has lost energy, a kicked one has won some: as the robot sees it, which may itself have run into the ball.
+   */
+  private boolean isDeflection(JumpDetector.Jump jump, RobotId robot) {
+    if (robot == null) {
+      return !jump.fromRest() && jump.speed() < speedBefore(jump) + LEAST_GAIN;
+    }
+    if (jump.born()) {
+      return jump.speed() < speedBefore(jump) + LEAST_GAIN;
+    }
+    double rx = robotVelocity[0];
+    double ry = robotVelocity[1];
+    double before = Math.hypot(jump.vxBefore() - rx, jump.vyBefore() - ry);
+    return Math.hypot(jump.vx() - rx, jump.vy() - ry) < before + LEAST_GAIN;
   }
 
   /**
@@ -286,15 +388,29 @@ public final class KickFinder {
     return justEnded ? Double.POSITIVE_INFINITY : fastest;
   }
 
-  private ActiveKick sameKick(JumpDetector.Jump jump) {
+  /** The kick of which another camera told already. */
+  private ActiveKick sameKick(JumpDetector.Jump jump, BallTrack track) {
     for (ActiveKick kick : active) {
-      JumpDetector.Jump known = kick.jump();
-      if (Math.abs(known.time() - jump.time()) < SAME_TIME
-          && Math.hypot(known.x() - jump.x(), known.y() - jump.y()) < SAME_PLACE) {
+      if (kick.source() != track && same(kick.jump(), jump)) {
         return kick;
       }
     }
     return null;
+  }
+
+  private static boolean same(JumpDetector.Jump known, JumpDetector.Jump jump) {
+    return Math.abs(known.time() - jump.time()) < SAME_TIME
+        && Math.hypot(known.x() - jump.x(), known.y() - jump.y()) < SAME_PLACE;
+  }
+
+  /** Whether another camera told of this kick, and its ball was stopped already. */
+  private boolean justEnded(JumpDetector.Jump jump, BallTrack track) {
+    for (ActiveKick kick : ended) {
+      if (kick.source() != track && same(kick.jump(), jump)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void endLost() {
@@ -319,6 +435,10 @@ public final class KickFinder {
 
   private void end(ActiveKick kick, KickEnd reason, double time) {
     active.remove(kick);
+    ended.addFirst(kick);
+    if (ended.size() > REMEMBERED) {
+      ended.removeLast();
+    }
     lastEnd = kick.lastTime();
     lastEndX = kick.newest().x(0);
     lastEndY = kick.newest().y(0);

@@ -3,87 +3,69 @@ package fieldcal.kick;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
- * Where each robot was seen last, by each camera, and how fast it drives.
+ * Where the robots are and were a moment ago, and how fast they drive.
  *
  * <p>Per camera, because cameras that disagree by centimetres would make a robot that both see look as if it jumped to and fro.
  */
 final class RobotPoses {
-  /** A robot not seen for that long may be anywhere, s. */
-  private static final double FORGET = 0.6;
+  /** A ball's centre is that far ahead of a robot's when it is kicked: a front at 75 mm and the ball's radius, m. */
+  private static final double MOUTH = 0.0965;
 
-  /** Robots drive at most so fast; more is an identity swap, m/s. */
-  private static final double MAX_SPEED = 5;
+  /** Half of a kicker's width and an error of the pose, m. */
+  private static final double HALF_MOUTH = 0.08;
 
-  private record Key(RobotId robot, int camera) {}
+  /** A kicker sends a ball where the robot looks; cosine of 25°, for the robot's own motion and noise. */
+  private static final double STRAIGHT = 0.906;
 
-  private static final class Pose {
-    private double time = Double.NEGATIVE_INFINITY;
-    private double x;
-    private double y;
-    private double vx;
-    private double vy;
-  }
+  /** A ball that is not that much faster than its robot is carried, m/s. */
+  private static final double LEAST_RELATIVE = 0.7;
 
-  private final Map<Key, Pose> poses = new HashMap<>();
+  private final Map<Integer, Map<RobotId, RobotPath>> cameras = new HashMap<>();
+  private final List<RobotPath> paths = new ArrayList<>();
+  private final double[] state = new double[4];
 
   void update(VisionFrame frame) {
+    Map<RobotId, RobotPath> seen =
+        cameras.computeIfAbsent(frame.cameraId(), camera -> new HashMap<>());
     for (RobotDetection robot : frame.robots()) {
-      Pose pose = poses.computeIfAbsent(new Key(robot.id(), frame.cameraId()), key -> new Pose());
-      double dt = frame.captureTime() - pose.time;
-      if (dt > 0.004 && dt < FORGET) {
-        // A light low pass: cameras that disagree by centimetres would otherwise look like robots
-        // at several m/s.
-        double gain = Math.min(1, dt / 0.1);
-        double vx = (robot.x() - pose.x) / dt;
-        double vy = (robot.y() - pose.y) / dt;
-        if (Math.hypot(vx, vy) < MAX_SPEED) {
-          pose.vx += gain * (vx - pose.vx);
-          pose.vy += gain * (vy - pose.vy);
-        }
-      } else if (!(Math.abs(dt) < FORGET)) {
-        pose.vx = 0;
-        pose.vy = 0;
+      RobotPath path = seen.get(robot.id());
+      if (path == null) {
+        path = new RobotPath(robot.id());
+        seen.put(robot.id(), path);
+        paths.add(path);
       }
-      pose.time = frame.captureTime();
-      pose.x = robot.x();
-      pose.y = robot.y();
+      path.add(frame.captureTime(), robot.x(), robot.y(), robot.orientation());
     }
   }
 
   void clear() {
-    poses.clear();
+    cameras.clear();
+    paths.clear();
   }
 
   /** Centre-to-centre distance between a ball and the nearest robot at {@code t}, m; infinite without robots. */
   double distance(double t, double x, double y, RobotId except) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
-      if (!e.getKey().robot().equals(except)) {
-        nearest = Math.min(nearest, distance(e.getValue(), t, x, y));
+    for (RobotPath path : paths) {
+      if (!path.robot().equals(except) && path.mayHaveBeenNear(x, y) && path.at(t, state)) {
+        nearest = Math.min(nearest, Math.hypot(x - state[0], y - state[1]));
       }
     }
     return nearest;
   }
 
-  private static double distance(Pose p, double t, double x, double y) {
-    double dt = t - p.time;
-    if (Math.abs(dt) > FORGET) {
-      return Double.POSITIVE_INFINITY;
-    }
-    double ahead = Math.max(-0.1, Math.min(0.1, dt));
-    return Math.hypot(x - p.x - p.vx * ahead, y - p.y - p.vy * ahead);
-  }
-
   /** Centre-to-centre distance between a ball and one robot at {@code t}, m; infinite when the robot is not seen. */
   double distanceTo(RobotId robot, double t, double x, double y) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
-      if (e.getKey().robot().equals(robot)) {
-        nearest = Math.min(nearest, distance(e.getValue(), t, x, y));
+    for (RobotPath path : paths) {
+      if (path.robot().equals(robot) && path.at(t, state)) {
+        nearest = Math.min(nearest, Math.hypot(x - state[0], y - state[1]));
       }
     }
     return nearest;
@@ -93,11 +75,13 @@ final class RobotPoses {
   RobotId nearest(double t, double x, double y, double reach) {
     RobotId best = null;
     double nearest = reach;
-    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
-      double d = distance(e.getValue(), t, x, y);
-      if (d < nearest) {
-        nearest = d;
-        best = e.getKey().robot();
+    for (RobotPath path : paths) {
+      if (path.mayHaveBeenNear(x, y) && path.at(t, state)) {
+        double d = Math.hypot(x - state[0], y - state[1]);
+        if (d < nearest) {
+          nearest = d;
+          best = path.robot();
+        }
       }
     }
     return best;
@@ -106,18 +90,67 @@ final class RobotPoses {
   /**
    * Who can have given a ball at (x, y) the velocity (vx, vy): the nearest robot within reach from which the ball moves away.
    *
+   * @param velocity gets the robot's velocity, m/s
    * @return null when there is none
    */
-  RobotId kicker(double t, double x, double y, double vx, double vy, double reach) {
+  RobotId kicker(
+      double t, double x, double y, double vx, double vy, double reach, double[] velocity) {
     RobotId best = null;
     double nearest = reach;
-    for (Map.Entry<Key, Pose> e : poses.entrySet()) {
-      Pose p = e.getValue();
-      double d = distance(p, t, x, y);
-      double away = (x - p.x) * (vx - p.vx) + (y - p.y) * (vy - p.vy);
+    for (RobotPath path : paths) {
+      if (!path.mayHaveBeenNear(x, y) || !path.at(t, state)) {
+        continue;
+      }
+      double d = Math.hypot(x - state[0], y - state[1]);
+      double away = (x - state[0]) * (vx - state[2]) + (y - state[1]) * (vy - state[3]);
       if (d < nearest && away > 0.3 * d) {
         nearest = d;
-        best = e.getKey().robot();
+        best = path.robot();
+        velocity[0] = state[2];
+        velocity[1] = state[3];
+      }
+    }
+    return best;
+  }
+
+  /**
+   * Who can have kicked a ball a little before it came into view at (x, y) with the velocity (vx, vy): a robot from whose mouth it comes straight.
+   *
+   * @param longest how long before at most, s
+   * @param start gets how long before t that was, s, and the robot's velocity there, m/s
+   * @return null when there is none
+   */
+  RobotId kickerBefore(
+      double t, double x, double y, double vx, double vy, double longest, double[] start) {
+    RobotId best = null;
+    double soonest = longest;
+    for (RobotPath path : paths) {
+      if (!path.mayHaveBeenNear(x, y) || !path.at(t, state)) {
+        continue;
+      }
+      double back = 0;
+      double aside = 0;
+      double along = 0;
+      for (int i = 0; i < 2 && path.at(t - back, state); i++) {
+        double front = path.orientation(t - back);
+        double cos = Math.cos(front);
+        double sin = Math.sin(front);
+        double dx = x - state[0];
+        double dy = y - state[1];
+        along = vx * cos + vy * sin;
+        double ahead = dx * cos + dy * sin;
+        // Both at the time of the kick.
+        back = Math.max(0, (ahead - MOUTH) / along);
+        aside = Math.abs((dy - vy * back) * cos - (dx - vx * back) * sin);
+      }
+      boolean straight = along > STRAIGHT * Math.hypot(vx, vy);
+      double relative = Math.hypot(vx - state[2], vy - state[3]);
+      if (straight && aside < HALF_MOUTH && back < soonest && relative > LEAST_RELATIVE) {
+        soonest = back;
+        best = path.robot();
+        start[0] = back;
+        start[1] = state[2];
+        start[2] = state[3];
       }
     }
     return best;

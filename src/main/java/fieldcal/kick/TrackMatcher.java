@@ -38,7 +38,8 @@ final class TrackMatcher {
     return !compared && continues(kick, track);
   }
 
-  private boolean meets(BallTrack member, BallTrack track) {
+  /** Whether the newest detections of a track are where another camera sees its ball. */
+  boolean meets(BallTrack member, BallTrack track) {
     for (int age = 0; age < COMPARED; age++) {
       double t = track.time(age);
       if (!member.positionAt(t, 0.04, scratch, xy)
@@ -71,7 +72,11 @@ final class TrackMatcher {
 
   /** Nobody else sees the ball now: does the track go on where the ball was heading? */
   private boolean continues(ActiveKick kick, BallTrack track) {
-    BallTrack last = kick.newest();
+    return continues(kick.newest(), track);
+  }
+
+  /** Whether a track goes on where another camera's ball was heading when it was seen last. */
+  boolean continues(BallTrack last, BallTrack track) {
     int first = Math.min(track.size(), 8) - 1;
     double gap = track.time(first) - last.lastTime();
     if (gap < -0.05 || gap > 0.5 || !last.fitNewest(8, 0.15, scratch)) {

@@ -21,7 +21,7 @@ import java.util.TreeMap;
  * Compares the kicks that were found in simulated matches with those that there were.
  *
  * <p>A kick counts when a robot kicked (the truth's kinds flat and chip; what bounces off a robot is a deflection and no kick), its ball went {@value #LEAST_WAY} m, and the cameras together reported that ball
- * {@value #LEAST_SEEN} times on its way: of less nothing can be learnt. Finding one that does not count is neither right nor wrong. Everything else that is found is invented, deflections included.
+ * {@value #LEAST_SEEN} times on its way, first within {@value #LATEST_SEEN} m of the kick: of less nothing can be learnt, and a ball that comes into view is none that was kicked there. Finding one that does not count is neither right nor wrong. Everything else that is found is invented, deflections included.
  *
  * <p>Ends are judged by what the finder calls them: a ball has left when it is over a line, not 0.25 m behind it as in the truth; a ball that somebody takes away by hand has no right end and is not
  * counted; a ball that no camera saw when its flight ended may also be called lost.
@@ -29,6 +29,7 @@ import java.util.TreeMap;
 final class KickJudge {
   static final double LEAST_WAY = 0.3;
   static final int LEAST_SEEN = 10;
+  static final double LATEST_SEEN = 0.5;
 
   /** A ball may be hidden by its kicker at first. */
   private static final double SAME_TIME = 0.1;
@@ -53,7 +54,11 @@ final class KickJudge {
   private int fromRest;
   private int[] dribbled = new int[4];
 
-  private record Seen(int count, double last) {}
+  private record Seen(int count, double first, double last) {
+    boolean enough(KickTruth t) {
+      return count >= LEAST_SEEN && wayUntil(t, first) < LATEST_SEEN && way(t) >= LEAST_WAY;
+    }
+  }
 
   int counted() {
     return counted;
@@ -96,7 +101,7 @@ final class KickJudge {
       Kick kick = match(t, left);
       left.remove(kick);
       Seen seen = seen(t, frames, cameras);
-      if (seen.count() < LEAST_SEEN || way(t) < LEAST_WAY) {
+      if (!seen.enough(t)) {
         extra += kick == null ? 0 : 1;
         continue;
       }
@@ -223,8 +228,13 @@ final class KickJudge {
   }
 
   private static double way(KickTruth t) {
+    return wayUntil(t, Double.POSITIVE_INFINITY);
+  }
+
+  private static double wayUntil(KickTruth t, double time) {
     double most = 0;
-    for (Vector3 p : t.path()) {
+    for (int i = 0; i < t.path().size() && t.time() + i * KickTruth.PATH_STEP <= time; i++) {
+      Vector3 p = t.path().get(i);
       most = Math.max(most, Math.hypot(p.x() - t.position().x(), p.y() - t.position().y()));
     }
     return most;
@@ -232,6 +242,7 @@ final class KickJudge {
 
   private static Seen seen(KickTruth t, List<VisionFrame> frames, Map<Integer, Camera> cameras) {
     int count = 0;
+    double first = Double.POSITIVE_INFINITY;
     double last = Double.NEGATIVE_INFINITY;
     double[] ground = new double[2];
     for (VisionFrame frame : frames) {
@@ -244,12 +255,13 @@ final class KickJudge {
       for (BallDetection ball : frame.balls()) {
         if (Math.hypot(ball.x() - ground[0], ball.y() - ground[1]) < 0.1) {
           count++;
+          first = Math.min(first, frame.captureTime());
           last = Math.max(last, frame.captureTime());
           break;
         }
       }
     }
-    return new Seen(count, last);
+    return new Seen(count, first, last);
   }
 
   private static Set<KickEnd> right(KickTruth t, FieldSize field, Seen seen) {
