@@ -18,6 +18,7 @@ import picocli.CommandLine.ParseResult;
       CalibrateCommand.class,
       DiagnoseCommand.class,
       LimitsCommand.class,
+      MonitorCommand.class,
       SimulateCommand.class
     })
 public final class Main {

@@ -10,7 +10,7 @@ import me.tongfei.progressbar.ProgressBarStyle;
 
 /** A progress bar on the error stream, if that is a terminal; otherwise nothing. */
 final class TerminalProgress implements AutoCloseable {
-  private static final Path ERROR_STREAM = Path.of("/proc/self/fd/2");
+  private static final int ERROR_STREAM = 2;
   private static final long MEGABYTE = 1_000_000;
   private static final String CLEAR_LINE = "\r\u001b[K";
 
@@ -25,7 +25,7 @@ final class TerminalProgress implements AutoCloseable {
     this.task = task;
     this.unit = unit;
     this.unitSize = unitSize;
-    shown = isTerminal();
+    shown = isTerminal(ERROR_STREAM);
   }
 
   /** A bar that counts bytes; it appears with the first call of {@link #at}. */
@@ -88,10 +88,11 @@ final class TerminalProgress implements AutoCloseable {
   }
 
   /** Java tells only whether both standard input and output are terminals; Linux tells of each stream. */
-  private static boolean isTerminal() {
+  static boolean isTerminal(int descriptor) {
+    Path stream = Path.of("/proc/self/fd/" + descriptor);
     try {
-      if (Files.exists(ERROR_STREAM)) {
-        String target = Files.readSymbolicLink(ERROR_STREAM).toString();
+      if (Files.exists(stream)) {
+        String target = Files.readSymbolicLink(stream).toString();
         return target.startsWith("/dev/pts/")
             || target.startsWith("/dev/tty")
             || target.equals("/dev/console");

@@ -1,0 +1,142 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.monitor.LineDisplay;
+import fieldcal.app.monitor.MatchDisplay;
+import fieldcal.app.monitor.MatchFeed;
+import fieldcal.app.monitor.MonitorRequest;
+import fieldcal.app.monitor.MonitorSession;
+import fieldcal.app.monitor.ReplayFeed;
+import fieldcal.app.monitor.ScreenDisplay;
+import fieldcal.vision.BallModels;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.time.ZoneId;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal monitor}: watches a match, live or recorded. */
+@Command(
+    name = "monitor",
+    mixinStandardHelpOptions = true,
+    description =
+        "Watches a match, live or recorded: the ball's model from the last 31 kicks, a warning when"
+            + " it is more than 20 % from the published one, the movement limits of both teams, how"
+            + " well the cameras do. Ctrl-C ends it with a summary.")
+final class MonitorCommand implements Callable<Integer> {
+  /** Ctrl-C waits so long for the summary, s. */
+  private static final long PATIENCE = 5;
+
+  @Spec private CommandSpec spec;
+
+  @ArgGroup(multiplicity = "1")
+  private Source source;
+
+  @Option(
+      names = "--models",
+      paramLabel = "FILE",
+      description =
+          "ball models to compare with: SSL_GeometryModels, binary or text, or a calibration.json;"
+              + " default: those that vision publishes")
+  private Path models;
+
+  @Option(
+      names = "--json",
+      paramLabel = "FILE",
+      description = "writes a line of JSON per change there, as it happens")
+  private Path json;
+
+  @Option(
+      names = "--state",
+      paramLabel = "FILE",
+      description =
+          "pools matches on the same carpet: begins with the samples in that file, if it exists,"
+              + " and writes all of them there at the end")
+  private Path state;
+
+  /** One of both. */
+  private static final class Source {
+    @ArgGroup(exclusive = false)
+    private Replay replay;
+  }
+
+  /** A recorded match. */
+  private static final class Replay {
+    @Option(
+        names = "--log",
+        required = true,
+        paramLabel = "LOG",
+        description = "a recorded match, .log or .log.gz")
+    private Path log;
+
+    @Option(
+        names = "--speed",
+        paramLabel = "X",
+        description =
+            "replays at X times the match's own speed; default: as fast as the machine can")
+    private Double speed;
+  }
+
+  @Override
+  public Integer call() throws IOException {
+    OutputPlaces.check(null, json);
+    Optional<BallModels> given =
+        models == null ? Optional.empty() : Optional.of(InitialModels.read(models));
+    MonitorRequest request =
+        new MonitorRequest(given, Optional.ofNullable(json), Optional.ofNullable(state));
+    PrintWriter out = spec.commandLine().getOut();
+    try (MatchFeed feed = feed();
+        MatchDisplay display =
+            TerminalProgress.isTerminal(1)
+                ? new ScreenDisplay(out, ZoneId.systemDefault())
+                : new LineDisplay(out, ZoneId.systemDefault())) {
+      run(new MonitorSession(request, feed, display));
+    }
+    return 0;
+  }
+
+  private MatchFeed feed() throws IOException {
+    double speed = source.replay.speed == null ? ReplayFeed.UNLIMITED : source.replay.speed;
+    if (source.replay.speed != null && !(speed > 0 && speed < 1e6)) {
+      throw new ParameterException(
+          spec.commandLine(), "--speed must be a positive number, but is " + speed);
+    }
+    return new ReplayFeed(source.replay.log, speed);
+  }
+
+  /** Ctrl-C stops the session, and the machine waits for its summary. */
+  private static void run(MonitorSession session) throws IOException {
+    CountDownLatch done = new CountDownLatch(1);
+    Thread atExit =
+        new Thread(
+            () -> {
+              session.stop();
+              try {
+                done.await(PATIENCE, TimeUnit.SECONDS);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            },
+            "fieldcal-monitor-exit");
+    Runtime.getRuntime().addShutdownHook(atExit);
+    try {
+      session.run();
+    } finally {
+      done.countDown();
+      try {
+        Runtime.getRuntime().removeShutdownHook(atExit);
+      } catch (IllegalStateException e) {
+        // The machine is going down already, which is why the session ended.
+      }
+    }
+  }
+}

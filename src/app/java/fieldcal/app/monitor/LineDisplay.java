@@ -1,0 +1,64 @@
+package fieldcal.app.monitor;
+
+import fieldcal.gamelog.RefereeState;
+import fieldcal.live.LiveKick;
+import fieldcal.live.LiveWarning;
+import java.io.PrintWriter;
+import java.time.ZoneId;
+
+/** A match as plain lines, for files and pipes: warnings, what the referee changes, every kick; at the end the whole state. */
+public final class LineDisplay implements MatchDisplay {
+  private final PrintWriter out;
+  private final MatchText text;
+  private boolean begun;
+
+  /**
+   * A display.
+   *
+   * @param out gets the lines
+   * @param zone of the times of day
+   */
+  public LineDisplay(PrintWriter out, ZoneId zone) {
+    this.out = out;
+    text = new MatchText(zone);
+  }
+
+  private synchronized void line(String line) {
+    out.println(line);
+    out.flush();
+  }
+
+  @Override
+  public void show(MatchStatus status) {
+    if (!begun) {
+      begun = true;
+      line("watching " + status.feed().title());
+    }
+  }
+
+  @Override
+  public void referee(RefereeState state, double time) {
+    line(text.clock(time) + "  referee: " + state.stage() + ", " + state.command());
+  }
+
+  @Override
+  public void kick(LiveKick kick) {
+    line(text.kick(kick));
+  }
+
+  @Override
+  public void warningRaised(LiveWarning warning) {
+    line(text.clock(warning.time()) + "  WARNING  " + warning.text());
+  }
+
+  @Override
+  public void warningCleared(LiveWarning warning) {
+    line(text.clock(warning.time()) + "  over: " + warning.text());
+  }
+
+  @Override
+  public void summary(MatchStatus status) {
+    line("");
+    text.lines(status).forEach(this::line);
+  }
+}

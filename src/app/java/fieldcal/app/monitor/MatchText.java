@@ -1,0 +1,300 @@
+package fieldcal.app.monitor;
+
+import fieldcal.gamelog.RefereeState;
+import fieldcal.live.BallParameter;
+import fieldcal.live.BallSnapshot;
+import fieldcal.live.CameraHealth;
+import fieldcal.live.KickCounts;
+import fieldcal.live.LiveKick;
+import fieldcal.live.LiveSnapshot;
+import fieldcal.live.MovementSnapshot;
+import fieldcal.live.ParameterEstimate;
+import fieldcal.live.SampleTree;
+import fieldcal.movement.LimitEstimate;
+import fieldcal.movement.TeamLimits;
+import fieldcal.vision.Team;
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** A match in lines of at most 100 characters, for a terminal. */
+final class MatchText {
+  private static final int NEWEST_KICKS = 3;
+  private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
+
+  private final ZoneId zone;
+
+  /** Times of day are told in this zone. */
+  MatchText(ZoneId zone) {
+    this.zone = zone;
+  }
+
+  /** The whole state. */
+  List<String> lines(MatchStatus status) {
+    LiveSnapshot s = status.snapshot();
+    List<String> lines = new ArrayList<>();
+    add(lines, "%-70s %s", status.feed().title(), clock(s.time()));
+    lines.add(referee(status));
+    warnings(lines, s);
+    ball(lines, s.ball());
+    robots(lines, s.movement(), status);
+    cameras(lines, s);
+    kicks(lines, s.ball());
+    lines.add("");
+    status.feed().notes().forEach(note -> lines.add(note));
+    return lines;
+  }
+
+  /** A point in time for people. */
+  String clock(double unixSeconds) {
+    return Double.isFinite(unixSeconds)
+        ? CLOCK.format(Instant.ofEpochMilli(Math.round(1000 * unixSeconds)).atZone(zone))
+        : "--:--:--";
+  }
+
+  private static void add(List<String> lines, String format, Object... args) {
+    lines.add(String.format(Locale.ROOT, format, args));
+  }
+
+  private static String referee(MatchStatus status) {
+    if (status.referee().isEmpty()) {
+      return "no referee messages: everything counts, also what is no play";
+    }
+    RefereeState r = status.referee().get();
+    String counts =
+        status.snapshot().phase().counts() ? "play counts" : "no play, nothing counts now";
+    return String.format(
+        Locale.ROOT,
+        "%s, %s: %s   %s %d : %d %s",
+        words(r.stage().name()),
+        words(r.command().name()),
+        counts,
+        name(r.yellow(), Team.YELLOW),
+        r.yellow().score(),
+        r.blue().score(),
+        name(r.blue(), Team.BLUE));
+  }
+
+  private static String words(String constant) {
+    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
+  }
+
+  private static String name(RefereeState.TeamState team, Team colour) {
+    return team.name().isBlank() ? colour.label() : team.name();
+  }
+
+  private static void warnings(List<String> lines, LiveSnapshot s) {
+    if (s.ball().warnings().isEmpty()) {
+      return;
+    }
+    lines.add("");
+    for (ParameterEstimate e : s.ball().parameters()) {
+      if (e.warning()) {
+        add(
+            lines,
+            "WARNING  %s is %s, %s: the ball no longer does what is published",
+            e.parameter().id(),
+            value(e.median()),
+            deviation(e));
+      }
+    }
+  }
+
+  private static void ball(List<String> lines, BallSnapshot ball) {
+    KickCounts c = ball.counts();
+    lines.add("");
+    String aside = c.outsidePlay() > 0 ? ", " + c.outsidePlay() + " outside of play" : "";
+    String dropped = c.dropped() > 0 ? ", " + c.dropped() + " dropped" : "";
+    add(
+        lines,
+        "BALL     %d kicks: %d used, %d say nothing, %d waiting%s%s",
+        c.found(),
+        c.used(),
+        c.unused(),
+        c.waiting(),
+        aside,
+        dropped);
+    add(
+        lines,
+        "  %-29s %9s   %-19s %5s %10s",
+        "",
+        "median",
+        "half of them within",
+        "kicks",
+        "published");
+    for (ParameterEstimate e : ball.parameters()) {
+      lines.add(parameter(e));
+    }
+  }
+
+  private static String parameter(ParameterEstimate e) {
+    BallParameter p = e.parameter();
+    String within =
+        e.samples() < 2 ? "" : value(e.lowerQuartile()) + " … " + value(e.upperQuartile());
+    String count = e.enough() ? "" + e.samples() : e.samples() + "/" + SampleTree.ENOUGH;
+    String note = e.published().isEmpty() ? "not published" : e.enough() ? deviation(e) : "";
+    return String.format(
+        Locale.ROOT,
+        "  %-22s %-6s %9s   %-19s %5s %10s   %s",
+        p.id(),
+        p.unit(),
+        e.samples() == 0 ? "–" : value(e.median()),
+        within,
+        count,
+        e.published().map(MatchText::value).orElse("–"),
+        note);
+  }
+
+  private static String value(double v) {
+    return String.format(Locale.ROOT, "%.3f", v);
+  }
+
+  /** In words: of negative accelerations a sign alone would mislead. */
+  static String deviation(ParameterEstimate e) {
+    double percent = 100 * e.deviation();
+    if (Double.isNaN(percent)) {
+      return "";
+    }
+    if (Math.abs(percent) < 0.5) {
+      return "as published";
+    }
+    return String.format(
+        Locale.ROOT, "%.0f %% %s than published", Math.abs(percent), percent > 0 ? "more" : "less");
+  }
+
+  private void robots(List<String> lines, MovementSnapshot movement, MatchStatus status) {
+    lines.add("");
+    add(
+        lines,
+        "%-11s %-24s %-24s %-24s",
+        "ROBOTS",
+        "velocity, m/s",
+        "acceleration, m/s²",
+        "braking, m/s²");
+    for (Team team : Team.values()) {
+      TeamLimits now = movement.limits().get(team);
+      TeamLimits before = movement.beforeBreak().get(team);
+      TeamLimits shown = now != null && now.acceleration().known() || before == null ? now : before;
+      String since = shown != null && shown == before ? "  before the break" : "";
+      if (shown == null) {
+        add(lines, "  %-9s nothing yet", team.label());
+        continue;
+      }
+      add(
+          lines,
+          "  %-9s %-24s %-24s %-24s%s",
+          team.label(),
+          limit(shown.velocity(), shown.leagueVelocity()),
+          limit(shown.acceleration(), shown.leagueAcceleration()),
+          limit(shown.braking(), shown.leagueBraking()),
+          since);
+      shown
+          .deviations()
+          .forEach(
+              d ->
+                  add(
+                      lines,
+                      "            %s: %s (%.2f ± %.2f)",
+                      d.effect().id(),
+                      d.effect().sentence(),
+                      d.coefficient(),
+                      d.standardError()));
+    }
+    String breaks = movement.breaks() > 0 ? ", begun anew after the last break" : "";
+    add(
+        lines,
+        "  counted since %s%s; in brackets the league's estimate, which contains the noise",
+        clock(movement.countingSince()),
+        breaks);
+  }
+
+  private static String limit(LimitEstimate own, LimitEstimate league) {
+    String mine =
+        own.known()
+            ? String.format(
+                Locale.ROOT,
+                "%s%.2f ± %.2f",
+                own.reached() ? "" : "≥ ",
+                own.value(),
+                own.standardError())
+            : "–";
+    return league.known() ? String.format(Locale.ROOT, "%s (%.2f)", mine, league.value()) : mine;
+  }
+
+  private static void cameras(List<String> lines, LiveSnapshot s) {
+    lines.add("");
+    add(
+        lines,
+        "%-11s %8s %10s %18s %8s %10s",
+        "CAMERAS",
+        "rate",
+        "noise",
+        "offset x, y",
+        "gaps",
+        "longest");
+    if (s.cameras().isEmpty()) {
+      lines.add("  no frame yet");
+    }
+    for (CameraHealth c : s.cameras()) {
+      String silent =
+          c.silentFor() > 1 ? String.format(Locale.ROOT, "  SILENT for %.0f s", c.silentFor()) : "";
+      String uncalibrated = c.calibrated() ? "" : "  no usable calibration";
+      add(
+          lines,
+          "  %-9d %5s Hz %7s mm %15s mm %8d %8s s%s%s",
+          c.id(),
+          number("%.1f", c.rateHz()),
+          number("%.2f", c.noiseMm()),
+          number("%.1f", c.offsetXMm()) + ", " + number("%.1f", c.offsetYMm()),
+          c.gaps(),
+          number("%.1f", c.longestGap()),
+          silent,
+          uncalibrated);
+    }
+    if (s.strayFrames() > 0 || s.clockJumps() > 0) {
+      add(
+          lines,
+          "  %d frames with a time that fits to no other; time began anew %d times",
+          s.strayFrames(),
+          s.clockJumps());
+    }
+  }
+
+  private static String number(String format, double value) {
+    // A small negative number would be shown as -0.0.
+    String text = String.format(Locale.ROOT, format, value).replaceFirst("^-(0\\.0+)$", "$1");
+    return Double.isFinite(value) ? text : "–";
+  }
+
+  private void kicks(List<String> lines, BallSnapshot ball) {
+    List<LiveKick> kicks = ball.kicks();
+    if (kicks.isEmpty()) {
+      return;
+    }
+    lines.add("");
+    lines.add("LAST KICKS");
+    for (int i = kicks.size() - 1; i >= Math.max(0, kicks.size() - NEWEST_KICKS); i--) {
+      lines.add("  " + kick(kicks.get(i)));
+    }
+  }
+
+  /** One kick in one line. */
+  String kick(LiveKick k) {
+    List<String> said = new ArrayList<>();
+    k.samples().forEach((p, sample) -> said.add(p.id() + " " + value(sample.value())));
+    String what = k.unused().orElse(String.join(", ", said));
+    return String.format(
+        Locale.ROOT,
+        "%s  #%-4d %-4s %4.1f m/s %-9s %s%s",
+        clock(k.time()),
+        k.id(),
+        k.kind().map(kind -> kind.id()).orElse("?"),
+        k.speed(),
+        k.robot().map(Object::toString).orElse("unknown"),
+        what,
+        k.possiblySpinning() ? " (after dribbling)" : "");
+  }
+}

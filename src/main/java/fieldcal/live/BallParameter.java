@@ -1,0 +1,112 @@
+package fieldcal.live;
+
+import fieldcal.kick.KickKind;
+import fieldcal.vision.BallModels;
+import java.util.Locale;
+import java.util.Optional;
+
+/** The parameters of the ball that are watched. */
+public enum BallParameter {
+  /** Acceleration while the ball slides, m/s². */
+  ACC_SLIDE(KickKind.FLAT, "accSlide", "m/s²", false),
+  /** Acceleration while the ball rolls, m/s². */
+  ACC_ROLL(KickKind.FLAT, "accRoll", "m/s²", false),
+  /** Speed at the start of rolling as a fraction of the kick's. */
+  K_SWITCH(KickKind.FLAT, "kSwitch", "", true),
+  /** Horizontal velocity after the first impact of a chip as a fraction of that before. */
+  DAMPING_XY_FIRST_HOP(KickKind.CHIP, "dampingXyFirstHop", "", true),
+  /** The same at the later impacts. */
+  DAMPING_XY_OTHER_HOPS(KickKind.CHIP, "dampingXyOtherHops", "", true),
+  /** Vertical velocity after an impact as a fraction of that before. */
+  DAMPING_Z(KickKind.CHIP, "dampingZ", "", false);
+
+  private final KickKind kind;
+  private final String modelName;
+  private final String unit;
+  private final boolean spinSensitive;
+
+  BallParameter(KickKind kind, String modelName, String unit, boolean spinSensitive) {
+    this.kind = kind;
+    this.modelName = modelName;
+    this.unit = unit;
+    this.spinSensitive = spinSensitive;
+  }
+
+  /**
+   * The model it belongs to.
+   *
+   * @return flat or chip
+   */
+  public KickKind kind() {
+    return kind;
+  }
+
+  /**
+   * The name in the model's record.
+   *
+   * @return for example {@code accRoll}
+   */
+  public String modelName() {
+    return modelName;
+  }
+
+  /**
+   * The name in files.
+   *
+   * @return for example {@code acc_roll}
+   */
+  public String id() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * The unit.
+   *
+   * @return empty for a ratio
+   */
+  public String unit() {
+    return unit;
+  }
+
+  /**
+   * Whether spin that the ball had before it was kicked changes what a kick seems to say of it. A spinning ball slides longer or shorter, so that it rolls at another fraction of its speed, and leaves its
+   * bounces faster or slower along the carpet; while it slides or rolls, and upwards, it is braked as any other.
+   *
+   * @return true for {@code kSwitch} and the horizontal dampings
+   */
+  public boolean spinSensitive() {
+    return spinSensitive;
+  }
+
+  /**
+   * What a published model says of it.
+   *
+   * @param models the published models
+   * @return empty when there is none of its kind
+   */
+  public Optional<Double> of(BallModels models) {
+    return switch (this) {
+      case ACC_SLIDE -> models.flat().map(m -> m.accSlide());
+      case ACC_ROLL -> models.flat().map(m -> m.accRoll());
+      case K_SWITCH -> models.flat().map(m -> m.kSwitch());
+      case DAMPING_XY_FIRST_HOP -> models.chip().map(m -> m.dampingXyFirstHop());
+      case DAMPING_XY_OTHER_HOPS -> models.chip().map(m -> m.dampingXyOtherHops());
+      case DAMPING_Z -> models.chip().map(m -> m.dampingZ());
+    };
+  }
+
+  /**
+   * The parameter of a name.
+   *
+   * @param id as {@link #id}
+   * @return empty when there is none
+   */
+  public static Optional<BallParameter> ofId(String id) {
+    for (BallParameter p : values()) {
+      if (p.id().equals(id)) {
+        return Optional.of(p);
+      }
+    }
+    return Optional.empty();
+  }
+}

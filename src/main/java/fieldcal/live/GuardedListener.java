@@ -1,0 +1,53 @@
+package fieldcal.live;
+
+import fieldcal.movement.TeamLimits;
+import fieldcal.vision.Team;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
+
+/** Passes on to the host's listener; what that throws must not end the watching. */
+final class GuardedListener implements LiveListener {
+  private final LiveListener host;
+  private final AtomicLong failures = new AtomicLong();
+
+  GuardedListener(LiveListener host) {
+    this.host = Objects.requireNonNull(host, "listener");
+  }
+
+  long failures() {
+    return failures.get();
+  }
+
+  @Override
+  public void warningRaised(LiveWarning warning) {
+    pass(() -> host.warningRaised(warning));
+  }
+
+  @Override
+  public void warningCleared(LiveWarning warning) {
+    pass(() -> host.warningCleared(warning));
+  }
+
+  @Override
+  public void kick(LiveKick kick) {
+    pass(() -> host.kick(kick));
+  }
+
+  @Override
+  public void estimate(ParameterEstimate estimate) {
+    pass(() -> host.estimate(estimate));
+  }
+
+  @Override
+  public void limits(Team team, TeamLimits limits) {
+    pass(() -> host.limits(team, limits));
+  }
+
+  private void pass(Runnable call) {
+    try {
+      call.run();
+    } catch (RuntimeException e) {
+      failures.incrementAndGet();
+    }
+  }
+}

@@ -1,0 +1,21 @@
+package fieldcal.live;
+
+/**
+ * What became of the kicks so far.
+ *
+ * @param found kicks that were found
+ * @param outsidePlay of these, those while the referee did not let play: not fitted
+ * @param dropped of these, those that waited too long to be fitted
+ * @param waiting of these, those that wait now
+ * @param used of these, those of which at least one sample counts
+ * @param unused of these, those that were fitted or tried to be, and say nothing
+ * @param possiblySpinning of the fitted ones, those after dribbling
+ */
+public record KickCounts(
+    long found,
+    long outsidePlay,
+    long dropped,
+    int waiting,
+    long used,
+    long unused,
+    long possiblySpinning) {}

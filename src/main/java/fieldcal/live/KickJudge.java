@@ -1,0 +1,144 @@
+package fieldcal.live;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitStatistics;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickEnd;
+import fieldcal.kick.KickKind;
+import fieldcal.kick.Observations;
+import fieldcal.vision.BallModels;
+import fieldcal.vision.Epoch;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Fits kicks and says what each of them determines well enough to count. For one thread. */
+final class KickJudge {
+  /** A kick fitted that many times worse than the last ones of its kind is something else: a ball that hit a robot, two balls. */
+  private static final double WORSE_THAN_OTHERS = 3;
+
+  /** With fewer kicks before, nothing is known of what is usual. */
+  private static final int FEWEST_OTHERS = 5;
+
+  private static final int OTHERS = 31;
+
+  /** More outliers than that, and the rest is not trusted either. */
+  private static final double MOST_OUTLIERS = 0.25;
+
+  private final LiveSettings settings;
+  private final Epoch epoch;
+  private final KickFitter fitter;
+  private final Map<KickKind, Deque<Double>> residuals = new EnumMap<>(KickKind.class);
+
+  KickJudge(LiveSettings settings, Epoch epoch) {
+    this.settings = settings;
+    this.epoch = epoch;
+    fitter = new KickFitter(settings.fit());
+    for (KickKind kind : KickKind.values()) {
+      residuals.put(kind, new ArrayDeque<>());
+    }
+  }
+
+  /**
+   * Judges a kick.
+   *
+   * @param roll accRoll as flat kicks say, for chips that do not show it
+   */
+  LiveKick judge(Kick kick, CameraViews cameras, BallModels start, OptionalDouble roll) {
+    FitProblem problem =
+        FitProblem.of(
+            kick,
+            cameras,
+            start.flat().orElse(FlatModel.typical()),
+            start.chip().orElse(ChipModel.typical()));
+    KickFit fit = fitter.fit(problem);
+    if (fit.failure().isPresent()) {
+      return kick(kick, fit, Map.of(), fit.failure().get());
+    }
+    if (fit.kind() == KickKind.CHIP && roll.isPresent() && !counts(fit.estimate("accRoll"))) {
+      // What the chip does not show of the rolling, the flat kicks know; a wrong one spoils the
+      // rest.
+      fit = fitter.refit(problem.withChipRollFixed(roll.getAsDouble()), fit);
+    }
+    String distrust = distrust(fit);
+    if (distrust != null) {
+      return kick(kick, fit, Map.of(), distrust);
+    }
+    Map<BallParameter, BallSample> samples = samples(fit);
+    return kick(kick, fit, samples, samples.isEmpty() ? tooShort(kick.end()) : null);
+  }
+
+  private String distrust(KickFit fit) {
+    FitStatistics s = fit.statistics();
+    Deque<Double> others = residuals.get(fit.kind());
+    double[] sorted = others.stream().mapToDouble(v -> v).sorted().toArray();
+    others.add(fit.rmsMm());
+    if (others.size() > OTHERS) {
+      others.remove();
+    }
+    if (sorted.length >= FEWEST_OTHERS
+        && fit.rmsMm() > WORSE_THAN_OTHERS * sorted[sorted.length / 2]) {
+      return "fits far worse than the kicks before";
+    }
+    boolean many = s.observations() - s.used() > MOST_OUTLIERS * s.observations();
+    return many ? "too many of its detections do not fit" : null;
+  }
+
+  private static String tooShort(KickEnd end) {
+    return switch (end) {
+      case TOUCHED_ROBOT -> "touched too early to say anything";
+      case LEFT_FIELD -> "left the field too early to say anything";
+      case LOST -> "out of sight too early to say anything";
+      case STOPPED, RECORDING_ENDED -> "too short to say anything";
+    };
+  }
+
+  private boolean counts(Estimate e) {
+    return e.usable() && e.standardError() <= settings.maxRelativeError() * Math.abs(e.value());
+  }
+
+  private Map<BallParameter, BallSample> samples(KickFit fit) {
+    Map<BallParameter, BallSample> samples = new EnumMap<>(BallParameter.class);
+    double time = epoch.unixSeconds(fit.kick().time());
+    for (Estimate e : fit.modelEstimates()) {
+      Arrays.stream(BallParameter.values())
+          .filter(p -> p.modelName().equals(e.name()) && counts(e))
+          .filter(p -> !(p.spinSensitive() && fit.kick().dribbled()))
+          .forEach(p -> samples.put(p, new BallSample(time, e.value(), e.standardError())));
+    }
+    return samples;
+  }
+
+  private LiveKick kick(
+      Kick kick, KickFit fit, Map<BallParameter, BallSample> samples, String unused) {
+    boolean fitted = fit.failure().isEmpty();
+    Observations seen = kick.observations();
+    int last = seen.size() - 1;
+    return new LiveKick(
+        kick.id(),
+        epoch.unixSeconds(kick.time()),
+        fitted ? fit.estimate("x").value() : kick.x(),
+        fitted ? fit.estimate("y").value() : kick.y(),
+        fitted ? fit.estimate("vx").value() : kick.vx(),
+        fitted ? fit.estimate("vy").value() : kick.vy(),
+        last < 0 ? kick.x() : seen.x(last),
+        last < 0 ? kick.y() : seen.y(last),
+        kick.robot(),
+        fitted ? Optional.of(fit.kind()) : Optional.empty(),
+        kick.end(),
+        kick.dribbled(),
+        fitted ? fit.rmsMm() : Double.NaN,
+        samples,
+        Optional.ofNullable(unused));
+  }
+}

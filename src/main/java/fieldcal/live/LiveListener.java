@@ -1,0 +1,51 @@
+package fieldcal.live;
+
+import fieldcal.movement.TeamLimits;
+import fieldcal.vision.Team;
+
+/**
+ * Is told what changes while a match is watched; a host shows it in its own way. All methods do nothing unless overridden.
+ *
+ * <p>Called from the thread that fits, one call after the other, never from within {@link LiveMonitor#accept} unless the host's executor runs tasks there. What a method throws is counted ({@link
+ * LiveSnapshot#listenerFailures}) and otherwise ignored.
+ */
+public interface LiveListener {
+  /** Ignores everything. */
+  LiveListener NONE = new LiveListener() {};
+
+  /**
+   * A parameter of the ball has moved too far from the published model. Told once, until it is cleared.
+   *
+   * @param warning what is off and by how much
+   */
+  default void warningRaised(LiveWarning warning) {}
+
+  /**
+   * A parameter that was warned about is near the published model again, or another model is published.
+   *
+   * @param warning as it is now
+   */
+  default void warningCleared(LiveWarning warning) {}
+
+  /**
+   * A kick was judged.
+   *
+   * @param kick what became of it
+   */
+  default void kick(LiveKick kick) {}
+
+  /**
+   * A parameter's median changed, with a kick that counts.
+   *
+   * @param estimate as it is now
+   */
+  default void estimate(ParameterEstimate estimate) {}
+
+  /**
+   * A team's movement limits were estimated anew.
+   *
+   * @param team which
+   * @param limits the new estimate
+   */
+  default void limits(Team team, TeamLimits limits) {}
+}

@@ -1,0 +1,227 @@
+package fieldcal.live;
+
+import fieldcal.camera.Camera;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.movement.PlayPhase;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.atomic.AtomicBoolean;
+
+/**
+ * Watches a match: the ball, the robots, the cameras.
+ *
+ * <p>One thread gives it geometry, phases and frames as they come; that takes microseconds and never waits for a fit. What takes long runs on the host's executor, one task at a time, or, without one, in {@link
+ * #poll}, which any other thread calls whenever it likes. {@link #snapshot}, {@link #samples} and {@link #add} may be called from any thread. It never throws on bad frames.
+ */
+public final class LiveMonitor {
+  private final GuardedListener listener;
+  private final Epoch epoch;
+  private final Optional<Executor> executor;
+  private final AtomicBoolean scheduled = new AtomicBoolean();
+  private final BallMonitor ball;
+  private final MovementMonitor movement;
+
+  // Of the frame thread and of those that want a snapshot, which hold this lock for a moment only.
+  private final Object shared = new Object();
+  private final FrameGuard guard = new FrameGuard();
+  private final Map<Integer, CameraWatch> cameras = new TreeMap<>();
+  private FieldGeometry field;
+  private PlayPhase phase = PlayPhase.UNKNOWN;
+  private long frames;
+  private long stray;
+  private long jumps;
+
+  /**
+   * Watches from now on; the host calls {@link #poll}.
+   *
+   * @param settings how
+   * @param epoch of the frames' times
+   * @param listener told what changes
+   */
+  public LiveMonitor(LiveSettings settings, Epoch epoch, LiveListener listener) {
+    this(settings, epoch, listener, Optional.empty());
+  }
+
+  /**
+   * Watches from now on.
+   *
+   * @param settings how
+   * @param epoch of the frames' times
+   * @param listener told what changes
+   * @param executor runs what takes long, for example a single thread of low priority; with {@code Runnable::run} it is done within {@link #accept}, as for reading recordings
+   */
+  public LiveMonitor(LiveSettings settings, Epoch epoch, LiveListener listener, Executor executor) {
+    this(settings, epoch, listener, Optional.of(executor));
+  }
+
+  private LiveMonitor(
+      LiveSettings settings, Epoch epoch, LiveListener listener, Optional<Executor> executor) {
+    this.listener = new GuardedListener(listener);
+    this.epoch = Objects.requireNonNull(epoch, "epoch");
+    this.executor = executor;
+    ball = new BallMonitor(settings, epoch, this.listener);
+    movement = new MovementMonitor(settings, epoch, this.listener);
+  }
+
+  /**
+   * Learns the field, the cameras and the published models.
+   *
+   * @param geometry as published; may come over and over, and may change
+   */
+  public void geometry(FieldGeometry geometry) {
+    synchronized (shared) {
+      if (geometry.equals(field)) {
+        return;
+      }
+      field = geometry;
+    }
+    Map<Integer, Camera> usable = new HashMap<>();
+    for (CameraCalibration calibration : geometry.cameras()) {
+      camera(calibration).ifPresent(c -> usable.put(c.id(), c));
+    }
+    ball.geometry(geometry, usable);
+    schedule();
+  }
+
+  /** A camera whose calibration makes no sense is used like one without. */
+  private static Optional<Camera> camera(CameraCalibration calibration) {
+    try {
+      return Optional.of(Camera.of(calibration));
+    } catch (IllegalArgumentException unusable) {
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * What the referee says from now on; may come over and over. Without it everything counts.
+   *
+   * @param next the phase
+   */
+  public void phase(PlayPhase next) {
+    synchronized (shared) {
+      phase = Objects.requireNonNull(next, "next");
+    }
+    ball.phase(next);
+    movement.phase(next);
+    schedule();
+  }
+
+  /**
+   * Takes a frame.
+   *
+   * @param frame of any camera, as it comes
+   */
+  public void accept(VisionFrame frame) {
+    FrameGuard.Verdict verdict;
+    synchronized (shared) {
+      verdict = guard.judge(frame.captureTime());
+      if (verdict == FrameGuard.Verdict.LEAVE) {
+        stray++;
+        return;
+      }
+      if (verdict == FrameGuard.Verdict.RESTART) {
+        jumps++;
+        cameras.values().forEach(CameraWatch::restart);
+      }
+      frames++;
+      cameras.computeIfAbsent(frame.cameraId(), CameraWatch::new).accept(frame);
+    }
+    if (verdict == FrameGuard.Verdict.RESTART) {
+      ball.restart();
+      movement.restart();
+    }
+    ball.accept(frame);
+    movement.accept(frame);
+    schedule();
+  }
+
+  /** No more frames come: what is under way ends, and all that waits is done by the executor or the next calls of {@link #poll}. */
+  public void finish() {
+    ball.finish();
+    movement.finish();
+    schedule();
+  }
+
+  private void schedule() {
+    if (executor.isEmpty()
+        || !(ball.hasWork() || movement.hasWork())
+        || !scheduled.compareAndSet(false, true)) {
+      return;
+    }
+    try {
+      executor.get().execute(this::work);
+    } catch (RejectedExecutionException e) {
+      // A host that shuts down; what waits is dropped and counted when the queue is full.
+      scheduled.set(false);
+    }
+  }
+
+  private void work() {
+    scheduled.set(false);
+    while (poll()) {
+      // Each call does one piece.
+    }
+  }
+
+  /**
+   * Does one piece of the work that takes long: some 10 to 100 ms for a kick, some tenths of a second for movement limits.
+   *
+   * @return false when there was nothing to do
+   */
+  public boolean poll() {
+    return ball.poll() || movement.poll();
+  }
+
+  /**
+   * The samples that the ball's medians are from, to be kept or pooled with other matches', see {@link LiveStateDocument}.
+   *
+   * @return a copy
+   */
+  public BallSamples samples() {
+    return ball.samples();
+  }
+
+  /**
+   * Adds samples of earlier matches on the same carpet.
+   *
+   * @param earlier samples
+   */
+  public void add(BallSamples earlier) {
+    ball.add(earlier);
+  }
+
+  /**
+   * What is known now.
+   *
+   * @return immutable
+   */
+  public LiveSnapshot snapshot() {
+    BallSnapshot ballNow = ball.snapshot();
+    MovementSnapshot movementNow = movement.snapshot();
+    synchronized (shared) {
+      List<CameraHealth> health = new ArrayList<>();
+      cameras.forEach((id, camera) -> health.add(camera.health(guard.now(), ball.known(id))));
+      return new LiveSnapshot(
+          epoch.unixSeconds(guard.now()),
+          phase,
+          Optional.ofNullable(field),
+          ballNow,
+          movementNow,
+          health,
+          frames,
+          stray,
+          jumps,
+          listener.failures());
+    }
+  }
+}

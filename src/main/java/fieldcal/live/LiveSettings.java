@@ -1,0 +1,155 @@
+package fieldcal.live;
+
+import fieldcal.fit.FitSettings;
+import fieldcal.kick.KickFinderSettings;
+import fieldcal.vision.BallModels;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * How a match is watched. Start from {@link #defaults} and change it with the with-methods.
+ *
+ * @param published the ball models to compare with; empty: those that vision publishes
+ * @param samples how many of the newest samples of a parameter count, at least {@link SampleTree#ENOUGH}
+ * @param warnAbove a median that is off by a larger part of the published value is warned about (–)
+ * @param clearBelow the warning ends when it is off by a smaller part (–), at most {@code warnAbove}
+ * @param maxRelativeError a sample with a larger standard error, as a part of its value, does not count (–)
+ * @param waitingKicks how many kicks may wait to be fitted before the oldest of them is dropped
+ * @param limitsInterval time between two estimates of the movement limits, s of the frames' time
+ * @param kicks thresholds of kick finding
+ * @param fit how kicks are fitted
+ */
+public record LiveSettings(
+    Optional<BallModels> published,
+    int samples,
+    double warnAbove,
+    double clearBelow,
+    double maxRelativeError,
+    int waitingKicks,
+    double limitsInterval,
+    KickFinderSettings kicks,
+    FitSettings fit) {
+
+  /**
+   * Checks the ranges. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when a number is out of its range
+   */
+  public LiveSettings {
+    Objects.requireNonNull(published, "published");
+    Objects.requireNonNull(kicks, "kicks");
+    Objects.requireNonNull(fit, "fit");
+    if (samples < SampleTree.ENOUGH || waitingKicks < 1) {
+      throw new IllegalArgumentException(
+          "samples must be at least %d and waitingKicks at least 1, not %d and %d"
+              .formatted(SampleTree.ENOUGH, samples, waitingKicks));
+    }
+    if (!(clearBelow > 0 && warnAbove >= clearBelow && warnAbove < 1)) {
+      throw new IllegalArgumentException(
+          "0 < clearBelow ≤ warnAbove < 1 is needed, not " + clearBelow + " and " + warnAbove);
+    }
+    if (!(maxRelativeError > 0 && limitsInterval > 0)) {
+      throw new IllegalArgumentException(
+          "maxRelativeError and limitsInterval must be positive: "
+              + maxRelativeError
+              + ", "
+              + limitsInterval);
+    }
+  }
+
+  /**
+   * What was measured to do well. A warning above 20 % is the rule of the league's teams. It ends below 17 %: where samples scatter by 12 % from kick to kick, a warning that ends at 20 % is raised 1.09 times per
+   * change of the carpet, one that ends at 17 % 1.01 times ({@code ./gradlew benchmark -PbenchmarkArgs=sample-tree}). A sample whose error is more than half of what is warned about says little. Kicks come at
+   * most every second and take a tenth of that to fit, so that 64 never wait unless the host stands still for a minute. Movement limits take some tenths of a second to estimate, and change slowly.
+   *
+   * @return the defaults
+   */
+  public static LiveSettings defaults() {
+    return new LiveSettings(
+        Optional.empty(),
+        SampleTree.ENOUGH,
+        0.20,
+        0.17,
+        0.10,
+        64,
+        10,
+        KickFinderSettings.defaults(),
+        FitSettings.defaults());
+  }
+
+  /**
+   * The same with models to compare with.
+   *
+   * @param models instead of those that vision publishes
+   * @return the changed copy
+   */
+  public LiveSettings withPublished(BallModels models) {
+    return new LiveSettings(
+        Optional.of(models),
+        samples,
+        warnAbove,
+        clearBelow,
+        maxRelativeError,
+        waitingKicks,
+        limitsInterval,
+        kicks,
+        fit);
+  }
+
+  /**
+   * The same with another number of samples: more make the medians more precise and warnings later.
+   *
+   * @param count at least {@link SampleTree#ENOUGH}
+   * @return the changed copy
+   */
+  public LiveSettings withSamples(int count) {
+    return new LiveSettings(
+        published,
+        count,
+        warnAbove,
+        clearBelow,
+        maxRelativeError,
+        waitingKicks,
+        limitsInterval,
+        kicks,
+        fit);
+  }
+
+  /**
+   * The same with another queue.
+   *
+   * @param count how many kicks may wait
+   * @return the changed copy
+   */
+  public LiveSettings withWaitingKicks(int count) {
+    return new LiveSettings(
+        published,
+        samples,
+        warnAbove,
+        clearBelow,
+        maxRelativeError,
+        count,
+        limitsInterval,
+        kicks,
+        fit);
+  }
+
+  /**
+   * The same with another time between two estimates of the movement limits.
+   *
+   * @param seconds of the frames' time
+   * @return the changed copy
+   */
+  public LiveSettings withLimitsInterval(double seconds) {
+    return new LiveSettings(
+        published,
+        samples,
+        warnAbove,
+        clearBelow,
+        maxRelativeError,
+        waitingKicks,
+        seconds,
+        kicks,
+        fit);
+  }
+}

@@ -1,0 +1,43 @@
+package fieldcal.live;
+
+import fieldcal.movement.PlayPhase;
+import fieldcal.vision.FieldGeometry;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Everything that is known at one moment. Immutable: made for pages and terminals that show it from another thread.
+ *
+ * @param time capture time of the newest frame, Unix time, s; NaN before the first
+ * @param phase what the referee said last; {@link PlayPhase#UNKNOWN} without one, then everything counts
+ * @param field the field, when it was published
+ * @param ball the ball
+ * @param movement the robots
+ * @param cameras each camera that sent frames, by id
+ * @param frames taken from all cameras
+ * @param strayFrames left out because their time fits to no other camera's
+ * @param clockJumps how often time began anew
+ * @param listenerFailures how often a listener threw
+ */
+public record LiveSnapshot(
+    double time,
+    PlayPhase phase,
+    Optional<FieldGeometry> field,
+    BallSnapshot ball,
+    MovementSnapshot movement,
+    List<CameraHealth> cameras,
+    long frames,
+    long strayFrames,
+    long clockJumps,
+    long listenerFailures) {
+
+  /** Copies the list. {@inheritDoc} */
+  public LiveSnapshot {
+    Objects.requireNonNull(phase, "phase");
+    Objects.requireNonNull(field, "field");
+    Objects.requireNonNull(ball, "ball");
+    Objects.requireNonNull(movement, "movement");
+    cameras = List.copyOf(cameras);
+  }
+}

@@ -1,0 +1,50 @@
+package fieldcal.live;
+
+import java.util.Locale;
+import java.util.Objects;
+
+/**
+ * The ball no longer does what is published.
+ *
+ * @param parameter which parameter is off
+ * @param time of the kick that showed it, Unix time, s
+ * @param median what the last kicks say
+ * @param published what is published
+ * @param samples how many kicks the median is from
+ */
+public record LiveWarning(
+    BallParameter parameter, double time, double median, double published, int samples) {
+
+  /** Checks that the parameter is there. {@inheritDoc} */
+  public LiveWarning {
+    Objects.requireNonNull(parameter, "parameter");
+  }
+
+  /**
+   * How far the median is off.
+   *
+   * @return as a part of the published value; positive when the median has the larger magnitude
+   */
+  public double deviation() {
+    return median / published - 1;
+  }
+
+  /**
+   * One sentence for the operator.
+   *
+   * @return for example {@code acc_roll is -0.364 m/s², 30 % more than the published -0.280 (median of 31 kicks)}
+   */
+  public String text() {
+    String unit = parameter.unit().isEmpty() ? "" : " " + parameter.unit();
+    return String.format(
+        Locale.ROOT,
+        "%s is %.3f%s, %.0f %% %s than the published %.3f (median of %d kicks)",
+        parameter.id(),
+        median,
+        unit,
+        100 * Math.abs(deviation()),
+        deviation() > 0 ? "more" : "less",
+        published,
+        samples);
+  }
+}

@@ -1,0 +1,34 @@
+package fieldcal.live;
+
+import fieldcal.movement.TeamLimits;
+import fieldcal.vision.Team;
+import java.util.Map;
+
+/**
+ * What is known of how the robots move.
+ *
+ * @param limits newest estimate of each team; a team is missing before its first
+ * @param beforeBreak last estimate before the last break, when counting began anew; empty before the first
+ * @param countingSince when counting began, Unix time, s; NaN before the first frame
+ * @param estimatedAt up to when the newest estimate counts, Unix time, s; NaN without one
+ * @param breaks how often counting began anew
+ * @param counted detections since then while movements counted
+ * @param refused detections since then that cannot have been the robot they name
+ * @param noiseMm noise of one coordinate of a driving robot's detections, mm; NaN when not measured yet
+ */
+public record MovementSnapshot(
+    Map<Team, TeamLimits> limits,
+    Map<Team, TeamLimits> beforeBreak,
+    double countingSince,
+    double estimatedAt,
+    int breaks,
+    long counted,
+    long refused,
+    double noiseMm) {
+
+  /** Copies the maps. {@inheritDoc} */
+  public MovementSnapshot {
+    limits = Map.copyOf(limits);
+    beforeBreak = Map.copyOf(beforeBreak);
+  }
+}

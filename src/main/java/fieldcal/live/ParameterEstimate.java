@@ -1,0 +1,53 @@
+package fieldcal.live;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What is known of one parameter of the ball.
+ *
+ * @param parameter which
+ * @param median of the newest samples, in the parameter's unit; NaN without any; an estimate only when {@link #enough}
+ * @param lowerQuartile a quarter of the samples lies below; NaN without any
+ * @param upperQuartile a quarter of the samples lies above; NaN without any
+ * @param samples how many count
+ * @param published the value it is compared with
+ * @param warning whether a warning is on
+ * @param history medians after earlier kicks, oldest first; thinned out when there are many
+ */
+public record ParameterEstimate(
+    BallParameter parameter,
+    double median,
+    double lowerQuartile,
+    double upperQuartile,
+    int samples,
+    Optional<Double> published,
+    boolean warning,
+    List<MedianPoint> history) {
+
+  /** Copies the list. {@inheritDoc} */
+  public ParameterEstimate {
+    Objects.requireNonNull(parameter, "parameter");
+    Objects.requireNonNull(published, "published");
+    history = List.copyOf(history);
+  }
+
+  /**
+   * Whether the median is an estimate.
+   *
+   * @return true from {@link SampleTree#ENOUGH} samples on
+   */
+  public boolean enough() {
+    return samples >= SampleTree.ENOUGH;
+  }
+
+  /**
+   * How far the median is from the published value.
+   *
+   * @return as a part of the published value, positive when the median has the larger magnitude; NaN when one of them is not known
+   */
+  public double deviation() {
+    return published.map(p -> median / p - 1).orElse(Double.NaN);
+  }
+}
