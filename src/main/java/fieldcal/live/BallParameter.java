@@ -72,6 +72,9 @@ public enum BallParameter {
    * Whether spin that the ball had before it was kicked changes what a kick seems to say of it. A spinning ball slides longer or shorter, so that it rolls at another fraction of its speed, and leaves its
    * bounces faster or slower along the carpet; while it slides or rolls, and upwards, it is braked as any other.
    *
+   * <p>In matches four of five kicks come after dribbling or catching, so leaving them out would leave too few. So samples of such kicks count as well, unless they differ from those of the others: by more than
+   * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are not five of the others to compare with, they do not count.
+   *
    * @return true for {@code kSwitch} and the horizontal dampings
    */
   public boolean spinSensitive() {

@@ -8,8 +8,10 @@ import java.util.Comparator;
  * @param time when the ball was kicked, Unix time, s: samples of several matches are pooled
  * @param value in the parameter's unit
  * @param standardError of the value, positive
+ * @param possiblySpinning whether spin from a dribbler may have changed it, see {@link BallParameter#spinSensitive}
  */
-public record BallSample(double time, double value, double standardError) {
+public record BallSample(
+    double time, double value, double standardError, boolean possiblySpinning) {
   /** By time; those of one moment by value and error, so that any order of adding gives the same. */
   static final Comparator<BallSample> BY_TIME =
       Comparator.comparingDouble(BallSample::time)

@@ -109,14 +109,20 @@ final class KickJudge {
 
   private Map<BallParameter, BallSample> samples(KickFit fit) {
     Map<BallParameter, BallSample> samples = new EnumMap<>(BallParameter.class);
-    double time = epoch.unixSeconds(fit.kick().time());
     for (Estimate e : fit.modelEstimates()) {
       Arrays.stream(BallParameter.values())
           .filter(p -> p.modelName().equals(e.name()) && counts(e))
-          .filter(p -> !(p.spinSensitive() && fit.kick().dribbled()))
-          .forEach(p -> samples.put(p, new BallSample(time, e.value(), e.standardError())));
+          .forEach(p -> samples.put(p, sample(fit.kick(), p, e)));
     }
     return samples;
+  }
+
+  private BallSample sample(Kick kick, BallParameter parameter, Estimate e) {
+    return new BallSample(
+        epoch.unixSeconds(kick.time()),
+        e.value(),
+        e.standardError(),
+        parameter.spinSensitive() && kick.afterDribbling());
   }
 
   private LiveKick kick(
@@ -136,7 +142,7 @@ final class KickJudge {
         kick.robot(),
         fitted ? Optional.of(fit.kind()) : Optional.empty(),
         kick.end(),
-        kick.dribbled(),
+        kick.afterDribbling(),
         fitted ? fit.rmsMm() : Double.NaN,
         samples,
         Optional.ofNullable(unused));

@@ -23,7 +23,7 @@ import java.util.Optional;
  * @param robot who kicked, if known
  * @param kind flat or chip; empty when it could not be fitted
  * @param end why it ended
- * @param possiblySpinning whether the kicker dribbled before: then what spin changes does not count
+ * @param possiblySpinning whether the kicker dribbled or caught the ball before; see {@link BallParameter#spinSensitive} for what that means
  * @param rmsMm residual of the fit per axis, mm; NaN without a fit
  * @param samples what counts, by parameter; empty when nothing does
  * @param unused why nothing counts; empty when something does

@@ -10,7 +10,8 @@ import java.util.Map;
  * {@link BallSamples} as maps and lists, the form in which every JSON library hands out a document. So the library reads and writes its state without depending on one: only the step between bytes and maps
  * is the caller's.
  *
- * <p>Fields: {@code schema}; {@code samples} by the parameter's name ({@code acc_roll} …), each a list of objects with {@code t} (Unix time of the kick, s), {@code value} (SI) and {@code standard_error}.
+ * <p>Fields: {@code schema}; {@code samples} by the parameter's name ({@code acc_roll} …), each a list of objects with {@code t} (Unix time of the kick, s), {@code value} (SI), {@code
+ * standard_error} and {@code possibly_spinning} (may be missing, then false).
  */
 public final class LiveStateDocument {
   /** Name and version of the form. */
@@ -36,6 +37,7 @@ public final class LiveStateDocument {
         one.put("t", sample.time());
         one.put("value", sample.value());
         one.put("standard_error", sample.standardError());
+        one.put("possibly_spinning", sample.possiblySpinning());
         list.add(one);
       }
       byParameter.put(parameter.id(), list);
@@ -88,7 +90,10 @@ public final class LiveStateDocument {
     }
     try {
       return new BallSample(
-          number(fields, "t"), number(fields, "value"), number(fields, "standard_error"));
+          number(fields, "t"),
+          number(fields, "value"),
+          number(fields, "standard_error"),
+          flag(fields, "possibly_spinning"));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(place + ": " + e.getMessage(), e);
     }
@@ -100,6 +105,14 @@ public final class LiveStateDocument {
     }
     throw new IllegalArgumentException(
         name + " must be a number, but is " + shortened(fields.get(name)));
+  }
+
+  private static boolean flag(Map<?, ?> fields, String name) {
+    Object value = fields.get(name);
+    if (value == null || value instanceof Boolean) {
+      return Boolean.TRUE.equals(value);
+    }
+    throw new IllegalArgumentException(name + " must be true or false, but is " + shortened(value));
   }
 
   private static String shortened(Object value) {

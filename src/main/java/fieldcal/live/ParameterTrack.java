@@ -10,9 +10,21 @@ final class ParameterTrack {
   /** Medians that are remembered for pictures; when there are more, every other one is forgotten. */
   private static final int HISTORY = 240;
 
+  /** With fewer samples of either kind there is nothing to compare. */
+  private static final int COMPARABLE = 5;
+
+  /** Samples that differ by more than so many standard errors are not of the same kind … */
+  private static final double DIFFERENT = 2.5;
+
+  /** … if they also differ by that part of their value: less matters for no warning, and of few samples the error is known badly. */
+  private static final double MATTERS = 0.05;
+
   private final BallParameter parameter;
   private final LiveSettings settings;
-  private final SampleTree tree;
+  private final WarningRule rule;
+  private final SampleTree clean;
+  private final SampleTree spinning;
+  private SampleTree counted;
   private final List<MedianPoint> history = new ArrayList<>();
   private int stride = 1;
   private int skipped;
@@ -22,15 +34,19 @@ final class ParameterTrack {
   ParameterTrack(BallParameter parameter, LiveSettings settings) {
     this.parameter = parameter;
     this.settings = settings;
-    tree = new SampleTree(settings.samples());
+    rule = new WarningRule(settings);
+    clean = new SampleTree(settings.samples());
+    spinning = new SampleTree(settings.samples());
+    counted = clean;
   }
 
   void add(BallSample sample) {
-    tree.add(sample);
+    (sample.possiblySpinning() ? spinning : clean).add(sample);
+    counted = spinning.size() > 0 && agree() ? both() : clean;
     newest = sample.time();
     if (++skipped >= stride) {
       skipped = 0;
-      history.add(new MedianPoint(sample.time(), tree.median(), tree.size()));
+      history.add(new MedianPoint(sample.time(), counted.median(), counted.size()));
     }
     if (history.size() > HISTORY) {
       for (int i = history.size() - 1; i >= 0; i -= 2) {
@@ -40,8 +56,34 @@ final class ParameterTrack {
     }
   }
 
+  private boolean agree() {
+    if (clean.size() < COMPARABLE || spinning.size() < COMPARABLE) {
+      return false;
+    }
+    double[] deviations = new double[clean.size() + spinning.size()];
+    int n = 0;
+    for (SampleTree tree : List.of(clean, spinning)) {
+      for (BallSample sample : tree.samples()) {
+        deviations[n++] = Math.abs(sample.value() - tree.median());
+      }
+    }
+    double error = WarningRule.errorOfDifference(deviations, clean.size(), spinning.size());
+    double matters = MATTERS * Math.abs(clean.median());
+    return Math.abs(clean.median() - spinning.median()) <= Math.max(matters, DIFFERENT * error);
+  }
+
+  private SampleTree both() {
+    SampleTree tree = new SampleTree(settings.samples());
+    clean.samples().forEach(tree::add);
+    spinning.samples().forEach(tree::add);
+    return tree;
+  }
+
+  /** All samples, also those that do not count now. */
   List<BallSample> samples() {
-    return tree.samples();
+    List<BallSample> all = new ArrayList<>(clean.samples());
+    all.addAll(spinning.samples());
+    return all;
   }
 
   Optional<LiveWarning> warning() {
@@ -52,23 +94,23 @@ final class ParameterTrack {
   Optional<LiveWarning> compare(BallModels published) {
     double value = parameter.of(published).orElse(Double.NaN);
     boolean on = warning != null;
-    double limit = on ? settings.clearBelow() : settings.warnAbove();
-    boolean off = tree.enough() && Math.abs(tree.median() / value - 1) > limit;
-    if (off == on) {
+    WarningRule.Verdict verdict = rule.judge(counted, value, on);
+    if (verdict.warn() == on) {
       return Optional.empty();
     }
-    LiveWarning now = new LiveWarning(parameter, newest, tree.median(), value, tree.size());
-    warning = off ? now : null;
+    LiveWarning now =
+        new LiveWarning(parameter, newest, verdict.median(), value, verdict.samples());
+    warning = verdict.warn() ? now : null;
     return Optional.of(now);
   }
 
   ParameterEstimate estimate(BallModels published) {
     return new ParameterEstimate(
         parameter,
-        tree.median(),
-        tree.quantile(0.25),
-        tree.quantile(0.75),
-        tree.size(),
+        counted.median(),
+        counted.quantile(0.25),
+        counted.quantile(0.75),
+        counted.size(),
         parameter.of(published),
         warning != null,
         history);

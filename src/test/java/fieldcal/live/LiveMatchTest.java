@@ -75,7 +75,7 @@ class LiveMatchTest {
     monitor.finish();
     assertThat(notes.warnings).as("seed 2, %d kicks before", kicks).hasSize(1);
     int after = Integer.parseInt(notes.warnings.get(0).replaceFirst("raised acc_roll after ", ""));
-    assertThat(after - kicks).isBetween(10, 40);
+    assertThat(after - kicks).isBetween(6, 31);
     assertThat(monitor.snapshot().ball().warnings())
         .singleElement()
         .satisfies(w -> assertThat(w.deviation()).isGreaterThan(0.2));
@@ -113,6 +113,6 @@ class LiveMatchTest {
     alone.finish();
     assertThat(second.samples().of(BallParameter.K_SWITCH))
         .containsAll(alone.samples().of(BallParameter.K_SWITCH))
-        .hasSize(31);
+        .hasSizeGreaterThan(31);
   }
 }

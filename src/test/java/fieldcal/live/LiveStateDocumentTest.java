@@ -25,7 +25,8 @@ class LiveStateDocumentTest {
             new BallSample(
                 1.7e9 + from + i + random.nextDouble(),
                 -random.nextDouble(),
-                0.001 + random.nextDouble()));
+                0.001 + random.nextDouble(),
+                random.nextBoolean()));
       }
       all.put(parameter, samples);
     }
@@ -72,6 +73,12 @@ class LiveStateDocumentTest {
           "samples.acc_roll[0]: value must be a number, but is x"
         },
         new Object[] {
+          with(
+              "k_switch",
+              List.of(Map.of("t", 1, "value", 1, "standard_error", 1, "possibly_spinning", 3))),
+          "samples.k_switch[0]: possibly_spinning must be true or false, but is 3"
+        },
+        new Object[] {
           with("acc_roll", List.of(Map.of("t", 1, "value", 1, "standard_error", -1))),
           "standard error must be positive"
         },
@@ -96,8 +103,9 @@ class LiveStateDocumentTest {
   @Test
   void fieldsAreAsDocumented() {
     BallSamples one =
-        new BallSamples(Map.of(BallParameter.ACC_ROLL, List.of(new BallSample(5, -0.3, 0.01))));
+        new BallSamples(
+            Map.of(BallParameter.ACC_ROLL, List.of(new BallSample(5, -0.3, 0.01, true))));
     assertThat(LiveStateDocument.of(one).get("samples").toString())
-        .contains("acc_roll=[{t=5.0, value=-0.3, standard_error=0.01}]");
+        .contains("acc_roll=[{t=5.0, value=-0.3, standard_error=0.01, possibly_spinning=true}]");
   }
 }

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class SampleTreeTest {
   private static BallSample sample(double time, double value) {
-    return new BallSample(time, value, 0.01);
+    return new BallSample(time, value, 0.01, false);
   }
 
   @ParameterizedTest
@@ -91,8 +91,8 @@ class SampleTreeTest {
     assertThatThrownBy(() -> new SampleTree(30)).hasMessageContaining("30");
     assertThatThrownBy(() -> new SampleTree(31).quantile(Double.NaN)).hasMessageContaining("NaN");
     assertThatThrownBy(() -> sample(Double.NaN, 1)).hasMessageContaining("NaN");
-    assertThatThrownBy(() -> new BallSample(1, 1, 0)).hasMessageContaining("0.0");
-    assertThatThrownBy(() -> new BallSample(1, Double.POSITIVE_INFINITY, 1))
+    assertThatThrownBy(() -> new BallSample(1, 1, 0, false)).hasMessageContaining("0.0");
+    assertThatThrownBy(() -> new BallSample(1, Double.POSITIVE_INFINITY, 1, false))
         .hasMessageContaining("Infinity");
   }
 }

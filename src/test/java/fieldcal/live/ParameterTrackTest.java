@@ -1,0 +1,125 @@
+package fieldcal.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.ball.FlatModel;
+import fieldcal.vision.BallModels;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class ParameterTrackTest {
+  private static final long SEED = 7;
+  private static final BallModels PUBLISHED =
+      new BallModels(Optional.of(new FlatModel(-3, -0.28, 0.66)), Optional.empty());
+
+  private final Random random = new Random(SEED);
+  private final ParameterTrack roll =
+      new ParameterTrack(BallParameter.ACC_ROLL, LiveSettings.defaults());
+  private int raised;
+  private int cleared;
+  private double time;
+
+  private void add(ParameterTrack track, double value, double scatter, boolean spinning) {
+    double noisy = value * (1 + scatter * random.nextGaussian());
+    track.add(new BallSample(time++, noisy, 0.001, spinning));
+    track
+        .compare(PUBLISHED)
+        .ifPresent(
+            w -> {
+              raised += track.warning().isPresent() ? 1 : 0;
+              cleared += track.warning().isPresent() ? 0 : 1;
+            });
+  }
+
+  @Test
+  void warnsOnceAndClearsAfterRecovery() {
+    for (int i = 0; i < 100; i++) {
+      add(roll, -0.28, 0.05, false);
+    }
+    assertThat(raised).as("seed %d", SEED).isZero();
+    int until = 0;
+    while (raised == 0) {
+      until++;
+      add(roll, -0.364, 0.05, false);
+    }
+    assertThat(until).isBetween(7, 20);
+    for (int i = 0; i < 100; i++) {
+      add(roll, -0.364, 0.05, false);
+    }
+    assertThat(raised).isEqualTo(1);
+    assertThat(cleared).isZero();
+    for (int i = 0; i < 60; i++) {
+      add(roll, -0.29, 0.05, false);
+    }
+    assertThat(raised).isEqualTo(1);
+    assertThat(cleared).isEqualTo(1);
+  }
+
+  @Test
+  void doesNotWarnOfFewSamplesNorOfWhatIsNotPublished() {
+    ParameterTrack damping = new ParameterTrack(BallParameter.DAMPING_Z, LiveSettings.defaults());
+    for (int i = 0; i < 30; i++) {
+      add(roll, -0.6, 0.01, false);
+    }
+    for (int i = 0; i < 60; i++) {
+      add(damping, 0.9, 0.01, false);
+    }
+    assertThat(raised).isZero();
+    assertThat(damping.estimate(PUBLISHED).deviation()).isNaN();
+    add(roll, -0.6, 0.01, false);
+    assertThat(raised).isEqualTo(1);
+  }
+
+  @Test
+  void anotherPublishedModelClears() {
+    for (int i = 0; i < 40; i++) {
+      add(roll, -0.4, 0.02, false);
+    }
+    assertThat(roll.warning()).isPresent();
+    BallModels corrected =
+        new BallModels(Optional.of(new FlatModel(-3, -0.4, 0.66)), Optional.empty());
+    assertThat(roll.compare(corrected)).isPresent();
+    assertThat(roll.warning()).isEmpty();
+  }
+
+  @Test
+  void kicksAfterDribblingCountWhereTheyAgreeWithTheOthers() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 10; i++) {
+      add(track, 0.66, 0.03, true);
+    }
+    assertThat(track.estimate(PUBLISHED).samples()).isZero();
+    for (int i = 0; i < 7; i++) {
+      add(track, 0.66, 0.03, false);
+    }
+    assertThat(track.estimate(PUBLISHED).samples()).isEqualTo(17);
+  }
+
+  @Test
+  void kicksAfterDribblingAreLeftOutWhereTheirBallSpins() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 150; i++) {
+      // Backspin 0.35 of a rolling ball's, see the README.
+      boolean dribbled = i % 5 != 0;
+      add(track, dribbled ? 0.615 : 0.714, 0.04, dribbled);
+    }
+    ParameterEstimate estimate = track.estimate(PUBLISHED);
+    assertThat(estimate.median()).isCloseTo(0.714, within(0.03));
+    assertThat(estimate.samples()).isEqualTo(30);
+    assertThat(track.samples()).hasSize(61);
+  }
+
+  @Test
+  void theHistoryIsThinnedOut() {
+    for (int i = 0; i < 5000; i++) {
+      add(roll, -0.28, 0.05, false);
+    }
+    ParameterEstimate estimate = roll.estimate(PUBLISHED);
+    assertThat(estimate.history()).hasSizeBetween(100, 240);
+    assertThat(estimate.history().get(0).time()).isLessThan(60);
+    assertThat(estimate.history())
+        .isSortedAccordingTo((a, b) -> Double.compare(a.time(), b.time()));
+  }
+}
