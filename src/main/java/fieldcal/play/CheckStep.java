@@ -8,6 +8,9 @@ final class CheckStep implements Step {
   /** A ball that is out of sight for longer does not come back by itself, s. */
   private static final double LOST = 2;
 
+  /** After a kick in vain the kicker may have to charge, s. */
+  private static final double BREATH = 1;
+
   private final Ledger ledger;
   private final int holder;
   private double since = Double.NaN;
@@ -26,6 +29,10 @@ final class CheckStep implements Step {
   public Step tick(Situation s) {
     if (Double.isNaN(since)) {
       since = s.time();
+    }
+    if (ledger.failures() > 0 && s.time() - since < BREATH && holder < 0) {
+      s.waitFor(ledger.lastFailure() + "; trying again");
+      return this;
     }
     if (ledger.enough()) {
       s.waitFor("the last kicks are being fitted");

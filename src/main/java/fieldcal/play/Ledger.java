@@ -93,6 +93,11 @@ final class Ledger {
     return Optional.empty();
   }
 
+  /** Kicks in vain since the last one that was made. */
+  int failures() {
+    return failures;
+  }
+
   String lastFailure() {
     return lastFailure;
   }

@@ -19,6 +19,9 @@ public record PlayArea(double length, double width, double margin, double goalWi
   /** From a robot's centre to a ball at its dribbler, m: 75 mm to the dribbler, as in the league's robots, and the ball's radius. */
   static final double AT_DRIBBLER = 0.0965;
 
+  /** No robot is sent nearer than that to the edge of the area: it may overshoot a little, and cameras are wrong by some, m. */
+  static final double RESERVE = 0.04;
+
   /** Free carpet around a goal that robots leave alone, m. */
   private static final double GOAL_CLEARANCE = 0.12;
 
@@ -64,7 +67,7 @@ public record PlayArea(double length, double width, double margin, double goalWi
 
   /** Whether a robot's centre may be there. */
   boolean free(double x, double y) {
-    return clearance(x, y) >= 0 && !inGoal(x, y, ROBOT_RADIUS + 0.01);
+    return clearance(x, y) >= RESERVE && !inGoal(x, y, ROBOT_RADIUS + 0.01);
   }
 
   /** Whether something of a radius there touches a goal or is in it. */
@@ -97,12 +100,12 @@ public record PlayArea(double length, double width, double margin, double goalWi
   }
 
   double clampX(double x) {
-    double most = length / 2 + margin;
+    double most = length / 2 + margin - RESERVE;
     return Math.max(-most, Math.min(most, x));
   }
 
   double clampY(double y) {
-    double most = width / 2 + margin;
+    double most = width / 2 + margin - RESERVE;
     return Math.max(-most, Math.min(most, y));
   }
 }

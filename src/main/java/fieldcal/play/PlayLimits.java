@@ -30,7 +30,7 @@ public record PlayLimits(
 
   /** What usual robots can do without effort. */
   public static final PlayLimits DEFAULT =
-      new PlayLimits(2.5, 1.2, 0.3, 2.0, 0.06, Double.POSITIVE_INFINITY, 0.6, 15, 60, 120, 6);
+      new PlayLimits(2.5, 1.2, 0.3, 2.0, 0.06, Double.POSITIVE_INFINITY, 0.6, 15, 60, 120, 10);
 
   /**
    * Checks the ranges. {@inheritDoc}

@@ -82,7 +82,7 @@ final class Safety {
 
   /** Fastest outward when there is so much room; inward when there is none. */
   private double outward(double room, double speed) {
-    double ahead = room - 0.02 - Math.max(0, speed) * DELAY;
+    double ahead = room - 0.75 * PlayArea.RESERVE - Math.max(0, speed) * DELAY;
     return ahead < 0 ? Math.max(-APART, 5 * ahead) : Math.sqrt(braking * ahead);
   }
 }

@@ -78,14 +78,17 @@ public final class InteractiveField {
   }
 
   private InteractiveField(
-      SimulationSettings settings, List<SimulatedRobot> robots, List<FieldTrouble> troubles) {
+      SimulationSettings settings,
+      List<SimulatedRobot> robots,
+      List<FieldTrouble> troubles,
+      double later) {
     this.settings = settings;
     this.troubles = List.copyOf(troubles);
     players = robots.stream().limit(2).map(SimulatedRobot::id).toList();
     random = RandomStream.of(settings.seed(), "interactive field");
     List<SimulatedRobot> sorted = new ArrayList<>(robots);
     sorted.sort(Comparator.comparing(SimulatedRobot::id));
-    simulation = Simulation.interactive(settings, new Commanded(List.copyOf(sorted)));
+    simulation = Simulation.interactive(settings, new Commanded(List.copyOf(sorted)), later);
     world = simulation.world();
     world.purpose("calibration");
     world.placeBall(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5));
@@ -103,6 +106,26 @@ public final class InteractiveField {
    */
   public static InteractiveField of(
       SimulationSettings settings, RobotId first, RobotId second, List<FieldTrouble> troubles) {
+    return later(settings, first, second, troubles, 0);
+  }
+
+  /**
+   * The same, as a second session on the same field: its clock begins later, so that recordings of both do not overlap.
+   *
+   * @param settings as in {@link #of}
+   * @param first one robot
+   * @param second the other
+   * @param troubles what goes wrong
+   * @param later by how much the session begins later, s
+   * @return the field at time 0
+   * @throws IllegalArgumentException as {@link #of}
+   */
+  public static InteractiveField later(
+      SimulationSettings settings,
+      RobotId first,
+      RobotId second,
+      List<FieldTrouble> troubles,
+      double later) {
     FieldSize field = settings.field();
     List<SimulatedRobot> robots = new ArrayList<>();
     double x = field.length();
@@ -114,7 +137,7 @@ public final class InteractiveField {
     if (robots.stream().map(SimulatedRobot::id).distinct().count() < robots.size()) {
       throw new IllegalArgumentException("two robots with one name: " + first + ", " + second);
     }
-    return new InteractiveField(settings, robots, troubles);
+    return new InteractiveField(settings, robots, troubles, later);
   }
 
   private static SimulatedRobot robot(

@@ -32,20 +32,22 @@ public final class Simulation {
   private final SimulatedWorld world;
   private final VisionSystem vision;
 
-  private Simulation(SimulationSettings settings, Scenario scenario, boolean interactive) {
+  private Simulation(
+      SimulationSettings settings, Scenario scenario, boolean interactive, double later) {
     this.settings = settings;
     this.scenario = scenario;
     physics = Effects.physics(settings.physics(), settings.effects());
     behaviour = Effects.kicks(settings.kickBehaviour(), settings.effects());
-    epoch = new Epoch(BASE_NANOS + Math.floorMod(settings.seed(), 100_000L) * HOUR_NANOS);
+    long start = BASE_NANOS + Math.floorMod(settings.seed(), 100_000L) * HOUR_NANOS;
+    epoch = new Epoch(start + Math.round(later * 1e9));
     List<SimulatedRobot> robots = scenario.robots();
     world = new SimulatedWorld(settings.field(), physics, behaviour, robots, settings.seed());
     vision = interactive ? new VisionSystem(settings, world, 0) : new VisionSystem(settings, world);
   }
 
-  /** A simulation whose packets come without delay, for somebody who steers by them. */
-  static Simulation interactive(SimulationSettings settings, Scenario scenario) {
-    return new Simulation(settings, scenario, true);
+  /** A simulation whose packets come without delay, for somebody who steers by them; it begins some seconds later than others of its seed. */
+  static Simulation interactive(SimulationSettings settings, Scenario scenario, double later) {
+    return new Simulation(settings, scenario, true, later);
   }
 
   /**
@@ -76,7 +78,7 @@ public final class Simulation {
    * @throws IllegalArgumentException when an effect leaves the range of the physics
    */
   public static Simulation with(SimulationSettings settings, Scenario scenario) {
-    return new Simulation(settings, scenario, false);
+    return new Simulation(settings, scenario, false, 0);
   }
 
   /**

@@ -18,8 +18,9 @@ import picocli.CommandLine.ParseResult;
       CalibrateCommand.class,
       DiagnoseCommand.class,
       LimitsCommand.class,
-      MonitorCommand.class,
-      SimulateCommand.class
+MonitorCommand.class,
+      SimulateCommand.class,
+      PlayCommand.class
     })
 public final class Main {
   private static final int BAD_INPUT = 1;

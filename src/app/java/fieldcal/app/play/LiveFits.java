@@ -37,8 +37,10 @@ final class LiveFits {
   /** A kick that was found is the one that was played when they are that near in time, s. */
   private static final double SAME = 0.4;
 
-  /** A fit that bad says that something happened to the ball on its way, mm. */
+  /** A fit worse than that, and that many times worse than the others, says that something happened to the ball on its way, mm. */
   private static final double BAD_FIT = 15;
+
+  private static final double WORSE_THAN_OTHERS = 3;
 
   private final KickKind kind;
   private final KickFitter fitter = new KickFitter(FitSettings.defaults());
@@ -122,13 +124,18 @@ final class LiveFits {
   private KickResult fitted(PlayedKick played, Kick kick) {
     List<CameraView> views = new ArrayList<>();
     seen.keySet().forEach(id -> views.add(CameraView.of(id, Optional.ofNullable(cameras.get(id)))));
-    CameraViews measured = OverlapOffsets.estimate(kicks, CameraViews.of(views));
-    KickFit fit = fitter.fit(FitProblem.of(kick, measured, flat, chip), kind);
+    CameraViews published = CameraViews.of(views);
+    KickFit asPublished = fitter.fit(FitProblem.of(kick, published, flat, chip), kind);
+    // Offsets from a handful of kicks may be wrong, of chips above all: they have to prove
+    // themselves.
+    CameraViews measured = OverlapOffsets.estimate(kicks, published);
+    KickFit corrected = fitter.fit(FitProblem.of(kick, measured, flat, chip), kind);
+    KickFit fit = better(corrected, asPublished) ? corrected : asPublished;
     Optional<KickFit> there = Optional.of(fit);
     if (fit.failure().isPresent()) {
       return bad(played, there, fit.failure().get());
     }
-    if (fit.rmsMm() > BAD_FIT) {
+    if (fit.rmsMm() > Math.max(BAD_FIT, WORSE_THAN_OTHERS * typicalRms())) {
       String how = String.format(Locale.ROOT, "fits to %.0f mm only", fit.rmsMm());
       return bad(played, there, how);
     }
@@ -140,6 +147,17 @@ final class LiveFits {
       }
     }
     return new KickResult(played, there, Optional.of(true), "");
+  }
+
+  private static boolean better(KickFit a, KickFit b) {
+    return b.failure().isPresent()
+        || a.failure().isEmpty() && a.statistics().meanLoss() < b.statistics().meanLoss();
+  }
+
+  private double typicalRms() {
+    double[] all =
+        results.stream().mapToDouble(KickResult::rmsMm).filter(Double::isFinite).sorted().toArray();
+    return all.length == 0 ? 0 : all[all.length / 2];
   }
 
   List<KickResult> results() {

@@ -1,0 +1,324 @@
+package fieldcal.app.cli;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.calibrate.InputException;
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayField;
+import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.app.simulation.TruthJson;
+import fieldcal.kick.KickKind;
+import fieldcal.play.PlayLimits;
+import fieldcal.play.PlayLine.Half;
+import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.FieldTrouble;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.Preset;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal play}: two robots collect the kicks, and the model comes out. */
+@Command(
+    name = "play",
+    mixinStandardHelpOptions = true,
+    sortOptions = false,
+    description =
+        "Two robots kick the ball to each other until there are enough good kicks; each is recorded"
+            + " and fitted at once, and a calibrated model comes out.",
+    footer = {
+      "",
+      "Example: fieldcal play --sim --kind flat --kicks 12 --out session",
+      "         fieldcal play --sim --kind chip --kicks 12 --out session   (uses both)"
+    })
+final class PlayCommand implements Callable<Integer> {
+  /** Sessions of one simulated field begin that far apart, s. */
+  private static final double BETWEEN_SESSIONS = 1800;
+
+  @Spec private CommandSpec spec;
+
+  @Option(names = "--sim", description = "on the simulated field in this process")
+  private boolean sim;
+
+  @Option(
+      names = "--kind",
+      required = true,
+      paramLabel = "flat|chip",
+      description = "flat kicks along the diagonals, or chips along the half-way line")
+  private String kind;
+
+  @Option(
+      names = "--kicks",
+      required = true,
+      paramLabel = "N",
+      description = "how many good kicks; those that determine too little are made again")
+  private int kicks;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description =
+          "recording, commands and results go there; earlier sessions in it are calibrated together"
+              + " with this one")
+  private Path out;
+
+  @Option(
+      names = "--robots",
+      paramLabel = "A,B",
+      description = "the two robots, for example yellow3,blue5 (default yellow0,yellow1)")
+  private String robots = "yellow0,yellow1";
+
+  @Option(
+      names = "--half",
+      paramLabel = "whole|negative|positive",
+      description = "part of the field for flat kicks: all, or the half at negative or positive x")
+  private String half = "whole";
+
+  @Option(
+      names = "--across",
+      paramLabel = "X",
+      description = "x of the line of chips, where cameras overlap (default 0, the half-way line)")
+  private double across;
+
+  @Option(names = "--speed-min", paramLabel = "M/S", description = "slowest kick (flat 2, chip 3)")
+  private Double speedMin;
+
+  @Option(names = "--speed-max", paramLabel = "M/S", description = "fastest kick (default 6.5)")
+  private Double speedMax;
+
+  @Option(names = "--elevation", paramLabel = "DEG", description = "of chips (default 45)")
+  private double elevation = 45;
+
+  @Option(
+      names = "--margin",
+      paramLabel = "M",
+      description = "how far outside the lines robots may drive (default 0.2, less where narrow)")
+  private Double margin;
+
+  @Option(
+      names = "--receiver-distance",
+      paramLabel = "M",
+      description = "farthest that the receiver waits from the ball (default the line's end)")
+  private Double receiverDistance;
+
+  @Option(names = "--drive-speed", paramLabel = "M/S", description = "fastest drive (default 2.5)")
+  private Double driveSpeed;
+
+  @Option(
+      names = "--patience",
+      paramLabel = "S",
+      description = "longest wait for a robot, vision or the ball to come back (default 60)")
+  private Double patience;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      description = "of the kicks' order, and of the simulated field (default ${DEFAULT-VALUE})")
+  private long seed = 1;
+
+  @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      description = "simulated field: lab, german-open-2026 or robocup-2026")
+  private String preset;
+
+  @Option(
+      names = "--effect",
+      paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
+      description = "simulated field: an effect as in simulate; may be repeated")
+  private final List<String> effects = new ArrayList<>();
+
+  @Option(
+      names = "--troubles",
+      paramLabel = "N",
+      description = "simulated field: things that go wrong on the way (default 0)")
+  private int troubles;
+
+  @Option(
+      names = "--pace",
+      paramLabel = "X",
+      description = "simulated field: times real time (default as fast as it can)")
+  private double pace = Double.POSITIVE_INFINITY;
+
+  PlayCommand() {}
+
+  @Override
+  public Integer call() throws IOException {
+    SessionRequest request;
+    InteractiveField simulated;
+    try {
+      if (!sim) {
+        throw new IllegalArgumentException("name the field: --sim");
+      }
+      request = request();
+      simulated = simulated(request);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+    OutputPlaces.check(out, null);
+    Path directory = out == null ? Files.createTempDirectory("fieldcal-play") : out;
+    try {
+      return play(request.into(directory), simulated, directory);
+    } finally {
+      if (out == null) {
+        delete(directory);
+      }
+    }
+  }
+
+  private int play(SessionRequest request, InteractiveField simulated, Path directory)
+      throws IOException {
+    PlayText text = new PlayText(spec.commandLine().getOut());
+    PlayField field = new EmbeddedPlayField(simulated, pace);
+    PlayRun.Result result;
+    try (TerminalProgress progress = TerminalProgress.ofWords();
+        WorkProgress fitting = new WorkProgress()) {
+      PlaySession session = new PlaySession(request, field, s -> text.follow(s, progress));
+      Thread stop = stopOnExit(session);
+      result = PlayRun.run(session, directory, fitting);
+      forget(stop);
+    }
+    ObjectNode truth = TruthJson.of(simulated.finish(packet -> {}));
+    if (out != null) {
+      PlayRun.write(result, request, directory);
+      Path log = result.session().log().orElseThrow();
+      String name = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");
+      JsonFiles.write(truth, log.resolveSibling(name));
+    }
+    text.result(result, Optional.of(truth.get("ideal_model")), Optional.ofNullable(out));
+    if (!result.session().complete()) {
+      throw new InputException(
+          "stopped after "
+              + result.session().last().state().good()
+              + " of "
+              + kicks
+              + " kicks: "
+              + result.session().last().state().waiting().orElse("no reason given"));
+    }
+    return 0;
+  }
+
+  /** Robots must not drive on when somebody presses Ctrl-C. */
+  private static Thread stopOnExit(PlaySession session) {
+    Thread runner = Thread.currentThread();
+    Thread hook =
+        new Thread(
+            () -> {
+              session.abort("interrupted");
+              try {
+                runner.join(1000);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+            });
+    Runtime.getRuntime().addShutdownHook(hook);
+    return hook;
+  }
+
+  private static void forget(Thread hook) {
+    try {
+      Runtime.getRuntime().removeShutdownHook(hook);
+    } catch (IllegalStateException e) {
+      // The machine is going down already; that is what the hook was for.
+      return;
+    }
+  }
+
+  private static void delete(Path directory) throws IOException {
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+
+  private InteractiveField simulated(SessionRequest request) {
+    SimulationSettings settings = SimulationSettings.DEFAULT.withSeed(seed);
+    if (preset != null) {
+      settings = Preset.of(preset).applyTo(settings);
+    }
+    settings = settings.withEffects(effects.stream().map(EffectSetting::parse).toList());
+    int earlier;
+    try {
+      earlier = out == null ? 0 : PlayRun.logs(out).size();
+    } catch (IOException e) {
+      throw new IllegalArgumentException(out + ": " + e.getMessage(), e);
+    }
+    return InteractiveField.later(
+        settings,
+        request.first(),
+        request.second(),
+        FieldTrouble.random(seed, troubles, 8.0 * kicks),
+        earlier * BETWEEN_SESSIONS);
+  }
+
+  private SessionRequest request() {
+    KickKind wanted =
+        switch (kind.toLowerCase(Locale.ROOT)) {
+          case "flat" -> KickKind.FLAT;
+          case "chip" -> KickKind.CHIP;
+          default ->
+              throw new IllegalArgumentException("--kind must be flat or chip, not '" + kind + "'");
+        };
+    String[] names = robots.split(",", -1);
+    if (names.length != 2) {
+      throw new IllegalArgumentException(
+          "--robots takes two robots, like yellow3,blue5, not '" + robots + "'");
+    }
+    SessionRequest r = SessionRequest.of(wanted, kicks);
+    PlayLimits limits = r.limits();
+    if (driveSpeed != null) {
+      limits = limits.withDriveSpeed(driveSpeed);
+    }
+    if (receiverDistance != null) {
+      limits = limits.withReceiverDistance(receiverDistance);
+    }
+    if (patience != null) {
+      limits = limits.withPatience(patience, Math.max(limits.stall(), 2 * patience));
+    }
+    return r.withRobots(robot(names[0].trim()), robot(names[1].trim()))
+        .withPlace(half(), across)
+        .withSpeeds(
+            speedMin == null ? r.slowest() : speedMin,
+            speedMax == null ? r.fastest() : speedMax,
+            Math.toRadians(elevation))
+        .withChoice(false, seed)
+        .withLimits(limits, Optional.ofNullable(margin));
+  }
+
+  private Half half() {
+    try {
+      return Half.valueOf(half.toUpperCase(Locale.ROOT));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          "--half must be whole, negative or positive, not '" + half + "'", e);
+    }
+  }
+
+  private static RobotId robot(String name) {
+    for (Team team : Team.values()) {
+      String digits = name.toLowerCase(Locale.ROOT).replaceFirst("^" + team.label() + "[: ]?", "");
+      if (digits.length() < name.length() && digits.matches("\\d{1,3}")) {
+        return new RobotId(team, Integer.parseInt(digits));
+      }
+    }
+    throw new IllegalArgumentException("a robot is named like yellow3, not '" + name + "'");
+  }
+}

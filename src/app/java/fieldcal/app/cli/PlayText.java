@@ -1,0 +1,157 @@
+package fieldcal.app.cli;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.play.KickResult;
+import fieldcal.app.play.KickStrength;
+import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.SessionSnapshot;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.calibration.Calibration;
+import fieldcal.fit.Estimate;
+import fieldcal.kick.KickKind;
+import fieldcal.play.PlayState;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Tells the operator how the play is going, kick by kick, and what came out. */
+final class PlayText {
+  private final PrintWriter out;
+  private int told;
+
+  PlayText(PrintWriter out) {
+    this.out = out;
+  }
+
+  private void line(String format, Object... args) {
+    out.println(String.format(Locale.ROOT, format, args));
+    out.flush();
+  }
+
+  /** One line for each kick when it is judged; what is being done now in place on a terminal. */
+  void follow(SessionSnapshot s, TerminalProgress progress) {
+    while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
+      progress.say("");
+      kick(s.kicks().get(told++));
+    }
+    PlayState state = s.state();
+    progress.say(
+        String.format(
+            Locale.ROOT,
+            "%5.1f s  %d of %d kicks  %s%s",
+            s.time(),
+            state.good(),
+            state.wanted(),
+            state.phase().text(),
+            state.waiting().map(w -> ": " + w).orElse("")));
+  }
+
+  private void kick(KickResult k) {
+    String measured =
+        Double.isNaN(k.rmsMm())
+            ? ""
+            : String.format(Locale.ROOT, " → %.2f m/s, %.1f mm rms", k.speed(), k.rmsMm());
+    StringBuilder parameters = new StringBuilder();
+    for (Estimate e : k.parameters().stream().limit(3).toList()) {
+      parameters.append(
+          String.format(Locale.ROOT, "  %s %.3f ± %.3f", e.name(), e.value(), e.standardError()));
+    }
+    line(
+        "%3d  %-9s %s %.2f m/s%s%s",
+        k.played().number(),
+        k.played().robot(),
+        k.played().planned().chip() ? "chip" : "flat",
+        k.played().planned().speed(),
+        measured,
+        k.good() ? parameters : "  not used: " + k.reason());
+  }
+
+  void result(PlayRun.Result result, Optional<JsonNode> truth, Optional<Path> directory) {
+    SessionSnapshot last = result.session().last();
+    line(
+        "%n%s after %.0f s of field time: %d good kicks of %d made.",
+        result.session().complete() ? "Finished" : "Stopped",
+        last.time(),
+        last.state().good(),
+        last.state().made());
+    line("");
+    if (result.calibration().isPresent()) {
+      CalibrationOutcome outcome = result.calibration().get();
+      new CalibrationText(out).print(outcome, directory.orElse(null));
+      truth.ifPresent(t -> truth(outcome.calibration(), t));
+    }
+    strengths(result.strengths());
+    directory.ifPresent(d -> line("%nrecording: %s", result.session().log().orElse(d)));
+  }
+
+  private void truth(Calibration calibration, JsonNode truth) {
+    line("%nBeside the truth     %12s %12s %12s", "true", "joint fit", "off by");
+    for (KickKind kind : KickKind.values()) {
+      boolean flat = kind == KickKind.FLAT;
+      if (calibration.kicks(kind).isEmpty()) {
+        continue;
+      }
+      List<Parameter> names =
+          flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
+      for (Parameter p : names) {
+        JsonNode value = truth.get(p.name().replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT));
+        Optional<Estimate> joint =
+            calibration
+                .joint()
+                .flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()))
+                .filter(Estimate::usable);
+        if (value != null && value.isNumber() && joint.isPresent()) {
+          double off = joint.get().value() - value.doubleValue();
+          line(
+              "  %-18s %12.5f %12.5f %8.1f σ",
+              p.name(),
+              value.doubleValue(),
+              joint.get().value(),
+              off / joint.get().standardError());
+        }
+      }
+    }
+    if (!truth.path("exact_flat").asBoolean(true) || !truth.path("exact_chip").asBoolean(true)) {
+      line("  The simulated ball does not obey these models exactly.");
+    }
+  }
+
+  private void strengths(List<KickStrength> strengths) {
+    if (strengths.isEmpty()) {
+      return;
+    }
+    line("%nKick strength: measured speed = offset + gain × commanded speed");
+    for (KickStrength s : strengths) {
+      line(
+          "  %-9s %s, %2d kicks: gain %.3f%s, offset %+.2f%s m/s, scatter%s m/s; yaw %+.2f%s°%s",
+          s.robot(),
+          s.kind().id(),
+          s.kicks(),
+          s.gain(),
+          error(s.gainError(), "%.3f"),
+          s.offset(),
+          error(s.offsetError(), "%.2f"),
+          Double.isNaN(s.speedScatter())
+              ? " unknown"
+              : String.format(Locale.ROOT, " %.2f", s.speedScatter()),
+          Math.toDegrees(s.yaw()),
+          error(Math.toDegrees(s.yawError()), "%.2f"),
+          s.kind() == KickKind.CHIP
+              ? String.format(
+                  Locale.ROOT,
+                  "; elevation %+.1f%s°",
+                  Math.toDegrees(s.elevation()),
+                  error(Math.toDegrees(s.elevationError()), "%.1f"))
+              : "");
+    }
+  }
+
+  private static String error(double value, String format) {
+    return Double.isNaN(value) ? "" : " ± " + String.format(Locale.ROOT, format, value);
+  }
+}

@@ -1,0 +1,147 @@
+package fieldcal.app.play;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CommandFile.Command;
+import fieldcal.fit.KickFit;
+import fieldcal.kick.KickKind;
+import fieldcal.vision.RobotId;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * What one robot makes of its kick commands: measured speed = offset + gain · commanded speed, turned by yaw; what is left scatters from kick to kick. Standard errors assume that this scatter is
+ * random and the same at all speeds.
+ *
+ * @param robot who
+ * @param kind flat kicks or chips
+ * @param kicks how many
+ * @param gain (–)
+ * @param gainError standard error; NaN with too few kicks to tell
+ * @param offset m/s; 0 when the speeds are too few or too alike to tell it from the gain
+ * @param offsetError m/s; NaN when the offset was not estimated
+ * @param speedScatter standard deviation from kick to kick, m/s; NaN with too few kicks
+ * @param yaw to the left of what was commanded, rad
+ * @param yawError rad; NaN with one kick
+ * @param yawScatter rad; NaN with one kick
+ * @param elevation above what was commanded, rad; 0 for flat kicks
+ * @param elevationError rad; NaN with one kick
+ * @param elevationScatter rad; NaN with one kick
+ */
+public record KickStrength(
+    RobotId robot,
+    KickKind kind,
+    int kicks,
+    double gain,
+    double gainError,
+    double offset,
+    double offsetError,
+    double speedScatter,
+    double yaw,
+    double yawError,
+    double yawScatter,
+    double elevation,
+    double elevationError,
+    double elevationScatter) {
+
+  /** Kicks whose commanded speeds differ less than that, as a standard deviation, cannot tell an offset from a gain, m/s. */
+  private static final double LEAST_SPREAD = 0.4;
+
+  /** Told and measured, of one kick. */
+  private record Pair(double told, double speed, double yaw, double elevation) {}
+
+  /** Mean, its standard error and the scatter. */
+  private record Mean(double value, double error, double scatter) {
+    static Mean of(double[] values) {
+      double sum = 0;
+      for (double v : values) {
+        sum += v;
+      }
+      double mean = sum / values.length;
+      double squares = 0;
+      for (double v : values) {
+        squares += (v - mean) * (v - mean);
+      }
+      double scatter = values.length > 1 ? Math.sqrt(squares / (values.length - 1)) : Double.NaN;
+      return new Mean(mean, scatter / Math.sqrt(values.length), scatter);
+    }
+  }
+
+  /**
+   * From a calibration whose commands are known.
+   *
+   * @param outcome of a calibration
+   * @return one entry for each robot and kind, by name
+   */
+  public static List<KickStrength> of(CalibrationOutcome outcome) {
+    Map<RobotId, Map<KickKind, List<Pair>>> pairs = new TreeMap<>();
+    for (KickFit fit : outcome.calibration().trusted()) {
+      Optional<Command> command = outcome.command(fit.kick());
+      if (command.isPresent() && command.get().kind().equals(fit.kind().id())) {
+        pairs
+            .computeIfAbsent(command.get().robot(), r -> new TreeMap<>())
+            .computeIfAbsent(fit.kind(), k -> new ArrayList<>())
+            .add(pair(fit, command.get()));
+      }
+    }
+    List<KickStrength> all = new ArrayList<>();
+    pairs.forEach((robot, kinds) -> kinds.forEach((kind, list) -> all.add(fit(robot, kind, list))));
+    return all;
+  }
+
+  private static Pair pair(KickFit fit, Command command) {
+    double vx = fit.estimate("vx").value();
+    double vy = fit.estimate("vy").value();
+    double vz = fit.kind() == KickKind.CHIP ? fit.estimate("vz").value() : 0;
+    double ground = Math.hypot(vx, vy);
+    double yaw = Math.IEEEremainder(Math.atan2(vy, vx) - command.direction(), 2 * Math.PI);
+    double elevation =
+        fit.kind() == KickKind.CHIP ? Math.atan2(vz, ground) - command.elevation() : 0;
+    return new Pair(command.speed(), Math.hypot(ground, vz), yaw, elevation);
+  }
+
+  private static KickStrength fit(RobotId robot, KickKind kind, List<Pair> pairs) {
+    int n = pairs.size();
+    Mean told = Mean.of(pairs.stream().mapToDouble(Pair::told).toArray());
+    Mean yaw = Mean.of(pairs.stream().mapToDouble(Pair::yaw).toArray());
+    Mean lift = Mean.of(pairs.stream().mapToDouble(Pair::elevation).toArray());
+    boolean line = n >= 3 && told.scatter() > LEAST_SPREAD;
+    // Without an offset the line goes through zero.
+    double centre = line ? told.value() : 0;
+    double squares = 0;
+    double products = 0;
+    double speeds = 0;
+    for (Pair p : pairs) {
+      squares += (p.told - centre) * (p.told - centre);
+      products += (p.told - centre) * p.speed;
+      speeds += p.speed;
+    }
+    double gain = products / squares;
+    double offset = line ? speeds / n - gain * centre : 0;
+    double rest = 0;
+    for (Pair p : pairs) {
+      rest += Math.pow(p.speed - offset - gain * p.told, 2);
+    }
+    int free = n - (line ? 2 : 1);
+    double scatter = free > 0 ? Math.sqrt(rest / free) : Double.NaN;
+    double offsetError =
+        line ? scatter * Math.sqrt(1.0 / n + centre * centre / squares) : Double.NaN;
+    return new KickStrength(
+        robot,
+        kind,
+        n,
+        gain,
+        scatter / Math.sqrt(squares),
+        offset,
+        offsetError,
+        scatter,
+        yaw.value(),
+        yaw.error(),
+        yaw.scatter(),
+        lift.value(),
+        lift.error(),
+        lift.scatter());
+  }
+}

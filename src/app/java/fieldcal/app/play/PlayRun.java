@@ -1,0 +1,122 @@
+package fieldcal.app.play;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationRequest;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.calibration.HandSelection;
+import fieldcal.fit.FitSettings;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** A session, and the calibration from it and from the sessions that were recorded in the same directory before. */
+public final class PlayRun {
+  private static final String LOGS = "session-.*\\.log";
+
+  private PlayRun() {}
+
+  /**
+   * What it ended with.
+   *
+   * @param session how the play ended
+   * @param calibration from all sessions of the directory; empty when no kick was made
+   * @param strengths what the robots make of their commands
+   */
+  public record Result(
+      PlaySession.Outcome session,
+      Optional<CalibrationOutcome> calibration,
+      List<KickStrength> strengths) {
+
+    /** Copies the list. {@inheritDoc} */
+    public Result {
+      strengths = List.copyOf(strengths);
+    }
+  }
+
+  /**
+   * Begins a session whose recording goes to the directory of its request.
+   *
+   * @param session not run yet
+   * @param directory of its request
+   * @param progress of the calibration
+   * @return the result; also of a session that was stopped early
+   * @throws IOException when the field is gone or a file cannot be written or read
+   */
+  public static Result run(
+      PlaySession session, Path directory, CalibrationSession.Progress progress)
+      throws IOException {
+    PlaySession.Outcome outcome = session.run();
+    if (outcome.last().kicks().isEmpty()) {
+      return new Result(outcome, Optional.empty(), List.of());
+    }
+    CalibrationOutcome calibration = calibrate(directory, progress);
+    return new Result(outcome, Optional.of(calibration), KickStrength.of(calibration));
+  }
+
+  /**
+   * Calibrates from all sessions in a directory, with the commands beside them.
+   *
+   * @param directory with at least one session
+   * @param progress told how far it is
+   * @return the calibration
+   * @throws IOException when a file cannot be read
+   */
+  public static CalibrationOutcome calibrate(Path directory, CalibrationSession.Progress progress)
+      throws IOException {
+    List<Path> logs = logs(directory);
+    List<CommandFile.Command> told = new ArrayList<>();
+    for (Path log : logs) {
+      Path commands = commandsOf(log);
+      if (Files.exists(commands)) {
+        told.addAll(CommandFile.read(commands));
+      }
+    }
+    HandSelection byHand = SelectionFile.readOrFormer(null, directory);
+    return new CalibrationSession(FitSettings.defaults())
+        .run(CalibrationRequest.of(logs, byHand, told), progress);
+  }
+
+  /**
+   * The sessions that were recorded in a directory.
+   *
+   * @param directory may be missing
+   * @return their game logs by name
+   * @throws IOException when it cannot be listed
+   */
+  public static List<Path> logs(Path directory) throws IOException {
+    if (!Files.isDirectory(directory)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.list(directory)) {
+      return files.filter(f -> f.getFileName().toString().matches(LOGS)).sorted().toList();
+    }
+  }
+
+  private static Path commandsOf(Path log) {
+    String name = log.getFileName().toString();
+    return log.resolveSibling(name.substring(0, name.length() - 4) + ".commands.csv");
+  }
+
+  /**
+   * Writes the calibration's files and {@code play.json}.
+   *
+   * @param result what to write
+   * @param request what was wanted
+   * @param directory where
+   * @throws IOException when a file cannot be written
+   */
+  public static void write(Result result, SessionRequest request, Path directory)
+      throws IOException {
+    if (result.calibration().isPresent()) {
+      CalibrationSession.writeAll(result.calibration().get(), directory);
+    }
+    JsonFiles.write(new PlayJson(result, request).build(), directory.resolve("play.json"));
+  }
+}
