@@ -113,9 +113,11 @@ class ReadmeSnippetTest {
 
   @Test
   void everyLineOfTheReadmeStandsHere() throws IOException {
+    Path tests = PROJECT.resolve("src/test/java/fieldcal");
     String source =
         squeezed(
-            Files.readString(PROJECT.resolve("src/test/java/fieldcal/ReadmeSnippetTest.java")));
+            Files.readString(tests.resolve("ReadmeSnippetTest.java"))
+                + Files.readString(tests.resolve("play/HostAdapterTest.java")));
     boolean inside = false;
     int lines = 0;
     for (String line : Files.readAllLines(PROJECT.resolve("README.md"))) {

@@ -39,24 +39,27 @@ public final class CalibrationPlay {
   private boolean paused;
   private String holding;
   private double heldSince;
-  private double heldTotal;
-  private double started = Double.NaN;
+  private double lastTick = Double.NaN;
+  private double idle;
+  private int madeBefore;
   private double enoughSince = Double.NaN;
 
   /** Whether a robot gets on. */
   private static final class Motion {
     private double x;
     private double y;
-    private double since = Double.NaN;
+    private double stuck;
 
-    double stuckFor(Robot robot, double ordered, double time) {
-      boolean moves = Math.hypot(robot.x() - x, robot.y() - y) > 0.03;
-      if (ordered < 0.2 || moves || Double.isNaN(since)) {
+    /** For how long it was told to drive since it moved last, s. */
+    double stuckFor(Robot robot, double ordered, double span) {
+      if (Math.hypot(robot.x() - x, robot.y() - y) > 0.03) {
         x = robot.x();
         y = robot.y();
-        since = time;
+        stuck = 0;
+      } else if (ordered > 0.2) {
+        stuck += span;
       }
-      return time - since;
+      return stuck;
     }
   }
 
@@ -85,9 +88,9 @@ public final class CalibrationPlay {
    * @return what both robots are to do until the next tick
    */
   public PlayAnswer tick(PlayWorld world) {
-    if (Double.isNaN(started)) {
-      started = world.time();
-    }
+    // A host that paused for long has not been idle.
+    double span = Math.max(0, Math.min(0.2, world.time() - lastTick));
+    lastTick = world.time();
     if (step.phase().over()) {
       return standStill();
     }
@@ -97,12 +100,12 @@ public final class CalibrationPlay {
     if (hold.isPresent()) {
       return hold(s, hold.get());
     }
-    release(world.time());
+    release();
     Step next = step.tick(s);
     step = next;
     waiting = s.waiting();
     PlayAnswer answer = s.answer();
-    watchProgress(s, answer);
+    watchProgress(s, answer, Double.isNaN(span) ? 0 : span);
     return step.phase().over() ? standStill() : answer;
   }
 
@@ -142,7 +145,6 @@ public final class CalibrationPlay {
     boolean allowed = paused || s.world().permission() != Permission.RUN;
     if (allowed) {
       // Somebody wants it so: wait as long as it takes.
-      heldTotal += s.time() - heldSince;
       heldSince = s.time();
     } else if (s.time() - heldSince > plan.limits().patience()) {
       stop(String.format(Locale.ROOT, "%s for %.0f s", reason, s.time() - heldSince));
@@ -150,11 +152,10 @@ public final class CalibrationPlay {
     return standStill();
   }
 
-  private void release(double time) {
+  private void release() {
     if (holding == null) {
       return;
     }
-    heldTotal += time - heldSince;
     holding = null;
     if (!(step instanceof WatchStep)) {
       // Who knows what happened meanwhile.
@@ -162,10 +163,10 @@ public final class CalibrationPlay {
     }
   }
 
-  private void watchProgress(Situation s, PlayAnswer answer) {
+  private void watchProgress(Situation s, PlayAnswer answer, double span) {
     for (int i = 0; i < 2; i++) {
       double ordered = answer.orders().get(i).velocity().speed();
-      double stuck = motions[i].stuckFor(s.robot(i), ordered, s.time());
+      double stuck = motions[i].stuckFor(s.robot(i), ordered, span);
       if (stuck > STUCK_FOR_GOOD) {
         stop(plan.robot(i) + " does not move");
       } else if (stuck > STUCK) {
@@ -183,13 +184,13 @@ public final class CalibrationPlay {
       }
     } else {
       enoughSince = Double.NaN;
-      watchStall(s);
+      watchStall(span);
     }
   }
 
-  private void watchStall(Situation s) {
-    double since = Double.isNaN(ledger.lastMade()) ? started : ledger.lastMade();
-    double idle = s.time() - Math.max(since, started) - heldTotal;
+  private void watchStall(double span) {
+    idle = ledger.made() > madeBefore ? 0 : idle + span;
+    madeBefore = ledger.made();
     if (idle > plan.limits().stall()) {
       String last = waiting.orElse(ledger.lastFailure());
       stop(
@@ -199,9 +200,6 @@ public final class CalibrationPlay {
               idle,
               step.phase().text(),
               last.isEmpty() ? "" : ": " + last));
-    }
-    if (step instanceof WatchStep) {
-      heldTotal = 0;
     }
   }
 

@@ -49,6 +49,7 @@ final class Decider {
     double toY = line.y(1 - kicker);
     double run = Math.hypot(toX - x, toY - y);
     boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
+    inside &= s.plan().contains(x, y);
     boolean onLine = !kick.chip() || line.aside(x, y) < CHIP_ASIDE;
     if (run < leastRun(line, kick) || !inside || !onLine) {
       return Optional.empty();

@@ -18,7 +18,6 @@ final class Ledger {
   private int bad;
   private int failures;
   private String lastFailure = "";
-  private double lastMade = Double.NaN;
 
   Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
     wanted = plan.kicks();
@@ -57,7 +56,6 @@ final class Ledger {
   void made(PlayedKick kick) {
     unjudged.put(kick.number(), kick.planned());
     next = null;
-    lastMade = kick.ended();
     listener.accept(kick);
   }
 
@@ -100,10 +98,6 @@ final class Ledger {
 
   String lastFailure() {
     return lastFailure;
-  }
-
-  double lastMade() {
-    return lastMade;
   }
 
   int good() {

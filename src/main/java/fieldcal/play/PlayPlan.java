@@ -2,6 +2,8 @@ package fieldcal.play;
 
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.RobotId;
+import java.util.Arrays;
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -24,6 +26,9 @@ public record PlayPlan(
     int kicks,
     PlayLimits limits) {
 
+  /** A ball may lie that far outside of what the lines span and still be kicked from there, m. */
+  private static final double ASIDE = 0.7;
+
   /**
    * Checks the parts. {@inheritDoc}
    *
@@ -41,7 +46,12 @@ public record PlayPlan(
     for (PlayLine l : new PlayLine[] {line, otherLine}) {
       for (int end = 0; end < 2; end++) {
         if (Math.abs(l.x(end)) > area.length() / 2 || Math.abs(l.y(end)) > area.width() / 2) {
-          throw new IllegalArgumentException(l + " leaves the field");
+          throw new IllegalArgumentException(
+              String.format(
+                  Locale.ROOT,
+                  "the line of kicks leaves the field: its end (%.1f, %.1f) m",
+                  l.x(end),
+                  l.y(end)));
         }
       }
     }
@@ -118,6 +128,16 @@ public record PlayPlan(
    */
   public PlayPlan withLines(PlayLine newLine, PlayLine newOtherLine) {
     return new PlayPlan(first, second, area, newLine, newOtherLine, kicks, limits);
+  }
+
+  /** Whether a point is in the part of the field that the lines span, or near it. */
+  boolean contains(double x, double y) {
+    double most = ASIDE;
+    double[] xs = {line.x0(), line.x1(), otherLine.x0(), otherLine.x1()};
+    double[] ys = {line.y0(), line.y1(), otherLine.y0(), otherLine.y1()};
+    Arrays.sort(xs);
+    Arrays.sort(ys);
+    return x > xs[0] - most && x < xs[3] + most && y > ys[0] - most && y < ys[3] + most;
   }
 
   RobotId robot(int index) {

@@ -7,9 +7,13 @@ import java.util.Optional;
 final class PositionStep implements Step {
   private static final double TIMEOUT = 15;
 
+  /** Somebody who stands in the way for longer is kicked past, in another direction, s. */
+  private static final double BLOCKED = 3;
+
   private final Ledger ledger;
   private final Task task;
   private double since = Double.NaN;
+  private double blocked = Double.NaN;
 
   PositionStep(Ledger ledger, Task task) {
     this.ledger = ledger;
@@ -37,11 +41,12 @@ final class PositionStep implements Step {
     if (s.ball().distance(task.x(), task.y()) > 0.05 || s.ballUnseen() > 0.5) {
       return new CheckStep(ledger, -1);
     }
-    if (s.time() - since > TIMEOUT) {
+    boolean ready = ready(s);
+    if (s.time() - since > TIMEOUT || s.time() - blocked > BLOCKED) {
       ledger.failed(s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball"));
       return new CheckStep(ledger, -1);
     }
-    return ready(s) ? new KickStep(ledger, task) : this;
+    return ready ? new KickStep(ledger, task) : this;
   }
 
   private boolean ready(Situation s) {
@@ -51,11 +56,10 @@ final class PositionStep implements Step {
     Optional<Robot> third = Decider.inTheWay(s, task, distance);
     if (third.isPresent()) {
       s.waitFor(third.get().id() + " is in the way of the kick");
-      if (s.time() - since > 3) {
-        since = Double.NEGATIVE_INFINITY;
-      }
+      blocked = Double.isNaN(blocked) ? s.time() : blocked;
       return false;
     }
+    blocked = Double.NaN;
     double aside = Math.abs(task.aside(kicker.x(), kicker.y()));
     double behind = -task.along(kicker.x(), kicker.y());
     double turn = Math.IEEEremainder(task.aim() - kicker.orientation(), 2 * Math.PI);

@@ -103,7 +103,7 @@ public final class PlaySession {
       }
       try {
         waitForGeometry();
-        play = new CalibrationPlay(plan(), chooser(), this::played);
+        play = new CalibrationPlay(checkedPlan(), chooser(), this::played);
         while (!play.over()) {
           tick();
         }
@@ -135,6 +135,15 @@ public final class PlaySession {
         throw new IOException(
             "vision sent no geometry for " + (int) GEOMETRY + " s; is it running?");
       }
+    }
+  }
+
+  /** What does not fit on the field that vision has published is the operator's mistake. */
+  private PlayPlan checkedPlan() throws IOException {
+    try {
+      return plan();
+    } catch (IllegalArgumentException e) {
+      throw new IOException(e.getMessage(), e);
     }
   }
 

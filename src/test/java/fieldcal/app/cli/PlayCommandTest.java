@@ -1,0 +1,145 @@
+package fieldcal.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.KickCollector;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+
+class PlayCommandTest {
+  @TempDir Path directory;
+  private final StringWriter out = new StringWriter();
+  private final StringWriter err = new StringWriter();
+
+  private int run(String line) {
+    CommandLine command = Main.commandLine();
+    command.setOut(new PrintWriter(out)).setErr(new PrintWriter(err));
+    return command.execute(line.replace("DIR", directory.toString()).split(" "));
+  }
+
+  private JsonNode json(String name) throws IOException {
+    return new ObjectMapper().readTree(directory.resolve(name).toFile());
+  }
+
+  @Test
+  void aSessionEndsWithACalibratedModelBesideTheTruth() throws Exception {
+    assertThat(run("play --sim --kind flat --kicks 4 --seed 2 --out DIR")).isZero();
+    assertThat(out.toString())
+        .contains("4 good kicks of 4 made")
+        .contains("Flat model from 4 of 4 kicks")
+        .contains("Beside the truth")
+        .contains("Kick strength");
+    JsonNode play = json("play.json");
+    assertThat(play.get("complete").asBoolean()).isTrue();
+    assertThat(play.get("kicks")).hasSize(4);
+    assertThat(play.get("kick_strength").get(0).get("gain").asDouble()).isBetween(0.9, 1.1);
+    assertThat(json("session-flat.truth.json").get("ideal_model").get("k_switch").asDouble())
+        .isEqualTo(0.65);
+    double kSwitch = json("calibration.json").get("flat").get("k_switch").get("mean").asDouble();
+    assertThat(kSwitch).isBetween(0.645, 0.655);
+
+    // A second session is calibrated together with the first.
+    assertThat(run("play --sim --kind chip --kicks 3 --seed 2 --out DIR")).isZero();
+    assertThat(json("calibration.json").get("sources")).hasSize(2);
+    assertThat(json("calibration.json").get("chip").get("damping_z").get("mean").asDouble())
+        .isBetween(0.515, 0.525);
+  }
+
+  @Test
+  void whatStopsItIsSaidInOneLine() {
+    int status =
+        run("play --sim --kind flat --kicks 2 --robots yellow0,blue1 --patience 0.2 --troubles 60");
+    assertThat(status).isEqualTo(1);
+    assertThat(err.toString().lines()).hasSize(1);
+    assertThat(err.toString()).startsWith("fieldcal: stopped after ").contains(" of 2 kicks: ");
+  }
+
+  @Test
+  void aLineOffTheFieldIsRefused() {
+    assertThat(run("play --sim --kind chip --kicks 3 --across 40")).isEqualTo(1);
+    assertThat(err.toString().lines()).hasSize(1);
+    assertThat(err.toString()).contains("leaves the field");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "play --kind flat --kicks 3",
+        "play --sim --kicks 3",
+        "play --sim --kind curved --kicks 3",
+        "play --sim --kind flat --kicks 0",
+        "play --sim --kind flat --kicks 3 --robots yellow1",
+        "play --sim --kind flat --kicks 3 --robots yellow1,yellow1",
+        "play --sim --kind flat --kicks 3 --robots red1,blue2",
+        "play --sim --kind flat --kicks 3 --half left",
+        "play --sim --kind flat --kicks 3 --speed-min 9 --speed-max 4",
+        "play --sim --kind flat --kicks 3 --preset moon",
+        "play --sim --kind flat --kicks 3 --effect gravity:g=2"
+      })
+  void badUsageIsStatusTwo(String line) {
+    assertThat(run(line)).as(err.toString()).isEqualTo(2);
+    assertThat(err.toString()).contains("Usage: fieldcal play");
+  }
+
+  @Test
+  void whatWasFinishedSurvivesAKill() throws Exception {
+    Process play =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "fieldcal.app.cli.Main",
+                "play",
+                "--sim",
+                "--kind",
+                "flat",
+                "--kicks",
+                "200",
+                "--pace",
+                "25",
+                "--out",
+                directory.toString())
+            .redirectErrorStream(true)
+            .redirectOutput(directory.resolve("output.txt").toFile())
+            .start();
+    Path commands = directory.resolve("session-flat.commands.csv");
+    try {
+      for (int i = 0; i < 600 && lines(commands) < 4; i++) {
+        assertThat(play.isAlive()).as(Files.readString(directory.resolve("output.txt"))).isTrue();
+        Thread.sleep(50);
+      }
+    } finally {
+      play.destroyForcibly();
+      play.waitFor(10, TimeUnit.SECONDS);
+    }
+
+    List<CommandFile.Command> told = CommandFile.read(commands);
+    Path log = directory.resolve("session-flat.log");
+    CollectedKicks found = new KickCollector((file, read, total) -> {}).collect(List.of(log));
+    assertThat(told).hasSizeGreaterThanOrEqualTo(3);
+    assertThat(told)
+        .allSatisfy(
+            t ->
+                assertThat(found.kicks())
+                    .anyMatch(
+                        k -> Math.abs(found.epoch().unixSeconds(k.time()) - t.unixTime()) < 0.3));
+  }
+
+  private static long lines(Path file) throws IOException {
+    return Files.exists(file) ? Files.readAllLines(file).size() : 0;
+  }
+}

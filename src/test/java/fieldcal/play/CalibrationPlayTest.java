@@ -1,0 +1,412 @@
+package fieldcal.play;
+
+import static fieldcal.play.FakeField.BLUE;
+import static fieldcal.play.FakeField.GEOMETRY;
+import static fieldcal.play.FakeField.THIRD;
+import static fieldcal.play.FakeField.YELLOW;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.PlayedKick.End;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The play on a scripted field: what it does when all is well, and in each kind of trouble. */
+class CalibrationPlayTest {
+  private final FakeField field = new FakeField();
+  private final List<PlayedKick> kicks = new ArrayList<>();
+  private CalibrationPlay play;
+
+  private CalibrationPlay flat(int count) {
+    return start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, count), count, 0);
+  }
+
+  private CalibrationPlay start(PlayPlan plan, int count, double elevation) {
+    play =
+        new CalibrationPlay(
+            plan,
+            new SpreadKicks(count, 2, 5, elevation, 1),
+            kick -> {
+              kicks.add(kick);
+              play.judge(kick.number(), true);
+            });
+    return play;
+  }
+
+  /** Ticks until the play is in a phase. */
+  private void until(PlayPhase phase) {
+    for (int i = 0; i < 5000 && play.state().phase() != phase; i++) {
+      field.tick(play);
+    }
+    assertThat(play.state().phase()).isEqualTo(phase);
+  }
+
+  private void assertStanding(PlayAnswer answer) {
+    assertThat(answer.orders())
+        .hasSize(2)
+        .allSatisfy(o -> assertThat(o).isEqualTo(RobotOrder.stop(o.robot())));
+  }
+
+  private void assertNobodyHurt() {
+    assertThat(field.hardestContact).isLessThan(0.1);
+    assertThat(field.farthestOut).isLessThan(0.2);
+  }
+
+  private void assertFinishes() {
+    field.run(play, 400);
+    assertThat(play.state().phase()).as(play.state().toString()).isEqualTo(PlayPhase.FINISHED);
+    assertNobodyHurt();
+  }
+
+  @Test
+  void flatKicksGoToAndFro() {
+    flat(6);
+    Set<PlayPhase> phases = EnumSet.noneOf(PlayPhase.class);
+    while (!play.over() && field.time < 300) {
+      field.tick(play);
+      phases.add(play.state().phase());
+    }
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.FINISHED);
+    assertThat(phases)
+        .contains(PlayPhase.CHECK, PlayPhase.POSITION, PlayPhase.KICK, PlayPhase.WATCH);
+    assertThat(kicks).hasSize(6);
+    assertThat(kicks).extracting(PlayedKick::robot).contains(YELLOW, BLUE);
+    assertThat(kicks).extracting(k -> k.planned().otherLine()).contains(true, false);
+    assertThat(kicks).allSatisfy(k -> assertThat(k.end()).isIn(End.STOPPED, End.RECEIVED));
+    assertNobodyHurt();
+    assertStanding(field.tick(play));
+  }
+
+  @Test
+  void chipsGoAlongTheHalfWayLine() {
+    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 4), 4, Math.PI / 4);
+    assertFinishes();
+    assertThat(kicks)
+        .allSatisfy(
+            k -> {
+              assertThat(Math.abs(k.x())).isLessThan(0.5);
+              assertThat(Math.abs(Math.sin(k.direction()))).isGreaterThan(0.9);
+            });
+  }
+
+  @Test
+  void oneHalfOfTheFieldIsEnough() {
+    start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.NEGATIVE, 4), 4, 0);
+    assertFinishes();
+    assertThat(kicks).allSatisfy(k -> assertThat(k.x()).isLessThan(0.0));
+  }
+
+  @Test
+  void theReceiverStandsNoFartherThanToldTo() {
+    PlayLimits near = PlayLimits.DEFAULT.withReceiverDistance(3);
+    start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1).withLimits(near), 1, 0);
+    until(PlayPhase.KICK);
+    var receiver = field.robots.get(play.state().kicker() == 0 ? BLUE : YELLOW);
+    double distance = Math.hypot(receiver.x - field.ballX, receiver.y - field.ballY);
+    assertThat(distance).isCloseTo(3, within(0.2));
+  }
+
+  @Test
+  void aKickerThatDoesNotFireIsTriedAgain() {
+    flat(2);
+    field.kickersFire = false;
+    until(PlayPhase.KICK);
+    field.run(play, 6);
+    assertThat(kicks).isEmpty();
+    field.kickersFire = true;
+    assertFinishes();
+  }
+
+  @Test
+  void aKickerThatNeverFiresEndsThePlay() {
+    flat(2);
+    field.kickersFire = false;
+    field.run(play, 300);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting().orElseThrow()).containsPattern("did not kick|only pushed");
+  }
+
+  @Test
+  void aBallInTheGoalIsAskedFor() {
+    flat(2);
+    field.ball(6.1, 0.2);
+    field.run(play, 1.5);
+    assertThat(play.state().waiting()).contains("the ball is in the goal");
+    assertThat(field.request).isPresent();
+    assertStanding(new PlayAnswer(field.tick(play).orders(), Optional.empty()));
+    assertFinishes();
+    assertThat(field.requests).isEqualTo(1);
+  }
+
+  @Test
+  void aBallThatNobodyLaysDownEndsThePlay() {
+    flat(2);
+    field.somebodyHelps = false;
+    field.ball(2, 4.85);
+    field.run(play, 100);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting().orElseThrow())
+        .contains("outside of what the robots can reach");
+    assertThat(field.time).isLessThan(70);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"5.95,4.45", "-5.9,4.6", "3,-4.62", "-6.1,2.5"})
+  void aBallInACornerOrJustOutsideIsFetched(String place) {
+    flat(2);
+    String[] xy = place.split(",");
+    field.ball(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
+    until(PlayPhase.FETCH);
+    assertFinishes();
+    assertThat(field.requests).isZero();
+  }
+
+  @Test
+  void aBallThatVanishesIsWaitedForAndAskedFor() {
+    flat(2);
+    until(PlayPhase.WATCH);
+    field.ballVisible = false;
+    field.run(play, 3);
+    assertThat(kicks).hasSize(1);
+    assertThat(kicks.get(0).end()).isIn(End.LOST, End.LEFT_FIELD);
+    assertFinishes();
+    assertThat(field.requests).isPositive();
+  }
+
+  @Test
+  void aBallBetweenTheRobotsIsLeftToOneOfThem() {
+    flat(2);
+    field.put(YELLOW, 0, -0.16, Math.PI / 2);
+    field.put(BLUE, 0, 0.16, -Math.PI / 2);
+    field.ball(0, 0);
+    assertFinishes();
+    assertThat(field.nearest).isGreaterThan(0.18);
+  }
+
+  @Test
+  void robotsThatStandTooCloseMoveApart() {
+    flat(1);
+    field.put(YELLOW, 2, 2, 0);
+    field.put(BLUE, 2.185, 2, 0);
+    assertFinishes();
+  }
+
+  @Test
+  void aRobotThatDisappearsStopsBothUntilItIsBack() {
+    flat(2);
+    until(PlayPhase.POSITION);
+    field.run(play, 0.5);
+    field.robots.get(BLUE).visible = false;
+    field.run(play, 0.4);
+    assertStanding(field.tick(play));
+    assertThat(play.state().waiting()).contains("blue 7 is not seen");
+    field.run(play, 5);
+    field.put(BLUE, -1, 3, 0).visible = true;
+    assertFinishes();
+  }
+
+  @Test
+  void aRobotThatIsTakenOffForGoodEndsThePlay() {
+    flat(2);
+    field.robots.get(BLUE).visible = false;
+    field.run(play, 200);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting().orElseThrow()).startsWith("blue 7 is not seen for 60");
+  }
+
+  @Test
+  void aRobotThatFellOverIsNamed() {
+    flat(2);
+    field.robots.get(YELLOW).obeys = false;
+    field.run(play, 8);
+    assertThat(play.state().waiting()).contains("yellow 3 does not move");
+    field.run(play, 60);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting()).contains("yellow 3 does not move");
+  }
+
+  @Test
+  void aThirdRobotInTheWayIsDrivenRound() {
+    flat(3);
+    field.put(THIRD, -1, -0.75, 0);
+    assertFinishes();
+    assertThat(field.nearest).isGreaterThan(0.19);
+  }
+
+  @Test
+  void aThirdRobotAtTheBallIsWaitedFor() {
+    flat(1);
+    field.put(THIRD, 1.13, 0.5, 0);
+    field.run(play, 4);
+    field.put(THIRD, 5, -4, 0);
+    assertFinishes();
+  }
+
+  @Test
+  void aThirdRobotThatDrivesAtOursIsGivenWayTo() {
+    flat(1);
+    FakeField.Body third = field.put(THIRD, -5, -2, 0);
+    for (int i = 0; i < 150; i++) {
+      third.x += 0.6 * FakeField.TICK;
+      third.vx = 0.6;
+      third.y = field.robots.get(YELLOW).y;
+      third.order = null;
+      field.tick(play);
+      third.x -= third.vx * FakeField.TICK;
+    }
+    assertThat(field.hardestContact).isLessThan(0.1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"HALT", "STOP"})
+  void theRefereeStopsBothInTheNextTick(String command) {
+    flat(2);
+    until(PlayPhase.KICK);
+    field.permission = Permission.valueOf(command);
+    assertStanding(field.tick(play));
+    assertThat(play.state().waiting()).contains("referee: " + command);
+    // A halt is no fault of anybody: however long it lasts, the play goes on.
+    field.run(play, 150);
+    field.permission = Permission.RUN;
+    assertFinishes();
+  }
+
+  @Test
+  void aHaltWhileTheBallRollsDoesNotSpoilTheKick() {
+    flat(1);
+    until(PlayPhase.WATCH);
+    field.permission = Permission.HALT;
+    field.run(play, 1);
+    field.permission = Permission.RUN;
+    field.run(play, 30);
+    assertThat(kicks).hasSize(1);
+  }
+
+  @Test
+  void withoutVisionNobodyMoves() {
+    flat(2);
+    until(PlayPhase.POSITION);
+    field.run(play, 0.4);
+    field.vision = false;
+    field.run(play, 0.2);
+    assertStanding(field.tick(play));
+    assertThat(play.state().waiting()).contains("no vision");
+    field.run(play, 3);
+    field.vision = true;
+    assertFinishes();
+  }
+
+  @Test
+  void anAbortStopsBothInTheNextTick() {
+    flat(2);
+    until(PlayPhase.KICK);
+    play.abort("enough");
+    assertStanding(field.tick(play));
+    assertThat(play.over()).isTrue();
+    assertThat(play.state().waiting()).contains("enough");
+  }
+
+  @Test
+  void aPauseStopsBothUntilItEnds() {
+    flat(2);
+    until(PlayPhase.POSITION);
+    play.pause();
+    assertStanding(field.tick(play));
+    field.run(play, 200);
+    assertThat(play.state().waiting()).contains("paused");
+    play.resume();
+    assertFinishes();
+  }
+
+  @Test
+  void kicksThatDoNotCountAreMadeAgain() {
+    PlayPlan plan = PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 2);
+    play =
+        new CalibrationPlay(
+            plan,
+            new SpreadKicks(2, 2, 4, 0, 1),
+            kick -> {
+              kicks.add(kick);
+              play.judge(kick.number(), kick.number() != 1);
+            });
+    assertFinishes();
+    assertThat(kicks).hasSize(3);
+    assertThat(play.state().good()).isEqualTo(2);
+  }
+
+  @Test
+  void whenNoKickCountsItGivesUp() {
+    PlayPlan plan = PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1);
+    play =
+        new CalibrationPlay(
+            plan, new SpreadKicks(1, 3, 3, 0, 1), kick -> play.judge(kick.number(), false));
+    field.run(play, 600);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting().orElseThrow()).contains("could not be used");
+  }
+
+  @Test
+  void kicksThatAreNeverJudgedDoNotHangIt() {
+    PlayPlan plan = PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1);
+    play = new CalibrationPlay(plan, new SpreadKicks(1, 3, 3, 0, 1), kick -> {});
+    field.run(play, 300);
+    assertThat(play.state().waiting()).contains("the last kicks were not judged");
+  }
+
+  @Test
+  void nonsenseDoesNotBreakIt() {
+    flat(1);
+    Random random = new Random(5);
+    for (int i = 0; i < 300; i++) {
+      field.ballX = random.nextBoolean() ? Double.NaN : 1e9 * random.nextGaussian();
+      field.robots.get(YELLOW).vx = random.nextInt(3) == 0 ? Double.NaN : 0;
+      field.robots.get(YELLOW).x = -3;
+      PlayAnswer answer = play.tick(field.world());
+      assertThat(answer.orders())
+          .allSatisfy(o -> assertThat(o.velocity().speed()).isBetween(0.0, 5.0));
+      field.time += FakeField.TICK;
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+  void fromAnywhereNobodyIsHurt(long seed) {
+    Random random = new Random(seed);
+    flat(4);
+    field.put(YELLOW, 11 * random.nextDouble() - 5.5, 8 * random.nextDouble() - 4, 0);
+    do {
+      field.put(BLUE, 11 * random.nextDouble() - 5.5, 8 * random.nextDouble() - 4, 0);
+      field.nearest = Double.POSITIVE_INFINITY;
+    } while (Math.hypot(
+            field.robots.get(BLUE).x - field.robots.get(YELLOW).x,
+            field.robots.get(BLUE).y - field.robots.get(YELLOW).y)
+        < 0.3);
+    field.ball(10 * random.nextDouble() - 5, 8 * random.nextDouble() - 4);
+    assertFinishes();
+  }
+
+  @Test
+  void wrongPlansAreRefused() {
+    assertThatThrownBy(() -> PlayPlan.flat(YELLOW, YELLOW, GEOMETRY, PlayLine.Half.WHOLE, 3))
+        .hasMessageContaining("two robots");
+    assertThatThrownBy(() -> PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 0))
+        .hasMessageContaining("at least one kick");
+    assertThatThrownBy(
+            () ->
+                PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 1)
+                    .withLines(new PlayLine(0, -9, 0, 9), new PlayLine(0, 1, 0, -1)))
+        .hasMessageContaining("leaves the field");
+    assertThatThrownBy(() -> new PlannedKick(Double.NaN, 0, false))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> new PlayArea(12, 9, 2, 1)).hasMessageContaining("margin");
+  }
+}
