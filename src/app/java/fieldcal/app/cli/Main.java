@@ -18,7 +18,7 @@ import picocli.CommandLine.ParseResult;
       CalibrateCommand.class,
       DiagnoseCommand.class,
       LimitsCommand.class,
-MonitorCommand.class,
+      MonitorCommand.class,
       SimulateCommand.class,
       PlayCommand.class
     })
