@@ -4,6 +4,7 @@ import fieldcal.effect.ExtendedQueries;
 import fieldcal.fit.FitAccuracy;
 import fieldcal.fit.WrongMinima;
 import fieldcal.gamelog.ReadingBenchmark;
+import fieldcal.kick.MatchKicks;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -17,8 +18,8 @@ import java.util.Map;
  */
 public final class Benchmarks {
   private static final String USAGE =
-      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [k-switch]"
-          + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
+      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
+          + " [k-switch] [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -42,6 +43,7 @@ public final class Benchmarks {
     parts.put("calibrate", CalibrateBenchmark::run);
     parts.put("extended", ExtendedQueries::run);
     parts.put("limits", LimitsBenchmark::run);
+    parts.put("match-kicks", MatchKicks::run);
     parts.put("k-switch", KSwitchCauses::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;

@@ -22,8 +22,20 @@ final class ActiveKick {
   /** A ball that was just kicked is still near the robots around its kicker, s. */
   private static final double SOON = 0.05;
 
+  /** A ball that comes back into view was not seen for longer, s. */
+  private static final double JUST_SEEN = 0.05;
+
   /** A ball that ends nearer was nudged, or put elsewhere while it was hidden; the weakest kick rolls that far, m. */
   private static final double SHORTEST = 0.3;
+
+  /** Less is no flight, s. */
+  private static final double SHORTEST_FLIGHT = 0.04;
+
+  /** Fewer detections after the kick are no flight. */
+  private static final int FEWEST = 5;
+
+  /** The ball may have met a robot up to a frame after it was seen last, s. */
+  private static final double FRAME = 0.014;
 
   private final JumpDetector.Jump jump;
   private final RobotId robot;
@@ -109,10 +121,24 @@ final class ActiveKick {
 
   /** How fast the ball was when last seen, if that was just before and near; else 0, m/s. */
   double speedNear(double t, double x, double y) {
-    boolean near = Math.hypot(newest.x(0) - x, newest.y(0) - y) < KickFinder.SAME_BALL;
+    boolean near = Math.hypot(newest.x(0) - x, newest.y(0) - y) < RecentEvents.SAME_BALL;
     return near && t - newest.lastTime() < settings.lostAfter() && newest.fitNewest(6, 0.15, line)
         ? line.speed()
         : 0;
+  }
+
+  /** Whether a ball that comes into view, or back into view, may well have come as it went. */
+  boolean goesOn(BallTrack track, JumpDetector.Jump jump) {
+    int age = 0;
+    while (age < track.size() && track.time(age) > jump.time() - JUST_SEEN) {
+      age++;
+    }
+    int oldest = Math.min(age + 8, track.size()) - 1;
+    if (age >= track.size() || !(track.time(age) > time()) || !track.fit(age, oldest, line)) {
+      return true;
+    }
+    double change = Math.hypot(jump.vx() - line.vx(), jump.vy() - line.vy());
+    return change < 0.3 + 0.5 * line.speed();
   }
 
   /** Takes in a track that turned out to show this ball, with what it holds of the rest before the kick and of the flight. */
@@ -235,6 +261,11 @@ final class ActiveKick {
     return near && otherwise == KickEnd.LOST ? KickEnd.TOUCHED_ROBOT : otherwise;
   }
 
+  /** When the ball met the robot that touched it, or was seen last, s. */
+  double touchTime() {
+    return contact.watching() ? Math.min(contact.since(), lastTime()) : lastTime();
+  }
+
   /** The finished kick, or null when nothing sustained came of it. */
   Kick finish(KickEnd end, double endTime) {
     double last = endTime;
@@ -243,10 +274,15 @@ final class ActiveKick {
     } else if (end == KickEnd.LEFT_FIELD && !Double.isNaN(outsideSince)) {
       last = Math.min(last, outsideSince);
     }
-    if (!(last > jump.time() + 0.03) || farthest < SHORTEST) {
+    if (!(last > jump.time() + SHORTEST_FLIGHT) || farthest < SHORTEST) {
       return null;
     }
     Observations seen = observations.build().between(Double.NEGATIVE_INFINITY, last);
+    // A ball that was hidden when it met a robot was under way for as long as it was seen.
+    last = Math.min(last, seen.size() == 0 ? last : seen.time(seen.size() - 1) + FRAME);
+    if (!(last > jump.time() + SHORTEST_FLIGHT) || seen.count(jump.time()) < FEWEST) {
+      return null;
+    }
     return new Kick(
         0,
         jump.time(),

@@ -37,6 +37,10 @@ final class ContactWatch {
   private static final double LIVE = 0.06;
 
   private static final double SPAN = 0.2;
+
+  /** After more nobody knows any more how it came, s. */
+  private static final double HIDDEN = 0.6;
+
   private static final int BEFORE = 8;
   private static final int AFTER = 5;
   private static final int FEWEST = 4;
@@ -144,16 +148,21 @@ final class ContactWatch {
     return track.fit(0, Math.min(seenAfter, AFTER) - 1, after) && fitBefore(track, seenAfter);
   }
 
-  /** The way that this camera saw the ball come. */
+  /** The way that this camera saw the ball come; it may have been hidden just before it came near. */
   private boolean fitBefore(BallTrack track, int first) {
-    int oldest = first - 1;
+    if (first >= track.size() || since - track.time(first) > HIDDEN) {
+      return false;
+    }
+    int oldest = first;
     while (oldest + 1 < track.size()
         && oldest + 1 < first + BEFORE
         && track.time(oldest + 1) > kicked
-        && since - track.time(oldest + 1) < SPAN) {
+        && track.time(first) - track.time(oldest + 1) < SPAN) {
       oldest++;
     }
-    return oldest - first + 1 >= 3 && track.fit(first, oldest, before);
+    return oldest - first + 1 >= 3
+        && track.time(first) > kicked
+        && track.fit(first, oldest, before);
   }
 
   private boolean deflected(BallTrack track) {

@@ -141,9 +141,12 @@ final class DribbleWatch {
       way = Math.max(way, Math.hypot(c.x[i] - c.x[last], c.y[i] - c.y[last]));
     }
     boolean takenAlong = newest - oldest > LEAST_HOLD && way > LEAST_WAY;
+    // A ball that comes along and is kicked on at once is at the front for some hundredths of a
+    // second only.
+    boolean longThere = !fromRest && t - oldest > LEAST_HOLD;
     boolean justCaught = t - c.caught > LEAST_HOLD && t - c.caught < MEMORY;
     // A ball that came to rest elsewhere after a robot touched it was let go of.
     boolean kept = !fromRest || oldest < c.caught + HIDDEN;
-    return takenAlong || justCaught && kept;
+    return takenAlong || longThere || justCaught && kept;
   }
 }

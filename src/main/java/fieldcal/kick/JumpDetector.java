@@ -15,6 +15,9 @@ final class JumpDetector {
   /** Lines worse than this are no lines: a window that straddles the kick, or false detections, m. */
   private static final double MAX_RMS = 0.025;
 
+  /** What was before is no longer comparable, s. */
+  private static final double LONG_HIDDEN = 0.25;
+
   /** A jump is reported once it has not grown for so many detections. */
   private static final int PATIENCE = 3;
 
@@ -36,7 +39,7 @@ final class JumpDetector {
    * @param vxBefore velocity before, m/s
    * @param vyBefore velocity before, m/s
    * @param fromRest whether the ball lay still before
-   * @param born whether the track begins with the ball already moving
+   * @param born whether the track begins with the ball already moving, or goes on so after it was hidden for long
    */
   record Jump(
       double time,
@@ -100,7 +103,8 @@ final class JumpDetector {
         || after.speed() < settings.minSpeed()) {
       return null;
     }
-    if (track.total() == AFTER) {
+    boolean hidden = n > AFTER && track.time(AFTER - 1) - track.time(AFTER) > LONG_HIDDEN;
+    if (track.total() == AFTER || hidden) {
       double t = track.time(AFTER - 1);
       return new Jump(t, after.x(t), after.y(t), after.vx(), after.vy(), 0, 0, false, true);
     }
@@ -111,9 +115,7 @@ final class JumpDetector {
       oldest++;
     }
     int used = oldest - AFTER + 1;
-    if (used < 3
-        || track.time(AFTER - 1) - track.time(AFTER) > 0.25
-        || !track.fit(AFTER, oldest, before)) {
+    if (used < 3 || !track.fit(AFTER, oldest, before)) {
       return null;
     }
     double jump = Math.hypot(after.vx() - before.vx(), after.vy() - before.vy());

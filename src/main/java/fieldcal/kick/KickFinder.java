@@ -5,10 +5,8 @@ import fieldcal.vision.BallDetection;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionFrame;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,43 +24,14 @@ public final class KickFinder {
   /** A camera that sends nothing for that long has a gap; if all do, the recording has, s. */
   private static final double RECORDING_GAP = 0.25;
 
-  /** Two cameras see the same kick within that time and distance, s and m. */
-  private static final double SAME_TIME = 0.12;
-
-  private static final double SAME_PLACE = 0.35;
-
-  /** Kicks that ended before another camera told of them; more do not happen within {@link #SAME_TIME}. */
-  private static final int REMEMBERED = 4;
-
-  /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
-  private static final double LEAST_GAIN = 0.2;
-
   /** Robots also kick from the strip around the lines; beyond it, balls bounce off what is there, m. */
   private static final double MARGIN = 0.3;
 
   /** No robot kicks the same ball again so soon; a chip's projection may jump while it leaves its kicker, s. */
   private static final double SAME_ROBOT_AGAIN = 0.3;
 
-  /** A frame and a half before a jump, since its time is good to some milliseconds only, s. */
-  private static final double JUST_BEFORE = 0.02;
-
-  /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
-  private static final double LEAST_SEPARATION = 0.04;
-
-  /** A ball that bounces off a robot is hidden by it for up to that long; after more the robot held it, and has kicked it, s. */
-  private static final double HIDDEN = 0.2;
-
-  /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
-  static final double SAME_BALL = 0.5;
-
-  /** A kicker hides the ball for up to that long, s: 0.5 m at 2 m/s. */
-  private static final double HIDDEN_START = 0.3;
-
-  /** A ball that another camera saw so far from there just before was not there, m. */
-  private static final double ELSEWHERE = 0.2;
-
-  /** It had the ball within that time before, s. */
-  private static final double HELD = 1.5;
+  /** A robot that catches a ball may hide it on its last way, m. */
+  private static final double CATCHING = 0.35;
 
   /** After a longer gap nothing is known of where the ball went, s. */
   private static final double LONG_GAP = 0.6;
@@ -75,16 +44,12 @@ public final class KickFinder {
   private final DribbleWatch dribbles = new DribbleWatch();
   private final PlayingArea area = new PlayingArea();
   private final List<ActiveKick> active = new ArrayList<>();
-  private final Deque<ActiveKick> ended = new ArrayDeque<>();
+  private final RecentEvents recent = new RecentEvents();
   private final TrackMatcher matcher = new TrackMatcher(views);
   private final KickFinderCounts counts = new KickFinderCounts();
-  private final double[] robotVelocity = new double[2];
-  private final double[] hiddenStart = new double[3];
+  private final KickerSearch kickers;
   private double now = Double.NEGATIVE_INFINITY;
   private int found;
-  private double lastEnd = Double.NEGATIVE_INFINITY;
-  private double lastEndX;
-  private double lastEndY;
   private double gapEnd = Double.NEGATIVE_INFINITY;
 
   /**
@@ -96,6 +61,7 @@ public final class KickFinder {
   public KickFinder(KickFinderSettings settings, Consumer<Kick> sink) {
     this.settings = Objects.requireNonNull(settings, "settings");
     this.sink = Objects.requireNonNull(sink, "sink");
+    kickers = new KickerSearch(settings, robots, dribbles, area);
   }
 
   /**
@@ -169,7 +135,7 @@ public final class KickFinder {
 
   private void restart() {
     endAll(KickEnd.RECORDING_ENDED);
-    ended.clear();
+    recent.clear();
     cameras.clear();
     robots.clear();
     dribbles.clear();
@@ -221,76 +187,38 @@ public final class KickFinder {
     if (isKnown(jump, track, owner)) {
       return;
     }
-    RobotId robot =
-        robots.kicker(
-            jump.time(),
-            jump.x(),
-            jump.y(),
-            jump.vx(),
-            jump.vy(),
-            settings.robotReach(),
-            robotVelocity);
-    if (robot != null || startedAlone(jump)) {
+    RobotId robot = kickers.kicker(jump);
+    if (robot != null || kickers.startedAlone(jump)) {
       considerKick(jump, track, owner, robot);
-    } else if (owner == null) {
-      considerHidden(jump, track);
+    } else if (owner == null || jump.born()) {
+      considerHidden(jump, track, owner);
+    } else if (kickers.touched(jump) && !isPartOf(owner, jump, track, null)) {
+      end(owner, KickEnd.TOUCHED_ROBOT, jump.time() - 0.005);
     }
   }
 
   /** Whether this is a kick's ball that comes into view, or another camera told of this kick already; then its track shows the same ball. */
   private boolean isKnown(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
-    if (jump.born() && owner != null) {
+    if (jump.born() && owner != null && owner.goesOn(track, jump)) {
       return true;
     }
-    ActiveKick same = sameKick(jump, track);
+    ActiveKick same = recent.sameKick(active, jump, track);
     if (same != null && owner == null) {
       same.join(track);
     }
-    return same != null || justEnded(jump, track);
+    return same != null || recent.isOver(jump, track);
   }
 
   /** Nobody is near the ball that moves all of a sudden: it may have been hidden by its kicker at first. */
-  private void considerHidden(JumpDetector.Jump jump, BallTrack track) {
-    RobotId robot =
-        robots.kickerBefore(
-            jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), HIDDEN_START, hiddenStart);
+  private void considerHidden(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
+    RobotId robot = kickers.hiddenKicker(jump);
     if (robot == null) {
       return;
     }
-    JumpDetector.Jump start = jump.earlier(hiddenStart[0]);
-    robotVelocity[0] = hiddenStart[1];
-    robotVelocity[1] = hiddenStart[2];
-    if (dribbles.hadBall(robot, start.time(), HELD)
-        && !underWay(track, start)
-        && !isKnown(start, track, null)) {
-      considerKick(start, track, null, robot);
+    JumpDetector.Jump start = jump.earlier(kickers.hidden());
+    if (!matcher.underWay(cameras.values(), track, start) && !isKnown(start, track, null)) {
+      considerKick(start, track, owner, robot);
     }
-  }
-
-  /** Whether another camera saw this ball elsewhere before it can have been kicked here, so that it only comes into view. */
-  private boolean underWay(BallTrack track, JumpDetector.Jump start) {
-    for (CameraTracks camera : cameras.values()) {
-      for (BallTrack other : camera.tracks()) {
-        if (other != track
-            && wasElsewhere(other, start)
-            && (other.lastTime() < track.time(track.size() - 1)
-                ? matcher.continues(other, track)
-                : other.camera() != track.camera() && matcher.meets(other, track))) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  private static boolean wasElsewhere(BallTrack other, JumpDetector.Jump start) {
-    for (int age = 0; age < other.size(); age++) {
-      if (other.time(age) < start.time() - JUST_BEFORE) {
-        double away = Math.hypot(other.x(age) - start.x(), other.y(age) - start.y());
-        return other.size() >= 3 && away > ELSEWHERE;
-      }
-    }
-    return false;
   }
 
   private void considerKick(
@@ -301,15 +229,16 @@ public final class KickFinder {
     if (owner != null && isPartOf(owner, jump, track, robot)) {
       return;
     }
-    if (robot != null && carried(robot, jump, track)) {
+    if (robot != null && kickers.carried(robot, jump, track)) {
       counts.carried++;
       return;
     }
     if (owner != null) {
       end(owner, KickEnd.TOUCHED_ROBOT, jump.time() - 0.005);
     }
-    if (isDeflection(jump, robot)) {
+    if (kickers.isDeflection(jump, robot, recent.speedBefore(jump, active))) {
       counts.deflections++;
+      recent.deflected(jump);
       return;
     }
     start(jump, track, robot);
@@ -339,80 +268,6 @@ public final class KickFinder {
     return justKicked || owner.wasInTheAir(track, jump.time());
   }
 
-  /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */
-  private boolean startedAlone(JumpDetector.Jump jump) {
-    return jump.fromRest()
-        && robots.nearest(jump.time(), jump.x(), jump.y(), settings.robotReach()) == null
-        && jump.speed() > 1.5 * settings.minSpeed()
-        && area.outside(jump.x(), jump.y()) <= 0;
-  }
-
-  /** A ball that stays at the robot is dribbled or pushed, however fast both are. */
-  private boolean carried(RobotId robot, JumpDetector.Jump jump, BallTrack track) {
-    double t = track.lastTime();
-    double before = robots.distanceTo(robot, jump.time(), jump.x(), jump.y());
-    return robots.distanceTo(robot, t, track.x(0), track.y(0)) - before < LEAST_SEPARATION;
-  }
-
-  /**
-   * A ball that bounces off a robot has lost energy, a kicked one has won some: as the robot sees it, which may itself have run into the ball.
-   */
-  private boolean isDeflection(JumpDetector.Jump jump, RobotId robot) {
-    if (robot == null) {
-      return !jump.fromRest() && jump.speed() < speedBefore(jump) + LEAST_GAIN;
-    }
-    if (jump.born()) {
-      return jump.speed() < speedBefore(jump) + LEAST_GAIN;
-    }
-    double rx = robotVelocity[0];
-    double ry = robotVelocity[1];
-    double before = Math.hypot(jump.vxBefore() - rx, jump.vyBefore() - ry);
-    return Math.hypot(jump.vx() - rx, jump.vy() - ry) < before + LEAST_GAIN;
-  }
-
-  /**
-   * Speed before the jump. A track that begins with a moving ball does not know it: but a kick whose ball was about to come by here
-   * does; then this is that ball, seen again after the robot that stopped it had hidden it.
-   */
-  private double speedBefore(JumpDetector.Jump jump) {
-    if (!jump.born()) {
-      return jump.speedBefore();
-    }
-    double fastest = 0;
-    for (ActiveKick kick : active) {
-      fastest = Math.max(fastest, kick.speedNear(jump.time(), jump.x(), jump.y()));
-    }
-    boolean justEnded =
-        jump.time() - lastEnd < HIDDEN
-            && Math.hypot(jump.x() - lastEndX, jump.y() - lastEndY) < SAME_BALL;
-    return justEnded ? Double.POSITIVE_INFINITY : fastest;
-  }
-
-  /** The kick of which another camera told already. */
-  private ActiveKick sameKick(JumpDetector.Jump jump, BallTrack track) {
-    for (ActiveKick kick : active) {
-      if (kick.source() != track && same(kick.jump(), jump)) {
-        return kick;
-      }
-    }
-    return null;
-  }
-
-  private static boolean same(JumpDetector.Jump known, JumpDetector.Jump jump) {
-    return Math.abs(known.time() - jump.time()) < SAME_TIME
-        && Math.hypot(known.x() - jump.x(), known.y() - jump.y()) < SAME_PLACE;
-  }
-
-  /** Whether another camera told of this kick, and its ball was stopped already. */
-  private boolean justEnded(JumpDetector.Jump jump, BallTrack track) {
-    for (ActiveKick kick : ended) {
-      if (kick.source() != track && same(kick.jump(), jump)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   private void endLost() {
     for (int i = active.size() - 1; i >= 0; i--) {
       ActiveKick kick = active.get(i);
@@ -435,24 +290,29 @@ public final class KickFinder {
 
   private void end(ActiveKick kick, KickEnd reason, double time) {
     active.remove(kick);
-    ended.addFirst(kick);
-    if (ended.size() > REMEMBERED) {
-      ended.removeLast();
-    }
-    lastEnd = kick.lastTime();
-    lastEndX = kick.newest().x(0);
-    lastEndY = kick.newest().y(0);
+    recent.ended(kick);
     if (reason == KickEnd.TOUCHED_ROBOT) {
-      RobotId catcher = robots.nearest(lastEnd, lastEndX, lastEndY, settings.robotReach());
-      if (catcher != null) {
-        dribbles.caught(catcher, lastEnd);
-      }
+      caught(kick);
     }
     Kick finished = kick.finish(reason, time);
     if (finished == null) {
       counts.tooShort++;
     } else {
       sink.accept(finished.withId(++found));
+    }
+  }
+
+  /** Remembers whose the ball is now. */
+  private void caught(ActiveKick kick) {
+    double t = kick.touchTime();
+    BallTrack track = kick.newest();
+    int age = 0;
+    while (age + 1 < track.size() && track.time(age) > t) {
+      age++;
+    }
+    RobotId catcher = robots.nearest(t, track.x(age), track.y(age), CATCHING);
+    if (catcher != null) {
+      dribbles.caught(catcher, t);
     }
   }
 }

@@ -113,6 +113,15 @@ public final class Observations {
     return Arrays.stream(camera).distinct().sorted().toArray();
   }
 
+  /** How many detections there are from a time on. */
+  int count(double from) {
+    int n = 0;
+    while (n < size() && time[size() - 1 - n] >= from) {
+      n++;
+    }
+    return n;
+  }
+
   /**
    * The detections of a time span.
    *

@@ -13,8 +13,16 @@ final class TrackMatcher {
   /** Cameras disagree by up to that much, and a ball moves between their frames, m. */
   private static final double TOLERANCE = 0.1;
 
+  /** A frame and a half, since a kick's time is good to some milliseconds only, s. */
+  private static final double JUST_BEFORE = 0.02;
+
+  /** A ball that another camera saw so far from there just before was not there, m. */
+  private static final double ELSEWHERE = 0.2;
+
   private static final double MAX_HEIGHT = 3.5;
   private static final int COMPARED = 3;
+  private static final int STRIDE = 4;
+  private static final double LOOK_BACK = 0.25;
 
   private final Map<Integer, Camera> views;
   private final LineFit scratch = new LineFit();
@@ -38,11 +46,15 @@ final class TrackMatcher {
     return !compared && continues(kick, track);
   }
 
-  /** Whether the newest detections of a track are where another camera sees its ball. */
+  /** Whether the detections of a track are where another camera sees its ball: the newest, and some of the last quarter of a second, or a ball that passes something white would be taken for it. */
   boolean meets(BallTrack member, BallTrack track) {
-    for (int age = 0; age < COMPARED; age++) {
+    for (int age = 0; age < track.size(); age += age < COMPARED - 1 ? 1 : STRIDE) {
       double t = track.time(age);
-      if (!member.positionAt(t, 0.04, scratch, xy)
+      boolean known = member.positionAt(t, 0.04, scratch, xy);
+      if (age >= COMPARED && (!known || track.lastTime() - t > LOOK_BACK)) {
+        break;
+      }
+      if (!known
           || !(miss(member.camera(), track.camera(), track.x(age), track.y(age)) < TOLERANCE)) {
         return false;
       }
@@ -87,5 +99,33 @@ final class TrackMatcher {
     double ahead = t - last.lastTime();
     double off = Math.hypot(track.x(0) - scratch.x(t), track.y(0) - scratch.y(t));
     return off < TOLERANCE + ahead * (0.3 + 0.25 * speed);
+  }
+
+  /** Whether another track saw this ball elsewhere before it can have been kicked here, so that it only comes into view. */
+  boolean underWay(Iterable<CameraTracks> cameras, BallTrack track, JumpDetector.Jump start) {
+    for (CameraTracks camera : cameras) {
+      for (BallTrack other : camera.tracks()) {
+        if (other != track
+            && wasElsewhere(other, start)
+            && other.fitNewest(8, 0.15, scratch)
+            && scratch.speed() > 0.5 * start.speed()
+            && (other.lastTime() < track.time(track.size() - 1)
+                ? continues(other, track)
+                : other.camera() != track.camera() && meets(other, track))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean wasElsewhere(BallTrack other, JumpDetector.Jump start) {
+    for (int age = 0; age < other.size(); age++) {
+      if (other.time(age) < start.time() - JUST_BEFORE) {
+        double away = Math.hypot(other.x(age) - start.x(), other.y(age) - start.y());
+        return other.size() >= 3 && away > ELSEWHERE;
+      }
+    }
+    return false;
   }
 }

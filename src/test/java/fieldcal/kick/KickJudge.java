@@ -2,6 +2,7 @@ package fieldcal.kick;
 
 import fieldcal.camera.Camera;
 import fieldcal.simulation.FieldSize;
+import fieldcal.simulation.SimulatedRecording;
 import fieldcal.simulation.truth.BallHold;
 import fieldcal.simulation.truth.EndReason;
 import fieldcal.simulation.truth.KickTruth;
@@ -16,6 +17,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * Compares the kicks that were found in simulated matches with those that there were.
@@ -41,6 +43,7 @@ final class KickJudge {
 
   private final Map<String, Integer> ends = new TreeMap<>();
   private final List<String> cases = new ArrayList<>();
+  private final List<Pair> pairs = new ArrayList<>();
   private int counted;
   private int found;
   private int extra;
@@ -52,7 +55,10 @@ final class KickJudge {
   private int cutShort;
   private int rightRobot;
   private int fromRest;
-  private int[] dribbled = new int[4];
+  private final int[] dribbled = new int[4];
+
+  /** A kick of the truth and what was found of it. */
+  record Pair(KickTruth truth, Kick kick) {}
 
   private record Seen(int count, double first, double last) {
     boolean enough(KickTruth t) {
@@ -80,8 +86,49 @@ final class KickJudge {
     return rightEnds;
   }
 
+  /** What went wrong, one line each. */
   List<String> cases() {
     return cases;
+  }
+
+  /** The kicks that were found, of all matches. */
+  List<Pair> pairs() {
+    return pairs;
+  }
+
+  /** Kicks that are flagged as after dribbling exactly when they are. */
+  int rightlyFlagged() {
+    return dribbled[0] + dribbled[3];
+  }
+
+  /**
+   * Plays a match, finds its kicks and adds them.
+   *
+   * @return how long the finding took, s
+   */
+  double judge(DrawnMatch match) {
+    SimulatedRecording recording = match.record();
+    List<VisionFrame> frames = match.frames(recording);
+    Map<Integer, Camera> cameras =
+        recording.geometry().cameras().stream()
+            .map(Camera::of)
+            .collect(Collectors.toMap(Camera::id, c -> c));
+    List<Kick> kicks = new ArrayList<>();
+    long before = System.nanoTime();
+    KickFinder finder = new KickFinder(KickFinderSettings.defaults(), kicks::add);
+    finder.geometry(recording.geometry(), cameras);
+    frames.forEach(finder::accept);
+    finder.finish();
+    double seconds = 1e-9 * (System.nanoTime() - before);
+    judge(
+        "seed " + match.settings().seed(),
+        match.settings().field(),
+        frames,
+        cameras,
+        recording.truth().kicks(),
+        recording.truth().holds(),
+        kicks);
+    return seconds;
   }
 
   /** Adds one match. */
@@ -111,6 +158,7 @@ final class KickJudge {
         continue;
       }
       found++;
+      pairs.add(new Pair(t, kick));
       judgeFound(name, field, t, kick, seen, holds);
     }
     left.forEach(kick -> judgeInvented(name, kick, truth, holds));

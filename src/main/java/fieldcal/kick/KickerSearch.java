@@ -1,0 +1,104 @@
+package fieldcal.kick;
+
+import fieldcal.vision.RobotId;
+
+/** Finds the robot that a jump of the ball's velocity comes from, and tells a kick from what else robots do to balls. */
+final class KickerSearch {
+  /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
+  static final double LEAST_GAIN = 0.2;
+
+  /** A kick leaves a ball at least that share of its speed; a robot that runs into a ball from the side may not. */
+  private static final double LEAST_SHARE = 0.6;
+
+  /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
+  private static final double LEAST_SEPARATION = 0.04;
+
+  /** A kicker hides the ball for up to that long, s: 0.5 m at 2.5 m/s. */
+  private static final double HIDDEN = 0.2;
+
+  /** It had the ball within that time before, s. */
+  private static final double HELD = 1.5;
+
+  /** Centres of ball and robot are 112 mm apart when they touch; the rest is for cameras that disagree, m. */
+  private static final double TOUCHING = 0.15;
+
+  private final KickFinderSettings settings;
+  private final RobotPoses robots;
+  private final DribbleWatch dribbles;
+  private final PlayingArea area;
+  private final double[] velocity = new double[2];
+  private final double[] start = new double[3];
+
+  KickerSearch(
+      KickFinderSettings settings, RobotPoses robots, DribbleWatch dribbles, PlayingArea area) {
+    this.settings = settings;
+    this.robots = robots;
+    this.dribbles = dribbles;
+    this.area = area;
+  }
+
+  /** The robot within reach from which the ball moves away; null when there is none. */
+  RobotId kicker(JumpDetector.Jump jump) {
+    return robots.kicker(
+        jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), settings.robotReach(), velocity);
+  }
+
+  /**
+   * The robot that may have kicked a ball that came into view only on its way: it had the ball, and the ball comes straight out of its mouth. {@link #hidden} is how long before.
+   *
+   * @return null when there is none
+   */
+  RobotId hiddenKicker(JumpDetector.Jump jump) {
+    RobotId robot =
+        robots.kickerBefore(jump.time(), jump.x(), jump.y(), jump.vx(), jump.vy(), HIDDEN, start);
+    if (robot == null || !dribbles.hadBall(robot, jump.time() - start[0], HELD)) {
+      return null;
+    }
+    velocity[0] = start[1];
+    velocity[1] = start[2];
+    return robot;
+  }
+
+  /** For how long the ball of the last {@link #hiddenKicker} was hidden, s. */
+  double hidden() {
+    return start[0];
+  }
+
+  /** Whether the ball grazed a robot. */
+  boolean touched(JumpDetector.Jump jump) {
+    return robots.nearest(jump.time(), jump.x(), jump.y(), TOUCHING) != null;
+  }
+
+  /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */
+  boolean startedAlone(JumpDetector.Jump jump) {
+    return jump.fromRest()
+        && robots.nearest(jump.time(), jump.x(), jump.y(), settings.robotReach()) == null
+        && jump.speed() > 1.5 * settings.minSpeed()
+        && area.outside(jump.x(), jump.y()) <= 0;
+  }
+
+  /** A ball that stays at the robot is dribbled or pushed, however fast both are. */
+  boolean carried(RobotId robot, JumpDetector.Jump jump, BallTrack track) {
+    double t = track.lastTime();
+    double before = robots.distanceTo(robot, jump.time(), jump.x(), jump.y());
+    return robots.distanceTo(robot, t, track.x(0), track.y(0)) - before < LEAST_SEPARATION;
+  }
+
+  /**
+   * A ball that bounces off a robot has lost energy, a kicked one has won some: as the robot sees it, which may itself have run into the ball.
+   *
+   * @param robot that was found last
+   * @param speedBefore of the ball, m/s
+   */
+  boolean isDeflection(JumpDetector.Jump jump, RobotId robot, double speedBefore) {
+    if (robot == null) {
+      return !jump.fromRest() && jump.speed() < speedBefore + LEAST_GAIN;
+    }
+    if (jump.born()) {
+      return jump.speed() < speedBefore + LEAST_GAIN;
+    }
+    double before = Math.hypot(jump.vxBefore() - velocity[0], jump.vyBefore() - velocity[1]);
+    double after = Math.hypot(jump.vx() - velocity[0], jump.vy() - velocity[1]);
+    return after < before + LEAST_GAIN || jump.speed() < LEAST_SHARE * speedBefore;
+  }
+}

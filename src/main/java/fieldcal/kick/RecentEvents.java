@@ -1,0 +1,99 @@
+package fieldcal.kick;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+
+/** What happened to the ball a moment ago, so that another camera that tells of it later tells nothing new. */
+final class RecentEvents {
+  /** Two cameras see the same kick within that time and distance, s and m. */
+  private static final double SAME_TIME = 0.12;
+
+  private static final double SAME_PLACE = 0.35;
+
+  /** More kicks and deflections do not happen within {@link #SAME_TIME}. */
+  private static final int REMEMBERED = 4;
+
+  /** A ball that bounces off a robot is hidden by it for up to that long; after more the robot held it, and has kicked it, s. */
+  private static final double HIDDEN = 0.2;
+
+  /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
+  static final double SAME_BALL = 0.5;
+
+  private final Deque<ActiveKick> ended = new ArrayDeque<>();
+  private final Deque<JumpDetector.Jump> deflected = new ArrayDeque<>();
+  private double lastEnd = Double.NEGATIVE_INFINITY;
+  private double lastEndX;
+  private double lastEndY;
+
+  void clear() {
+    ended.clear();
+    deflected.clear();
+    lastEnd = Double.NEGATIVE_INFINITY;
+  }
+
+  void ended(ActiveKick kick) {
+    remember(ended, kick);
+    lastEnd = kick.lastTime();
+    lastEndX = kick.newest().x(0);
+    lastEndY = kick.newest().y(0);
+  }
+
+  void deflected(JumpDetector.Jump jump) {
+    remember(deflected, jump);
+  }
+
+  private static <T> void remember(Deque<T> those, T newest) {
+    those.addFirst(newest);
+    if (those.size() > REMEMBERED) {
+      those.removeLast();
+    }
+  }
+
+  /** The kick of which another camera told already; null when there is none. */
+  ActiveKick sameKick(Iterable<ActiveKick> kicks, JumpDetector.Jump jump, BallTrack track) {
+    for (ActiveKick kick : kicks) {
+      // A track that told of a kick tells of another one next.
+      if (kick.source() != track && same(kick.jump(), jump)) {
+        return kick;
+      }
+    }
+    return null;
+  }
+
+  /** Whether another camera told of this kick, and its ball was stopped already; or this is what a camera, or a window that straddles it, makes of a deflection. */
+  boolean isOver(JumpDetector.Jump jump, BallTrack track) {
+    if (sameKick(ended, jump, track) != null) {
+      return true;
+    }
+    for (JumpDetector.Jump known : deflected) {
+      if (same(known, jump) && jump.speed() < known.speed() + KickerSearch.LEAST_GAIN) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean same(JumpDetector.Jump known, JumpDetector.Jump jump) {
+    return Math.abs(known.time() - jump.time()) < SAME_TIME
+        && Math.hypot(known.x() - jump.x(), known.y() - jump.y()) < SAME_PLACE;
+  }
+
+  /**
+   * Speed before a jump, m/s. A track that begins with a moving ball does not know it: but a kick whose ball was about to come by here does; then this is that ball, seen again after the robot
+   * that stopped it had hidden it.
+   */
+  double speedBefore(JumpDetector.Jump jump, List<ActiveKick> active) {
+    if (!jump.born()) {
+      return jump.speedBefore();
+    }
+    double fastest = 0;
+    for (ActiveKick kick : active) {
+      fastest = Math.max(fastest, kick.speedNear(jump.time(), jump.x(), jump.y()));
+    }
+    boolean justEnded =
+        jump.time() - lastEnd < HIDDEN
+            && Math.hypot(jump.x() - lastEndX, jump.y() - lastEndY) < SAME_BALL;
+    return justEnded ? Double.POSITIVE_INFINITY : fastest;
+  }
+}
