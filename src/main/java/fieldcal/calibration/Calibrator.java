@@ -14,6 +14,7 @@ import fieldcal.fit.KickFitter;
 import fieldcal.fit.OverlapOffsets;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
+import fieldcal.vision.Epoch;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -68,7 +69,7 @@ public final class Calibrator {
       if (round > 0) {
         fits = refitAll(problem, views, fits, roll);
       }
-      List<KickFit> good = Selection.trusted(fits, problem);
+      List<KickFit> good = Selection.trusted(fits, Selection.Decisions.of(problem));
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
       together = jointly(problem, views, good, newRoll);
       CameraViews next = together.isPresent() ? withOffsets(views, together.get()) : views;
@@ -80,7 +81,7 @@ public final class Calibrator {
       }
       views = next;
     }
-    List<CalibratedKick> selected = Selection.select(fits, problem);
+    List<CalibratedKick> selected = Selection.select(fits, Selection.Decisions.of(problem));
     return new Calibration(
         selected,
         Selection.averages(selected, KickKind.FLAT),
@@ -88,6 +89,29 @@ public final class Calibrator {
         together,
         views,
         settings.seed());
+  }
+
+  /**
+   * The same fits under other decisions: which kicks and samples are used, and their averages. Takes milliseconds, since nothing is fitted anew; the joint
+   * fit and the offsets of the cameras remain those of the decisions before, as long as nobody calibrates again.
+   *
+   * @param calibration the fits
+   * @param epoch of their times
+   * @param selection the new decisions
+   * @return with the new selection and averages
+   */
+  public static Calibration reselect(
+      Calibration calibration, Epoch epoch, HandSelection selection) {
+    List<KickFit> fits = calibration.kicks().stream().map(CalibratedKick::fit).toList();
+    List<CalibratedKick> selected =
+        Selection.select(fits, new Selection.Decisions(selection, epoch));
+    return new Calibration(
+        selected,
+        Selection.averages(selected, KickKind.FLAT),
+        Selection.averages(selected, KickKind.CHIP),
+        calibration.joint(),
+        calibration.cameras(),
+        calibration.seed());
   }
 
   private static CameraViews measuredCameras(CalibrationProblem problem) {

@@ -4,23 +4,27 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What somebody decided about kicks, whatever the rules say: which are dropped, with the reason, and which are kept. Immutable.
+ * What somebody decided about kicks, whatever the rules say: which are dropped, with the reason, which are kept, and how often the 2σ rule is applied. Immutable.
  *
  * <p>Kicks are named by a key that survives another run over the same recordings, see {@link #key}.
  */
 public final class HandSelection {
-  private static final HandSelection NONE = new HandSelection(Map.of(), Set.of());
+  private static final HandSelection NONE =
+      new HandSelection(Map.of(), Set.of(), OptionalInt.empty());
 
   private final Map<String, String> dropped;
   private final Set<String> kept;
+  private final OptionalInt twoSigmaRounds;
 
-  private HandSelection(Map<String, String> dropped, Set<String> kept) {
+  private HandSelection(Map<String, String> dropped, Set<String> kept, OptionalInt twoSigmaRounds) {
     this.dropped = dropped;
     this.kept = kept;
+    this.twoSigmaRounds = twoSigmaRounds;
   }
 
   /**
@@ -56,7 +60,7 @@ public final class HandSelection {
     d.put(key, Objects.requireNonNull(reason));
     Set<String> k = new TreeSet<>(kept);
     k.removeAll(neighbours(key));
-    return new HandSelection(d, k);
+    return new HandSelection(d, k, twoSigmaRounds);
   }
 
   /**
@@ -71,7 +75,45 @@ public final class HandSelection {
     Set<String> k = new TreeSet<>(kept);
     k.removeAll(neighbours(key));
     k.add(key);
-    return new HandSelection(d, k);
+    return new HandSelection(d, k, twoSigmaRounds);
+  }
+
+  /**
+   * These decisions without any about one kick: the rules decide.
+   *
+   * @param key of the kick
+   * @return the changed copy
+   */
+  public HandSelection leaveToRules(String key) {
+    Map<String, String> d = new LinkedHashMap<>(dropped);
+    d.keySet().removeAll(neighbours(key));
+    Set<String> k = new TreeSet<>(kept);
+    k.removeAll(neighbours(key));
+    return new HandSelection(d, k, twoSigmaRounds);
+  }
+
+  /**
+   * These decisions with another number of rounds of the 2σ rule.
+   *
+   * @param rounds 0 or more; empty for as many as it takes until nothing leaves
+   * @return the changed copy
+   * @throws IllegalArgumentException if the number is negative
+   */
+  public HandSelection withTwoSigmaRounds(OptionalInt rounds) {
+    if (rounds.isPresent() && rounds.getAsInt() < 0) {
+      throw new IllegalArgumentException(
+          "rounds of the 2σ rule must be 0 or more, got " + rounds.getAsInt());
+    }
+    return new HandSelection(dropped, kept, rounds);
+  }
+
+  /**
+   * How often the 2σ rule is applied.
+   *
+   * @return rounds, 0 or more; empty for as many as it takes until nothing leaves
+   */
+  public OptionalInt twoSigmaRounds() {
+    return twoSigmaRounds;
   }
 
   /**

@@ -4,6 +4,7 @@ import fieldcal.fit.Estimate;
 import fieldcal.fit.FitStatistics;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
+import fieldcal.vision.Epoch;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -20,21 +21,27 @@ final class Selection {
   /** More outliers than that, and the rest is not trusted either. */
   private static final double MOST_OUTLIERS = 0.25;
 
+  /** What somebody decided, and the epoch of the times that name kicks. */
+  record Decisions(HandSelection selection, Epoch epoch) {
+    static Decisions of(CalibrationProblem problem) {
+      return new Decisions(problem.selection(), problem.epoch());
+    }
+  }
+
   private Selection() {}
 
   /** Kicks whose fit can be believed and that nobody dropped: these enter the joint fit, whatever they determine. */
-  static List<KickFit> trusted(List<KickFit> fits, CalibrationProblem problem) {
-    return fits.stream().filter(f -> distrust(f, fits, problem).isEmpty()).toList();
+  static List<KickFit> trusted(List<KickFit> fits, Decisions decisions) {
+    return fits.stream().filter(f -> distrust(f, fits, decisions).isEmpty()).toList();
   }
 
-  private static Optional<String> distrust(
-      KickFit fit, List<KickFit> all, CalibrationProblem problem) {
+  private static Optional<String> distrust(KickFit fit, List<KickFit> all, Decisions decisions) {
     if (fit.failure().isPresent()) {
       return fit.failure();
     }
-    String key = key(fit, problem);
-    Optional<String> byHand = problem.selection().droppedBecause(key);
-    if (byHand.isPresent() || problem.selection().isKept(key)) {
+    String key = key(fit, decisions);
+    Optional<String> byHand = decisions.selection().droppedBecause(key);
+    if (byHand.isPresent() || decisions.selection().isKept(key)) {
       return byHand.map(r -> "by hand: " + r);
     }
     FitStatistics s = fit.statistics();
@@ -62,16 +69,16 @@ final class Selection {
     return rms.length == 0 ? Double.NaN : rms[rms.length / 2];
   }
 
-  private static String key(KickFit fit, CalibrationProblem problem) {
-    return HandSelection.key(problem.epoch().unixSeconds(fit.kick().time()));
+  private static String key(KickFit fit, Decisions decisions) {
+    return HandSelection.key(decisions.epoch().unixSeconds(fit.kick().time()));
   }
 
   /** Every kick with its samples; the 2σ rule applied to each parameter until nothing leaves. */
-  static List<CalibratedKick> select(List<KickFit> fits, CalibrationProblem problem) {
+  static List<CalibratedKick> select(List<KickFit> fits, Decisions decisions) {
     Map<String, List<Sample>> byParameter = new LinkedHashMap<>();
     Map<KickFit, Optional<String>> distrusted = new HashMap<>();
     for (KickFit fit : fits) {
-      Optional<String> reason = distrust(fit, fits, problem);
+      Optional<String> reason = distrust(fit, fits, decisions);
       distrusted.put(fit, reason);
       for (Estimate e : fit.modelEstimates()) {
         if (e.usable()) {
@@ -84,9 +91,9 @@ final class Selection {
     }
     Map<Integer, List<Sample>> byKick = new HashMap<>();
     for (List<Sample> samples : byParameter.values()) {
-      List<Sample> kept = TwoSigma.repeated(samples);
+      List<Sample> kept = TwoSigma.rounds(samples, decisions.selection().twoSigmaRounds());
       for (int i = 0; i < kept.size(); i++) {
-        Sample sample = byHand(samples.get(i), kept.get(i), fits, problem);
+        Sample sample = byHand(samples.get(i), kept.get(i), fits, decisions);
         byKick.computeIfAbsent(sample.kickId(), id -> new ArrayList<>()).add(sample);
       }
     }
@@ -100,10 +107,10 @@ final class Selection {
 
   /** A kick kept by hand keeps its samples. */
   private static Sample byHand(
-      Sample before, Sample after, List<KickFit> fits, CalibrationProblem problem) {
+      Sample before, Sample after, List<KickFit> fits, Decisions decisions) {
     KickFit fit =
         fits.stream().filter(f -> f.kick().id() == before.kickId()).findFirst().orElseThrow();
-    return problem.selection().isKept(key(fit, problem)) ? before : after;
+    return decisions.selection().isKept(key(fit, decisions)) ? before : after;
   }
 
   /** The average of each parameter over the kicks of one kind. */

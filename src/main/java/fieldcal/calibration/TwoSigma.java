@@ -3,6 +3,7 @@ package fieldcal.calibration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalInt;
 
 /**
  * The 2σ rule: samples of one parameter that are more than two standard deviations from the mean leave; repeated
@@ -41,6 +42,28 @@ public final class TwoSigma {
               : s);
     }
     return next;
+  }
+
+  /**
+   * So many rounds, or fewer when nothing leaves any more.
+   *
+   * @param samples of one parameter
+   * @param rounds 0 or more; empty for as many as it takes
+   * @return the same samples in the same order, those that leave dropped with a reason
+   */
+  public static List<Sample> rounds(List<Sample> samples, OptionalInt rounds) {
+    if (rounds.isEmpty()) {
+      return repeated(samples);
+    }
+    List<Sample> now = samples;
+    for (int round = 0; round < rounds.getAsInt(); round++) {
+      List<Sample> next = once(now);
+      if (next.equals(now)) {
+        return now;
+      }
+      now = next;
+    }
+    return now;
   }
 
   /**

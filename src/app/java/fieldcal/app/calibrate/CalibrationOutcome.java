@@ -3,6 +3,7 @@ package fieldcal.app.calibrate;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.ball.ChipModel;
 import fieldcal.calibration.Calibration;
+import fieldcal.calibration.Calibrator;
 import fieldcal.calibration.ExtendedCalibration;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.Estimate;
@@ -40,6 +41,33 @@ public record CalibrationOutcome(
   public CalibrationOutcome {
     logs = List.copyOf(logs);
     commands = List.copyOf(commands);
+  }
+
+  /**
+   * The same fits under other decisions, within milliseconds; see {@link Calibrator#reselect}.
+   *
+   * @param decisions by hand
+   * @return the changed copy
+   */
+  public CalibrationOutcome reselected(HandSelection decisions) {
+    return new CalibrationOutcome(
+        logs,
+        data,
+        initial,
+        decisions,
+        commands,
+        Calibrator.reselect(calibration, data.epoch(), decisions),
+        extended);
+  }
+
+  /**
+   * The name of a kick in a {@link HandSelection}.
+   *
+   * @param kick one of the calibration's
+   * @return its key
+   */
+  public String key(Kick kick) {
+    return HandSelection.key(data.epoch().unixSeconds(kick.time()));
   }
 
   /**

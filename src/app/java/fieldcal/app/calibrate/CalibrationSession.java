@@ -56,7 +56,19 @@ public final class CalibrationSession {
    * @throws IOException when a recording cannot be read; one line for the operator
    */
   public CalibrationOutcome run(CalibrationRequest request, Progress progress) throws IOException {
-    CollectedKicks data = new KickCollector(progress).collect(request.logs());
+    return calibrate(new KickCollector(progress).collect(request.logs()), request, progress);
+  }
+
+  /**
+   * Calibrates what was read before.
+   *
+   * @param data the kicks of the recordings
+   * @param request what is wanted of them
+   * @param progress told how far it is
+   * @return the outcome
+   */
+  public CalibrationOutcome calibrate(
+      CollectedKicks data, CalibrationRequest request, Progress progress) {
     BallModels start = request.initial().orElse(data.published());
     progress.fitting(data.kicks().size());
     CalibrationProblem problem =

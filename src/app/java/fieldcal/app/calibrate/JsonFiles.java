@@ -5,11 +5,11 @@ import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.files.WholeFile;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 
 /** Reads and writes the JSON files of the tools, with errors that name file and line. */
 public final class JsonFiles {
@@ -42,17 +42,7 @@ public final class JsonFiles {
    * @throws IOException when it cannot be written
    */
   public static void write(byte[] bytes, Path file) throws IOException {
-    Path directory = file.toAbsolutePath().getParent();
-    Files.createDirectories(directory);
-    // Beside the file, so that the move is one step; not a temporary file, which only its owner
-    // could read.
-    Path unfinished = directory.resolve(file.getFileName() + ".part");
-    try {
-      Files.write(unfinished, bytes);
-      Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(unfinished);
-    }
+    WholeFile.write(bytes, file);
   }
 
   /**

@@ -28,6 +28,9 @@ final class KickReportBuilder {
   /** Points of a fitted path; enough for a smooth line. */
   private static final int PATH_POINTS = 90;
 
+  /** Points of a path that is drawn among others; flat kicks and chips run straight over the ground. */
+  private static final int OUTLINE_POINTS = 8;
+
   /** Resting detections shown before the kick, s; more would only press the flight together. */
   private static final double REST_SHOWN = 0.15;
 
@@ -37,11 +40,35 @@ final class KickReportBuilder {
     this.outcome = outcome;
   }
 
+  /** All of a kick. */
   CalibrationReport.Kick kick(CalibratedKick calibrated) {
+    KickFit fit = calibrated.fit();
+    boolean fitted = fit.failure().isEmpty();
+    double t0 = start(fit);
+    return kick(
+        calibrated,
+        seen(fit, t0),
+        fitted ? path(fit, t0, PATH_POINTS) : FittedPath.NONE,
+        fitted ? events(fit.trajectory(), t0, fit.kick().endTime()) : List.of());
+  }
+
+  /** A kick without its observations. */
+  CalibrationReport.Kick outline(CalibratedKick calibrated) {
+    KickFit fit = calibrated.fit();
+    FittedPath path =
+        fit.failure().isEmpty() ? path(fit, start(fit), OUTLINE_POINTS) : FittedPath.NONE;
+    return kick(calibrated, List.of(), path, List.of());
+  }
+
+  private static double start(KickFit fit) {
+    return fit.failure().isEmpty() ? fit.estimate("t0").value() : fit.kick().time();
+  }
+
+  private CalibrationReport.Kick kick(
+      CalibratedKick calibrated, List<Observations> seen, FittedPath path, List<PathEvent> events) {
     KickFit fit = calibrated.fit();
     Kick kick = fit.kick();
     boolean fitted = fit.failure().isEmpty();
-    double t0 = fitted ? fit.estimate("t0").value() : kick.time();
     return new CalibrationReport.Kick(
         kick.id(),
         fit.kind() == KickKind.FLAT ? CalibrationReport.Kind.FLAT : CalibrationReport.Kind.CHIP,
@@ -64,9 +91,9 @@ final class KickReportBuilder {
             .toList(),
         calibrated.selected(),
         calibrated.rejected().orElse(""),
-        seen(fit, t0),
-        fitted ? path(fit, t0) : FittedPath.NONE,
-        fitted ? events(fit.trajectory(), t0, kick.endTime()) : List.of());
+        seen,
+        path,
+        events);
   }
 
   private static CalibrationReport.KickParameter parameter(Estimate e, List<Sample> samples) {
@@ -146,12 +173,12 @@ final class KickReportBuilder {
     return height;
   }
 
-  private static FittedPath path(KickFit fit, double t0) {
+  private static FittedPath path(KickFit fit, double t0, int points) {
     BallTrajectory path = fit.trajectory();
     double end = Math.min(fit.kick().endTime(), path.restTime() + 0.3);
     TreeSet<Double> times = new TreeSet<>();
-    for (int k = 0; k <= PATH_POINTS; k++) {
-      times.add(t0 + (end - t0) * k / PATH_POINTS);
+    for (int k = 0; k <= points; k++) {
+      times.add(t0 + (end - t0) * k / points);
     }
     for (PathEvent event : events(path, t0, end)) {
       times.add(t0 + event.t());

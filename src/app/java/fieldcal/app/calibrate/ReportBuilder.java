@@ -21,18 +21,55 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
-/** Turns a calibration into what the report shows. */
-final class ReportBuilder {
+/** Turns a calibration into what the report shows. Immutable. */
+public final class ReportBuilder {
   private final CalibrationOutcome outcome;
   private final Calibration calibration;
 
-  ReportBuilder(CalibrationOutcome outcome) {
+  /**
+   * A builder for one calibration.
+   *
+   * @param outcome what to show
+   */
+  public ReportBuilder(CalibrationOutcome outcome) {
     this.outcome = outcome;
     calibration = outcome.calibration();
   }
 
-  CalibrationReport build() {
+  /**
+   * Everything.
+   *
+   * @return what the report shows
+   */
+  public CalibrationReport build() {
+    return build(new KickReportBuilder(outcome)::kick);
+  }
+
+  /**
+   * Everything but what was seen of each kick: a tenth of a percent of {@link #build}, for a page that asks for the kicks it shows.
+   *
+   * @return what the report shows, kicks without observations and events, and with a few points of the path alone
+   */
+  public CalibrationReport overview() {
+    return build(new KickReportBuilder(outcome)::outline);
+  }
+
+  /**
+   * All of one kick.
+   *
+   * @param id its running number
+   * @return empty when there is no such kick
+   */
+  public Optional<CalibrationReport.Kick> kick(int id) {
+    return calibration.kicks().stream()
+        .filter(k -> k.fit().kick().id() == id)
+        .findFirst()
+        .map(new KickReportBuilder(outcome)::kick);
+  }
+
+  private CalibrationReport build(Function<CalibratedKick, CalibrationReport.Kick> kicks) {
     List<CalibrationReport.Model> models = new ArrayList<>();
     if (!calibration.kicks(KickKind.FLAT).isEmpty()) {
       models.add(model(KickKind.FLAT));
@@ -40,7 +77,6 @@ final class ReportBuilder {
     if (!calibration.kicks(KickKind.CHIP).isEmpty()) {
       models.add(model(KickKind.CHIP));
     }
-    KickReportBuilder kicks = new KickReportBuilder(outcome);
     return new CalibrationReport(
         Provenance.of(
             outcome.logs().stream().map(Object::toString).toList(),
@@ -49,7 +85,7 @@ final class ReportBuilder {
         models,
         calibration.cameras().all().stream().map(this::camera).toList(),
         outcome.data().geometry().map(Field::of),
-        calibration.kicks().stream().map(kicks::kick).toList(),
+        calibration.kicks().stream().map(kicks).toList(),
         new CalibrationWarnings(outcome).list(),
         outcome.data().problems().stream().map(Problem::of).toList());
   }

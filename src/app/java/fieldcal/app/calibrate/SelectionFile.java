@@ -13,15 +13,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.OptionalInt;
 
 /**
  * Decisions about kicks as a file that people edit: {@code selection.json}.
  *
  * <p>One entry per kick with its key, number, kind and state, and {@code decision}: {@code auto} (the rules decide), {@code drop} or
- * {@code keep}, with a {@code reason} where there is one. Entries of kicks that are not in the present recordings are kept.
+ * {@code keep}, with a {@code reason} where there is one; {@code two_sigma_rounds} says how often the 2σ rule is applied. Entries of kicks that are not in the present recordings are kept.
  */
 public final class SelectionFile {
   private static final String SCHEMA = "fieldcal.selection/1";
+
+  private static final String ROUNDS = "two_sigma_rounds";
 
   private SelectionFile() {}
 
@@ -39,7 +42,7 @@ public final class SelectionFile {
       throw new InputException(
           file + ": no selection file (schema " + SCHEMA + " with a list of kicks)");
     }
-    HandSelection selection = HandSelection.none();
+    HandSelection selection = HandSelection.none().withTwoSigmaRounds(rounds(root, file));
     int number = 0;
     for (JsonNode kick : root.path("kicks")) {
       number++;
@@ -70,6 +73,18 @@ public final class SelectionFile {
       }
     }
     return selection;
+  }
+
+  private static OptionalInt rounds(JsonNode root, Path file) throws InputException {
+    JsonNode rounds = root.path(ROUNDS);
+    if (rounds.isMissingNode() || rounds.isNull()) {
+      return OptionalInt.empty();
+    }
+    if (!rounds.canConvertToExactIntegral() || rounds.asInt() < 0) {
+      throw new InputException(
+          file + ": " + ROUNDS + " must be a number of rounds or null, not " + rounds);
+    }
+    return OptionalInt.of(rounds.asInt());
   }
 
   /**
@@ -104,7 +119,10 @@ public final class SelectionFile {
     root.put("schema", SCHEMA);
     root.put(
         "help",
-        "decision: auto = the rules decide, drop = never used, keep = used whatever the rules say");
+        "decision: auto = the rules decide, drop = never used, keep = used whatever the rules say;"
+            + " two_sigma_rounds: how often the 2σ rule is applied, null = until nothing leaves");
+    OptionalInt rounds = selection.twoSigmaRounds();
+    root.put(ROUNDS, rounds.isPresent() ? rounds.getAsInt() : null);
     ArrayNode kicks = root.putArray("kicks");
     Map<String, String> strangers = new LinkedHashMap<>(selection.dropped());
     selection.kept().forEach(key -> strangers.put(key, null));

@@ -23,6 +23,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /** Recordings in, diagnosis and its files out. */
@@ -74,9 +75,22 @@ public final class DiagnosisSession {
     CalibrationOutcome calibration =
         new CalibrationSession(settings)
             .run(CalibrationRequest.of(logs, selection, commands), progress);
+    return diagnose(calibration, progress::diagnosing);
+  }
+
+  /**
+   * Diagnoses what was calibrated before.
+   *
+   * @param calibration of the simple model, with the decisions that say which kicks are left out
+   * @param progress told what is done, in words
+   * @return the outcome
+   * @throws InputException when there are too few kicks; one line for the operator
+   */
+  public DiagnosisOutcome diagnose(CalibrationOutcome calibration, Consumer<String> progress)
+      throws InputException {
     DiagnosisProblem problem = problem(calibration);
     requireKicks(calibration, problem);
-    Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress::diagnosing);
+    Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress);
     return new DiagnosisOutcome(calibration, problem, diagnosis);
   }
 
@@ -84,7 +98,7 @@ public final class DiagnosisSession {
     // Of fewer detections than twice its unknowns a kick has nothing to say.
     List<KickFit> fits =
         outcome.calibration().fitted().stream()
-            .filter(f -> outcome.selection().droppedBecause(key(outcome, f)).isEmpty())
+            .filter(f -> outcome.selection().droppedBecause(outcome.key(f.kick())).isEmpty())
             .filter(f -> f.statistics().used() > 2 * f.estimates().size())
             .toList();
     Map<Integer, KickCommand> commands = new HashMap<>();
@@ -107,10 +121,6 @@ public final class DiagnosisSession {
         commands,
         maxCauses,
         settings.seed());
-  }
-
-  private static String key(CalibrationOutcome outcome, KickFit fit) {
-    return HandSelection.key(outcome.data().epoch().unixSeconds(fit.kick().time()));
   }
 
   private static void requireKicks(CalibrationOutcome outcome, DiagnosisProblem problem)

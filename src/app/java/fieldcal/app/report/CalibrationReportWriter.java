@@ -1,7 +1,7 @@
 package fieldcal.app.report;
 
+import fieldcal.app.files.WholeFile;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -16,13 +16,35 @@ public final class CalibrationReportWriter {
           "calibration.json",
           "calibration.html",
           "calibration.css",
-          List.of("calibration-plots.js", "calibration.js"));
+          List.of("calibration-plots.js", "calibration-views.js", "calibration.js"));
 
   /** What the page holds: the report, and the verdict in words. */
   record Contents(Verdict verdict, CalibrationReport report) {
     static Contents of(CalibrationReport report) {
       return new Contents(Verdict.of(report), report);
     }
+  }
+
+  /**
+   * What the page's scripts draw from, for pages that draw the same.
+   *
+   * @param report what to show
+   * @return JSON with {@code verdict} and {@code report}; numbers are rounded, unknown ones are null
+   * @throws IOException if a value cannot be written as JSON
+   */
+  public static String json(CalibrationReport report) throws IOException {
+    return ReportJson.of(Contents.of(report));
+  }
+
+  /**
+   * One kick as in {@link #json}.
+   *
+   * @param kick what to show
+   * @return JSON
+   * @throws IOException if a value cannot be written as JSON
+   */
+  public static String json(CalibrationReport.Kick kick) throws IOException {
+    return ReportJson.of(kick);
   }
 
   /**
@@ -34,6 +56,6 @@ public final class CalibrationReportWriter {
    */
   public void write(CalibrationReport report, Path file) throws IOException {
     Contents contents = Contents.of(report);
-    Files.writeString(file, PAGE.html(contents.verdict().title(), contents));
+    WholeFile.write(PAGE.html(contents.verdict().title(), contents), file);
   }
 }

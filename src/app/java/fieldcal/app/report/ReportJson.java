@@ -11,6 +11,10 @@ import java.util.Optional;
 
 /** A view model as the page's scripts read it. Numbers are rounded, unknown ones are null. */
 final class ReportJson {
+  private static final ObjectMapper MAPPER =
+      new ObjectMapper()
+          .registerModule(new SimpleModule().addSerializer(Optional.class, new OrNull()));
+
   private ReportJson() {}
 
   /** JSON that can stand inside a script element: no text in it can end the element. */
@@ -20,9 +24,7 @@ final class ReportJson {
   }
 
   static String of(Object model) throws JsonProcessingException {
-    SimpleModule optional = new SimpleModule();
-    optional.addSerializer(Optional.class, new OrNull());
-    return new ObjectMapper().registerModule(optional).writeValueAsString(model);
+    return MAPPER.writeValueAsString(model);
   }
 
   @SuppressWarnings("rawtypes")

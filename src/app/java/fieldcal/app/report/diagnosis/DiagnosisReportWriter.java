@@ -1,8 +1,8 @@
 package fieldcal.app.report.diagnosis;
 
+import fieldcal.app.files.WholeFile;
 import fieldcal.app.report.ReportPage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -30,6 +30,6 @@ public final class DiagnosisReportWriter {
    */
   public void write(DiagnosisReport report, Path file) throws IOException {
     String sources = String.join(", ", report.provenance().sources());
-    Files.writeString(file, PAGE.html("Diagnosis: " + sources, report));
+    WholeFile.write(PAGE.html("Diagnosis: " + sources, report), file);
   }
 }
