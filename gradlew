@@ -1,6 +1,6 @@
 #!/bin/sh
-# Hands its arguments to Gradle. Takes the machine's own Gradle and JDK 17 and installs them with apt-get where they are missing,
-# instead of downloading a distribution. Builds need nothing else that is not declared in build.gradle.
+# Hands its arguments to Gradle. Takes the machine's own Gradle, JDK 17 and, for tests, chromium, and installs them with apt-get where they
+# are missing, instead of downloading a distribution. Builds need nothing else that is not declared in build.gradle.
 set -eu
 
 say() { echo "gradlew: $*" >&2; }
@@ -26,13 +26,13 @@ find_jdk17() {
 
 install() {
   if ! command -v apt-get >/dev/null 2>&1; then
-    say "needs Gradle and a JDK 17, and there is no apt-get to install them with; please install them"
+    say "needs $*, and there is no apt-get to install it with; please install it"
     exit 1
   fi
   as_root=''
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null 2>&1; then
-      say "needs Gradle and a JDK 17; please run as root: apt-get install $*"
+      say "please run as root: apt-get install $*"
       exit 1
     fi
     as_root=sudo
@@ -42,7 +42,7 @@ install() {
   if ! { $as_root apt-get update && $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@"; } >"$log" 2>&1; then
     tail -n 5 "$log" >&2
     rm -f "$log"
-    say "could not install $*; please install Gradle and a JDK 17"
+    say "could not install $*; please install it"
     exit 1
   fi
   rm -f "$log"
@@ -60,6 +60,19 @@ if [ -n "$missing" ]; then
 fi
 JAVA_HOME=$jdk
 export JAVA_HOME
+
+# The console's tests need a browser. Where it cannot be installed they fail and say so; all else still runs.
+has_browser() {
+  { command -v chromium || command -v chromium-browser; } >/dev/null 2>&1 &&
+    { command -v chromedriver || [ -x /usr/lib/chromium-browser/chromedriver ]; } >/dev/null 2>&1
+}
+case " $* " in
+  *' test '* | *' check '* | *' build '* | *' unitTest '* | *' screenshots '*)
+    if ! has_browser; then
+      (install chromium chromium-driver) || say "the browser tests will fail: no chromium and chromedriver"
+    fi
+    ;;
+esac
 
 # Gradle keeps what it downloads in the home that the user database knows. Containers may run us as a user without one.
 if [ -z "${GRADLE_USER_HOME:-}" ]; then

@@ -16,6 +16,7 @@ import picocli.CommandLine.ParseResult;
     subcommands = {
       InfoCommand.class,
       CalibrateCommand.class,
+      ConsoleCommand.class,
       DiagnoseCommand.class,
       LimitsCommand.class,
       MonitorCommand.class,

@@ -1,0 +1,114 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.console.Console;
+import fieldcal.app.console.ConsoleSettings;
+import fieldcal.vision.BallModels;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.time.Clock;
+import java.util.HexFormat;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code fieldcal console}: the page an operator works with, until it is interrupted. */
+@Command(
+    name = "console",
+    mixinStandardHelpOptions = true,
+    description =
+        "Serves a page on which kicks are looked at, dropped and restored, the ball model is"
+            + " diagnosed and published; ends with Ctrl+C.")
+final class ConsoleCommand implements Callable<Integer> {
+  private static final int TOKEN_BYTES = 12;
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "DIR",
+      defaultValue = ".",
+      description =
+          "the session: its recordings (*.log, *.log.gz) are calibrated together, decisions and"
+              + " results are kept there (default: the current directory)")
+  private Path directory;
+
+  @Option(
+      names = "--port",
+      paramLabel = "P",
+      defaultValue = "8520",
+      description = "port to listen on, 0 for any (default: ${DEFAULT-VALUE})")
+  private int port;
+
+  @Option(
+      names = "--address",
+      paramLabel = "A",
+      defaultValue = ConsoleSettings.LOOPBACK,
+      description =
+          "address to listen on; with another than the default, other machines can reach the"
+              + " console, and a token is asked for (default: ${DEFAULT-VALUE})")
+  private String address;
+
+  @Option(
+      names = "--token",
+      paramLabel = "T",
+      description =
+          "what visitors must know, at least "
+              + ConsoleSettings.SHORTEST_TOKEN
+              + " letters and digits; without it, one is made up when it is needed")
+  private String token;
+
+  @Option(
+      names = "--initial",
+      paramLabel = "FILE",
+      description =
+          "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
+              + " or a calibration.json; without it, what the recordings publish")
+  private Path initial;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "seed of the random search (default: ${DEFAULT-VALUE})",
+      defaultValue = "20260101")
+  private long seed;
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    ConsoleSettings settings = settings();
+    try (Console console = Console.start(settings, Clock.systemUTC())) {
+      PrintWriter out = spec.commandLine().getOut();
+      out.println("Console of " + directory + ": " + console.url());
+      out.println("Open this address in a browser; Ctrl+C ends the console.");
+      out.flush();
+      CountDownLatch ended = new CountDownLatch(1);
+      Runtime.getRuntime().addShutdownHook(new Thread(console::close));
+      ended.await();
+    }
+    return 0;
+  }
+
+  private ConsoleSettings settings() throws IOException {
+    Optional<BallModels> start =
+        initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
+    Optional<String> known = Optional.ofNullable(token);
+    if (known.isEmpty() && !ConsoleSettings.isLoopback(address)) {
+      byte[] random = new byte[TOKEN_BYTES];
+      new SecureRandom().nextBytes(random);
+      known = Optional.of(HexFormat.of().formatHex(random));
+    }
+    try {
+      return new ConsoleSettings(directory, address, port, known, start, seed);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package fieldcal.app.console;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.time.Clock;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+
+/** All that a console consists of behind its web server, wired together. */
+final class Desks {
+  private final SessionDirectory directory;
+  private final AtomicLong changes = new AtomicLong();
+  private final EventHub events = new EventHub();
+  private final Work work;
+  private final NotesDesk notes;
+  private final KickDesk kicks;
+  private final DiagnosisDesk diagnosis;
+  private final PublishDesk publish;
+  private final StateJson json;
+
+  Desks(ConsoleSettings settings, Clock clock) throws IOException {
+    directory = SessionDirectory.open(settings.directory());
+    work = new Work(this::tellWork);
+    notes = new NotesDesk(directory);
+    kicks = new KickDesk(directory, settings, work, this::tellState);
+    diagnosis = new DiagnosisDesk(directory, settings, kicks, notes, work, this::tellState);
+    publish = new PublishDesk(directory, kicks, notes, clock, this::tellState);
+    json = new StateJson(directory, kicks, diagnosis, notes, work, clock.millis(), changes::get);
+  }
+
+  /** Begins with what is in the directory. */
+  void start() {
+    try {
+      kicks.under(diagnosis.accepted());
+    } catch (ApiException e) {
+      // Without its file the model cannot be accepted any more; the page shows the simple one.
+      notes.change(n -> n.with(SessionNotes.Acceptance.OPEN));
+      kicks.under(Optional.empty());
+    }
+    work.start();
+    kicks.read();
+  }
+
+  void stop() {
+    work.close();
+    events.close();
+  }
+
+  /** Tries again to save what could not be saved. */
+  void save() {
+    notes.change(n -> n);
+    kicks.saveAgain();
+  }
+
+  private void tellState() {
+    events.tell("state", Long.toString(changes.incrementAndGet()));
+  }
+
+  private void tellWork() {
+    try {
+      events.tell("work", json.work());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  SessionDirectory directory() {
+    return directory;
+  }
+
+  EventHub events() {
+    return events;
+  }
+
+  Work work() {
+    return work;
+  }
+
+  KickDesk kicks() {
+    return kicks;
+  }
+
+  DiagnosisDesk diagnosis() {
+    return diagnosis;
+  }
+
+  PublishDesk publish() {
+    return publish;
+  }
+
+  StateJson json() {
+    return json;
+  }
+}

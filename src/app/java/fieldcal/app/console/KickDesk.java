@@ -1,0 +1,308 @@
+package fieldcal.app.console;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationRequest;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.KickCollector;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.HandSelection;
+import fieldcal.calibration.Sample;
+import fieldcal.effect.ExtendedModel;
+import fieldcal.fit.FitSettings;
+import fieldcal.vision.BallModels;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CancellationException;
+
+/**
+ * The calibration of a session and the decisions about its kicks. A decision changes selection and averages at once; what needs fits (offsets of the cameras, joint fit)
+ * follows by itself, so that the numbers are those that {@code calibrate} gives for the same decisions. Thread-safe.
+ */
+final class KickDesk {
+  private static final String READING = "Reading and calibrating";
+  private static final String REFINING = "Refining the joint fit";
+
+  private final SessionDirectory directory;
+  private final Work work;
+  private final Runnable changed;
+  private final Optional<BallModels> initial;
+  private final CalibrationSession session;
+  private final SelectionHistory history = new SelectionHistory();
+
+  private Optional<CalibrationOutcome> outcome = Optional.empty();
+  private List<Path> logs = List.of();
+  private Optional<ExtendedModel> model = Optional.empty();
+  private Optional<String> failure = Optional.empty();
+  private Optional<String> unsaved = Optional.empty();
+  private boolean settled;
+  private long version;
+  private long fits;
+  private long decisions;
+
+  /**
+   * What the desk holds at one moment.
+   *
+   * @param version grows with every change
+   * @param fits grows when kicks are fitted anew
+   * @param decisions how many were made
+   * @param outcome what is calibrated; empty before the first time
+   * @param selection the decisions
+   * @param undo what would be taken back
+   * @param redo what would be done again
+   * @param logs the recordings in it
+   * @param failure why there is no calibration, or why the last one failed
+   * @param unsaved why the decisions are not on the disk
+   * @param settled whether the joint fit is that of the present decisions
+   */
+  record View(
+      long version,
+      long fits,
+      long decisions,
+      Optional<CalibrationOutcome> outcome,
+      HandSelection selection,
+      Optional<String> undo,
+      Optional<String> redo,
+      List<Path> logs,
+      Optional<String> failure,
+      Optional<String> unsaved,
+      boolean settled) {}
+
+  KickDesk(SessionDirectory directory, ConsoleSettings settings, Work work, Runnable changed) {
+    this.directory = directory;
+    this.work = work;
+    this.changed = changed;
+    initial = settings.initial();
+    session = new CalibrationSession(FitSettings.defaults().withSeed(settings.seed()));
+  }
+
+  synchronized View view() {
+    return new View(
+        version,
+        fits,
+        decisions,
+        outcome,
+        history.now(),
+        history.undoLabel(),
+        history.redoLabel(),
+        logs,
+        failure,
+        unsaved,
+        settled);
+  }
+
+  /** The calibration as it is now. */
+  CalibrationOutcome calibrated() {
+    return view().outcome().orElseThrow(() -> ApiException.conflict("nothing is calibrated yet"));
+  }
+
+  /** Reads the recordings of the directory and calibrates them. */
+  void read() {
+    work.ask(READING, this::read);
+  }
+
+  private void read(Work.Progress progress) {
+    try {
+      List<Path> found = directory.logs();
+      HandSelection selection = decided();
+      if (found.isEmpty()) {
+        install(found, Optional.empty(), selection);
+        return;
+      }
+      progress.reading(found);
+      CollectedKicks data = new KickCollector(progress).collect(found);
+      CalibrationRequest request = request(found, selection);
+      install(found, Optional.of(session.calibrate(data, request, progress)), selection);
+    } catch (CancellationException e) {
+      fail("Reading was cancelled.");
+      throw e;
+    } catch (IOException | RuntimeException e) {
+      fail(Failures.words(e));
+    }
+  }
+
+  /** Those of this run, or else what a run before left. */
+  private HandSelection decided() throws IOException {
+    synchronized (this) {
+      if (outcome.isPresent()) {
+        return history.now();
+      }
+    }
+    return SelectionFile.readOrFormer(null, directory.path());
+  }
+
+  Optional<BallModels> initial() {
+    return initial;
+  }
+
+  private CalibrationRequest request(List<Path> recordings, HandSelection selection)
+      throws IOException {
+    return new CalibrationRequest(
+        recordings, Optional.empty(), initial, model(), selection, directory.commands());
+  }
+
+  private synchronized Optional<ExtendedModel> model() {
+    return model;
+  }
+
+  private void install(
+      List<Path> recordings, Optional<CalibrationOutcome> calibrated, HandSelection selection) {
+    boolean refine;
+    synchronized (this) {
+      if (outcome.isEmpty()) {
+        history.restart(selection);
+      }
+      // What was decided while the recordings were read holds.
+      refine = !sameKicks(selection, history.now());
+      logs = recordings;
+      outcome = calibrated.map(o -> o.reselected(history.now()));
+      failure = Optional.empty();
+      settled = !refine;
+      version++;
+      fits++;
+    }
+    changed.run();
+    if (refine) {
+      refine();
+    }
+  }
+
+  private void fail(String words) {
+    synchronized (this) {
+      failure = Optional.of(words);
+      version++;
+    }
+    changed.run();
+  }
+
+  /**
+   * Carries out a decision, saves it, and brings everything that follows from it up to date.
+   *
+   * @throws ApiException when it cannot be done, or another window decided in the meantime
+   */
+  void decide(Decision decision) {
+    boolean refine;
+    synchronized (this) {
+      CalibrationOutcome now = calibrated();
+      decision.seen().ifPresent(this::requireSeen);
+      HandSelection before = history.now();
+      decision.apply(now, history);
+      HandSelection after = history.now();
+      refine = !sameKicks(before, after);
+      outcome = Optional.of(now.reselected(after));
+      settled &= !refine;
+      version++;
+      decisions++;
+      save();
+    }
+    changed.run();
+    if (refine) {
+      refine();
+    }
+  }
+
+  private void requireSeen(long seen) {
+    if (seen != decisions) {
+      throw ApiException.conflict(
+          "Another window decided something in the meantime. Look again, then repeat.");
+    }
+  }
+
+  /** The 2σ rule judges single values; the joint fit takes every kick that nobody dropped or kept. */
+  private static boolean sameKicks(HandSelection a, HandSelection b) {
+    return a.dropped().keySet().equals(b.dropped().keySet()) && a.kept().equals(b.kept());
+  }
+
+  /** A disk that is full must not stop the operator: the decision holds, and the page says that it is not saved. */
+  private void save() {
+    CalibrationOutcome now = outcome.orElseThrow();
+    try {
+      SelectionFile.write(
+          now.calibration(),
+          now.selection(),
+          now.data().epoch(),
+          directory.resolve(SessionDirectory.SELECTION));
+      unsaved = Optional.empty();
+    } catch (IOException e) {
+      unsaved = Optional.of("The decisions are not saved: " + Failures.words(e));
+    }
+  }
+
+  /** Tries again to save the decisions. */
+  void saveAgain() {
+    synchronized (this) {
+      calibrated();
+      save();
+      version++;
+    }
+    changed.run();
+  }
+
+  private void refine() {
+    work.again(REFINING, this::refine);
+  }
+
+  private void refine(Work.Progress progress) {
+    CalibrationOutcome before = calibrated();
+    try {
+      CalibrationOutcome refined =
+          session.calibrate(before.data(), request(before.logs(), before.selection()), progress);
+      progress.check();
+      synchronized (this) {
+        // What was decided while it was refined holds; another refinement is on its way when
+        // needed.
+        settled = sameKicks(history.now(), refined.selection());
+        outcome = Optional.of(refined.reselected(history.now()));
+        failure = Optional.empty();
+        version++;
+        fits++;
+      }
+      changed.run();
+    } catch (CancellationException e) {
+      throw e;
+    } catch (IOException | RuntimeException e) {
+      fail(Failures.words(e));
+    }
+  }
+
+  /** Calibrates what was read, under other effects or none. */
+  void under(Optional<ExtendedModel> effects) {
+    synchronized (this) {
+      if (model.equals(effects)) {
+        return;
+      }
+      model = effects;
+      if (outcome.isEmpty()) {
+        return;
+      }
+      settled = false;
+      version++;
+    }
+    changed.run();
+    refine();
+  }
+
+  /** How many values the 2σ rule leaves out now. */
+  static long leftOut(CalibrationOutcome outcome) {
+    return outcome.calibration().kicks().stream()
+        .filter(CalibratedKick::trusted)
+        .flatMap(kick -> kick.samples().stream())
+        .filter(Sample::leftForItsValue)
+        .count();
+  }
+
+  /** How many more another round would leave out; 0 when it runs until nothing leaves anyhow. */
+  static long wouldLeave(CalibrationOutcome outcome) {
+    OptionalInt rounds = outcome.selection().twoSigmaRounds();
+    if (rounds.isEmpty()) {
+      return 0;
+    }
+    HandSelection next =
+        outcome.selection().withTwoSigmaRounds(OptionalInt.of(rounds.getAsInt() + 1));
+    return leftOut(outcome.reselected(next)) - leftOut(outcome);
+  }
+}

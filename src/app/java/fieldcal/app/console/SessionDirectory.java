@@ -1,0 +1,120 @@
+package fieldcal.app.console;
+
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.calibrate.InputException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/** The directory of a session: which recordings are in it, and which of its files a page may have. Immutable. */
+final class SessionDirectory {
+  static final String SELECTION = "selection.json";
+  static final String EXTENDED_MODEL = "extended_model.json";
+
+  /** How files end that say what the robots were told: {@code commands.csv}, {@code practice.commands.csv}. */
+  private static final String COMMANDS = "commands.csv";
+
+  /** All that is ever served of the directory, with its type. */
+  private static final Map<String, String> SERVED =
+      Map.of(
+          "report.html",
+          "text/html; charset=utf-8",
+          "calibration.json",
+          "application/json",
+          "geometry_models.pb",
+          "application/octet-stream",
+          "geometry_models.txt",
+          "text/plain; charset=utf-8",
+          SELECTION,
+          "application/json",
+          "diagnosis.html",
+          "text/html; charset=utf-8",
+          "diagnosis.json",
+          "application/json",
+          EXTENDED_MODEL,
+          "application/json");
+
+  private final Path path;
+
+  private SessionDirectory(Path path) {
+    this.path = path;
+  }
+
+  /** Opens the directory, which is made if its parent is there. */
+  static SessionDirectory open(Path path) throws IOException {
+    if (Files.exists(path) && !Files.isDirectory(path)) {
+      throw new InputException(path + ": is a file; the console needs a directory");
+    }
+    if (!Files.exists(path)) {
+      Path parent = path.toAbsolutePath().normalize().getParent();
+      if (parent == null || !Files.isDirectory(parent)) {
+        throw new InputException(path + ": no such directory, nor is there " + parent);
+      }
+      Files.createDirectory(path);
+    }
+    if (!Files.isReadable(path) || !Files.isExecutable(path)) {
+      throw new InputException(path + ": is no directory that can be read");
+    }
+    return new SessionDirectory(path);
+  }
+
+  Path path() {
+    return path;
+  }
+
+  Path resolve(String name) {
+    return path.resolve(name);
+  }
+
+  /** The recordings, by name. */
+  List<Path> logs() throws IOException {
+    return files(SessionDirectory::isLog);
+  }
+
+  private List<Path> files(Predicate<Path> wanted) throws IOException {
+    try (Stream<Path> files = Files.list(path)) {
+      return files.filter(wanted).filter(Files::isRegularFile).sorted().toList();
+    }
+  }
+
+  private static boolean isLog(Path file) {
+    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+    return name.endsWith(".log") || name.endsWith(".log.gz");
+  }
+
+  /** What the robots were told, of all recordings. */
+  List<CommandFile.Command> commands() throws IOException {
+    List<CommandFile.Command> all = new ArrayList<>();
+    for (Path file : files(file -> file.getFileName().toString().endsWith(COMMANDS))) {
+      all.addAll(CommandFile.read(file));
+    }
+    return all;
+  }
+
+  /** The type of a file that may be served; empty for everything else, whatever is in the directory. */
+  static Optional<String> typeOf(String name) {
+    return Optional.ofNullable(SERVED.get(name));
+  }
+
+  /**
+   * A file that may be served.
+   *
+   * @throws ApiException when the name is none of those, there is no such file, or it is a link that leads out of the directory
+   */
+  Path served(String name) throws IOException {
+    Path file = resolve(name);
+    if (typeOf(name).isEmpty()
+        || !Files.isRegularFile(file)
+        || !file.toRealPath().startsWith(path.toRealPath())) {
+      throw ApiException.notFound("the session has no file of that name to show");
+    }
+    return file;
+  }
+}

@@ -1,0 +1,214 @@
+/* The console's page: keeps the state that the server tells, shows the page that was chosen, and what holds for all pages. */
+import {ask, act, listen} from './server.js';
+import {button, progress, shown} from './parts.js';
+import {kicksPage} from './kicks.js';
+import {diagnosisPage} from './diagnosis.js';
+import {publishPage} from './publish.js';
+
+const {el} = Charts;
+const {$} = Frame;
+
+const app = {state: null, theme: null, decide, run, fail, colours};
+const PAGES = [kicksPage(app), diagnosisPage(app), publishPage(app)];
+let current = null;
+let lastWork = null, failures = [], asking = false, askAgain = false;
+
+// ---- state ----
+
+/** An answer that was overtaken by a later one is not shown. */
+function take(state) {
+  const old = app.state;
+  if (old && old.run === state.run && old.version > state.version) return;
+  app.state = state;
+  showAll();
+}
+
+/** Asks for the state; of many wishes at once only the last one is asked again. */
+async function refresh() {
+  if (asking) {
+    askAgain = true;
+    return;
+  }
+  asking = true;
+  try {
+    take(await ask('state'));
+  } catch (failure) {
+    if (failure.status !== 0) fail(failure); // that there is no connection is shown already
+  } finally {
+    asking = false;
+  }
+  if (askAgain) {
+    askAgain = false;
+    refresh();
+  }
+}
+
+/** Has the server do something, and shows what came of it. */
+async function run(what, body) {
+  try {
+    const state = await act(what, body);
+    failures = [];
+    take(state);
+    return true;
+  } catch (failure) {
+    fail(failure);
+    if (failure.status === 409) await refresh();
+    return false;
+  }
+}
+
+function decide(action, more = {}) {
+  return run('decisions', Object.assign({action}, more));
+}
+
+function fail(failure) {
+  failures = [failure];
+  showNotices();
+}
+
+// ---- what holds for all pages ----
+
+function showNotices() {
+  const state = app.state || {};
+  const notice = (level, text, ...actions) => el('p', {class: 'notice ' + level, role: 'alert'}, el('span', {}, text), ...actions);
+  const rows = [];
+  for (const failure of failures) {
+    const again = failure.status === 401 ? button('Enter the token', () => location.reload()) : button('Close', () => { failures = []; showNotices(); });
+    rows.push(notice(failure.status === 409 ? 'warn' : 'bad', failure.message, again));
+  }
+  for (const text of state.unsaved || []) rows.push(notice('bad', text + '. Nothing is lost while the console runs.', button('Save again', () => run('save'))));
+  if (state.failure && state.calibration) rows.push(notice('bad', state.failure, button('Read again', () => run('read'))));
+  if (state.unread && state.unread.length && !busy()) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
+  $('notices').replaceChildren(...rows);
+}
+
+const busy = () => Boolean(app.state && app.state.work && app.state.work.title);
+
+function showWork(work) {
+  if (lastWork && lastWork.run === work.run && lastWork.number > work.number) work = lastWork;
+  lastWork = work;
+  if (app.state) app.state.work = work;
+  const box = $('work');
+  if (!work.title) {
+    box.replaceChildren();
+  } else {
+    const counted = work.total > 1 && Number.isInteger(work.done) ? ' ' + work.done + ' of ' + work.total : '';
+    box.replaceChildren(
+      el('span', {class: 'what', title: work.title + ': ' + work.text}, work.title + (work.text ? ': ' + work.text + counted : '')), progress(work.done, work.total),
+      ...(work.asked ? [button('Cancel', () => run('cancel'), {id: 'cancel'})] : []));
+  }
+  if (current && current.worked) current.worked(work);
+  if (!app.state || !app.state.calibration) showEmpty();
+}
+
+function showLink(connected) {
+  $('link').className = 'badge ' + (connected ? 'good' : 'bad');
+  $('link').textContent = connected ? '● connected' : '○ connection lost, trying again …';
+  document.body.classList.toggle('lost', !connected);
+  if (connected) refresh();
+}
+
+function showEmpty() {
+  const state = app.state;
+  const empty = !state || !state.calibration;
+  $('page-empty').hidden = !empty;
+  if (!empty) return;
+  const words = !state ? ['Connecting …', []]
+    : busy() ? ['Reading the recordings …', [el('p', {}, state.work.text), progress(state.work.done, state.work.total)]]
+    : state.failure ? ['The recordings cannot be used', [el('p', {}, state.failure), button('Read again', () => run('read'))]]
+    : ['No recording yet', [el('p', {}, 'Put game logs (*.log, *.log.gz) into ' + state.directory + '; they are calibrated together.'), button('Look again', () => run('read'))]];
+  $('empty-title').textContent = words[0];
+  $('empty-text').replaceChildren(...words[1]);
+}
+
+function showNavigation() {
+  $('pages').replaceChildren(...PAGES.map((page, i) => el('a', {
+    href: '#' + page.id, 'aria-current': page === current ? 'page' : null, title: 'key ' + (i + 1),
+  }, page.title, page.badge ? page.badge() : '')));
+}
+
+function showAll() {
+  const state = app.state;
+  $('session').textContent = state.directory + (state.recordings.length ? ' · ' + state.recordings.join(', ') : '');
+  $('session').title = $('session').textContent;
+  showWork(state.work);
+  showNotices();
+  showNavigation();
+  showEmpty();
+  for (const page of PAGES) $('page-' + page.id).hidden = page !== current || !state.calibration;
+  if (state.calibration) current.show();
+}
+
+// ---- pages, colours, keys ----
+
+function go() {
+  const id = location.hash.slice(1).split('/')[0];
+  const page = PAGES.find(p => p.id === id) || PAGES[0];
+  if (page === current) return;
+  current = page;
+  document.title = page.title + ' – fieldcal';
+  if (app.state) showAll();
+}
+
+function colours() {
+  const report = app.state && app.state.calibration ? app.state.calibration.report : {cameras: []};
+  return Charts.theme(report.cameras.map(camera => camera.id));
+}
+
+function setTheme(name) {
+  document.documentElement.dataset.theme = name;
+  $('theme').textContent = name === 'dark' ? 'Light' : 'Dark';
+  try { localStorage.setItem('fieldcal-theme', name); } catch (refused) { /* private windows keep nothing */ }
+  for (const page of PAGES) if (page.themed) page.themed(name);
+  if (app.state) showAll();
+}
+
+function firstTheme() {
+  const wanted = new URLSearchParams(location.search).get('theme');
+  let kept = null;
+  try { kept = localStorage.getItem('fieldcal-theme'); } catch (refused) { /* as above */ }
+  const system = window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+  return [wanted, kept, system].find(name => name === 'dark' || name === 'light');
+}
+
+const toggleTheme = () => setTheme(document.documentElement.dataset.theme === 'dark' ? 'light' : 'dark');
+
+function showKeys() {
+  const rows = [['1 … ' + PAGES.length, 'the pages'], ['t', 'light or dark'], ['?', 'this list'], ...(current.keyWords || [])];
+  shown('Keys', [el('table', {}, el('tbody', {}, rows.map(([key, what]) => el('tr', {}, el('td', {class: 'text'}, el('kbd', {}, key)), el('td', {class: 'text'}, what)))))]);
+}
+
+document.addEventListener('keydown', event => {
+  if (event.ctrlKey || event.altKey || event.metaKey || $('dialog').open) return;
+  if (event.target instanceof Element && event.target.matches('input, textarea, select')) return;
+  const page = PAGES[Number(event.key) - 1];
+  if (page) location.hash = page.id;
+  else if (event.key === 't') toggleTheme();
+  else if (event.key === '?') showKeys();
+  else if (app.state && app.state.calibration && current.keys && Object.hasOwn(current.keys, event.key)) {
+    event.preventDefault();
+    current.keys[event.key]();
+  }
+});
+
+let resizing = 0;
+window.addEventListener('resize', () => {
+  cancelAnimationFrame(resizing);
+  resizing = requestAnimationFrame(() => {
+    for (const chart of Frame.charts.values()) chart.resize();
+    if (app.state && app.state.calibration && current.resized) current.resized();
+  });
+});
+
+$('theme').addEventListener('click', toggleTheme);
+$('keys').addEventListener('click', showKeys);
+window.addEventListener('hashchange', go);
+setTheme(firstTheme());
+go();
+showNavigation();
+listen((name, data) => {
+  if (name === 'state') { if (!app.state || app.state.version !== data) refresh(); }
+  else if (name === 'work') showWork(data);
+  else for (const page of PAGES) if (page.told) page.told(name, data);
+}, showLink);
+refresh();

@@ -1,0 +1,99 @@
+/* The table of kicks: sorted, filtered, one kick selected, any number marked. Told what to show; tells what was pressed. */
+const {el} = Charts;
+const {content, choices} = Frame;
+const {COLUMNS, FILTERS, whyDropped, sorted} = CalibrationViews;
+const LISTED = COLUMNS.filter(column => column.key !== 'used');
+const STEPS = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity};
+
+export function kickTable({select, mark, toggle}) {
+  const state = {filter: 'all', sort: {key: 'id', down: false}, shown: [], rows: new Map(), selected: null};
+  let last = null;
+
+  function show(report, byHand, marks, selected) {
+    last = [report, byHand, marks, selected];
+    choices('kick-filter', Object.keys(FILTERS).map(key => [key, key + ' ' + report.kicks.filter(FILTERS[key]).length]), state.filter, key => { state.filter = key; show(...last); });
+    state.shown = sorted(report.kicks.filter(FILTERS[state.filter]), state.sort);
+    state.rows = new Map();
+    const focused = document.activeElement && document.activeElement.closest('#kicks tr[data-kick]');
+    const box = content('kicks');
+    if (state.shown.length === 0) {
+      box.replaceChildren(el('p', {class: 'empty'}, report.kicks.length ? 'None.' : 'No kick was found in the recordings.'));
+      return;
+    }
+    const body = el('tbody', {}, state.shown.flatMap(kick => rowsOf(kick, byHand[kick.id], marks.has(kick.id))));
+    body.addEventListener('keydown', pressed);
+    box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text', title: 'marked kicks are decided about together'}, ''), LISTED.map(heading), el('th', {class: 'text'}, 'Used'))), body));
+    pick(selected, Boolean(focused));
+  }
+
+  function heading(column) {
+    const current = state.sort.key === column.key;
+    const sort = () => {
+      state.sort = {key: column.key, down: current && !state.sort.down};
+      show(...last);
+      content('kicks').querySelector('th[data-key="' + column.key + '"] button').focus();
+    };
+    return el('th', {scope: 'col', 'data-key': column.key, class: column.left ? 'text' : null, title: column.title, 'aria-sort': current ? (state.sort.down ? 'descending' : 'ascending') : null},
+      el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? ' ▾' : ' ▴') : '')));
+  }
+
+  function rowsOf(kick, decision, marked) {
+    const used = COLUMNS.find(column => column.key === 'used').text(kick);
+    const check = el('input', {type: 'checkbox', 'aria-label': 'mark kick ' + kick.id, tabindex: -1, onclick: event => { event.stopPropagation(); mark(kick.id); }});
+    check.checked = marked;
+    const why = whyDropped(kick);
+    const press = el('button', {
+      type: 'button', class: 'use', tabindex: -1, 'aria-label': (kick.selected ? 'drop' : 'use') + ' kick ' + kick.id,
+      title: kick.selected ? 'Drop this kick' : 'Use this kick', onclick: event => { event.stopPropagation(); toggle(kick.id); },
+    }, used, decision ? el('span', {title: decision === 'drop' ? 'dropped by hand' : 'kept by hand'}, 'hand') : '');
+    const row = el('tr', {'data-kick': kick.id, class: why ? 'dropped' : null, onclick: () => select(kick.id)},
+      el('td', {}, check), LISTED.map(column => el('td', {class: column.left ? 'text' : null}, column.text(kick))), el('td', {class: 'text'}, press));
+    state.rows.set(kick.id, row);
+    return why ? [row, el('tr', {class: kick.selected ? 'why part' : 'why', onclick: () => select(kick.id)}, el('td', {colspan: LISTED.length + 2}, why))] : [row];
+  }
+
+  function pressed(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.key === ' ') {
+      event.preventDefault();
+      if (state.selected !== null) mark(state.selected);
+    } else if (event.key in STEPS) {
+      event.preventDefault();
+      step(STEPS[event.key], true);
+    }
+  }
+
+  /** Selects the kick so many rows further down in the table as it is shown. */
+  function step(rows, focus) {
+    if (state.shown.length === 0) return;
+    const now = state.shown.findIndex(kick => kick.id === state.selected);
+    const next = now < 0 ? 0 : Math.max(0, Math.min(state.shown.length - 1, now + rows));
+    select(state.shown[next].id, focus);
+  }
+
+  /** Shows which kick is selected, and where it is in the list. */
+  function pick(id, focus) {
+    state.selected = id;
+    for (const [kick, row] of state.rows) {
+      row.setAttribute('aria-selected', String(kick === id));
+      row.tabIndex = kick === id ? 0 : -1;
+    }
+    const row = state.rows.get(id);
+    if (!row) {
+      const first = state.rows.values().next().value;
+      if (first) first.tabIndex = 0;
+      return;
+    }
+    const list = content('kicks'), head = list.querySelector('thead').offsetHeight;
+    const top = row.offsetTop - head, bottom = row.offsetTop + row.offsetHeight * 2;
+    if (top < list.scrollTop) list.scrollTop = top;
+    if (bottom > list.scrollTop + list.clientHeight) list.scrollTop = bottom - list.clientHeight;
+    if (focus) row.focus({preventScroll: true});
+  }
+
+  function setMarks(marks) {
+    for (const [kick, row] of state.rows) row.querySelector('input').checked = marks.has(kick);
+  }
+
+  return {show, pick, step, setMarks};
+}

@@ -1,0 +1,247 @@
+/* The page of the kicks: table, model, pictures of one kick, and the decisions about them. */
+import {ask} from './server.js';
+import {button} from './parts.js';
+import {kickTable} from './kick-table.js';
+
+const {el, known, number, withError} = Charts;
+const {$, content, draw, forget, choices, charts} = Frame;
+const {KINDS, difference, kickTitle, kickFacts, kickLegend, layOutKick, drawKick} = CalibrationViews;
+const REASONS = ['touched by a robot or a foot', 'ball was not at rest', 'two balls in view', 'hit the goal or the wall', 'kicked over a line or a seam', 'the robot slipped'];
+const ADVICE = {PUBLISH: ['good', '✔ publish'], KEEP: ['good', '✔ keep the old'], CHECK: ['warn', '⚠ check it'], RECORD_MORE: ['warn', '⚠ record more'], NO_KICKS: ['bad', '✘ no kick']};
+
+export function kicksPage(app) {
+  const page = {id: 'kicks', title: 'Kicks', show, resized, keys: {}, keyWords: []};
+  const view = {selected: null, kind: null, axis: 'kick', marks: new Set(), details: new Map(), fits: null, laidOut: ''};
+  const table = kickTable({select, mark, toggle});
+  let theme, reason = '';
+
+  const state = () => app.state;
+  const report = () => state().calibration.report;
+  const kickOf = id => report().kicks.find(kick => kick.id === id);
+  const hand = id => state().selection.byHand[id];
+
+  // ---- the whole page ----
+
+  function show() {
+    theme = app.colours();
+    if (view.fits !== state().fits) {
+      view.fits = state().fits;
+      view.details.clear();
+    }
+    const kicks = report().kicks;
+    if (!kickOf(view.selected)) {
+      const asked = Number((/^#kicks\/(\d+)$/.exec(location.hash) || [])[1]);
+      const first = kickOf(asked) || kicks.find(kick => kick.selected) || kicks[0];
+      view.selected = first ? first.id : null;
+    }
+    for (const id of view.marks) if (!kickOf(id)) view.marks.delete(id);
+    const selected = kickOf(view.selected);
+    if (!view.kind || !kicks.some(kick => kick.kind === view.kind)) view.kind = selected ? selected.kind : null;
+    table.show(report(), state().selection.byHand, view.marks, view.selected);
+    showRules();
+    showMarked();
+    showModel();
+    showKick();
+    Frame.showProblems(report().problems);
+    $('parameters').hidden = $('kick').hidden = kicks.length === 0;
+  }
+
+  function resized() {
+    const detail = view.details.get(view.selected);
+    if (detail) drawKick(theme, $('kick-charts'), report(), merged(detail));
+  }
+
+  // ---- decisions ----
+
+  function showRules() {
+    const {rounds, leftOut, wouldLeave, undo, redo} = state().selection;
+    const values = n => n + (n === 1 ? ' value' : ' values');
+    const words = rounds === null ? '2σ rule: until nothing leaves, ' + values(leftOut) + ' left out'
+      : rounds === 0 ? '2σ rule: not applied' + (wouldLeave ? ', ' + values(wouldLeave) + ' beyond 2σ' : '')
+      : '2σ rule: ' + rounds + (rounds === 1 ? ' round, ' : ' rounds, ') + values(leftOut) + ' left out' + (wouldLeave ? '' : ', nothing more beyond 2σ');
+    $('rules').replaceChildren(
+      button('2σ' + (wouldLeave ? ' (' + wouldLeave + ' would leave)' : ''), twoSigma, {key: 's', id: 'two-sigma', title: 'One more round: what is more than 2σ from the mean leaves', disabled: wouldLeave === 0}),
+      el('div', {class: 'choices', role: 'group', 'aria-label': '2σ rule'},
+        button('until nothing leaves', () => app.decide('all_two_sigma'), {id: 'all-two-sigma', pressed: rounds === null}),
+        button('without', () => app.decide('no_two_sigma'), {id: 'no-two-sigma', pressed: rounds === 0, title: 'Start again from all values; then press 2σ as often as you like'})),
+      el('span', {id: 'rule-words'}, words));
+    $('steps').replaceChildren(
+      button('↶ Undo' + (undo ? ': ' + undo : ''), () => step('undo'), {key: 'u', id: 'undo', title: undo, disabled: !undo}),
+      button('↷ Redo' + (redo ? ': ' + redo : ''), () => step('redo'), {key: 'U', id: 'redo', title: redo, disabled: !redo}));
+  }
+
+  const twoSigma = () => app.decide('two_sigma', {seen: state().decisions});
+  const step = what => app.decide(what, {seen: state().decisions});
+
+  function showMarked() {
+    const ids = [...view.marks].sort((a, b) => a - b);
+    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'why a kick is dropped', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f)', oninput: event => { reason = event.target.value; }});
+    const list = el('datalist', {id: 'reasons'}, REASONS.map(value => el('option', {value})));
+    const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'To mark several kicks, drag over their points or tick them.')] : [
+      el('b', {}, ids.length + (ids.length === 1 ? ' kick marked' : ' kicks marked')),
+      button('Drop them', () => drop(ids), {id: 'drop-marked', strong: true}),
+      button('Restore them', () => restore(ids), {id: 'restore-marked'}),
+      button('Clear', () => setMarks([]), {key: 'Esc', id: 'clear-marks'})];
+    $('marked').replaceChildren(...marked, el('span', {class: 'spring'}), input, list);
+  }
+
+  const drop = ids => app.decide('drop', {kicks: ids, reason}).then(done => { if (done) { reason = ''; setMarks([]); } });
+
+  /** What was dropped by hand is left to the rules again; what the rules leave out is used all the same. */
+  async function restore(ids) {
+    const byHand = ids.filter(id => hand(id) === 'drop'), byRule = ids.filter(id => hand(id) !== 'drop' && CalibrationViews.whyDropped(kickOf(id)));
+    if (byHand.length) await app.decide('auto', {kicks: byHand});
+    if (byRule.length) await app.decide('keep', {kicks: byRule});
+    setMarks([]);
+  }
+
+  function toggle(id) {
+    const kick = kickOf(id);
+    if (kick.selected) return drop([id]);
+    return restore([id]);
+  }
+
+  function mark(id) {
+    if (!view.marks.delete(id)) view.marks.add(id);
+    setMarks(view.marks);
+  }
+
+  function setMarks(ids) {
+    view.marks = new Set(ids);
+    table.setMarks(view.marks);
+    showMarked();
+    drawModel();
+  }
+
+  // ---- the model and its parameters over the kicks ----
+
+  function showModel() {
+    const kinds = Object.keys(KINDS).filter(kind => report().kicks.some(kick => kick.kind === kind));
+    choices('parameter-kind', kinds.map(kind => [kind, KINDS[kind] + ' ' + report().kicks.filter(k => k.kind === kind && k.selected).length + '/' + report().kicks.filter(k => k.kind === kind).length]), view.kind, kind => { view.kind = kind; showModel(); });
+    choices('parameter-axis', Object.entries(Plots.AXES).map(([key, axis]) => [key, axis.label]), view.axis, key => { view.axis = key; showModel(); });
+    const [level, words] = ADVICE[state().calibration.verdict.advice];
+    $('advice').replaceChildren(
+      state().settled ? '' : el('span', {class: 'note', id: 'refining'}, 'joint fit follows … '), Frame.badge(level, words),
+      state().model.effects.length ? el('span', {class: 'note'}, ' with ' + state().model.effects.join(', ')) : '');
+    $('advice').title = state().calibration.verdict.lines.join('\n');
+    $('parameter-legend').replaceChildren(...CalibrationViews.parameterLegend(theme));
+    const model = report().models.find(m => m.kind === view.kind);
+    const shown = model ? model.parameters : [];
+    const box = content('parameters');
+    const layout = shown.map(parameter => parameter.name).join();
+    if (view.laidOut !== layout) {
+      forget(box);
+      view.laidOut = layout;
+      box.append(...shown.map(parameter => el('figure', {'data-parameter': parameter.name}, el('div', {class: 'value'}), el('div', {class: 'chart', role: 'img', 'aria-label': parameter.name + ' of each kick; drag to mark kicks'}))));
+    }
+    for (const parameter of shown) {
+      box.querySelector('figure[data-parameter="' + parameter.name + '"] .value').replaceChildren(...valueOf(parameter));
+    }
+    drawModel();
+  }
+
+  function valueOf(parameter) {
+    return [
+      el('p', {}, el('b', {}, parameter.name), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
+      el('p', {}, el('b', {class: 'mean'}, withError(parameter.mean, parameter.standardError)), el('span', {class: 'spring'}), el('span', {class: 'note', title: 'kicks in the mean'}, 'n ' + parameter.n))];
+  }
+
+  function drawModel() {
+    const model = report().models.find(m => m.kind === view.kind);
+    if (!model) return;
+    const kicks = report().kicks.filter(kick => kick.kind === view.kind);
+    for (const figure of content('parameters').querySelectorAll('figure')) {
+      const parameter = model.parameters.find(p => p.name === figure.dataset.parameter);
+      const option = Plots.parameter(theme, parameter, kicks, view.axis, view.selected);
+      option.series.push(markedPoints(option));
+      option.brush = {xAxisIndex: 0, yAxisIndex: 0, brushStyle: {color: theme.accent, opacity: 0.15, borderColor: theme.accent}, outOfBrush: {colorAlpha: 1}, throttleType: 'debounce', throttleDelay: 0};
+      option.toolbox = {show: false};
+      option.grid.bottom = 38;
+      const box = figure.querySelector('.chart'), made = !charts.has(box);
+      draw(box, option, event => event.data && event.data.kick && select(event.data.kick));
+      const chart = charts.get(box);
+      if (made) chart.on('brushEnd', event => brushed(chart, event));
+      chart.dispatchAction({type: 'takeGlobalCursor', key: 'brush', brushOption: {brushType: 'rect', brushMode: 'single'}});
+    }
+  }
+
+  const items = option => option.series.filter(series => series.type === 'scatter' && !series.silent).flatMap(series => series.data).filter(item => item && item.kick);
+
+  function markedPoints(option) {
+    const data = items(option).filter(item => view.marks.has(item.kick)).map(item => Object.assign({}, item, {symbol: 'rect', symbolRotate: 0}));
+    return {type: 'scatter', symbolSize: 17, silent: true, itemStyle: {color: 'transparent', borderColor: theme.warn, borderWidth: 2.5}, z: 7, data};
+  }
+
+  function brushed(chart, event) {
+    const area = event.areas && event.areas[0];
+    if (!area) return;
+    const [[x0, x1], [y0, y1]] = area.coordRange;
+    const inside = items(chart.getOption()).filter(({value: [x, y]}) => x >= x0 && x <= x1 && y >= y0 && y <= y1).map(item => item.kick);
+    if (inside.length) setMarks([...view.marks, ...inside]);
+    else chart.dispatchAction({type: 'brush', areas: []});
+  }
+
+  // ---- one kick ----
+
+  function select(id, focus) {
+    const kick = kickOf(id);
+    if (!kick || id === view.selected) return;
+    view.selected = id;
+    history.replaceState(null, '', '#kicks/' + id);
+    table.pick(id, focus);
+    if (kick.kind !== view.kind) {
+      view.kind = kick.kind;
+      showModel();
+    } else {
+      drawModel();
+    }
+    showKick();
+  }
+
+  /** What was seen of a kick, which is asked for once, with what is decided about it now. */
+  const merged = detail => Object.assign(Object.create(detail), kickOf(detail.id), {seen: detail.seen, fitted: detail.fitted, events: detail.events});
+
+  async function showKick() {
+    const id = view.selected, kick = kickOf(id);
+    if (!kick) return;
+    $('kick-title').textContent = kickTitle(kick);
+    $('kick-actions').replaceChildren(...actionsOf(kick));
+    if (!view.details.has(id)) {
+      try {
+        const detail = await ask('kicks/' + id);
+        view.details.set(id, detail);
+      } catch (failure) {
+        app.fail(failure);
+        return;
+      }
+      if (view.selected !== id || !kickOf(id)) return;
+    }
+    const all = merged(view.details.get(id));
+    $('kick-facts').replaceChildren(...kickFacts(report(), all));
+    $('kick-legend').replaceChildren(...kickLegend(theme, all));
+    layOutKick($('kick-charts'), all);
+    drawKick(theme, $('kick-charts'), report(), all);
+    $('kick').dataset.shown = id;
+  }
+
+  function actionsOf(kick) {
+    const ids = [kick.id], why = CalibrationViews.whyDropped(kick);
+    const rules = button('Leave it to the rules', () => app.decide('auto', {kicks: ids}), {id: 'auto', key: 'r'});
+    const keep = button(kick.selected ? 'Use all its values' : 'Use it all the same', () => app.decide('keep', {kicks: ids}), {id: 'keep', key: 'r'});
+    const dropIt = button('Drop', () => drop(ids), {id: 'drop', key: 'd', strong: true});
+    if (hand(kick.id) === 'drop') return [button('Restore', () => app.decide('auto', {kicks: ids}), {id: 'restore', key: 'r', strong: true})];
+    if (hand(kick.id) === 'keep') return [dropIt, rules];
+    return why ? [dropIt, keep] : [dropIt];
+  }
+
+  const press = (...ids) => () => { const found = ids.map(id => $(id)).find(node => node && !node.disabled); if (found) found.click(); };
+  $('previous').addEventListener('click', () => table.step(-1));
+  $('next').addEventListener('click', () => table.step(1));
+  page.keys = {
+    j: () => table.step(1), k: () => table.step(-1), d: press('drop-marked', 'drop'), r: press('restore-marked', 'restore', 'auto', 'keep'),
+    s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
+  };
+  page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick'], ['Esc', 'no marks'],
+    ['s', 'one more round of 2σ'], ['u, U', 'undo, redo'], ['f', 'write a reason']];
+  return page;
+}

@@ -1,0 +1,38 @@
+/* Small parts that the pages share. Charts, Frame, Plots and CalibrationViews are those of the reports. */
+const {el} = Charts;
+
+/** A button; the key that does the same stands in its tooltip. */
+export function button(label, press, {key, title, disabled, id, pressed, strong} = {}) {
+  const hint = [title, key && '(key ' + key + ')'].filter(Boolean).join(' ');
+  return el('button', {
+    type: 'button', id, onclick: press, title: hint || null, disabled: disabled ? '' : null, class: strong ? 'strong' : null,
+    'aria-pressed': pressed === undefined ? null : String(pressed),
+  }, label);
+}
+
+/** Shows a question; resolves to true when it is confirmed. */
+export function confirmed(title, contents, yes) {
+  const dialog = document.getElementById('dialog');
+  return new Promise(resolve => {
+    const end = result => () => { dialog.close(); resolve(result); };
+    const confirm = button(yes, end(true), {strong: true, id: 'confirm'});
+    dialog.replaceChildren(
+      el('h2', {id: 'dialog-title'}, title), ...contents,
+      el('div', {class: 'bar'}, confirm, button('Cancel', end(false), {id: 'refuse'})));
+    dialog.oncancel = () => resolve(false);
+    dialog.showModal();
+    document.getElementById('refuse').focus();
+  });
+}
+
+/** Shows something to be read. */
+export function shown(title, contents) {
+  const dialog = document.getElementById('dialog');
+  dialog.replaceChildren(el('h2', {id: 'dialog-title'}, title), ...contents, el('div', {class: 'bar'}, button('Close', () => dialog.close(), {id: 'refuse'})));
+  dialog.showModal();
+}
+
+/** How much is done. */
+export function progress(done, total) {
+  return el('progress', total > 0 ? {max: total, value: Math.min(done, total)} : {});
+}

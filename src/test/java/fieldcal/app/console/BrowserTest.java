@@ -1,0 +1,205 @@
+package fieldcal.app.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A person's whole session in a browser. */
+class BrowserTest {
+  @TempDir private static Path folder;
+  private static Path log;
+  private static Browser browser;
+
+  @BeforeAll
+  static void start() {
+    log = SampleSession.record(folder);
+    browser = new Browser();
+  }
+
+  @AfterAll
+  static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  @Test
+  void aWholeSession() throws IOException {
+    Path session = folder.resolve("session");
+    SampleSession.copy(log, session);
+    int port;
+    try (RunningConsole console = RunningConsole.start(session)) {
+      port = console.port();
+      browser.open(console.url());
+      look();
+      mark();
+      drop();
+      twoSigma();
+      beside(console.url());
+      diagnose();
+      publish();
+      browser.assertNoComplaints();
+    }
+    browser.awaitText("#link", "connection lost");
+    ConsoleSettings again = ConsoleSettings.local(session, port);
+    try (RunningConsole console = RunningConsole.start(again)) {
+      browser.awaitText("#link", "● connected");
+      console.settled();
+      stillThere();
+    }
+    assertThat(Files.readString(session.resolve("report.html"))).contains("by hand: a foot");
+  }
+
+  private static void look() {
+    browser.await(
+        "all kicks are listed",
+        d -> browser.count("#kicks tr[data-kick]") == SampleSession.KICKS ? true : null);
+    browser.click("#kicks tr[data-kick='5']");
+    browser.find("#kick[data-shown='5']");
+    assertThat(browser.text("#kick-title")).startsWith("Kick 5 — flat, ");
+    // Path, speed, residuals along and across; the three parameters.
+    assertThat(browser.count("#kick-charts canvas")).isEqualTo(4);
+    assertThat(browser.count("#parameters canvas")).isEqualTo(3);
+    browser.press("j");
+    browser.find("#kick[data-shown='6']");
+    browser.press("k");
+    browser.find("#kick[data-shown='5']");
+    browser.press("t");
+    assertThat(browser.find("html").getAttribute("data-theme")).isEqualTo("dark");
+    browser.press("t");
+    assertThat(browser.find("html").getAttribute("data-theme")).isEqualTo("light");
+  }
+
+  private static void mark() {
+    browser.drag("#parameters figure[data-parameter='kSwitch'] .chart", 0.3, 0.12, 0.95, 0.7);
+    browser.awaitText("#marked", "marked");
+    assertThat(browser.count("#kicks input:checked")).isPositive();
+    browser.press("\uE00C"); // Escape
+    browser.awaitGone("#drop-marked");
+    assertThat(browser.count("#kicks input:checked")).isZero();
+  }
+
+  private static void drop() {
+    String before = browser.text("#parameters figure[data-parameter='accRoll'] .mean");
+    browser.click("#no-two-sigma");
+    browser.awaitText("#rule-words", "not applied");
+    String all = browser.text("#parameters figure[data-parameter='accRoll'] .mean");
+    assertThat(all).isNotEqualTo(before);
+    browser.click("#kicks tr[data-kick='5']");
+    browser.type("#reason", "a foot");
+    browser.press("d");
+    browser.awaitText("#kicks", "by hand: a foot");
+    assertThat(browser.text("#parameters figure[data-parameter='accRoll'] .mean"))
+        .isNotEqualTo(all);
+    browser.awaitText("#undo", "dropping kick 5");
+    // By click, and back.
+    browser.click("#kicks tr[data-kick='7'] button.use");
+    browser.awaitText("#undo", "dropping kick 7");
+    browser.click("#kicks tr[data-kick='7'] button.use");
+    browser.awaitText("#undo", "restoring kick 7");
+    assertThat(browser.text("#kicks")).contains("by hand: a foot").doesNotContain("no reason");
+  }
+
+  private static void twoSigma() {
+    browser.click("#two-sigma");
+    browser.awaitText("#rule-words", "1 round,");
+    browser.press("s");
+    browser.awaitText("#rule-words", "2 rounds,");
+    browser.click("#undo");
+    browser.awaitText("#rule-words", "1 round,");
+    browser.press("U");
+    browser.awaitText("#rule-words", "2 rounds,");
+    browser.press("u");
+    browser.awaitText("#rule-words", "1 round,");
+  }
+
+  private static void beside(String url) {
+    String first = browser.openBeside(url);
+    browser.awaitText("#rule-words", "1 round,");
+    browser.click("#kicks tr[data-kick='9'] button.use");
+    browser.awaitText("#undo", "dropping kick 9");
+    String second = browser.window();
+    browser.switchTo(first);
+    browser.awaitText("#undo", "dropping kick 9");
+    browser.click("#undo");
+    browser.switchTo(second);
+    browser.awaitText("#redo", "dropping kick 9");
+    browser.switchTo(first);
+  }
+
+  private static void diagnose() {
+    browser.press("2");
+    browser.click("#diagnose-run");
+    browser.find("#diagnose-cancel");
+    browser.awaitText("#headline", "air drag");
+    browser.click("#accept");
+    browser.awaitText("#diagnose-state", "✔ accepted");
+    browser.press("1");
+    browser.awaitText("#advice", "air drag");
+    browser.press("2");
+    browser.click("#refuse-model");
+    browser.awaitText("#diagnose-state", "The model on the other pages is the simple one");
+    assertThat(browser.find("#diagnosis-report").isDisplayed()).isTrue();
+  }
+
+  private static void publish() throws IOException {
+    browser.press("3");
+    browser.await(
+        "the joint fit is up to date", d -> browser.find("#send-button").isEnabled() ? true : null);
+    try (DatagramSocket vision = new DatagramSocket(0, InetAddress.getByName("127.0.0.1"))) {
+      vision.setSoTimeout(20_000);
+      browser.type("#send-address", "127.0.0.1");
+      browser.type("#send-port", Integer.toString(vision.getLocalPort()));
+      browser.click("#send-button");
+      browser.awaitText("#dialog", "accSlide");
+      browser.click("#refuse");
+      browser.click("#send-button");
+      browser.click("#confirm");
+      DatagramPacket packet = new DatagramPacket(new byte[65536], 65536);
+      vision.receive(packet);
+      assertThat(packet.getLength()).isGreaterThan(50);
+      browser.awaitText("#published", "this model");
+      assertThat(browser.count("#published tbody tr")).isEqualTo(1);
+    }
+    assertThat(browser.text("#snippet")).contains("acc_slide");
+    browser.click("#write-results");
+    browser.awaitGone("#notices .notice.bad");
+  }
+
+  private static void stillThere() {
+    browser.awaitText("#published", "127.0.0.1");
+    browser.press("2");
+    browser.awaitText("#headline", "air drag");
+    browser.press("1");
+    browser.awaitText("#kicks", "by hand: a foot");
+    browser.awaitText("#rule-words", "1 round,");
+  }
+
+  @Test
+  void theTokenIsAskedFor() throws IOException {
+    Path session = Files.createDirectory(folder.resolve("guarded"));
+    String token = "a-token-of-the-field";
+    ConsoleSettings settings =
+        new ConsoleSettings(
+            session, "127.0.0.1", 0, Optional.of(token), Optional.empty(), 20260101);
+    try (RunningConsole console = RunningConsole.start(settings)) {
+      browser.open("http://" + console.host() + "/");
+      browser.type("#token", "not-this-one");
+      browser.click("button[type='submit']");
+      browser.awaitText("#answer", "not the token");
+      browser.type("#token", token);
+      browser.click("button[type='submit']");
+      browser.awaitText("#empty-title", "No recording yet");
+    }
+  }
+}

@@ -1,0 +1,45 @@
+package fieldcal.app.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.app.cli.Main;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import picocli.CommandLine;
+
+/** A session to work on: fourteen simulated flat kicks on a field whose air the model does not know, so that kicks differ and a diagnosis finds something. */
+final class SampleSession {
+  static final int KICKS = 14;
+
+  private static final String LOG = "practice.log.gz";
+
+  private SampleSession() {}
+
+  /** Makes the recording once; tests copy it. */
+  static Path record(Path directory) {
+    Path log = directory.resolve(LOG);
+    StringWriter err = new StringWriter();
+    CommandLine commands = Main.commandLine();
+    commands.setOut(new PrintWriter(new StringWriter()));
+    commands.setErr(new PrintWriter(err));
+    int exit =
+        commands.execute(
+            "simulate",
+            "--scenario=flat",
+            "--physics=contact",
+            "--kicks=" + KICKS,
+            "--seed=1",
+            "--effect=air_drag:cd=0.45",
+            "--out=" + log);
+    assertThat(exit).as(err.toString()).isZero();
+    return log;
+  }
+
+  static Path copy(Path log, Path directory) throws IOException {
+    Files.createDirectories(directory);
+    return Files.copy(log, directory.resolve(LOG));
+  }
+}
