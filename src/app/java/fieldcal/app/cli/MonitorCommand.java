@@ -6,8 +6,10 @@ import fieldcal.app.monitor.MatchDisplay;
 import fieldcal.app.monitor.MatchFeed;
 import fieldcal.app.monitor.MonitorRequest;
 import fieldcal.app.monitor.MonitorSession;
+import fieldcal.app.monitor.NetworkFeed;
 import fieldcal.app.monitor.ReplayFeed;
 import fieldcal.app.monitor.ScreenDisplay;
+import fieldcal.app.net.NetworkPlace;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -67,6 +69,34 @@ final class MonitorCommand implements Callable<Integer> {
   private static final class Source {
     @ArgGroup(exclusive = false)
     private Replay replay;
+
+    @ArgGroup(exclusive = false)
+    private Network network;
+  }
+
+  /** A running match. */
+  private static final class Network {
+    @Option(
+        names = "--multicast",
+        required = true,
+        paramLabel = "ADDR:PORT",
+        description = "where vision sends to; the league's is 224.5.23.2:10006")
+    private String vision;
+
+    @Option(
+        names = "--referee",
+        paramLabel = "ADDR:PORT",
+        description =
+            "where the referee sends to; the league's is 224.5.23.1:10003. Without it everything"
+                + " counts, also what is no play")
+    private String referee;
+
+    @Option(
+        names = "--interface",
+        paramLabel = "NAME",
+        description =
+            "name or address of the network interface to receive on; default: all of them")
+    private String networkInterface;
   }
 
   /** A recorded match. */
@@ -105,6 +135,24 @@ final class MonitorCommand implements Callable<Integer> {
   }
 
   private MatchFeed feed() throws IOException {
+    return source.replay != null ? replay() : network();
+  }
+
+  private MatchFeed network() throws IOException {
+    Network n = source.network;
+    try {
+      NetworkPlace vision = NetworkPlace.parse(n.vision, n.networkInterface);
+      Optional<NetworkPlace> referee =
+          n.referee == null
+              ? Optional.empty()
+              : Optional.of(NetworkPlace.parse(n.referee, n.networkInterface));
+      return new NetworkFeed(vision, referee);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+  }
+
+  private MatchFeed replay() throws IOException {
     double speed = source.replay.speed == null ? ReplayFeed.UNLIMITED : source.replay.speed;
     if (source.replay.speed != null && !(speed > 0 && speed < 1e6)) {
       throw new ParameterException(

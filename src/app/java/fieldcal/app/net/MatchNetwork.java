@@ -1,0 +1,179 @@
+package fieldcal.app.net;
+
+import fieldcal.gamelog.RefereeState;
+import fieldcal.vision.Epoch;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** A running match on the network: vision, and a referee if there is one. One thread receives from it. */
+public final class MatchNetwork implements AutoCloseable {
+  /** How many packets may wait: four cameras send so many in a second; who pauses longer misses some, and never lags. */
+  private static final int CAPACITY = 300;
+
+  /** After a silence of that many seconds the group is joined anew; vision sends 70 times a second, the referee 10 times. */
+  private static final double PATIENCE = 2;
+
+  /** Is told what came. */
+  public interface Sink extends VisionSource.Sink {
+    /**
+     * The referee's message.
+     *
+     * @param state what it says
+     */
+    void referee(RefereeState state);
+  }
+
+  private final NetworkPlace visionPlace;
+  private final PacketReceiver vision;
+  private final VisionSource visionSource;
+  private final Optional<PacketReceiver> referee;
+  private final RefereeSource refereeSource;
+  private final Sink sink;
+
+  /**
+   * Begins to receive.
+   *
+   * @param vision where vision sends to
+   * @param referee where the referee sends to, if there is one
+   * @param epoch that times count from
+   * @param sink told what came, by the thread that calls {@link #receive}
+   * @throws IOException when a port cannot be opened; one line for the operator
+   */
+  public MatchNetwork(NetworkPlace vision, Optional<NetworkPlace> referee, Epoch epoch, Sink sink)
+      throws IOException {
+    visionPlace = vision;
+    this.sink = sink;
+    visionSource = new VisionSource(epoch, sink);
+    refereeSource = new RefereeSource(epoch);
+    this.vision = new PacketReceiver(vision, CAPACITY, PATIENCE);
+    try {
+      this.referee =
+          referee.isPresent()
+              ? Optional.of(new PacketReceiver(referee.get(), CAPACITY, PATIENCE))
+              : Optional.empty();
+    } catch (IOException e) {
+      this.vision.close();
+      throw e;
+    }
+  }
+
+  /**
+   * Gives the sink what has come.
+   *
+   * @param millis how long to wait for vision at most, ms
+   * @return how many packets there were
+   * @throws InterruptedException when the thread is interrupted
+   */
+  public int receive(long millis) throws InterruptedException {
+    int packets = 0;
+    if (referee.isPresent()) {
+      Optional<Packet> said = referee.get().take(0);
+      while (said.isPresent()) {
+        packets++;
+        refereeSource.accept(said.get()).ifPresent(sink::referee);
+        said = referee.get().take(0);
+      }
+    }
+    Optional<Packet> seen = vision.take(millis);
+    if (seen.isPresent()) {
+      packets++;
+      visionSource.accept(seen.get());
+    }
+    return packets;
+  }
+
+  /**
+   * How vision's packets come in.
+   *
+   * @return counts
+   */
+  public ReceiverCounts vision() {
+    return vision.counts();
+  }
+
+  /**
+   * How the referee's packets come in.
+   *
+   * @return counts; empty when nobody wants to hear a referee
+   */
+  public Optional<ReceiverCounts> referee() {
+    return referee.map(PacketReceiver::counts);
+  }
+
+  /**
+   * Who sends to vision's group.
+   *
+   * @return one entry per sender
+   */
+  public List<SourceCounts> visionSources() {
+    return visionSource.counts();
+  }
+
+  /**
+   * How it does, for the operator.
+   *
+   * @return one line for each thing worth knowing
+   */
+  public List<String> notes() {
+    List<String> lines = new ArrayList<>();
+    describe(lines, "vision", vision.counts(), visionSource.counts());
+    referee.ifPresent(r -> describe(lines, "referee", r.counts(), refereeSource.counts()));
+    return lines;
+  }
+
+  private static void describe(
+      List<String> lines, String name, ReceiverCounts counts, List<SourceCounts> sources) {
+    StringBuilder line = new StringBuilder();
+    line.append(name).append(": ");
+    if (counts.received() == 0) {
+      line.append("no packet yet");
+    } else {
+      line.append(counts.received()).append(" packets, ").append(counts.dropped());
+      line.append(" dropped");
+    }
+    if (counts.silentFor() > PATIENCE) {
+      line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
+      line.append(", joined anew ").append(counts.rejoined()).append(" times");
+    }
+    counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));
+    lines.add(line.toString());
+    boolean telling = sources.size() > 1;
+    for (SourceCounts s : sources) {
+      if (telling || s.wrong() > 0) {
+        lines.add(source(s));
+      }
+    }
+  }
+
+  private static String source(SourceCounts s) {
+    StringBuilder line = new StringBuilder("  from ");
+    line.append(s.address().getAddress().getHostAddress())
+        .append(':')
+        .append(s.address().getPort());
+    line.append(": ").append(s.packets()).append(" packets");
+    if (!s.cameras().isEmpty()) {
+      line.append(", cameras ").append(s.cameras().toString().replaceAll("[\\[\\]]", ""));
+    }
+    if (s.ignored() > 0) {
+      line.append(", ").append(s.ignored()).append(" ignored: another sender says the same");
+    }
+    if (s.wrong() > 0) {
+      line.append(", ").append(s.wrong()).append(" are no message that belongs here");
+    }
+    return line.toString();
+  }
+
+  @Override
+  public String toString() {
+    return visionPlace.toString();
+  }
+
+  @Override
+  public void close() {
+    vision.close();
+    referee.ifPresent(PacketReceiver::close);
+  }
+}

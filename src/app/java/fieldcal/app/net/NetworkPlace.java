@@ -1,0 +1,114 @@
+package fieldcal.app.net;
+
+import java.net.Inet4Address;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * Where packets are received: an address with a port, and the network interface.
+ *
+ * @param address a multicast group, or one of this machine's own addresses, whose packets are received as they are
+ * @param networkInterface the name or an address of an interface; empty: every interface that can
+ */
+public record NetworkPlace(InetSocketAddress address, Optional<String> networkInterface) {
+
+  /**
+   * Checks the parts. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when the address is not resolved
+   */
+  public NetworkPlace {
+    Objects.requireNonNull(networkInterface, "networkInterface");
+    if (address.isUnresolved()) {
+      throw new IllegalArgumentException("'" + address.getHostString() + "' is no address");
+    }
+  }
+
+  /**
+   * Reads {@code ADDR:PORT}.
+   *
+   * @param text for example {@code 224.5.23.2:10006}
+   * @param networkInterface the name or an address of an interface; null: every interface that can
+   * @return the place
+   * @throws IllegalArgumentException when it is none; the message says why
+   */
+  public static NetworkPlace parse(String text, String networkInterface) {
+    int colon = text.lastIndexOf(':');
+    if (colon <= 0) {
+      throw new IllegalArgumentException(
+          "'" + text + "' is no address with a port, like 224.5.23.2:10006");
+    }
+    int port;
+    try {
+      port = Integer.parseInt(text.substring(colon + 1));
+    } catch (NumberFormatException e) {
+      port = -1;
+    }
+    if (port < 0 || port > 65535) {
+      throw new IllegalArgumentException(
+          "'" + text.substring(colon + 1) + "' is no port; 0 to 65535 are");
+    }
+    String host = text.substring(0, colon);
+    try {
+      InetAddress address = InetAddress.getByName(host);
+      if (networkInterface != null) {
+        find(networkInterface);
+      }
+      return new NetworkPlace(
+          new InetSocketAddress(address, port), Optional.ofNullable(networkInterface));
+    } catch (UnknownHostException e) {
+      throw new IllegalArgumentException("'" + host + "' is no address", e);
+    } catch (SocketException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  /**
+   * The interfaces that are there now and can receive.
+   *
+   * @return the one that is named, or all that are up and can multicast; may be empty while the network is away
+   * @throws SocketException when the machine does not tell
+   */
+  List<NetworkInterface> interfaces() throws SocketException {
+    if (networkInterface.isPresent()) {
+      NetworkInterface named = find(networkInterface.get());
+      return named.isUp() ? List.of(named) : List.of();
+    }
+    List<NetworkInterface> able = new ArrayList<>();
+    for (NetworkInterface one : Collections.list(NetworkInterface.getNetworkInterfaces())) {
+      boolean v4 = one.inetAddresses().anyMatch(Inet4Address.class::isInstance);
+      if (one.isUp() && v4 && (one.supportsMulticast() || one.isLoopback())) {
+        able.add(one);
+      }
+    }
+    return able;
+  }
+
+  private static NetworkInterface find(String wanted) throws SocketException {
+    List<String> names = new ArrayList<>();
+    for (NetworkInterface one : Collections.list(NetworkInterface.getNetworkInterfaces())) {
+      boolean has = one.inetAddresses().anyMatch(a -> a.getHostAddress().equals(wanted));
+      if (one.getName().equals(wanted) || has) {
+        return one;
+      }
+      names.add(one.getName());
+    }
+    throw new SocketException(
+        "there is no network interface '" + wanted + "'; there are " + String.join(", ", names));
+  }
+
+  /** As written on the command line. */
+  @Override
+  public String toString() {
+    String place = address.getAddress().getHostAddress() + ":" + address.getPort();
+    return place + networkInterface.map(name -> " on " + name).orElse("");
+  }
+}

@@ -1,0 +1,15 @@
+package fieldcal.app.net;
+
+import java.util.Optional;
+
+/**
+ * How a receiver does.
+ *
+ * @param received packets
+ * @param dropped of these, those that nobody took in time; always the oldest
+ * @param rejoined how often the group was joined anew because nothing came or the network was away
+ * @param silentFor time since the last packet, or since the beginning when there was none, s
+ * @param problem what is wrong with the network now
+ */
+public record ReceiverCounts(
+    long received, long dropped, long rejoined, double silentFor, Optional<String> problem) {}

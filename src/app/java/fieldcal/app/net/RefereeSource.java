@@ -1,0 +1,46 @@
+package fieldcal.app.net;
+
+import fieldcal.gamelog.RefereeDecoder;
+import fieldcal.gamelog.RefereeState;
+import fieldcal.vision.Epoch;
+import java.util.List;
+import java.util.Optional;
+
+/** From packets of the referee to what it says. Of several referees on one group the first is listened to, until it falls silent. */
+public final class RefereeSource {
+  private static final String REFEREE = "referee";
+
+  private final Sources<RefereeDecoder> sources;
+
+  /**
+   * A source.
+   *
+   * @param epoch that times count from
+   */
+  public RefereeSource(Epoch epoch) {
+    RefereeDecoder decoder = new RefereeDecoder(epoch);
+    sources = new Sources<>(address -> decoder);
+  }
+
+  /** What a packet says; nothing if it is no referee's message or another one's. */
+  Optional<RefereeState> accept(Packet packet) {
+    Sources.Source<RefereeDecoder> source = sources.of(packet.source());
+    if (source == null) {
+      return Optional.empty();
+    }
+    Optional<RefereeState> state = source.decoder().decode(packet.data(), 0, packet.data().length);
+    if (state.isEmpty()) {
+      sources.wrong(source);
+    }
+    return state.filter(s -> sources.owns(source, REFEREE, packet.received()));
+  }
+
+  /**
+   * What came from whom; from any thread.
+   *
+   * @return one entry per sender, in the order of their first packet
+   */
+  public List<SourceCounts> counts() {
+    return sources.counts();
+  }
+}

@@ -1,0 +1,74 @@
+package fieldcal.app.net;
+
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionDecoder;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
+import java.util.List;
+
+/**
+ * From packets of vision to frames and geometry.
+ *
+ * <p>Senders are told apart, since a second field's vision or a simulator is often on the same group: of each camera's number only the first sender's frames are taken, and only the first sender's geometry, as
+ * long as it does not fall silent. So several computers that each send cameras of their own work together, and two that send the same do not get mixed up.
+ */
+public final class VisionSource {
+  private static final String GEOMETRY = "geometry";
+
+  /** Is told what came. */
+  public interface Sink {
+    /**
+     * A frame.
+     *
+     * @param frame of the epoch's time
+     */
+    void frame(VisionFrame frame);
+
+    /**
+     * The geometry; comes over and over.
+     *
+     * @param geometry as published
+     */
+    void geometry(FieldGeometry geometry);
+  }
+
+  private final Sources<VisionDecoder> sources;
+  private final Sink sink;
+
+  /**
+   * A source.
+   *
+   * @param epoch that frames' times count from
+   * @param sink told what came
+   */
+  public VisionSource(Epoch epoch, Sink sink) {
+    sources = new Sources<>(address -> new VisionDecoder(epoch));
+    this.sink = sink;
+  }
+
+  /** Takes a packet. */
+  void accept(Packet packet) {
+    Sources.Source<VisionDecoder> source = sources.of(packet.source());
+    if (source == null) {
+      return;
+    }
+    VisionPacket content = source.decoder().decode(packet.data());
+    if (content.equals(VisionPacket.EMPTY)) {
+      sources.wrong(source);
+      return;
+    }
+    long now = packet.received();
+    content.geometry().filter(g -> sources.owns(source, GEOMETRY, now)).ifPresent(sink::geometry);
+    content.frame().filter(f -> sources.owns(source, f.cameraId(), now)).ifPresent(sink::frame);
+  }
+
+  /**
+   * What came from whom; from any thread.
+   *
+   * @return one entry per sender, in the order of their first packet
+   */
+  public List<SourceCounts> counts() {
+    return sources.counts();
+  }
+}

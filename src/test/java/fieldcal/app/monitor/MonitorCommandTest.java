@@ -1,0 +1,146 @@
+package fieldcal.app.monitor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.cli.Main;
+import fieldcal.live.BallParameter;
+import fieldcal.live.BallSamples;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+
+class MonitorCommandTest {
+  @TempDir private static Path folder;
+  private static Path log;
+
+  private record Outcome(int status, String out, String err) {}
+
+  @BeforeAll
+  static void simulate() {
+    log = folder.resolve("match.log.gz");
+    Outcome done =
+        run("simulate", "--scenario", "match", "--minutes", "1", "--seed", "5", "--out", "" + log);
+    assertThat(done.status()).as(done.err()).isZero();
+  }
+
+  private static Outcome run(String... arguments) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    CommandLine program = Main.commandLine();
+    program.setOut(new PrintWriter(out, true));
+    program.setErr(new PrintWriter(err, true));
+    return new Outcome(program.execute(arguments), out.toString(), err.toString());
+  }
+
+  @Test
+  void aRecordingIsWatchedInPlainLines() {
+    Outcome done = run("monitor", "--log", "" + log);
+    assertThat(done.status()).as(done.err()).isZero();
+    assertThat(done.out())
+        .doesNotContain("\u001b")
+        .contains("watching " + log)
+        .contains("referee: NORMAL_FIRST_HALF, NORMAL_START")
+        .containsPattern("#\\d+ +flat +\\d\\.\\d m/s (yellow|blue) \\d+")
+        .contains("BALL     ")
+        .containsPattern("acc_roll +m/s² +-0\\.\\d\\d\\d")
+        .contains("ROBOTS")
+        .contains("CAMERAS")
+        .contains("100 % read");
+  }
+
+  @Test
+  void everyLineOfTheChangesIsJson() throws IOException {
+    Path changes = folder.resolve("new/changes.jsonl");
+    assertThat(run("monitor", "--log", "" + log, "--json", "" + changes).status()).isZero();
+    List<String> events = new ArrayList<>();
+    JsonNode last = null;
+    for (String line : Files.readAllLines(changes)) {
+      last = new ObjectMapper().readTree(line);
+      events.add(last.path("event").asText());
+      assertThat(last.has("t")).isTrue();
+    }
+    assertThat(events)
+        .startsWith("start")
+        .contains("referee", "kick", "estimate", "limits")
+        .endsWith("summary");
+    int kicks = (int) events.stream().filter("kick"::equals).count();
+    assertThat(last.path("kicks").path("used").asInt() + last.path("kicks").path("unused").asInt())
+        .isEqualTo(kicks);
+    assertThat(last.path("parameters").path("acc_slide").path("median").asDouble())
+        .isBetween(-3.6, -2.6);
+    assertThat(last.path("cameras").size()).isPositive();
+  }
+
+  @Test
+  void matchesArePooledInAStateFile() throws IOException {
+    Path state = folder.resolve("state.json");
+    Files.deleteIfExists(state);
+    assertThat(run("monitor", "--log", "" + log, "--state", "" + state).status()).isZero();
+    BallSamples once = StateFile.read(state);
+    assertThat(once.of(BallParameter.ACC_SLIDE)).isNotEmpty();
+    Path second = folder.resolve("second.log");
+    Outcome other =
+        run(
+            "simulate",
+            "--scenario",
+            "match",
+            "--minutes",
+            "1",
+            "--seed",
+            "6",
+            "--out",
+            "" + second);
+    assertThat(other.status()).isZero();
+    assertThat(run("monitor", "--log", "" + second, "--state", "" + state).status()).isZero();
+    assertThat(StateFile.read(state).of(BallParameter.ACC_SLIDE))
+        .containsAll(once.of(BallParameter.ACC_SLIDE))
+        .hasSizeGreaterThan(once.of(BallParameter.ACC_SLIDE).size());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        "[]",
+        "{\"schema\":",
+        "{\"schema\":\"fieldcal.live_state/2\",\"samples\":{}}",
+        "{\"schema\":\"fieldcal.live_state/1\",\"samples\":{\"acc_roll\":[{\"t\":1}]}}"
+      })
+  void aBrokenStateIsOneLineThatNamesTheFileAndStaysAsItIs(String content) throws IOException {
+    Path state = folder.resolve("broken.json");
+    Files.writeString(state, content);
+    Outcome done = run("monitor", "--log", "" + log, "--state", "" + state);
+    assertThat(done.status()).isEqualTo(1);
+    assertThat(done.err().strip()).hasLineCount(1).contains("" + state);
+    assertThat(state).hasContent(content);
+  }
+
+  @Test
+  void whatCannotBeIsRefused() {
+    assertThat(run("monitor").status()).isEqualTo(2);
+    assertThat(run("monitor", "--log", "" + log, "--speed", "-1").status()).isEqualTo(2);
+    assertThat(run("monitor", "--log", "" + log, "--multicast", "224.5.23.2:10006").status())
+        .isEqualTo(2);
+    Outcome noPlace = run("monitor", "--multicast", "224.5.23.2");
+    assertThat(noPlace.status()).isEqualTo(2);
+    assertThat(noPlace.err()).contains("'224.5.23.2' is no address with a port");
+    Outcome noInterface = run("monitor", "--multicast", "224.5.23.2:10006", "--interface", "moon0");
+    assertThat(noInterface.status()).isEqualTo(2);
+    assertThat(noInterface.err()).contains("no network interface 'moon0'");
+    Outcome noLog = run("monitor", "--log", "" + folder.resolve("none.log"));
+    assertThat(noLog.status()).isEqualTo(1);
+    assertThat(noLog.err().strip()).hasLineCount(1).contains("none.log");
+  }
+}
