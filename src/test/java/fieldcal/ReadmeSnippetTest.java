@@ -23,13 +23,29 @@ import fieldcal.fit.KickFitter;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderSettings;
+import fieldcal.live.BallParameter;
+import fieldcal.live.BallSamples;
+import fieldcal.live.LiveListener;
+import fieldcal.live.LiveMonitor;
+import fieldcal.live.LiveSettings;
+import fieldcal.live.LiveSnapshot;
+import fieldcal.live.LiveStateDocument;
+import fieldcal.live.LiveWarning;
+import fieldcal.live.ParameterEstimate;
+import fieldcal.live.SimulatedMatch;
+import fieldcal.movement.PlayPhase;
+import fieldcal.movement.TeamLimits;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulatedRecording;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.Team;
+import fieldcal.vision.VisionDecoder;
+import fieldcal.vision.VisionEncoder;
 import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -39,6 +55,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -109,6 +128,52 @@ class ReadmeSnippetTest {
     assertThat(ball.x()).isBetween(2.5, 3.5);
     assertThat(rest).isBetween(2.0, 20.0);
     assertThat(there.orElseThrow()).isBetween(0.6, 1.0);
+  }
+
+  @Test
+  void aMatchIsWatchedAsTheReadmeShows() {
+    SimulatedRecording match = SimulatedMatch.play(8, 0.4, -0.28).recording();
+    Epoch epoch = match.epoch();
+    VisionDecoder decoder = new VisionDecoder(epoch);
+    VisionEncoder encoder = new VisionEncoder(epoch);
+    List<byte[]> packets = match.packets().stream().map(p -> encoder.encode(p.packet())).toList();
+    Map<String, Object> earlier = LiveStateDocument.of(BallSamples.NONE);
+    Consumer<String> screen = text -> {};
+    FlatModel model = FlatModel.typical();
+
+    LiveListener listener =
+        new LiveListener() {
+          @Override
+          public void warningRaised(LiveWarning warning) {
+            screen.accept(warning.text()); // in your own way; told once, until warningCleared
+          }
+        };
+    ExecutorService fits =
+        Executors.newSingleThreadExecutor(); // or none: call monitor.poll() when you have time
+    LiveMonitor monitor = new LiveMonitor(LiveSettings.defaults(), epoch, listener, fits);
+    monitor.add(LiveStateDocument.read(earlier)); // earlier matches on this carpet, if you keep any
+
+    for (byte[] packet : packets) { // your vision thread
+      VisionPacket vision = decoder.decode(packet);
+      vision.geometry().ifPresent(monitor::geometry);
+      monitor.phase(PlayPhase.RUNNING); // what the referee says; without, everything counts
+      vision.frame().ifPresent(monitor::accept);
+    }
+
+    LiveSnapshot now = monitor.snapshot(); // from any thread, immutable
+    ParameterEstimate roll = now.ball().of(BallParameter.ACC_ROLL);
+    double accRoll = roll.enough() ? roll.median() : model.accRoll(); // from 31 kicks on
+    Optional<TeamLimits> opponent = Optional.ofNullable(now.movement().limits().get(Team.BLUE));
+
+    monitor.finish();
+    Map<String, Object> kept = LiveStateDocument.of(monitor.samples()); // for any JSON library
+
+    fits.shutdown();
+    assertThat(now.frames()).isGreaterThan(1000);
+    assertThat(now.ball().counts().found()).isPositive();
+    assertThat(accRoll).isEqualTo(model.accRoll());
+    assertThat(opponent).isNotNull();
+    assertThat(kept).containsKey("samples");
   }
 
   @Test

@@ -5,6 +5,9 @@ import fieldcal.fit.FitAccuracy;
 import fieldcal.fit.WrongMinima;
 import fieldcal.gamelog.ReadingBenchmark;
 import fieldcal.kick.MatchKicks;
+import fieldcal.live.LiveBenchmark;
+import fieldcal.live.LiveDay;
+import fieldcal.live.SampleTreeStudy;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -19,7 +22,8 @@ import java.util.Map;
 public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
-          + " [k-switch] [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
+          + " [k-switch] [live] [live-day] [sample-tree]"
+          + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -45,6 +49,9 @@ public final class Benchmarks {
     parts.put("limits", LimitsBenchmark::run);
     parts.put("match-kicks", MatchKicks::run);
     parts.put("k-switch", KSwitchCauses::run);
+    parts.put("live", LiveBenchmark::run);
+    parts.put("live-day", LiveDay::run);
+    parts.put("sample-tree", SampleTreeStudy::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

@@ -178,7 +178,10 @@ public final class MovementMonitor {
         synchronized (shared) {
           if (forBreak) {
             limits.remove(team);
-            beforeBreak.put(team, next);
+            // After two breaks with little play between them the one before is the better one.
+            if (next.velocity().known() || !beforeBreak.containsKey(team)) {
+              beforeBreak.put(team, next);
+            }
           } else {
             limits.put(team, next);
           }

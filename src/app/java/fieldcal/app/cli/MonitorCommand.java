@@ -32,8 +32,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     description =
         "Watches a match, live or recorded: the ball's model from the last 31 kicks, a warning when"
-            + " it is more than 20 % from the published one, the movement limits of both teams, how"
-            + " well the cameras do. Ctrl-C ends it with a summary.")
+            + " it is more than 20 %% from the published one, the movement limits of both teams,"
+            + " how well the cameras do. Ctrl-C ends it with a summary.")
 final class MonitorCommand implements Callable<Integer> {
   /** Ctrl-C waits so long for the summary, s. */
   private static final long PATIENCE = 5;

@@ -203,10 +203,10 @@ final class MatchText {
                       d.coefficient(),
                       d.standardError()));
     }
-    String breaks = movement.breaks() > 0 ? ", begun anew after the last break" : "";
+    String breaks = movement.breaks() > 0 ? ", anew after a break" : "";
     add(
         lines,
-        "  counted since %s%s; in brackets the league's estimate, which contains the noise",
+        "  counted since %s%s; in brackets the league's estimate, noise included",
         clock(movement.countingSince()),
         breaks);
   }
@@ -295,6 +295,6 @@ final class MatchText {
         k.speed(),
         k.robot().map(Object::toString).orElse("unknown"),
         what,
-        k.possiblySpinning() ? " (after dribbling)" : "");
+        k.possiblySpinning() ? " (spin?)" : "");
   }
 }

@@ -1,13 +1,16 @@
 package fieldcal.app.monitor;
 
+import java.io.File;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.time.ZoneId;
 import java.util.List;
 
 /** The state of a match on a terminal, redrawn in place on a screen of its own, so that what was there before comes back. */
 public final class ScreenDisplay implements MatchDisplay {
-  private static final String ENTER = "\u001b[?1049h\u001b[?25l";
-  private static final String LEAVE = "\u001b[?25h\u001b[?1049l";
+  private static final String ENTER = "\u001b[?1049h\u001b[?25l\u001b[?7l";
+  private static final String LEAVE = "\u001b[?7h\u001b[?25h\u001b[?1049l";
   private static final String HOME = "\u001b[H";
   private static final String CLEAR_LINE = "\u001b[K";
   private static final String CLEAR_REST = "\u001b[J";
@@ -15,10 +18,18 @@ public final class ScreenDisplay implements MatchDisplay {
   /** Redrawn so often, ms: calm to look at. */
   private static final long PERIOD = 500;
 
+  /** How often a terminal's size is asked for. */
+  private static final int SHOWS_PER_SIZE = 10;
+
+  private static final int USUAL_ROWS = 40;
+  private static final int FEWEST_ROWS = 10;
+
   private final PrintWriter out;
   private final MatchText text;
   private boolean entered;
   private long last;
+  private int rows;
+  private int shows;
 
   /**
    * A display.
@@ -41,13 +52,39 @@ public final class ScreenDisplay implements MatchDisplay {
     StringBuilder page = new StringBuilder();
     page.append(entered ? HOME : ENTER + HOME);
     entered = true;
-    List<String> lines = text.lines(status);
-    for (String line : lines) {
+    for (String line : fitting(text.lines(status))) {
       page.append(line).append(CLEAR_LINE).append('\n');
     }
     page.append("Ctrl-C ends").append(CLEAR_LINE).append(CLEAR_REST);
     out.print(page);
     out.flush();
+  }
+
+  /** A line more than the terminal has would push the first ones out, and the first ones are warnings. */
+  private List<String> fitting(List<String> lines) {
+    if (rows == 0 || ++shows % SHOWS_PER_SIZE == 0) {
+      rows = rows();
+    }
+    List<String> kept = lines;
+    if (kept.size() >= rows) {
+      kept = kept.stream().filter(line -> !line.isBlank()).toList();
+    }
+    return kept.subList(0, Math.min(kept.size(), rows - 1));
+  }
+
+  /** As the terminal itself says; Java does not know. */
+  private static int rows() {
+    try {
+      Process stty =
+          new ProcessBuilder("stty", "size")
+              .redirectInput(new File("/dev/tty"))
+              .redirectError(ProcessBuilder.Redirect.DISCARD)
+              .start();
+      String size = new String(stty.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+      return Math.max(FEWEST_ROWS, Integer.parseInt(size.strip().split(" ")[0]));
+    } catch (IOException | NumberFormatException e) {
+      return USUAL_ROWS;
+    }
   }
 
   @Override
