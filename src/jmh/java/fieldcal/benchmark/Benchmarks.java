@@ -23,6 +23,7 @@ public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
           + " [k-switch] [live] [live-day] [sample-tree]"
+          + " [play] [play-calibration]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
@@ -52,6 +53,8 @@ public final class Benchmarks {
     parts.put("live", LiveBenchmark::run);
     parts.put("live-day", LiveDay::run);
     parts.put("sample-tree", SampleTreeStudy::run);
+    parts.put("play", PlayBenchmark::run);
+    parts.put("play-calibration", PlayCalibrationBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

@@ -304,6 +304,22 @@ public final class InteractiveField {
             });
   }
 
+  /**
+   * Puts a robot somewhere at rest; one that is off the field comes back there when it comes back.
+   *
+   * @param robot who; unknown ones are ignored
+   * @param x m
+   * @param y m
+   * @param orientation rad
+   */
+  public void placeRobot(RobotId robot, double x, double y, double orientation) {
+    if (absent.containsKey(robot)) {
+      absent.put(robot, new double[] {x, y, orientation});
+    } else {
+      find(robot).ifPresent(r -> r.place(x, y, orientation));
+    }
+  }
+
   private Optional<SimulatedRobot> find(RobotId robot) {
     return world.robots().stream().filter(r -> r.id().equals(robot)).findFirst();
   }

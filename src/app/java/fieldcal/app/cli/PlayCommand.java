@@ -3,12 +3,15 @@ package fieldcal.app.cli;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.PlayField;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.simulation.TruthJson;
+import fieldcal.app.sslsim.NetworkPlayField;
+import fieldcal.app.sslsim.SimulatorPorts;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayLimits;
 import fieldcal.play.PlayLine.Half;
@@ -18,7 +21,6 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.Preset;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
-import fieldcal.vision.Team;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -56,6 +58,14 @@ final class PlayCommand implements Callable<Integer> {
 
   @Option(names = "--sim", description = "on the simulated field in this process")
   private boolean sim;
+
+  @Option(
+      names = "--ssl-sim",
+      paramLabel = "HOST",
+      description =
+          "on a simulator that speaks the league's simulation protocol; its vision comes by"
+              + " multicast")
+  private String sslSim;
 
   @Option(
       names = "--kind",
@@ -157,25 +167,50 @@ final class PlayCommand implements Callable<Integer> {
       description = "simulated field: times real time (default as fast as it can)")
   private double pace = Double.POSITIVE_INFINITY;
 
+  @Option(
+      names = "--vision",
+      paramLabel = "ADDR:PORT",
+      description = "simulator: where its vision sends to (default 224.5.23.2:10020)")
+  private String vision = "224.5.23.2:10020";
+
+  @Option(
+      names = "--referee",
+      paramLabel = "ADDR:PORT",
+      description = "simulator: where a referee sends to, whose HALT and STOP are obeyed")
+  private String referee;
+
+  @Option(
+      names = "--interface",
+      paramLabel = "NAME",
+      description = "simulator: network interface of both (default all)")
+  private String networkInterface;
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description = "simulator: its control port; blue and yellow follow (default 10300)")
+  private int port = SimulatorPorts.LEAGUE.control();
+
   PlayCommand() {}
 
   @Override
   public Integer call() throws IOException {
     SessionRequest request;
-    InteractiveField simulated;
+    Optional<InteractiveField> simulated;
+    OutputPlaces.check(out, null);
     try {
-      if (!sim) {
-        throw new IllegalArgumentException("name the field: --sim");
+      if (sim == (sslSim != null)) {
+        throw new IllegalArgumentException("name one field: --sim or --ssl-sim HOST");
       }
       request = request();
-      simulated = simulated(request);
+      simulated = sim ? Optional.of(simulated(request)) : Optional.empty();
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }
-    OutputPlaces.check(out, null);
+    PlayField field = simulated.isPresent() ? embedded(simulated.get()) : onTheNetwork();
     Path directory = out == null ? Files.createTempDirectory("fieldcal-play") : out;
     try {
-      return play(request.into(directory), simulated, directory);
+      return play(request.into(directory), field, simulated, directory);
     } finally {
       if (out == null) {
         delete(directory);
@@ -183,10 +218,26 @@ final class PlayCommand implements Callable<Integer> {
     }
   }
 
-  private int play(SessionRequest request, InteractiveField simulated, Path directory)
+  private PlayField embedded(InteractiveField simulated) {
+    return new EmbeddedPlayField(simulated, pace);
+  }
+
+  private PlayField onTheNetwork() throws IOException {
+    try {
+      return new NetworkPlayField(
+          sslSim,
+          new SimulatorPorts(port),
+          NetworkPlace.parse(vision, networkInterface),
+          Optional.ofNullable(referee).map(r -> NetworkPlace.parse(r, networkInterface)));
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+  }
+
+  private int play(
+      SessionRequest request, PlayField field, Optional<InteractiveField> simulated, Path directory)
       throws IOException {
     PlayText text = new PlayText(spec.commandLine().getOut());
-    PlayField field = new EmbeddedPlayField(simulated, pace);
     PlayRun.Result result;
     try (TerminalProgress progress = TerminalProgress.ofWords();
         WorkProgress fitting = new WorkProgress()) {
@@ -195,14 +246,17 @@ final class PlayCommand implements Callable<Integer> {
       result = PlayRun.run(session, directory, fitting);
       forget(stop);
     }
-    ObjectNode truth = TruthJson.of(simulated.finish(packet -> {}));
+    Optional<ObjectNode> truth = simulated.map(f -> TruthJson.of(f.finish(packet -> {})));
     if (out != null) {
       PlayRun.write(result, request, directory);
-      Path log = result.session().log().orElseThrow();
-      String name = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");
-      JsonFiles.write(truth, log.resolveSibling(name));
+      if (truth.isPresent()) {
+        Path log = result.session().log().orElseThrow();
+        String name = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");
+        JsonFiles.write(truth.get(), log.resolveSibling(name));
+      }
     }
-    text.result(result, Optional.of(truth.get("ideal_model")), Optional.ofNullable(out));
+    text.result(result, truth.map(t -> t.get("ideal_model")), Optional.ofNullable(out));
+    simulatorNotes(field);
     if (!result.session().complete()) {
       throw new InputException(
           "stopped after "
@@ -213,6 +267,11 @@ final class PlayCommand implements Callable<Integer> {
               + result.session().last().state().waiting().orElse("no reason given"));
     }
     return 0;
+  }
+
+  private void simulatorNotes(PlayField field) {
+    field.notes().forEach(spec.commandLine().getOut()::println);
+    spec.commandLine().getOut().flush();
   }
 
   /** Robots must not drive on when somebody presses Ctrl-C. */
@@ -277,11 +336,7 @@ final class PlayCommand implements Callable<Integer> {
           default ->
               throw new IllegalArgumentException("--kind must be flat or chip, not '" + kind + "'");
         };
-    String[] names = robots.split(",", -1);
-    if (names.length != 2) {
-      throw new IllegalArgumentException(
-          "--robots takes two robots, like yellow3,blue5, not '" + robots + "'");
-    }
+    RobotId[] pair = RobotNames.pair(robots);
     SessionRequest r = SessionRequest.of(wanted, kicks);
     PlayLimits limits = r.limits();
     if (driveSpeed != null) {
@@ -293,7 +348,7 @@ final class PlayCommand implements Callable<Integer> {
     if (patience != null) {
       limits = limits.withPatience(patience, Math.max(limits.stall(), 2 * patience));
     }
-    return r.withRobots(robot(names[0].trim()), robot(names[1].trim()))
+    return r.withRobots(pair[0], pair[1])
         .withPlace(half(), across)
         .withSpeeds(
             speedMin == null ? r.slowest() : speedMin,
@@ -310,15 +365,5 @@ final class PlayCommand implements Callable<Integer> {
       throw new IllegalArgumentException(
           "--half must be whole, negative or positive, not '" + half + "'", e);
     }
-  }
-
-  private static RobotId robot(String name) {
-    for (Team team : Team.values()) {
-      String digits = name.toLowerCase(Locale.ROOT).replaceFirst("^" + team.label() + "[: ]?", "");
-      if (digits.length() < name.length() && digits.matches("\\d{1,3}")) {
-        return new RobotId(team, Integer.parseInt(digits));
-      }
-    }
-    throw new IllegalArgumentException("a robot is named like yellow3, not '" + name + "'");
   }
 }

@@ -20,6 +20,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -50,17 +51,14 @@ import picocli.CommandLine.Spec;
           + " camera_shake:amplitude_mm,hz,camera",
       "camera may be all. Spin acts on bounces with --physics contact only.",
       "",
+      "Served: fieldcal simulate --serve --seed 7",
       "Example: fieldcal simulate --scenario flat --kicks 24 --effect air_drag:cd=0.45 --seed 7"
           + " --out drag.log.gz"
     })
 final class SimulateCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
-  @Option(
-      names = "--scenario",
-      required = true,
-      paramLabel = "KIND",
-      description = "flat, chip, mixed or match")
+  @Option(names = "--scenario", paramLabel = "KIND", description = "flat, chip, mixed or match")
   private String scenario;
 
   @Option(
@@ -83,7 +81,6 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Option(
       names = "--out",
-      required = true,
       paramLabel = "FILE",
       description = "NAME.log or NAME.log.gz; NAME.truth.json and NAME.commands.csv come beside it")
   private Path out;
@@ -190,13 +187,21 @@ final class SimulateCommand implements Callable<Integer> {
       description = "a camera sends nothing for a while; may be repeated")
   private final List<String> outages = new ArrayList<>();
 
+  @Mixin private ServeOptions serving;
+
   SimulateCommand() {}
 
   @Override
   public Integer call() throws IOException {
     SimulationSettings settings;
     try {
+      require("--scenario=KIND", scenario != null || serving.wanted());
+      require("--out=FILE", out != null || serving.wanted());
       settings = settings();
+      if (serving.wanted()) {
+        serving.serve(settings, spec.commandLine().getOut());
+        return 0;
+      }
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }
@@ -221,6 +226,12 @@ final class SimulateCommand implements Callable<Integer> {
     return 0;
   }
 
+  private static void require(String option, boolean there) {
+    if (!there) {
+      throw new IllegalArgumentException("Missing required option: '" + option + "'");
+    }
+  }
+
   private SimulationSettings settings() {
     SimulationSettings s =
         SimulationSettings.DEFAULT.withSeed(seed).withField(field()).withScenario(scenario());
@@ -243,7 +254,10 @@ final class SimulateCommand implements Callable<Integer> {
   private ScenarioSettings scenario() {
     ScenarioKind kind;
     try {
-      kind = ScenarioKind.valueOf(scenario.toUpperCase(Locale.ROOT));
+      kind =
+          scenario == null
+              ? ScenarioKind.FLAT
+              : ScenarioKind.valueOf(scenario.toUpperCase(Locale.ROOT));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(
           "unknown scenario '" + scenario + "'; known are flat, chip, mixed, match", e);

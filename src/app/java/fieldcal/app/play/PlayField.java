@@ -70,4 +70,13 @@ public interface PlayField extends Closeable {
    * @return {@code RUN} when there is none
    */
   Permission permission();
+
+  /**
+   * What the operator should know of the connection.
+   *
+   * @return one line each; empty when there is nothing to say
+   */
+  default List<String> notes() {
+    return List.of();
+  }
 }

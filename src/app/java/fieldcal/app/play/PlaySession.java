@@ -133,7 +133,10 @@ public final class PlaySession {
       }
       if (now - first > GEOMETRY) {
         throw new IOException(
-            "vision sent no geometry for " + (int) GEOMETRY + " s; is it running?");
+            "vision sent no geometry for "
+                + (int) GEOMETRY
+                + " s; "
+                + (field.notes().isEmpty() ? "is it running?" : String.join("; ", field.notes())));
       }
     }
   }

@@ -1,0 +1,90 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.sslsim.Impairment;
+import fieldcal.app.sslsim.ServeRequest;
+import fieldcal.app.sslsim.SimulatorPorts;
+import fieldcal.app.sslsim.SimulatorServer;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.RobotId;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicBoolean;
+import picocli.CommandLine.Option;
+
+/** {@code simulate --serve}: the field as a simulator on the network. */
+final class ServeOptions {
+  @Option(
+      names = "--serve",
+      description =
+          "serves the field by the league's simulation protocol, in real time, until Ctrl-C; for"
+              + " play --ssl-sim, or a team's AI")
+  private boolean serve;
+
+  @Option(
+      names = "--robots",
+      paramLabel = "A,B",
+      description = "served: the two robots (default yellow0,yellow1); two more stand about")
+  private String robots = "yellow0,yellow1";
+
+  @Option(
+      names = "--vision",
+      paramLabel = "ADDR:PORT",
+      description = "served: where vision goes to (default 224.5.23.2:10020)")
+  private String vision = "224.5.23.2:10020";
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      description = "served: simulator control; blue and yellow follow (default 10300)")
+  private int port = SimulatorPorts.LEAGUE.control();
+
+  @Option(
+      names = "--loss",
+      paramLabel = "PERCENT",
+      description = "served: packets lost (default 0)")
+  private double loss;
+
+  @Option(
+      names = "--delay-ms",
+      paramLabel = "MS",
+      description = "served: delay of packets in each direction (default 0)")
+  private double delayMs;
+
+  boolean wanted() {
+    return serve;
+  }
+
+  /** Serves until the program is told to end. */
+  void serve(SimulationSettings settings, PrintWriter out) throws IOException {
+    RobotId[] pair = RobotNames.pair(robots);
+    SimulatorPorts ports = new SimulatorPorts(port);
+    NetworkPlace place = NetworkPlace.parse(vision, null);
+    Impairment impairment = new Impairment(loss / 100, delayMs / 1000);
+    InteractiveField field =
+        ServeRequest.now(
+            settings, pair[0], pair[1], List.of(), System.currentTimeMillis() * 1_000_000L);
+    AtomicBoolean stop = new AtomicBoolean();
+    try (SimulatorServer server =
+        new SimulatorServer(field, ports, place.address(), impairment, settings.seed())) {
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> stop.set(true)));
+      out.printf(
+          Locale.ROOT,
+          "serving %s and %s on %.0f x %.0f m: vision to %s, control %d, blue %d, yellow %d;"
+              + " Ctrl-C ends it%n",
+          pair[0],
+          pair[1],
+          settings.field().length(),
+          settings.field().width(),
+          place,
+          ports.control(),
+          ports.blue(),
+          ports.yellow());
+      out.flush();
+      server.serve(stop::get);
+    }
+  }
+}

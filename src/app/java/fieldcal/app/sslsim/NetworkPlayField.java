@@ -1,0 +1,202 @@
+package fieldcal.app.sslsim;
+
+import fieldcal.app.net.MatchNetwork;
+import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.play.PlayField;
+import fieldcal.app.play.WorldModel;
+import fieldcal.gamelog.RefereeState;
+import fieldcal.play.PlayAnswer.BallRequest;
+import fieldcal.play.PlayWorld;
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.RobotOrder;
+import fieldcal.proto.Referee;
+import fieldcal.proto.RobotCommand;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.Team;
+import fieldcal.vision.VisionEncoder;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** A simulator on the network: vision comes by multicast, robots and ball are moved by the league's simulation protocol. */
+public final class NetworkPlayField implements PlayField {
+  /** Between two commands, s. */
+  private static final double TICK = 0.01;
+
+  private static final double REFEREE_SILENT = 2;
+
+  /** A ball that was laid down is left alone for a while, s. */
+  private static final double BETWEEN_TELEPORTS = 1;
+
+  /** A clock that goes back by more was set anew, s. */
+  private static final double CLOCK_JUMP = 1;
+
+  private final Epoch epoch;
+  private final VisionEncoder encoder;
+  private final MatchNetwork network;
+  private final SimulatorClient client;
+  private final WorldModel model = new WorldModel();
+  private final long startNanos = System.nanoTime();
+  private final double startTime;
+  private PlayField.Receiver receiver;
+  private double newestFrame = Double.NaN;
+  private long newestArrived;
+  private double now = Double.NEGATIVE_INFINITY;
+  private double nextTick;
+  private Permission permission = Permission.RUN;
+  private double refereeHeard = Double.NEGATIVE_INFINITY;
+  private double teleported = Double.NEGATIVE_INFINITY;
+  private boolean clockJumped;
+
+  private final class Sink implements MatchNetwork.Sink {
+    @Override
+    public void frame(VisionFrame frame) {
+      double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
+      clockJumped |= sent < newestFrame - CLOCK_JUMP;
+      if (!(sent <= newestFrame)) {
+        newestFrame = sent;
+        newestArrived = System.nanoTime();
+      }
+      model.accept(frame);
+      pass(VisionPacket.of(frame));
+    }
+
+    @Override
+    public void geometry(FieldGeometry geometry) {
+      pass(VisionPacket.of(geometry));
+    }
+
+    @Override
+    public void referee(RefereeState state) {
+      refereeHeard = wallClock();
+      permission =
+          state.command() == Referee.Command.HALT
+              ? Permission.HALT
+              : state.command() == Referee.Command.STOP ? Permission.STOP : Permission.RUN;
+    }
+  }
+
+  /**
+   * Begins to listen and to talk.
+   *
+   * @param host of the simulator
+   * @param ports where it listens
+   * @param vision where its vision sends to
+   * @param referee where a referee sends to, if there is one
+   * @throws IOException when the host is unknown or a port cannot be opened; one line for the operator
+   */
+  public NetworkPlayField(
+      String host, SimulatorPorts ports, NetworkPlace vision, Optional<NetworkPlace> referee)
+      throws IOException {
+    long unixNanos = System.currentTimeMillis() * 1_000_000L;
+    epoch = Epoch.atSecondOf(unixNanos);
+    startTime = epoch.secondsOfNanos(unixNanos);
+    encoder = new VisionEncoder(epoch);
+    client = new SimulatorClient(host, ports);
+    try {
+      network = new MatchNetwork(vision, referee, epoch, new Sink());
+    } catch (IOException e) {
+      client.close();
+      throw e;
+    }
+  }
+
+  private double wallClock() {
+    return startTime + (System.nanoTime() - startNanos) * 1e-9;
+  }
+
+  private void pass(VisionPacket packet) {
+    receiver.vision(wallClock(), packet, encoder.encode(packet));
+  }
+
+  @Override
+  public Epoch epoch() {
+    return epoch;
+  }
+
+  @Override
+  public double next(Receiver to) throws IOException {
+    receiver = to;
+    nextTick = Math.max(nextTick + TICK, wallClock());
+    try {
+      do {
+        double left = Math.max(0, nextTick - wallClock());
+        network.receive((long) Math.ceil(1000 * left));
+      } while (wallClock() < nextTick);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted");
+    }
+    client.listen();
+    if (clockJumped) {
+      throw new IOException("vision's clock went back; was the simulator started anew?");
+    }
+    double since = (System.nanoTime() - newestArrived) * 1e-9;
+    double estimate = Double.isNaN(newestFrame) ? wallClock() : newestFrame + since;
+    now = Math.max(now, estimate);
+    return now;
+  }
+
+  @Override
+  public void order(List<RobotOrder> orders) throws IOException {
+    PlayWorld world = model.at(now, Permission.RUN);
+    for (Team team : Team.values()) {
+      List<RobotCommand> commands = new ArrayList<>();
+      for (RobotOrder order : orders) {
+        if (order.robot().team() == team) {
+          double orientation =
+              world.robot(order.robot()).map(PlayWorld.Robot::orientation).orElse(0.0);
+          commands.add(command(order, orientation));
+        }
+      }
+      if (!commands.isEmpty()) {
+        client.robots(team, commands);
+      }
+    }
+  }
+
+  private static RobotCommand command(RobotOrder order, double orientation) {
+    double cos = Math.cos(orientation);
+    double sin = Math.sin(orientation);
+    RobotOrder.Velocity v = order.velocity();
+    return SimulatorClient.command(
+        order.robot().number(),
+        v.vx() * cos + v.vy() * sin,
+        v.vy() * cos - v.vx() * sin,
+        v.angular(),
+        order.kick().speed(),
+        order.kick().elevation(),
+        order.dribbler());
+  }
+
+  @Override
+  public void layBall(BallRequest request) throws IOException {
+    if (now - teleported > BETWEEN_TELEPORTS) {
+      teleported = now;
+      client.layBall(request.x(), request.y());
+    }
+  }
+
+  @Override
+  public Permission permission() {
+    return wallClock() - refereeHeard < REFEREE_SILENT ? permission : Permission.RUN;
+  }
+
+  @Override
+  public List<String> notes() {
+    List<String> notes = new ArrayList<>(network.notes());
+    notes.addAll(client.notes());
+    return notes;
+  }
+
+  @Override
+  public void close() throws IOException {
+    network.close();
+    client.close();
+  }
+}

@@ -1,0 +1,186 @@
+package fieldcal.benchmark;
+
+import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayField;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.kick.KickKind;
+import fieldcal.play.PlayAnswer.BallRequest;
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.RobotOrder;
+import fieldcal.simulation.FieldSize;
+import fieldcal.simulation.FieldTrouble;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.Preset;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.robot.SimulatedRobot;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Seeded plays on the embedded field with random troubles: how they end, and whether anybody is hurt. 40 plays per run. */
+final class PlayBenchmark {
+  private static final int PLAYS_PER_RUN = 40;
+  private static final int KICKS = 6;
+  private static final int TROUBLES = 8;
+
+  /** Field time after which a play that has not ended hangs, s. */
+  private static final double HANGS = 1800;
+
+  private PlayBenchmark() {}
+
+  /** Passes everything on and looks at the true field in every tick. */
+  private static final class Watched implements PlayField {
+    private final EmbeddedPlayField inner;
+    private final InteractiveField field;
+    private double contactSpeed;
+    private double nearestEdge = Double.POSITIVE_INFINITY;
+
+    Watched(InteractiveField field) {
+      this.field = field;
+      inner = new EmbeddedPlayField(field, Double.POSITIVE_INFINITY);
+    }
+
+    @Override
+    public Epoch epoch() {
+      return inner.epoch();
+    }
+
+    @Override
+    public double next(Receiver receiver) throws IOException {
+      double now = inner.next(receiver);
+      List<SimulatedRobot> robots =
+          field.world().robots().stream().filter(r -> Math.abs(r.x()) < 100).toList();
+      for (SimulatedRobot a : robots) {
+        if (field.players().contains(a.id())) {
+          FieldSize size = field.world().field();
+          double margin = Math.min(0.2, size.boundary() - 0.1);
+          nearestEdge = Math.min(nearestEdge, size.length() / 2 + margin - Math.abs(a.x()));
+          nearestEdge = Math.min(nearestEdge, size.width() / 2 + margin - Math.abs(a.y()));
+          robots.stream().filter(b -> b != a).forEach(b -> meet(a, b));
+        }
+      }
+      return now;
+    }
+
+    private void meet(SimulatedRobot a, SimulatedRobot b) {
+      double dx = b.x() - a.x();
+      double dy = b.y() - a.y();
+      double distance = Math.hypot(dx, dy);
+      if (distance < 0.18) {
+        double closing = ((a.vx() - b.vx()) * dx + (a.vy() - b.vy()) * dy) / distance;
+        contactSpeed = Math.max(contactSpeed, closing);
+      }
+    }
+
+    @Override
+    public void order(List<RobotOrder> orders) {
+      inner.order(orders);
+    }
+
+    @Override
+    public void layBall(BallRequest request) {
+      inner.layBall(request);
+    }
+
+    @Override
+    public Permission permission() {
+      return inner.permission();
+    }
+
+    @Override
+    public void close() {
+      inner.close();
+    }
+  }
+
+  static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+    int plays = PLAYS_PER_RUN * settings.runs();
+    Map<String, Integer> reasons = new TreeMap<>();
+    int well = 0;
+    int hangs = 0;
+    int hurt = 0;
+    int outside = 0;
+    double hardest = 0;
+    double nearest = Double.POSITIVE_INFINITY;
+    double[] times = new double[plays];
+    for (int i = 0; i < plays; i++) {
+      long seed = 1000 * settings.seed() + i;
+      SessionRequest request = request(i, seed);
+      Watched field = new Watched(field(request, i, seed));
+      PlaySession[] session = new PlaySession[1];
+      session[0] =
+          new PlaySession(
+              request,
+              field,
+              s -> {
+                if (s.time() > HANGS) {
+                  session[0].abort("hangs");
+                }
+              });
+      PlaySession.Outcome outcome = session[0].run();
+      times[i] = outcome.last().time();
+      if (outcome.complete()) {
+        well++;
+      } else {
+        String reason = outcome.last().state().waiting().orElse("no reason");
+        hangs += reason.equals("hangs") || reason.equals("no reason") ? 1 : 0;
+        reasons.merge(reason, 1, Integer::sum);
+        out.printf("play %d, seed %d, %s: %s%n", i, seed, request.kind().id(), reason);
+      }
+      if (field.contactSpeed > 0.1 || field.nearestEdge < 0) {
+        out.printf(
+            "play %d, seed %d: contact %.2f m/s, edge %.3f m%n",
+            i, seed, field.contactSpeed, field.nearestEdge);
+      }
+      hurt += field.contactSpeed > 0.1 ? 1 : 0;
+      outside += field.nearestEdge < 0 ? 1 : 0;
+      hardest = Math.max(hardest, field.contactSpeed);
+      nearest = Math.min(nearest, field.nearestEdge);
+    }
+    Arrays.sort(times);
+    double share = 100.0 * well / plays;
+    Goal ended = Goal.atLeast(98, "%.0f %%");
+    Goal none = Goal.atMost(0, "%.0f");
+    out.printf("%d plays of %d good kicks with %d troubles each%n", plays, KICKS, TROUBLES);
+    out.printf("ended with all kicks: %.1f %%, goal %s: %s%n", share, ended, ended.verdict(share));
+    reasons.forEach((reason, n) -> out.printf("  %d: %s%n", n, reason));
+    out.printf("hangs: %d, goal %s: %s%n", hangs, none, none.verdict(hangs));
+    out.printf(
+        "contacts above 0.1 m/s: %d plays (hardest %.2f m/s), goal %s: %s%n",
+        hurt, hardest, none, none.verdict(hurt));
+    out.printf(
+        "outside of the margin: %d plays (nearest to its edge %.3f m), goal %s: %s%n",
+        outside, nearest, none, none.verdict(outside));
+    out.printf(
+        "field time: median %.0f s, 95 %% within %.0f s, longest %.0f s%n",
+        times[plays / 2], times[(int) (0.95 * (plays - 1))], times[plays - 1]);
+  }
+
+  private static SessionRequest request(int i, long seed) {
+    KickKind kind = i % 2 == 0 ? KickKind.FLAT : KickKind.CHIP;
+    RobotId first = new RobotId(Team.YELLOW, i % 12);
+    RobotId second = new RobotId(i % 3 == 0 ? Team.YELLOW : Team.BLUE, (i + 5) % 12);
+    return SessionRequest.of(kind, KICKS).withRobots(first, second).withChoice(false, seed);
+  }
+
+  private static InteractiveField field(SessionRequest request, int i, long seed) {
+    SimulationSettings settings = SimulationSettings.DEFAULT.withSeed(seed);
+    if (i % 5 == 4) {
+      settings = settings.withField(FieldSize.DIVISION_B);
+    } else if (i % 5 == 3) {
+      settings = Preset.LAB.applyTo(settings);
+    }
+    return InteractiveField.of(
+        settings,
+        request.first(),
+        request.second(),
+        FieldTrouble.random(seed, TROUBLES, 10.0 * KICKS));
+  }
+}

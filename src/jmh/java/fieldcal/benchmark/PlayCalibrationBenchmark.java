@@ -1,0 +1,168 @@
+package fieldcal.benchmark;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.JointFit;
+import fieldcal.kick.KickKind;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.physics.BallPhysics;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+
+/**
+ * Calibration from 12 flat kicks and 12 chips of the play, on fields whose parameters are drawn at random, with cameras that disagree by 20 mm and have 1.5 mm of noise. 4 fields per run.
+ */
+final class PlayCalibrationBenchmark {
+  private static final int FIELDS_PER_RUN = 4;
+  private static final int KICKS = 12;
+  private static final double BETWEEN = 1800;
+
+  private PlayCalibrationBenchmark() {}
+
+  private static final CalibrationSession.Progress QUIET =
+      new CalibrationSession.Progress() {
+        @Override
+        public void fitting(int kicks) {
+          // Nobody looks.
+        }
+
+        @Override
+        public void fitted() {
+          // Nobody looks.
+        }
+
+        @Override
+        public void read(Path log, long bytesRead, long totalBytes) {
+          // Nobody looks.
+        }
+      };
+
+  static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+    int fields = FIELDS_PER_RUN * settings.runs();
+    double[] times = new double[fields];
+    Map<String, double[]> sigmas = new LinkedHashMap<>();
+    int incomplete = 0;
+    for (int i = 0; i < fields; i++) {
+      long seed = 7000 + 1000 * settings.seed() + i;
+      SplittableRandom random = new SplittableRandom(seed);
+      double[] truth = {
+        -random.nextDouble(2.6, 4), -random.nextDouble(0.2, 0.36), random.nextDouble(0.58, 0.71),
+        random.nextDouble(0.65, 0.85), random.nextDouble(0.85, 0.97), random.nextDouble(0.4, 0.55)
+      };
+      SimulationSettings world =
+          SimulationSettings.DEFAULT
+              .withSeed(seed)
+              .withPhysics(
+                  BallPhysics.ideal(truth[0], truth[1], truth[2], truth[3], truth[4], truth[5]))
+              .withCameras(
+                  CameraSettings.DEFAULT.withNoise(0.0015, 0.003).withRegistration(0.0215, 0.02));
+      Path directory = Files.createTempDirectory("fieldcal-play-benchmark");
+      try {
+        for (KickKind kind : KickKind.values()) {
+          PlaySession.Outcome outcome = play(world, kind, seed, directory);
+          times[i] += outcome.last().time();
+          incomplete += outcome.complete() ? 0 : 1;
+        }
+        judge(PlayRun.calibrate(directory, QUIET), truth, i, fields, sigmas);
+      } finally {
+        delete(directory);
+      }
+    }
+    print(out, sigmas, times, incomplete);
+  }
+
+  private static PlaySession.Outcome play(
+      SimulationSettings world, KickKind kind, long seed, Path directory) throws IOException {
+    SessionRequest request = SessionRequest.of(kind, KICKS).withChoice(false, seed).into(directory);
+    double later = kind == KickKind.CHIP ? BETWEEN : 0;
+    InteractiveField field =
+        InteractiveField.later(world, request.first(), request.second(), List.of(), later);
+    return new PlaySession(
+            request, new EmbeddedPlayField(field, Double.POSITIVE_INFINITY), snapshot -> {})
+        .run();
+  }
+
+  private static void judge(
+      CalibrationOutcome outcome, double[] truth, int i, int n, Map<String, double[]> sigmas) {
+    JointFit joint = outcome.calibration().joint().orElseThrow();
+    List<String> flat = List.of("accSlide", "accRoll", "kSwitch");
+    List<String> chip = List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
+    for (int k = 0; k < 6; k++) {
+      String name = k < 3 ? flat.get(k) : chip.get(k - 3);
+      Optional<Estimate> e = k < 3 ? joint.flat(name) : joint.chip(name);
+      double off =
+          e.filter(Estimate::usable)
+              .map(x -> x.value() - truth(truth, name, flat, chip))
+              .orElse(Double.NaN);
+      double error = e.map(Estimate::standardError).orElse(Double.NaN);
+      sigmas.computeIfAbsent(name, x -> new double[n])[i] = off / error;
+    }
+  }
+
+  private static double truth(double[] truth, String name, List<String> flat, List<String> chip) {
+    return flat.contains(name) ? truth[flat.indexOf(name)] : truth[3 + chip.indexOf(name)];
+  }
+
+  private static void print(
+      PrintStream out, Map<String, double[]> sigmas, double[] times, int incomplete) {
+    out.printf("%d fields, %d sessions not completed%n", times.length, incomplete);
+    out.printf("error of the joint fit in its standard errors%n");
+    out.printf("%-20s %8s %8s %8s %8s%n", "", "rms", "worst", "≤ 1", "≤ 3");
+    int within = 0;
+    int all = 0;
+    for (Map.Entry<String, double[]> entry : sigmas.entrySet()) {
+      double[] values = entry.getValue();
+      double squares = Arrays.stream(values).map(v -> v * v).sum();
+      double worst = Arrays.stream(values).map(Math::abs).max().orElse(Double.NaN);
+      long one = Arrays.stream(values).filter(v -> Math.abs(v) <= 1).count();
+      long three = Arrays.stream(values).filter(v -> Math.abs(v) <= 3).count();
+      within += three;
+      all += values.length;
+      out.printf(
+          "%-20s %8.2f %8.2f %6.0f %% %6.0f %%%n",
+          entry.getKey(),
+          Math.sqrt(squares / values.length),
+          worst,
+          100.0 * one / values.length,
+          100.0 * three / values.length);
+    }
+    Goal goal = Goal.atLeast(100, "%.0f %%");
+    double share = 100.0 * within / all;
+    out.printf("within 3: %.1f %%, goal %s: %s%n", share, goal, goal.verdict(share));
+    double[] sorted = times.clone();
+    Arrays.sort(sorted);
+    Goal time = Goal.atMost(360, "%.0f s");
+    out.printf(
+        "field time of both: %.0f to %.0f s, median %.0f s, goal %s: %s%n",
+        sorted[0],
+        sorted[sorted.length - 1],
+        sorted[sorted.length / 2],
+        time,
+        time.verdict(sorted[sorted.length - 1]));
+  }
+
+  private static void delete(Path directory) throws IOException {
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+}
