@@ -53,7 +53,8 @@ class NetworkPlayFieldTest {
   @ParameterizedTest
   @CsvSource({"0,0", "0.05,0.05"})
   void theServedFieldIsPlayedOnLikeTheEmbeddedOne(double loss, double delay) throws Exception {
-    SessionRequest request = SessionRequest.of(KickKind.FLAT, 1).withChoice(false, 6).into(directory);
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, 1).withChoice(false, 6).into(directory);
     InteractiveField served =
         ServeRequest.now(
             SimulationSettings.DEFAULT.withSeed(6),
@@ -75,8 +76,7 @@ class NetworkPlayFieldTest {
                   throw new AssertionError(e);
                 }
               });
-      NetworkPlayField field =
-          new NetworkPlayField("127.0.0.1", ports, vision, Optional.empty());
+      NetworkPlayField field = new NetworkPlayField("127.0.0.1", ports, vision, Optional.empty());
       PlaySession.Outcome outcome = new PlaySession(request, field, s -> {}).run();
       stop.set(true);
       serving.get(5, TimeUnit.SECONDS);

@@ -116,8 +116,7 @@ class SimulatorProtocolTest {
     TeleportBall ball = TeleportBall.newBuilder().setX(1.5f).setY(-2f).setVx(0).build();
     TeleportRobot robot =
         TeleportRobot.newBuilder()
-            .setId(
-                fieldcal.proto.RobotId.newBuilder().setId(1).setTeam(fieldcal.proto.Team.BLUE))
+            .setId(fieldcal.proto.RobotId.newBuilder().setId(1).setTeam(fieldcal.proto.Team.BLUE))
             .setX(-1)
             .setY(2)
             .setOrientation(1)
@@ -135,7 +134,8 @@ class SimulatorProtocolTest {
     assertThat(field.world().ball().y()).isCloseTo(-2, within(1e-6));
     assertThat(robot(SECOND).x()).isCloseTo(-1, within(1e-6));
 
-    TeleportRobot gone = robot.toBuilder().setPresent(false).clearX().clearY().clearOrientation().build();
+    TeleportRobot gone =
+        robot.toBuilder().setPresent(false).clearX().clearY().clearOrientation().build();
     control(SimulatorControl.newBuilder().addTeleportRobot(gone).build());
     assertThat(robot(SECOND).x()).isGreaterThan(100);
   }
