@@ -44,6 +44,20 @@ final class MonitorCommand implements Callable<Integer> {
   private Source source;
 
   @Option(
+      names = "--referee",
+      paramLabel = "ADDR:PORT",
+      description =
+          "where the referee sends to; the league's is 224.5.23.1:10003. Without it everything"
+              + " counts, also what is no play")
+  private String referee;
+
+  @Option(
+      names = "--interface",
+      paramLabel = "NAME",
+      description = "name or address of the network interface to receive on; default: all of them")
+  private String networkInterface;
+
+  @Option(
       names = "--models",
       paramLabel = "FILE",
       description =
@@ -82,21 +96,6 @@ final class MonitorCommand implements Callable<Integer> {
         paramLabel = "ADDR:PORT",
         description = "where vision sends to; the league's is 224.5.23.2:10006")
     private String vision;
-
-    @Option(
-        names = "--referee",
-        paramLabel = "ADDR:PORT",
-        description =
-            "where the referee sends to; the league's is 224.5.23.1:10003. Without it everything"
-                + " counts, also what is no play")
-    private String referee;
-
-    @Option(
-        names = "--interface",
-        paramLabel = "NAME",
-        description =
-            "name or address of the network interface to receive on; default: all of them")
-    private String networkInterface;
   }
 
   /** A recorded match. */
@@ -135,18 +134,27 @@ final class MonitorCommand implements Callable<Integer> {
   }
 
   private MatchFeed feed() throws IOException {
-    return source.replay != null ? replay() : network();
+    if (source.network != null) {
+      return network();
+    }
+    if (referee != null || networkInterface != null) {
+      spec.commandLine()
+          .getErr()
+          .println(
+              "fieldcal: --referee and --interface belong to --multicast; a recording has its own"
+                  + " referee");
+    }
+    return replay();
   }
 
   private MatchFeed network() throws IOException {
-    Network n = source.network;
     try {
-      NetworkPlace vision = NetworkPlace.parse(n.vision, n.networkInterface);
-      Optional<NetworkPlace> referee =
-          n.referee == null
+      NetworkPlace vision = NetworkPlace.parse(source.network.vision, networkInterface);
+      Optional<NetworkPlace> whistle =
+          referee == null
               ? Optional.empty()
-              : Optional.of(NetworkPlace.parse(n.referee, n.networkInterface));
-      return new NetworkFeed(vision, referee);
+              : Optional.of(NetworkPlace.parse(referee, networkInterface));
+      return new NetworkFeed(vision, whistle);
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }

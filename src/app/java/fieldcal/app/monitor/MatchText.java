@@ -169,7 +169,7 @@ final class MatchText {
     lines.add("");
     add(
         lines,
-        "%-11s %-24s %-24s %-24s",
+        "%-11s %-21s %-21s %-21s",
         "ROBOTS",
         "velocity, m/s",
         "acceleration, m/s²",
@@ -178,14 +178,14 @@ final class MatchText {
       TeamLimits now = movement.limits().get(team);
       TeamLimits before = movement.beforeBreak().get(team);
       TeamLimits shown = now != null && now.acceleration().known() || before == null ? now : before;
-      String since = shown != null && shown == before ? "  before the break" : "";
+      String since = shown != null && shown == before ? "before the break" : "";
       if (shown == null) {
         add(lines, "  %-9s nothing yet", team.label());
         continue;
       }
       add(
           lines,
-          "  %-9s %-24s %-24s %-24s%s",
+          "  %-9s %-21s %-21s %-21s %s",
           team.label(),
           limit(shown.velocity(), shown.leagueVelocity()),
           limit(shown.acceleration(), shown.leagueAcceleration()),
