@@ -97,6 +97,9 @@ public final class LiveBenchmark {
       monitor.finish();
       warnings += notes.raised;
       kicks += notes.kicks;
+      if ((i + 1) % MATCHES_PER_RUN == 0) {
+        out.printf("%d matches: %d kicks, %d warnings%n", i + 1, kicks, warnings);
+      }
       for (ParameterEstimate e : monitor.snapshot().ball().parameters()) {
         if (e.enough()) {
           errors
