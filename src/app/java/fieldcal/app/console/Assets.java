@@ -30,7 +30,9 @@ final class Assets {
           "kicks.js",
           "kick-table.js",
           "diagnosis.js",
-          "publish.js");
+          "publish.js",
+          "match.js",
+          "play.js");
 
   /** What the console shares with the reports. */
   private static final List<String> SHARED =

@@ -16,6 +16,8 @@ final class Desks {
   private final KickDesk kicks;
   private final DiagnosisDesk diagnosis;
   private final PublishDesk publish;
+  private final MatchDesk match;
+  private final PlayDesk play;
   private final StateJson json;
 
   Desks(ConsoleSettings settings, Clock clock) throws IOException {
@@ -25,7 +27,11 @@ final class Desks {
     kicks = new KickDesk(directory, settings, work, this::tellState);
     diagnosis = new DiagnosisDesk(directory, settings, kicks, notes, work, this::tellState);
     publish = new PublishDesk(directory, kicks, notes, clock, this::tellState);
-    json = new StateJson(directory, kicks, diagnosis, notes, work, clock.millis(), changes::get);
+    match = new MatchDesk(directory, kicks, events, this::tellState);
+    play = new PlayDesk(directory, kicks, events, this::tellState);
+    json =
+        new StateJson(
+            directory, kicks, diagnosis, match, play, notes, work, clock.millis(), changes::get);
   }
 
   /** Begins with what is in the directory. */
@@ -42,6 +48,8 @@ final class Desks {
   }
 
   void stop() {
+    match.close();
+    play.close();
     work.close();
     events.close();
   }
@@ -86,6 +94,14 @@ final class Desks {
 
   PublishDesk publish() {
     return publish;
+  }
+
+  MatchDesk match() {
+    return match;
+  }
+
+  PlayDesk play() {
+    return play;
   }
 
   StateJson json() {

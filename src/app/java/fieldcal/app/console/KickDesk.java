@@ -105,6 +105,11 @@ final class KickDesk {
     work.ask(READING, this::read);
   }
 
+  /** Reads them on the console's own account: a recording came in. */
+  void readAgain() {
+    work.again(READING, this::read);
+  }
+
   private void read(Work.Progress progress) {
     try {
       List<Path> found = directory.logs();

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -20,6 +21,9 @@ final class SessionDirectory {
 
   /** How files end that say what the robots were told: {@code commands.csv}, {@code practice.commands.csv}. */
   private static final String COMMANDS = "commands.csv";
+
+  /** Recordings of matches are watched, not calibrated. */
+  private static final String MATCHES = "matches";
 
   /** All that is ever served of the directory, with its type. */
   private static final Map<String, String> SERVED =
@@ -76,6 +80,19 @@ final class SessionDirectory {
   /** The recordings, by name. */
   List<Path> logs() throws IOException {
     return files(SessionDirectory::isLog);
+  }
+
+  /** What can be watched: the recordings, and those of matches, which nobody wants to calibrate; by name. */
+  Map<String, Path> watchable() throws IOException {
+    Map<String, Path> all = new LinkedHashMap<>();
+    Path matches = path.resolve(MATCHES);
+    if (Files.isDirectory(matches)) {
+      new SessionDirectory(matches)
+          .logs()
+          .forEach(log -> all.put(path.relativize(log).toString(), log));
+    }
+    logs().forEach(log -> all.put(log.getFileName().toString(), log));
+    return all;
   }
 
   private List<Path> files(Predicate<Path> wanted) throws IOException {

@@ -28,6 +28,8 @@ final class StateJson {
   private final SessionDirectory directory;
   private final KickDesk kicks;
   private final DiagnosisDesk diagnosis;
+  private final MatchDesk match;
+  private final PlayDesk play;
   private final NotesDesk notes;
   private final Work work;
   private final long run;
@@ -47,6 +49,8 @@ final class StateJson {
       SessionDirectory directory,
       KickDesk kicks,
       DiagnosisDesk diagnosis,
+      MatchDesk match,
+      PlayDesk play,
       NotesDesk notes,
       Work work,
       long run,
@@ -54,6 +58,8 @@ final class StateJson {
     this.directory = directory;
     this.kicks = kicks;
     this.diagnosis = diagnosis;
+    this.match = match;
+    this.play = play;
     this.notes = notes;
     this.work = work;
     this.run = run;
@@ -82,6 +88,10 @@ final class StateJson {
       root.setAll(calibration(view));
     }
     root.set("diagnosis", diagnosis(view));
+    root.set("match", match.state());
+    ArrayNode watchable = root.putArray("watchable");
+    directory.watchable().keySet().forEach(watchable::add);
+    root.set("play", play.state());
     root.set("published", MAPPER.valueToTree(notes.now().published()));
     return MAPPER.writeValueAsString(root);
   }
@@ -181,6 +191,10 @@ final class StateJson {
     ObjectNode node = NODES.objectNode();
     SessionNotes now = notes.now();
     node.set("note", MAPPER.valueToTree(now.diagnosis()));
+    node.set(
+        "next",
+        MAPPER.valueToTree(
+            now.diagnosis() == null ? List.of() : KicksToRecord.of(now.diagnosis())));
     node.put("acceptance", Requests.name(now.acceptance()));
     node.put("outdated", view.outcome().isPresent() && diagnosis.outdated(view));
     node.put("report", reportStamp());

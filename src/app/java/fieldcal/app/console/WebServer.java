@@ -104,6 +104,13 @@ final class WebServer {
         routes,
         "/api/diagnosis/acceptance",
         body -> desks.diagnosis().decide(Requests.oneOf(body, "acceptance", Acceptance.values())));
+    action(routes, "/api/match", body -> desks.match().start(body));
+    action(routes, "/api/match/end", body -> desks.match().stop());
+    action(routes, "/api/play", body -> desks.play().start(PlayOrder.of(body)));
+    action(routes, "/api/play/word", body -> desks.play().say(body));
+    routes.post(
+        "/api/play/plan",
+        r -> json(r, desks.play().plan(PlayOrder.of(Requests.body(r))).toString()));
     action(routes, "/api/publish", body -> desks.publish().send(body));
   }
 

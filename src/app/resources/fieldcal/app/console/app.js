@@ -4,12 +4,14 @@ import {button, progress, shown} from './parts.js';
 import {kicksPage} from './kicks.js';
 import {diagnosisPage} from './diagnosis.js';
 import {publishPage} from './publish.js';
+import {matchPage} from './match.js';
+import {playPage} from './play.js';
 
 const {el} = Charts;
 const {$} = Frame;
 
 const app = {state: null, theme: null, decide, run, fail, colours};
-const PAGES = [kicksPage(app), diagnosisPage(app), publishPage(app)];
+const PAGES = [kicksPage(app), playPage(app), diagnosisPage(app), publishPage(app), matchPage(app)];
 let current = null;
 let lastWork = null, failures = [], asking = false, askAgain = false;
 
@@ -78,7 +80,7 @@ function showNotices() {
   }
   for (const text of state.unsaved || []) rows.push(notice('bad', text + '. Nothing is lost while the console runs.', button('Save again', () => run('save'))));
   if (state.failure && state.calibration) rows.push(notice('bad', state.failure, button('Read again', () => run('read'))));
-  if (state.unread && state.unread.length && !busy()) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
+  if (state.unread && state.unread.length && !busy() && !state.play.running) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
   $('notices').replaceChildren(...rows);
 }
 
@@ -98,7 +100,7 @@ function showWork(work) {
       ...(work.asked ? [button('Cancel', () => run('cancel'), {id: 'cancel'})] : []));
   }
   if (current && current.worked) current.worked(work);
-  if (!app.state || !app.state.calibration) showEmpty();
+  if (!ready()) showEmpty();
 }
 
 function showLink(connected) {
@@ -108,9 +110,12 @@ function showLink(connected) {
   if (connected) refresh();
 }
 
+/** Whether the page that was chosen has something to show; some need no kicks. */
+const ready = () => Boolean(app.state && (app.state.calibration || current.always));
+
 function showEmpty() {
   const state = app.state;
-  const empty = !state || !state.calibration;
+  const empty = !state || !ready();
   $('page-empty').hidden = !empty;
   if (!empty) return;
   const words = !state ? ['Connecting …', []]
@@ -135,8 +140,8 @@ function showAll() {
   showNotices();
   showNavigation();
   showEmpty();
-  for (const page of PAGES) $('page-' + page.id).hidden = page !== current || !state.calibration;
-  if (state.calibration) current.show();
+  for (const page of PAGES) $('page-' + page.id).hidden = page !== current || !ready();
+  if (ready()) current.show();
 }
 
 // ---- pages, colours, keys ----
@@ -185,7 +190,7 @@ document.addEventListener('keydown', event => {
   if (page) location.hash = page.id;
   else if (event.key === 't') toggleTheme();
   else if (event.key === '?') showKeys();
-  else if (app.state && app.state.calibration && current.keys && Object.hasOwn(current.keys, event.key)) {
+  else if (ready() && current.keys && Object.hasOwn(current.keys, event.key)) {
     event.preventDefault();
     current.keys[event.key]();
   }
@@ -196,7 +201,7 @@ window.addEventListener('resize', () => {
   cancelAnimationFrame(resizing);
   resizing = requestAnimationFrame(() => {
     for (const chart of Frame.charts.values()) chart.resize();
-    if (app.state && app.state.calibration && current.resized) current.resized();
+    if (ready() && current.resized) current.resized();
   });
 });
 
@@ -209,6 +214,9 @@ showNavigation();
 listen((name, data) => {
   if (name === 'state') { if (!app.state || app.state.version !== data) refresh(); }
   else if (name === 'work') showWork(data);
-  else for (const page of PAGES) if (page.told) page.told(name, data);
+  else {
+    if (app.state) app.state[name].status = data;
+    if (app.state && current.id === name) current.told(data);
+  }
 }, showLink);
 refresh();

@@ -56,6 +56,7 @@ export function diagnosisPage(app) {
       rows.push(el('p', {id: 'headline', class: 'headline ' + level}, mark + ' ' + note().headline));
       if (outdated) rows.push(el('p', {class: 'notice warn'}, 'The kicks are others than those that were diagnosed: diagnose again.'));
       rows.push(...note().causes.map(causeOf));
+      if (state().diagnosis.next.length) rows.push(el('p', {}, el('a', {href: '#play', id: 'to-play'}, 'Send the kicks to record next to the play'), ': ' + state().diagnosis.next.map(w => w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s').join('; ') + '.'));
       if (acceptance === 'accepted') rows.push(el('p', {id: 'accepted'}, Frame.badge('good', '✔ accepted'), ' The model on the other pages holds together with these effects. Programs that know the league\'s message alone need the model without them: refuse it for them.'));
       if (acceptance === 'refused') rows.push(el('p', {id: 'refused'}, Frame.badge('warn', 'refused'), ' The model on the other pages is the simple one.'));
     }

@@ -36,3 +36,20 @@ export function shown(title, contents) {
 export function progress(done, total) {
   return el('progress', total > 0 ? {max: total, value: Math.min(done, total)} : {});
 }
+
+/** A table: heads are [label, title]; those of text are left-aligned. */
+export function table(heads, rows, more = {}) {
+  return el('table', more, el('thead', {}, el('tr', {}, heads.map(([label, left, title]) => el('th', {scope: 'col', class: left ? 'text' : null, title}, label)))), el('tbody', {}, rows));
+}
+
+/** A field of a form with its label. */
+export function field(label, input) {
+  return el('label', {}, label + ' ', input);
+}
+
+/** A choice of several values; tells what was chosen. */
+export function select(id, options, current, chosen) {
+  const node = el('select', {id, onchange: event => chosen(event.target.value)}, options.map(([value, label]) => el('option', {value}, label)));
+  node.value = current;
+  return node;
+}

@@ -138,7 +138,7 @@ class BrowserTest {
   }
 
   private static void diagnose() {
-    browser.press("2");
+    browser.press("3");
     browser.click("#diagnose-run");
     browser.find("#diagnose-cancel");
     browser.awaitText("#headline", "air drag");
@@ -146,14 +146,14 @@ class BrowserTest {
     browser.awaitText("#diagnose-state", "✔ accepted");
     browser.press("1");
     browser.awaitText("#advice", "air drag");
-    browser.press("2");
+    browser.press("3");
     browser.click("#refuse-model");
     browser.awaitText("#diagnose-state", "The model on the other pages is the simple one");
     assertThat(browser.find("#diagnosis-report").isDisplayed()).isTrue();
   }
 
   private static void publish() throws IOException {
-    browser.press("3");
+    browser.press("4");
     browser.await(
         "the joint fit is up to date", d -> browser.find("#send-button").isEnabled() ? true : null);
     try (DatagramSocket vision = new DatagramSocket(0, InetAddress.getByName("127.0.0.1"))) {
@@ -178,11 +178,67 @@ class BrowserTest {
 
   private static void stillThere() {
     browser.awaitText("#published", "127.0.0.1");
-    browser.press("2");
+    browser.press("3");
     browser.awaitText("#headline", "air drag");
     browser.press("1");
     browser.awaitText("#kicks", "by hand: a foot");
     browser.awaitText("#rule-words", "1 round,");
+  }
+
+  @Test
+  void aPlayFromTheFirstPlanToItsKicks() throws IOException {
+    Path session = Files.createDirectory(folder.resolve("play"));
+    try (RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#play");
+      browser.find("#play-field canvas");
+      browser.type("#order-slowest", "9");
+      browser.find("#plan-failure");
+      browser.type("#order-slowest", "3");
+      browser.awaitGone("#plan-failure");
+      browser.type("#order-kicks", "3");
+      browser.click("#play-start");
+      browser.press("p");
+      browser.awaitText("#play-phase", "paused");
+      browser.click("#play-resume");
+      browser.await("a kick is made", d -> browser.count("#play-kicks tbody tr") > 0 ? true : null);
+      browser.click("#play-abort");
+      browser.click("#refuse");
+      browser.awaitText("#play-line", "3 of 3 kicks");
+      browser.awaitText("#play-state", "part of the session");
+      browser.press("1");
+      browser.await(
+          "the kicks are calibrated",
+          d -> browser.count("#kicks tr[data-kick]") >= 3 ? true : null);
+      browser.assertNoComplaints();
+      assertThat(session.resolve("session-flat.log")).exists();
+      assertThat(session.resolve("session-flat.commands.csv")).exists();
+      browser.press("2");
+      browser.click("#play-start");
+      browser.click("#play-abort");
+      browser.click("#confirm");
+      browser.awaitGone("#play-abort");
+      browser.awaitText("#play-state", "the operator ended it");
+    }
+  }
+
+  @Test
+  void aMatchIsWatched() throws IOException {
+    Path session = Files.createDirectory(folder.resolve("match"));
+    SampleSession.recordMatch(session);
+    try (RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#match");
+      browser.script(
+          "const s = document.getElementById('watch-source'); s.value = 'recording';"
+              + " s.dispatchEvent(new Event('change'))");
+      browser.click("#watch-start");
+      browser.awaitText("#watch-line", "ended");
+      assertThat(browser.text("#watch-line")).contains("kicks");
+      assertThat(browser.count("#medians canvas")).isGreaterThanOrEqualTo(3);
+      assertThat(browser.text("#teams")).contains("yellow").contains("blue");
+      assertThat(browser.count("#health tbody tr")).isEqualTo(4);
+      assertThat(browser.count("#last-kicks tbody tr")).isPositive();
+      browser.assertNoComplaints();
+    }
   }
 
   @Test

@@ -214,6 +214,47 @@ class WebServerTest {
   }
 
   @Test
+  void matchesAndPlaysThatAreNoneAreRefused() throws IOException {
+    String[] matches = {
+      "{}",
+      "{\"source\":\"network\"}",
+      "{\"source\":\"network\",\"vision\":\"nowhere\"}",
+      "{\"source\":\"network\",\"vision\":\"224.5.23.2:99999\"}",
+      "{\"source\":\"network\",\"vision\":\"127.0.0.1:0\",\"referee\":\"x\"}",
+    };
+    for (String match : matches) {
+      assertRefused(console.post("/api/match", match), 400);
+    }
+    String outside = "{\"source\":\"recording\",\"recording\":\"../outside.json\"}";
+    assertRefused(console.post("/api/match", outside), 404);
+    String order =
+        "{\"kind\":\"flat\",\"half\":\"whole\",\"first\":\"yellow0\",\"second\":\"yellow1\"%s}";
+    String[] wrong = {
+      ",\"kicks\":0",
+      ",\"kicks\":\"many\"",
+      ",\"slowest\":5,\"fastest\":3",
+      ",\"fastest\":60",
+      ",\"slowest\":\"slow\"",
+      ",\"second\":\"yellow0\"",
+      ",\"second\":\"robot\"",
+      ",\"half\":\"both\"",
+      ",\"kind\":\"chip\",\"across\":50",
+      ",\"pace\":-1"
+    };
+    for (String more : wrong) {
+      assertRefused(console.post("/api/play/plan", order.formatted(more)), 400);
+      assertRefused(console.post("/api/play", order.formatted(more)), 400);
+    }
+    assertRefused(console.post("/api/play/word", "{\"word\":\"pause\"}"), 409);
+    assertRefused(console.post("/api/play/word", "{\"word\":\"dance\"}"), 400);
+    Answer plan = console.post("/api/play/plan", order.formatted(",\"kicks\":5"));
+    assertThat(plan.status()).isEqualTo(200);
+    assertThat(plan.json().path("kicks")).hasSize(5);
+    assertThat(plan.json().path("lines")).hasSize(2);
+    assertThat(console.state().at("/play/running").asBoolean()).isFalse();
+  }
+
+  @Test
   void withATokenNobodyGetsAnythingWithoutIt() throws IOException {
     String token = "a-token-of-the-field";
     ConsoleSettings settings = RunningConsole.withToken(session, "0.0.0.0", token);

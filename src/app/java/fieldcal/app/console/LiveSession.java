@@ -1,0 +1,85 @@
+package fieldcal.app.console;
+
+import java.io.IOException;
+import java.util.Optional;
+
+/**
+ * Something that goes on by itself until it ends or is ended: a match that is watched, a play. One at a time; what it shows last stays. Thread-safe.
+ */
+final class LiveSession {
+  /** What goes on. */
+  interface Run {
+    /** Goes on until it ends. */
+    void run() throws IOException;
+  }
+
+  private final String name;
+  private final Runnable changed;
+  private Thread thread;
+  private boolean running;
+  private Optional<String> failure = Optional.empty();
+
+  LiveSession(String name, Runnable changed) {
+    this.name = name;
+    this.changed = changed;
+  }
+
+  synchronized boolean running() {
+    return running;
+  }
+
+  /** Why the last one did not come to a good end. */
+  synchronized Optional<String> failure() {
+    return failure;
+  }
+
+  /**
+   * Lets one go on.
+   *
+   * @param goesOn what it is
+   * @throws ApiException when another one does
+   */
+  void start(Run goesOn) {
+    synchronized (this) {
+      if (running) {
+        throw ApiException.conflict("the " + name + " is running already; end it first");
+      }
+      running = true;
+      failure = Optional.empty();
+      thread = new Thread(() -> run(goesOn), name);
+      thread.setDaemon(true);
+      thread.start();
+    }
+    changed.run();
+  }
+
+  private void run(Run goesOn) {
+    Optional<String> why = Optional.empty();
+    try {
+      goesOn.run();
+    } catch (IOException | RuntimeException e) {
+      why = Optional.of(Failures.words(e));
+    }
+    synchronized (this) {
+      running = false;
+      failure = why;
+    }
+    changed.run();
+  }
+
+  /** Waits for the end, but not for long. */
+  void join(long millis) {
+    Thread waitedFor;
+    synchronized (this) {
+      waitedFor = thread;
+    }
+    if (waitedFor == null) {
+      return;
+    }
+    try {
+      waitedFor.join(millis);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,154 @@
+package fieldcal.app.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.app.play.SessionSnapshot;
+import fieldcal.app.simulation.TruthJson;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** The calibration play: plan, run, and what is to be seen of it. Its recording becomes part of the session. Thread-safe. */
+final class PlayDesk {
+  /** Sessions of one simulated field begin that far apart, s. */
+  private static final double BETWEEN_SESSIONS = 1800;
+
+  /** A page cannot show more, ns. */
+  private static final long TELL_EVERY = 90_000_000L;
+
+  private static final long PATIENCE_MS = 3000;
+
+  private final SessionDirectory directory;
+  private final KickDesk kicks;
+  private final EventHub events;
+  private final LiveSession live;
+  private volatile PlaySession session;
+  private volatile Optional<ObjectNode> last = Optional.empty();
+  private long told;
+  private int toldKicks;
+  private String toldPhase = "";
+
+  PlayDesk(SessionDirectory directory, KickDesk kicks, EventHub events, Runnable changed) {
+    this.directory = directory;
+    this.kicks = kicks;
+    this.events = events;
+    live = new LiveSession("play", changed);
+  }
+
+  /** The plan of an order as a drawing. */
+  ObjectNode plan(PlayOrder order) {
+    return PlayDrawing.plan(order.request(), field(order.request(), 0).geometry());
+  }
+
+  /**
+   * Begins a play on the simulated field.
+   *
+   * @throws ApiException when it cannot be played, or another play is running
+   */
+  void start(PlayOrder order) throws IOException {
+    // What does not fit on the field is told before anything begins.
+    plan(order);
+    int earlier = PlayRun.logs(directory.path()).size();
+    InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
+    SessionRequest request = order.request().into(directory.path());
+    EmbeddedPlayField open = new EmbeddedPlayField(field, order.pace());
+    PlaySession next = new PlaySession(request, open, this::tell);
+    live.start(
+        () -> {
+          session = next;
+          run(next, field);
+        });
+  }
+
+  private static InteractiveField field(SessionRequest request, double later) {
+    SimulationSettings settings = SimulationSettings.DEFAULT.withSeed(request.seed());
+    try {
+      return InteractiveField.later(settings, request.first(), request.second(), List.of(), later);
+    } catch (IllegalArgumentException e) {
+      throw ApiException.badRequest(e.getMessage());
+    }
+  }
+
+  private void run(PlaySession playing, InteractiveField field) throws IOException {
+    PlaySession.Outcome outcome = playing.run();
+    if (outcome.log().isPresent()) {
+      Path log = outcome.log().get();
+      String truth = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");
+      JsonFiles.write(TruthJson.of(field.finish(packet -> {})), log.resolveSibling(truth));
+    }
+    if (!outcome.last().kicks().isEmpty()) {
+      kicks.readAgain();
+    }
+  }
+
+  private void tell(SessionSnapshot snapshot) {
+    long now = System.nanoTime();
+    String phase = snapshot.state().phase().name() + snapshot.paused();
+    boolean news =
+        snapshot.kicks().size() != toldKicks
+            || !phase.equals(toldPhase)
+            || snapshot.state().phase().over();
+    if (news || now - told > TELL_EVERY) {
+      told = now;
+      toldKicks = snapshot.kicks().size();
+      toldPhase = phase;
+      ObjectNode node = PlayDrawing.snapshot(snapshot);
+      last = Optional.of(node);
+      events.tell("play", node.toString());
+    }
+  }
+
+  /** What can be said to a play that runs. */
+  enum Word {
+    /** Both robots stand. */
+    PAUSE,
+    /** They go on. */
+    RESUME,
+    /** It ends; what was recorded stays. */
+    ABORT
+  }
+
+  /**
+   * Says something to the play.
+   *
+   * @throws ApiException when none is running
+   */
+  void say(JsonNode body) {
+    Word word = Requests.oneOf(body, "word", Word.values());
+    PlaySession now = session;
+    if (now == null || !live.running()) {
+      throw ApiException.conflict("no play is running");
+    }
+    switch (word) {
+      case PAUSE -> now.pause();
+      case RESUME -> now.resume();
+      case ABORT -> now.abort("the operator ended it");
+    }
+  }
+
+  void close() {
+    PlaySession now = session;
+    if (now != null) {
+      now.abort("the console was closed");
+    }
+    live.join(PATIENCE_MS);
+  }
+
+  /** What a page needs to begin with. */
+  ObjectNode state() {
+    ObjectNode node = JsonNodeFactory.instance.objectNode();
+    node.put("running", live.running());
+    node.put("failure", live.failure().orElse(null));
+    last.ifPresent(status -> node.set("status", status));
+    return node;
+  }
+}

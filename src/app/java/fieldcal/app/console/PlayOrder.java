@@ -1,0 +1,70 @@
+package fieldcal.app.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.kick.KickKind;
+import fieldcal.play.PlayLine.Half;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The play that an operator orders.
+ *
+ * @param request what is wanted
+ * @param pace of the simulated field, times real time; infinite for as fast as it can
+ */
+record PlayOrder(SessionRequest request, double pace) {
+  private static final Pattern ROBOT = Pattern.compile("(yellow|blue)(\\d{1,2})");
+
+  /**
+   * Reads an order.
+   *
+   * @throws ApiException when it is none, with what is wrong
+   */
+  static PlayOrder of(JsonNode body) {
+    KickKind kind = Requests.oneOf(body, "kind", KickKind.values());
+    Half half = Requests.oneOf(body, "half", Half.values());
+    try {
+      SessionRequest usual =
+          SessionRequest.of(kind, (int) Requests.number(body, "kicks").orElse(12));
+      SessionRequest request =
+          usual
+              .withRobots(robot(body, "first"), robot(body, "second"))
+              .withPlace(half, value(body, "across", 0))
+              .withSpeeds(
+                  value(body, "slowest", usual.slowest()),
+                  value(body, "fastest", usual.fastest()),
+                  Math.toRadians(value(body, "elevation", 45)))
+              .withChoice(false, Requests.number(body, "seed").orElse(1));
+      double pace = value(body, "pace", 0);
+      if (!(pace >= 0 && pace <= 100)) {
+        throw ApiException.badRequest("pace must be 0 (as fast as possible) to 100");
+      }
+      return new PlayOrder(request, pace == 0 ? Double.POSITIVE_INFINITY : pace);
+    } catch (IllegalArgumentException e) {
+      throw ApiException.badRequest(e.getMessage());
+    }
+  }
+
+  private static RobotId robot(JsonNode body, String field) {
+    Matcher matcher = ROBOT.matcher(Requests.text(body, field, 20).strip());
+    if (!matcher.matches()) {
+      throw ApiException.badRequest(field + " must be a robot such as yellow3 or blue10");
+    }
+    Team team = matcher.group(1).equals("yellow") ? Team.YELLOW : Team.BLUE;
+    return new RobotId(team, Integer.parseInt(matcher.group(2)));
+  }
+
+  private static double value(JsonNode body, String field, double usual) {
+    JsonNode value = body.path(field);
+    if (value.isMissingNode() || value.isNull()) {
+      return usual;
+    }
+    if (!value.isNumber()) {
+      throw ApiException.badRequest(field + " must be a number");
+    }
+    return value.asDouble();
+  }
+}
