@@ -1,6 +1,6 @@
 /* The console's page: keeps the state that the server tells, shows the page that was chosen, and what holds for all pages. */
 import {ask, act, listen} from './server.js';
-import {button, progress, shown} from './parts.js';
+import {button, progress, renew, shown} from './parts.js';
 import {kicksPage} from './kicks.js';
 import {diagnosisPage} from './diagnosis.js';
 import {publishPage} from './publish.js';
@@ -91,13 +91,11 @@ function showWork(work) {
   lastWork = work;
   if (app.state) app.state.work = work;
   const box = $('work');
-  if (!work.title) {
-    box.replaceChildren();
-  } else {
+  renew(box, [work.title, work.asked], () => !work.title ? [] : [el('span', {class: 'what'}), progress(0, 0), ...(work.asked ? [button('Cancel', () => run('cancel'), {id: 'cancel'})] : [])]);
+  if (work.title) {
     const counted = work.total > 1 && Number.isInteger(work.done) ? ' ' + work.done + ' of ' + work.total : '';
-    box.replaceChildren(
-      el('span', {class: 'what', title: work.title + ': ' + work.text}, work.title + (work.text ? ': ' + work.text + counted : '')), progress(work.done, work.total),
-      ...(work.asked ? [button('Cancel', () => run('cancel'), {id: 'cancel'})] : []));
+    box.firstChild.textContent = box.firstChild.title = work.title + (work.text ? ': ' + work.text + counted : '');
+    box.children[1].replaceWith(progress(work.done, work.total));
   }
   if (current && current.worked) current.worked(work);
   if (!ready()) showEmpty();

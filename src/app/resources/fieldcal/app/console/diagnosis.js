@@ -1,5 +1,5 @@
 /* The page of the diagnosis: run it, see what came of it, accept or refuse its model. */
-import {button, progress} from './parts.js';
+import {button, progress, renew} from './parts.js';
 
 const {el} = Charts;
 const {$} = Frame;
@@ -34,12 +34,12 @@ export function diagnosisPage(app) {
     const {acceptance} = state().diagnosis;
     const found = note() && note().causes.length > 0;
     const accept = what => () => app.run('diagnosis/acceptance', {acceptance: what});
-    $('diagnose-actions').replaceChildren(
+    renew($('diagnose-actions'), [running(), note(), acceptance, state().diagnosis.outdated, Boolean(state().work.asked)], () => [
       running() ? button('Cancel', () => app.run('cancel'), {id: 'diagnose-cancel'})
         : button(note() ? 'Diagnose again' : 'Diagnose these kicks', () => app.run('diagnosis'), {id: 'diagnose-run', strong: !note() || state().diagnosis.outdated, disabled: Boolean(state().work.asked)}),
       ...(found && !running() ? [
         button('Accept the extended model', accept('accepted'), {id: 'accept', pressed: acceptance === 'accepted', title: 'Calibrate with the causes taken out of the detections'}),
-        button('Refuse it', accept('refused'), {id: 'refuse-model', pressed: acceptance === 'refused', title: 'Stay with the simple model'})] : []));
+        button('Refuse it', accept('refused'), {id: 'refuse-model', pressed: acceptance === 'refused', title: 'Stay with the simple model'})] : [])]);
   }
 
   function showState() {

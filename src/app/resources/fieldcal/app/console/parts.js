@@ -53,3 +53,11 @@ export function select(id, options, current, chosen) {
   node.value = current;
   return node;
 }
+
+/** Replaces what is in a box only when it would be something else: a button that is replaced while it is pressed is never pressed. */
+export function renew(box, key, make) {
+  const text = JSON.stringify(key);
+  if (box.dataset.shows === text) return;
+  box.dataset.shows = text;
+  box.replaceChildren(...make());
+}

@@ -1,6 +1,6 @@
 /* The page of the calibration play: plan it, start it, watch it, pause or abort it. */
 import {act} from './server.js';
-import {button, confirmed, field, select, table} from './parts.js';
+import {button, confirmed, field, renew, select, table} from './parts.js';
 
 const {el, known, number, withError, fieldView, extent} = Charts;
 const {$, content, draw, charts, badge, swatch} = Frame;
@@ -89,8 +89,8 @@ export function playPage(app) {
   function showStatus() {
     const now = status();
     const word = what => () => app.run('play/word', {word: what});
-    const pausing = now && now.paused;
-    $('play-words').replaceChildren(...(play().running ? [
+    const pausing = Boolean(now && now.paused);
+    renew($('play-words'), [play().running, pausing], () => (play().running ? [
       pausing ? button('▶ Go on', word('resume'), {id: 'play-resume', key: 'p', strong: true}) : button('❙❙ Pause', word('pause'), {id: 'play-pause', key: 'p', strong: true}),
       button('■ Abort …', abort, {id: 'play-abort'})] : []));
     const rows = [];
