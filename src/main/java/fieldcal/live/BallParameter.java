@@ -73,7 +73,8 @@ public enum BallParameter {
    * bounces faster or slower along the carpet; while it slides or rolls, and upwards, it is braked as any other.
    *
    * <p>In matches four of five kicks come after dribbling or catching, so leaving them out would leave too few. So samples of such kicks count as well, unless they differ from those of the others: by more than
-   * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are not five of the others to compare with, they do not count.
+   * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are not five of the others to compare
+   * with, they count, but begin no warning ({@link ParameterEstimate#maybeSpun}).
    *
    * @return true for {@code kSwitch} and the horizontal dampings
    */

@@ -42,7 +42,7 @@ final class ParameterTrack {
 
   void add(BallSample sample) {
     (sample.possiblySpinning() ? spinning : clean).add(sample);
-    counted = spinning.size() > 0 && agree() ? both() : clean;
+    counted = spinning.size() > 0 && (!comparable() || agree()) ? both() : clean;
     newest = sample.time();
     if (++skipped >= stride) {
       skipped = 0;
@@ -56,10 +56,16 @@ final class ParameterTrack {
     }
   }
 
+  private boolean comparable() {
+    return clean.size() >= COMPARABLE && spinning.size() >= COMPARABLE;
+  }
+
+  /** Most of what counts may be of spinning balls, and nobody can tell. */
+  private boolean maybeSpun() {
+    return clean.size() < COMPARABLE && spinning.size() > clean.size();
+  }
+
   private boolean agree() {
-    if (clean.size() < COMPARABLE || spinning.size() < COMPARABLE) {
-      return false;
-    }
     double[] deviations = new double[clean.size() + spinning.size()];
     int n = 0;
     for (SampleTree tree : List.of(clean, spinning)) {
@@ -94,7 +100,7 @@ final class ParameterTrack {
   Optional<LiveWarning> compare(BallModels published) {
     double value = parameter.of(published).orElse(Double.NaN);
     boolean on = warning != null;
-    WarningRule.Verdict verdict = rule.judge(counted, value, on);
+    WarningRule.Verdict verdict = rule.judge(counted, maybeSpun() ? Double.NaN : value, on);
     if (verdict.warn() == on) {
       return Optional.empty();
     }
@@ -111,6 +117,7 @@ final class ParameterTrack {
         counted.quantile(0.25),
         counted.quantile(0.75),
         counted.size(),
+        maybeSpun(),
         parameter.of(published),
         warning != null,
         history);

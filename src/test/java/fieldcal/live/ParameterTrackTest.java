@@ -90,11 +90,29 @@ class ParameterTrackTest {
     for (int i = 0; i < 10; i++) {
       add(track, 0.66, 0.03, true);
     }
-    assertThat(track.estimate(PUBLISHED).samples()).isZero();
     for (int i = 0; i < 7; i++) {
       add(track, 0.66, 0.03, false);
     }
     assertThat(track.estimate(PUBLISHED).samples()).isEqualTo(17);
+    assertThat(track.estimate(PUBLISHED).maybeSpun()).isFalse();
+  }
+
+  @Test
+  void kicksAfterDribblingAloneBeginNoWarning() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 60; i++) {
+      add(track, 0.45, 0.03, true);
+    }
+    ParameterEstimate estimate = track.estimate(PUBLISHED);
+    assertThat(estimate.maybeSpun()).isTrue();
+    assertThat(estimate.enough()).isTrue();
+    assertThat(estimate.median()).isCloseTo(0.45, within(0.03));
+    assertThat(raised).isZero();
+    for (int i = 0; i < 5; i++) {
+      add(track, 0.45, 0.03, false);
+    }
+    assertThat(track.estimate(PUBLISHED).maybeSpun()).isFalse();
+    assertThat(raised).isEqualTo(1);
   }
 
   @Test

@@ -123,6 +123,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
   private static ObjectNode put(ObjectNode node, ParameterEstimate e) {
     number(node, "median", e.median());
     node.put("samples", e.samples()).put("enough", e.enough());
+    node.put("maybe_spun", e.maybeSpun());
     node.put("published", e.published().orElse(null));
     number(node, "deviation", e.deviation());
     return node.put("warning", e.warning());

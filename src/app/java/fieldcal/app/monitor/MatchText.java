@@ -135,7 +135,8 @@ final class MatchText {
     String within =
         e.samples() < 2 ? "" : value(e.lowerQuartile()) + " … " + value(e.upperQuartile());
     String count = e.enough() ? "" + e.samples() : e.samples() + "/" + SampleTree.ENOUGH;
-    String note = e.published().isEmpty() ? "not published" : e.enough() ? deviation(e) : "";
+    String spin = e.maybeSpun() ? ", after dribbling only: spin?" : "";
+    String note = e.published().isEmpty() ? "not published" : e.enough() ? deviation(e) + spin : "";
     return String.format(
         Locale.ROOT,
         "  %-22s %-6s %9s   %-19s %5s %10s   %s",

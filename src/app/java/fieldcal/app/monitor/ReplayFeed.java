@@ -30,8 +30,11 @@ public final class ReplayFeed implements MatchFeed {
 
   private static final int FRAMES_BETWEEN_QUESTIONS = 256;
 
-  /** Movement limits take as long as a thousand frames; in a replay nobody waits for them, s of the recording. */
+  /** Movement limits take as long as ten thousand frames; in a replay nobody waits for them, s of the recording. */
   private static final double LIMITS_INTERVAL = 60;
+
+  /** When nobody can look on, only those before breaks and at the end matter, s of the recording. */
+  private static final double UNSEEN_LIMITS_INTERVAL = 300;
 
   private final Path log;
   private final double speed;
@@ -68,9 +71,11 @@ public final class ReplayFeed implements MatchFeed {
 
   @Override
   public LiveSettings suited(LiveSettings settings) {
-    return speed > 0 && speed <= LIMITS_INTERVAL / settings.limitsInterval()
-        ? settings
-        : settings.withLimitsInterval(LIMITS_INTERVAL);
+    if (speed == UNLIMITED) {
+      return settings.withLimitsInterval(UNSEEN_LIMITS_INTERVAL);
+    }
+    boolean slow = speed <= LIMITS_INTERVAL / settings.limitsInterval();
+    return slow ? settings : settings.withLimitsInterval(LIMITS_INTERVAL);
   }
 
   @Override
