@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The monitor within a host that is not ours: a minimal AI with a clock, a control loop and threads of its own. */
-@Timeout(120)
+@Timeout(300)
 class EmbeddingTest {
   private static final double MINUTES = 1;
   private static SimulatedMatch match;
@@ -97,7 +97,7 @@ class EmbeddingTest {
     screen.start();
     ai.run();
     background.shutdown();
-    assertThat(background.awaitTermination(60, TimeUnit.SECONDS)).isTrue();
+    assertThat(background.awaitTermination(200, TimeUnit.SECONDS)).isTrue();
     over.set(true);
     screen.join();
     assertThat(contradictions).isEmpty();
