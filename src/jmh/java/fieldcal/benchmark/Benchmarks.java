@@ -23,7 +23,7 @@ public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
           + " [k-switch] [live] [live-day] [sample-tree]"
-          + " [play] [play-calibration]"
+          + " [play] [play-calibration] [play-adaptive]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
@@ -55,6 +55,7 @@ public final class Benchmarks {
     parts.put("sample-tree", SampleTreeStudy::run);
     parts.put("play", PlayBenchmark::run);
     parts.put("play-calibration", PlayCalibrationBenchmark::run);
+    parts.put("play-adaptive", AdaptiveBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

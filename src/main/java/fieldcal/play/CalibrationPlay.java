@@ -219,6 +219,11 @@ public final class CalibrationPlay {
     stop(Objects.requireNonNull(reason, "reason"));
   }
 
+  /** No more kicks are wanted: the play is finished as soon as the one that is under way is over. */
+  public void conclude() {
+    ledger.conclude();
+  }
+
   /** Both robots stand from the next tick on, until {@link #resume}. A ball that rolls is watched all the same. */
   public void pause() {
     paused = true;

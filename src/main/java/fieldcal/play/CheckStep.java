@@ -39,10 +39,9 @@ final class CheckStep implements Step {
       return this;
     }
     BallMemory ball = s.ball();
-    PlannedKick kick = ledger.next();
     if (holder >= 0 && s.fromDribbler(holder) < 0.1) {
       s.dribble(holder);
-      return withBall(s, kick);
+      return withBall(s, ledger.next(ball));
     }
     double hidden = ball.known() ? s.ballUnseen() : s.time() - since;
     if (!ball.known() || hidden > LOST) {
@@ -58,7 +57,7 @@ final class CheckStep implements Step {
           ? new HelpStep(ledger, "the ball does not come to rest")
           : this;
     }
-    return next(s, kick);
+    return next(s, ledger.next(ball));
   }
 
   private Step withBall(Situation s, PlannedKick kick) {

@@ -42,7 +42,7 @@ final class HelpStep implements Step {
 
   /** On the line of the next kick, away from all robots. */
   private void choosePlace(Situation s) {
-    PlayLine line = s.plan().lineOf(ledger.next());
+    PlayLine line = s.plan().lineOf(ledger.next(s.ball()));
     for (double share : PLACES) {
       double px = line.x0() + share * (line.x1() - line.x0());
       double py = line.y0() + share * (line.y1() - line.y0());

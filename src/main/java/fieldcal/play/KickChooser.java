@@ -6,9 +6,11 @@ public interface KickChooser {
   /**
    * The next kick. Asked once per kick; a kick that was not good is not repeated by itself.
    *
+   * @param ballX where the ball is, m: it is kicked from there if that leaves enough way, else from the end of the line; NaN when it was never seen
+   * @param ballY where the ball is, m
    * @return what is wanted
    */
-  PlannedKick next();
+  PlannedKick next(double ballX, double ballY);
 
   /**
    * Tells how a kick turned out.

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 
 /** Counts the kicks, and asks for the next one when the last has been made. */
 final class Ledger {
-  private final int wanted;
+  private int wanted;
   private final KickChooser chooser;
   private final Consumer<PlayedKick> listener;
   private final int maxAttempts;
@@ -26,6 +26,11 @@ final class Ledger {
     this.listener = listener;
   }
 
+  /** What is there is enough. */
+  void conclude() {
+    wanted = good;
+  }
+
   /** Whether enough kicks are made, if those that are being fitted turn out well. */
   boolean enough() {
     return good + unjudged.size() >= wanted;
@@ -35,9 +40,9 @@ final class Ledger {
     return good >= wanted;
   }
 
-  PlannedKick next() {
+  PlannedKick next(BallMemory ball) {
     if (next == null) {
-      next = chooser.next();
+      next = ball.known() ? chooser.next(ball.x(), ball.y()) : chooser.next(Double.NaN, Double.NaN);
     }
     return next;
   }

@@ -47,7 +47,9 @@ final class PlaceStep implements Step {
     s.drive(i, target, s.limits().carrySpeed(), 0);
     s.dribble(i);
     Robot r = s.robot(i);
-    boolean away = s.fromDribbler(i) > 0.12 + 0.05 * r.speed();
+    // A ball that cannot be seen is hidden by the robot that has it, as long as it is seen again at
+    // the end.
+    boolean away = s.ballUnseen() < 0.15 && s.fromDribbler(i) > 0.12 + 0.05 * r.speed();
     if (!away) {
       lost = Double.NaN;
     } else if (Double.isNaN(lost)) {

@@ -47,6 +47,15 @@ public final class SpreadKicks implements KickChooser {
   }
 
   @Override
+  public PlannedKick next(double ballX, double ballY) {
+    return next();
+  }
+
+  /**
+   * The next kick, wherever the ball is.
+   *
+   * @return what is wanted
+   */
   public PlannedKick next() {
     return waiting.isEmpty() ? spare : waiting.removeFirst();
   }

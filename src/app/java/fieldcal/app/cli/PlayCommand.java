@@ -82,6 +82,21 @@ final class PlayCommand implements Callable<Integer> {
   private int kicks;
 
   @Option(
+      names = "--adaptive",
+      description =
+          "each next kick is the one that tells most about the least certain parameter, instead of"
+              + " speeds spread evenly")
+  private boolean adaptive;
+
+  @Option(
+      names = "--precision",
+      paramLabel = "PERCENT",
+      description =
+          "ends before N kicks when every parameter's standard error is that small, for example"
+              + " 0.5")
+  private double precision;
+
+  @Option(
       names = "--out",
       paramLabel = "DIR",
       description =
@@ -354,7 +369,7 @@ final class PlayCommand implements Callable<Integer> {
             speedMin == null ? r.slowest() : speedMin,
             speedMax == null ? r.fastest() : speedMax,
             Math.toRadians(elevation))
-        .withChoice(false, seed)
+        .withChoice(adaptive, seed, precision / 100)
         .withLimits(limits, Optional.ofNullable(margin));
   }
 

@@ -21,6 +21,7 @@ import fieldcal.play.PlayedKick;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -28,6 +29,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.RealMatrix;
 
 /** Finds the session's kicks in the frames and fits each as soon as its ball is done. Not thread-safe. */
 final class LiveFits {
@@ -41,6 +44,13 @@ final class LiveFits {
   private static final double BAD_FIT = 15;
 
   private static final double WORSE_THAN_OTHERS = 3;
+
+  private static final Map<KickKind, List<String>> PARAMETERS =
+      Map.of(
+          KickKind.FLAT,
+          List.of("accSlide", "accRoll", "kSwitch"),
+          KickKind.CHIP,
+          List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ"));
 
   private final KickKind kind;
   private final KickFitter fitter = new KickFitter(FitSettings.defaults());
@@ -162,6 +172,63 @@ final class LiveFits {
 
   List<KickResult> results() {
     return List.copyOf(results);
+  }
+
+  /** The three parameters as far as they are known: measured, else published, else typical. */
+  double[] current() {
+    double[] values =
+        kind == KickKind.FLAT
+            ? new double[] {flat.accSlide(), flat.accRoll(), flat.kSwitch()}
+            : new double[] {chip.dampingXyFirstHop(), chip.dampingXyOtherHops(), chip.dampingZ()};
+    Map<String, Average> measured = model();
+    for (int i = 0; i < 3; i++) {
+      Average a = measured.get(PARAMETERS.get(kind).get(i));
+      values[i] = a == null ? values[i] : a.mean();
+    }
+    return values;
+  }
+
+  /** What the good kicks together tell of the three parameters, as an information matrix. */
+  RealMatrix information() {
+    RealMatrix sum = MatrixUtils.createRealMatrix(3, 3);
+    for (KickResult r : results) {
+      if (r.good()) {
+        KickFit fit = r.fit().orElseThrow();
+        int first = fit.estimates().size() - fit.modelEstimates().size();
+        RealMatrix covariance = MatrixUtils.createRealMatrix(3, 3);
+        for (int i = 0; i < 3; i++) {
+          for (int j = 0; j < 3; j++) {
+            covariance.setEntry(i, j, fit.covariance(first + i, first + j));
+          }
+        }
+        sum = sum.add(KickInformation.inverse(covariance));
+      }
+    }
+    return sum;
+  }
+
+  /** Cameras whose place is known. */
+  Collection<Camera> cameras() {
+    return List.copyOf(cameras.values());
+  }
+
+  /** Noise of a detection, from the kicks so far, m. */
+  double noise() {
+    double rms = typicalRms();
+    return rms > 0 ? rms / 1000 : CameraView.DEFAULT_NOISE;
+  }
+
+  /** Largest relative standard error of the three parameters; infinite while one is not determined. */
+  double precision() {
+    Map<String, Average> measured = model();
+    double worst = 0;
+    for (String name : PARAMETERS.get(kind)) {
+      Average a = measured.get(name);
+      double relative =
+          a == null ? Double.POSITIVE_INFINITY : a.standardError() / Math.abs(a.mean());
+      worst = Math.max(worst, relative);
+    }
+    return worst;
   }
 
   /** Weighted mean of what the good kicks say. */

@@ -103,7 +103,8 @@ public final class PlaySession {
       }
       try {
         waitForGeometry();
-        play = new CalibrationPlay(checkedPlan(), chooser(), this::played);
+        PlayPlan plan = checkedPlan();
+        play = new CalibrationPlay(plan, chooser(plan), this::played);
         while (!play.over()) {
           tick();
         }
@@ -165,7 +166,10 @@ public final class PlaySession {
         .withArea(new PlayArea(area.length(), area.width(), margin, area.goalWidth()));
   }
 
-  private KickChooser chooser() {
+  private KickChooser chooser(PlayPlan plan) {
+    if (request.adaptive() && !fits.cameras().isEmpty()) {
+      return new AdaptiveKicks(request, plan, fits);
+    }
     return new SpreadKicks(
         request.kicks(), request.slowest(), request.fastest(), request.elevation(), request.seed());
   }
@@ -178,6 +182,9 @@ public final class PlaySession {
     for (KickResult result : fits.judge(now)) {
       play.judge(result.played().number(), result.good());
       averages = fits.model();
+      if (fits.precision() <= request.precision()) {
+        play.conclude();
+      }
       shown = Double.NEGATIVE_INFINITY;
     }
     if (paused) {

@@ -22,6 +22,7 @@ import java.util.Optional;
  * @param fastest kick, m/s
  * @param elevation of chips, rad
  * @param adaptive whether the next kick is chosen by what it tells
+ * @param precision the session ends early when every parameter is known that well, relative standard error; 0 = never
  * @param seed of the order of the kicks
  * @param limits speeds and time-outs
  * @param margin how far outside the lines robots may get, m; empty = as wide as the boundary allows
@@ -38,6 +39,7 @@ public record SessionRequest(
     double fastest,
     double elevation,
     boolean adaptive,
+    double precision,
     long seed,
     PlayLimits limits,
     Optional<Double> margin,
@@ -57,6 +59,9 @@ public record SessionRequest(
     Objects.requireNonNull(directory, "directory");
     if (kicks < 1 || kicks > 1000) {
       throw new IllegalArgumentException("kicks must lie in [1, 1000], but are " + kicks);
+    }
+    if (!(precision >= 0 && precision < 1)) {
+      throw new IllegalArgumentException("precision must lie in [0, 1), but is " + precision);
     }
     if (!(slowest >= 0.7 && fastest >= slowest && fastest <= 10)) {
       throw new IllegalArgumentException(
@@ -87,6 +92,7 @@ public record SessionRequest(
         6.5,
         chip ? Math.PI / 4 : 0,
         false,
+        0,
         1,
         PlayLimits.DEFAULT,
         Optional.empty(),
@@ -102,8 +108,8 @@ public record SessionRequest(
    */
   public SessionRequest withRobots(RobotId newFirst, RobotId newSecond) {
     return new SessionRequest(
-        kind, kicks, newFirst, newSecond, half, across, slowest, fastest, elevation, adaptive, seed,
-        limits, margin, directory);
+        kind, kicks, newFirst, newSecond, half, across, slowest, fastest, elevation, adaptive,
+        precision, seed, limits, margin, directory);
   }
 
   /**
@@ -115,8 +121,8 @@ public record SessionRequest(
    */
   public SessionRequest withPlace(Half newHalf, double newAcross) {
     return new SessionRequest(
-        kind, kicks, first, second, newHalf, newAcross, slowest, fastest, elevation, adaptive, seed,
-        limits, margin, directory);
+        kind, kicks, first, second, newHalf, newAcross, slowest, fastest, elevation, adaptive,
+        precision, seed, limits, margin, directory);
   }
 
   /**
@@ -140,6 +146,7 @@ public record SessionRequest(
         newFastest,
         angle,
         adaptive,
+        precision,
         seed,
         limits,
         margin,
@@ -154,6 +161,18 @@ public record SessionRequest(
    * @return the changed request
    */
   public SessionRequest withChoice(boolean newAdaptive, long newSeed) {
+    return withChoice(newAdaptive, newSeed, precision);
+  }
+
+  /**
+   * Another choice of kicks, and when it is enough.
+   *
+   * @param newAdaptive whether the next kick is chosen by what it tells
+   * @param newSeed of the order of the kicks
+   * @param newPrecision relative standard error of every parameter that is enough; 0 = never
+   * @return the changed request
+   */
+  public SessionRequest withChoice(boolean newAdaptive, long newSeed, double newPrecision) {
     return new SessionRequest(
         kind,
         kicks,
@@ -165,6 +184,7 @@ public record SessionRequest(
         fastest,
         elevation,
         newAdaptive,
+        newPrecision,
         newSeed,
         limits,
         margin,
@@ -180,8 +200,8 @@ public record SessionRequest(
    */
   public SessionRequest withLimits(PlayLimits newLimits, Optional<Double> newMargin) {
     return new SessionRequest(
-        kind, kicks, first, second, half, across, slowest, fastest, elevation, adaptive, seed,
-        newLimits, newMargin, directory);
+        kind, kicks, first, second, half, across, slowest, fastest, elevation, adaptive, precision,
+        seed, newLimits, newMargin, directory);
   }
 
   /**
@@ -202,6 +222,7 @@ public record SessionRequest(
         fastest,
         elevation,
         adaptive,
+        precision,
         seed,
         limits,
         margin,

@@ -1,0 +1,173 @@
+package fieldcal.app.play;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.FlatTrajectory;
+import fieldcal.camera.Camera;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+
+/**
+ * How much a kick will tell of its model's three parameters: Fisher information from the closed form's sensitivities, seen by the cameras that are there, with position, velocity and time of the kick as further
+ * unknowns. Immutable.
+ */
+final class KickInformation {
+  private static final double RATE = 70;
+
+  /** Cameras that are so much farther away than the nearest still see the ball, m. */
+  private static final double OVERLAP = 0.6;
+
+  /** Longer nobody lets a ball roll, s. */
+  private static final double LONGEST = 12;
+
+  /** What is known of a chip's accRoll beforehand, m/s². */
+  private static final double ROLL_KNOWN = 0.05;
+
+  private static final double TINY = 1e-9;
+
+  private final List<Camera> cameras;
+  private final double noise;
+  private final double settle;
+
+  /**
+   * Of kicks on a field.
+   *
+   * @param cameras at least one
+   * @param noise of a detection, m
+   * @param settle how long the ball rests before the kick, s
+   */
+  KickInformation(Collection<Camera> cameras, double noise, double settle) {
+    this.cameras = List.copyOf(cameras);
+    this.noise = noise;
+    this.settle = settle;
+  }
+
+  /** Information on accSlide, accRoll and kSwitch of a flat kick that rolls so far at most. */
+  RealMatrix flat(FlatModel model, double x, double y, double direction, double speed, double run) {
+    FlatTrajectory path =
+        FlatTrajectory.fromKick(
+            model, 0, x, y, speed * Math.cos(direction), speed * Math.sin(direction));
+    Sum sum = new Sum(FlatTrajectory.SENSITIVITIES);
+    sum.rest(x, y);
+    double end =
+        Math.min(LONGEST, Math.min(path.restTime(), path.timeAtDistance(run).orElse(LONGEST)));
+    double[] dz = new double[FlatTrajectory.SENSITIVITIES];
+    for (double t = 0.5 / RATE; t < end; t += 1 / RATE) {
+      path.sensitivitiesAt(t, sum.xyz, sum.dx, sum.dy);
+      sum.observe(dz);
+    }
+    return sum.information(FlatTrajectory.ACC_SLIDE);
+  }
+
+  /** Information on the three dampings of a chip that comes so far at most. */
+  RealMatrix chip(
+      ChipModel model,
+      double x,
+      double y,
+      double direction,
+      double speed,
+      double elevation,
+      double run) {
+    double along = speed * Math.cos(elevation);
+    ChipTrajectory path =
+        ChipTrajectory.fromKick(
+            model,
+            0,
+            x,
+            y,
+            along * Math.cos(direction),
+            along * Math.sin(direction),
+            speed * Math.sin(elevation));
+    Sum sum = new Sum(ChipTrajectory.SENSITIVITIES);
+    sum.rest(x, y);
+    double end =
+        Math.min(LONGEST, Math.min(path.restTime(), path.timeAtDistance(run).orElse(LONGEST)));
+    double[] dz = new double[ChipTrajectory.SENSITIVITIES];
+    for (double t = 0.5 / RATE; t < end; t += 1 / RATE) {
+      path.sensitivitiesAt(t, sum.xyz, sum.dx, sum.dy, dz);
+      sum.observe(dz);
+    }
+    sum.known(ChipTrajectory.ACC_ROLL, ROLL_KNOWN);
+    return sum.information(ChipTrajectory.DAMPING_XY_FIRST_HOP);
+  }
+
+  /** Normal equations of one kick. */
+  private final class Sum {
+    private final int size;
+    private final double[] xyz = new double[3];
+    private final double[] dx;
+    private final double[] dy;
+    private final double[][] normal;
+    private final double[] jacobian = new double[6];
+
+    Sum(int size) {
+      this.size = size;
+      dx = new double[size];
+      dy = new double[size];
+      normal = new double[size][size];
+      for (int i = 0; i < size; i++) {
+        normal[i][i] = TINY;
+      }
+    }
+
+    /** The resting ball pins its place. */
+    void rest(double x, double y) {
+      double n = settle * RATE * near(x, y).size();
+      normal[FlatTrajectory.X0][FlatTrajectory.X0] += n / (noise * noise);
+      normal[FlatTrajectory.Y0][FlatTrajectory.Y0] += n / (noise * noise);
+    }
+
+    void known(int index, double error) {
+      normal[index][index] += 1 / (error * error);
+    }
+
+    void observe(double[] dz) {
+      for (Camera camera : near(xyz[0], xyz[1])) {
+        camera.groundJacobian(xyz[0], xyz[1], xyz[2], jacobian);
+        for (int row = 0; row < 2; row++) {
+          double[] seen = new double[size];
+          for (int i = 0; i < size; i++) {
+            seen[i] =
+                (jacobian[3 * row] * dx[i]
+                        + jacobian[3 * row + 1] * dy[i]
+                        + jacobian[3 * row + 2] * dz[i])
+                    / noise;
+          }
+          for (int i = 0; i < size; i++) {
+            for (int j = 0; j < size; j++) {
+              normal[i][j] += seen[i] * seen[j];
+            }
+          }
+        }
+      }
+    }
+
+    RealMatrix information(int first) {
+      RealMatrix covariance = inverse(new Array2DRowRealMatrix(normal, false));
+      return inverse(covariance.getSubMatrix(first, first + 2, first, first + 2));
+    }
+  }
+
+  private List<Camera> near(double x, double y) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (Camera c : cameras) {
+      nearest = Math.min(nearest, Math.hypot(c.positionX() - x, c.positionY() - y));
+    }
+    List<Camera> near = new ArrayList<>();
+    for (Camera c : cameras) {
+      if (Math.hypot(c.positionX() - x, c.positionY() - y) < nearest + OVERLAP) {
+        near.add(c);
+      }
+    }
+    return near;
+  }
+
+  static RealMatrix inverse(RealMatrix matrix) {
+    return new LUDecomposition(matrix, 1e-300).getSolver().getInverse();
+  }
+}
