@@ -58,7 +58,7 @@ public record LiveSettings(
   }
 
   /**
-   * What was measured to do well. A warning above 20 % is the rule of the league's teams. It ends below 17 %: where samples scatter by 12 % from kick to kick, a warning that ends at 20 % is raised 1.09 times per
+   * What was measured to do well. A warning above 20 % is the rule of the league's teams. It ends below 17 %: where samples scatter by 12 % from kick to kick, a warning that ends at 20 % is raised 1.08 times per
    * change of the carpet, one that ends at 17 % 1.01 times ({@code ./gradlew benchmark -PbenchmarkArgs=sample-tree}). A sample whose error is more than half of what is warned about says little. Kicks come at
    * most every second and take a tenth of that to fit, so that 64 never wait unless the host stands still for a minute. Movement limits take some tenths of a second to estimate, and change slowly.
    *

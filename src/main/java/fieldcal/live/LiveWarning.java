@@ -9,7 +9,7 @@ import java.util.Objects;
  * @param parameter which parameter is off
  * @param time of the kick that showed it, Unix time, s
  * @param median what the last kicks say
- * @param published what is published
+ * @param published what is published; NaN when a warning ends because nothing is any more
  * @param samples how many kicks the median is from
  */
 public record LiveWarning(
@@ -36,6 +36,10 @@ public record LiveWarning(
    */
   public String text() {
     String unit = parameter.unit().isEmpty() ? "" : " " + parameter.unit();
+    if (Double.isNaN(published)) {
+      return String.format(
+          Locale.ROOT, "%s is %.3f%s, and nothing is published", parameter.id(), median, unit);
+    }
     return String.format(
         Locale.ROOT,
         "%s is %.3f%s, %.0f %% %s than the published %.3f (median of %d kicks)",

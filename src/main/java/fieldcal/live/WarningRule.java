@@ -8,9 +8,9 @@ import java.util.List;
  *
  * <p>The rule of the league's teams is that the median of 31 samples is more than 20 % off. After a change of the carpet by 30 % that takes 16 to 21 samples, and only about half of a match's kicks are long
  * enough to show how the ball rolls. So a warning also begins when the median of the newest 15 is that far off and the step from the older ones cannot be scatter: 5 standard errors of the difference of both
- * medians, from the median deviation of each part. Measured as in {@link SampleTree}: samples until the warning (in 5 % more than) fall from 16 (18) to 8 (9) where samples scatter by 3 %, from 19 (23) to 11
- * (18) at 8 %, from 21 (27) to 15 (27) at 12 %. False warnings in 200 samples without a change: none in 300 series where the model is as published; where it is 8 % off, none at 3 and 8 % of scatter, and 0.7 %
- * of the series at 12 %. Four standard errors gain one sample. A warning ends when both medians are back.
+ * medians, from the median deviation of each part. Measured as in {@link SampleTree}: samples until the warning (in 5 % more than) fall from 16 (17) to 8 (9) where samples scatter by 3 %, from 19 (23) to 11
+ * (16) at 8 %, from 21 (27) to 15 (26) at 12 %. Series of 200 samples without a change that were warned about: none at 3 and 8 % of scatter; at 12 % 0.3 % where the model is as published and 0.7 % where it is 8 %
+ * off. Four standard errors gain one sample. A warning ends when both medians are back.
  */
 final class WarningRule {
   static final int NEWEST = 15;

@@ -80,8 +80,21 @@ class ParameterTrackTest {
     assertThat(roll.warning()).isPresent();
     BallModels corrected =
         new BallModels(Optional.of(new FlatModel(-3, -0.4, 0.66)), Optional.empty());
+    assertThat(roll.warning().orElseThrow().text())
+        .contains("acc_roll is -0.4")
+        .contains("% more than the published -0.280 (median of 31 kicks)");
     assertThat(roll.compare(corrected)).isPresent();
     assertThat(roll.warning()).isEmpty();
+  }
+
+  @Test
+  void withoutAPublishedModelAWarningEnds() {
+    for (int i = 0; i < 40; i++) {
+      add(roll, -0.4, 0.02, false);
+    }
+    LiveWarning end = roll.compare(BallModels.NONE).orElseThrow();
+    assertThat(roll.warning()).isEmpty();
+    assertThat(end.text()).endsWith("and nothing is published");
   }
 
   @Test
