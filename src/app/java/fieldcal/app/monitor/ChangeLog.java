@@ -33,6 +33,10 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
   private final ObjectMapper mapper = new ObjectMapper();
   private final Writer out;
   private double time = Double.NaN;
+
+  /** Estimates are told right after the kick that changed them, by the same thread. */
+  private double kickTime = Double.NaN;
+
   private IOException failure;
 
   /**
@@ -92,6 +96,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
 
   @Override
   public void kick(LiveKick kick) {
+    kickTime = kick.time();
     ObjectNode node = event("kick", kick.time()).put("id", kick.id());
     node.put("kind", kick.kind().map(k -> k.id()).orElse(null));
     node.put("team", kick.robot().map(r -> r.team().label()).orElse(null));
@@ -115,8 +120,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
 
   @Override
   public void estimate(ParameterEstimate e) {
-    double t = e.history().isEmpty() ? time() : e.history().get(e.history().size() - 1).time();
-    ObjectNode node = event("estimate", t).put("parameter", e.parameter().id());
+    ObjectNode node = event("estimate", kickTime).put("parameter", e.parameter().id());
     write(put(node, e));
   }
 
