@@ -7,6 +7,7 @@ import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
 import fieldcal.live.LiveKick;
 import fieldcal.live.LiveSnapshot;
+import fieldcal.live.LiveWarning;
 import fieldcal.live.MovementSnapshot;
 import fieldcal.live.ParameterEstimate;
 import fieldcal.live.SampleTree;
@@ -86,20 +87,14 @@ final class MatchText {
     return team.name().isBlank() ? colour.label() : team.name();
   }
 
-  private static void warnings(List<String> lines, LiveSnapshot s) {
+  /** As it was when the warning began: a step of the newest kicks may not have moved the median of all yet. */
+  private void warnings(List<String> lines, LiveSnapshot s) {
     if (s.ball().warnings().isEmpty()) {
       return;
     }
     lines.add("");
-    for (ParameterEstimate e : s.ball().parameters()) {
-      if (e.warning()) {
-        add(
-            lines,
-            "WARNING  %s is %s, %s: the ball no longer does what is published",
-            e.parameter().id(),
-            value(e.median()),
-            deviation(e));
-      }
+    for (LiveWarning w : s.ball().warnings()) {
+      add(lines, "WARNING  since %s: %s", clock(w.time()), w.text());
     }
   }
 
