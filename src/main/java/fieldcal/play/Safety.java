@@ -14,6 +14,12 @@ final class Safety {
   /** How fast robots that are too close move apart, m/s. */
   private static final double APART = 0.4;
 
+  /** A robot that closes in by so much faster than it may must brake and do nothing else, m/s. */
+  private static final double LATE = 0.15;
+
+  /** What it keeps of its motion aside then. */
+  private static final double ASIDE = 0.9;
+
   private static final int ROUNDS = 3;
 
   private final PlayArea area;
@@ -61,6 +67,12 @@ final class Safety {
       double share = ours && theirs > 0.02 ? 0.5 : 1;
       allowed = share * Math.sqrt(2 * braking * ahead) - (ours ? 0 : Math.max(0, theirs));
       allowed = Math.min(allowed, 8 * ahead);
+    }
+    if (mine > Math.max(0, allowed) + LATE) {
+      // All that the wheels can do goes into braking: turning aside meanwhile would take from it.
+      v[0] = allowed * nx + ASIDE * (robot.vx() - mine * nx);
+      v[1] = allowed * ny + ASIDE * (robot.vy() - mine * ny);
+      return;
     }
     double closing = v[0] * nx + v[1] * ny;
     if (closing > allowed) {

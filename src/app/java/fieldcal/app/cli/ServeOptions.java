@@ -2,7 +2,7 @@ package fieldcal.app.cli;
 
 import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.sslsim.Impairment;
-import fieldcal.app.sslsim.ServeRequest;
+import fieldcal.app.sslsim.ServedField;
 import fieldcal.app.sslsim.SimulatorPorts;
 import fieldcal.app.sslsim.SimulatorServer;
 import fieldcal.simulation.InteractiveField;
@@ -65,7 +65,7 @@ final class ServeOptions {
     NetworkPlace place = NetworkPlace.parse(vision, null);
     Impairment impairment = new Impairment(loss / 100, delayMs / 1000);
     InteractiveField field =
-        ServeRequest.now(
+        ServedField.now(
             settings, pair[0], pair[1], List.of(), System.currentTimeMillis() * 1_000_000L);
     AtomicBoolean stop = new AtomicBoolean();
     try (SimulatorServer server =

@@ -22,14 +22,6 @@ public interface PlayField extends Closeable {
      * @param payload its bytes
      */
     void vision(double receivedTime, VisionPacket packet, byte[] payload);
-
-    /**
-     * A message of the referee.
-     *
-     * @param receivedTime when it arrived, s since the epoch
-     * @param payload its bytes
-     */
-    void referee(double receivedTime, byte[] payload);
   }
 
   /**

@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.calibration.Average;
 import fieldcal.gamelog.MessageType;
 import fieldcal.kick.KickKind;
 import fieldcal.play.CalibrationPlay;
@@ -12,9 +13,9 @@ import fieldcal.play.PlayPlan;
 import fieldcal.play.PlayState;
 import fieldcal.play.PlayWorld;
 import fieldcal.play.PlayedKick;
+import fieldcal.play.RobotOrder;
 import fieldcal.play.SpreadKicks;
 import fieldcal.vision.FieldGeometry;
-import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -52,7 +53,7 @@ public final class PlaySession {
   private SessionRecorder recorder;
   private CalibrationPlay play;
   private FieldGeometry geometry;
-  private Map<String, fieldcal.calibration.Average> averages = Map.of();
+  private Map<String, Average> averages = Map.of();
   private double started = Double.NaN;
   private double shown = Double.NEGATIVE_INFINITY;
 
@@ -226,33 +227,25 @@ public final class PlaySession {
   }
 
   private PlayField.Receiver receiver() {
-    return new PlayField.Receiver() {
-      @Override
-      public void vision(double receivedTime, VisionPacket packet, byte[] payload) {
-        record(receivedTime, MessageType.SSL_VISION_2014, payload);
-        packet.geometry().ifPresent(PlaySession.this::geometry);
-        packet
-            .frame()
-            .ifPresent(
-                frame -> {
-                  model.accept(frame);
-                  fits.accept(frame);
-                });
-      }
-
-      @Override
-      public void referee(double receivedTime, byte[] payload) {
-        record(receivedTime, MessageType.SSL_REFBOX_2013, payload);
-      }
+    return (receivedTime, packet, payload) -> {
+      record(receivedTime, payload);
+      packet.geometry().ifPresent(this::geometry);
+      packet
+          .frame()
+          .ifPresent(
+              frame -> {
+                model.accept(frame);
+                fits.accept(frame);
+              });
     };
   }
 
-  private void record(double receivedTime, MessageType type, byte[] payload) {
+  private void record(double receivedTime, byte[] payload) {
     if (recorder == null) {
       return;
     }
     try {
-      recorder.message(receivedTime, type, payload);
+      recorder.message(receivedTime, MessageType.SSL_VISION_2014, payload);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -291,10 +284,7 @@ public final class PlaySession {
   }
 
   private void stopRobots() throws IOException {
-    field.order(
-        List.of(
-            fieldcal.play.RobotOrder.stop(request.first()),
-            fieldcal.play.RobotOrder.stop(request.second())));
+    field.order(List.of(RobotOrder.stop(request.first()), RobotOrder.stop(request.second())));
   }
 
   /** Both robots stand until {@link #resume}. */

@@ -14,7 +14,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Locale;
 
 /**
- * Writes what happens as it happens: a game log of all that vision and referee send, and the commands beside it. What was recorded half a second ago, and every finished kick, is with the operating
+ * Writes what happens as it happens: a game log of all that vision sends, and the commands beside it. What was recorded half a second ago, and every finished kick, is with the operating
  * system, so that nothing of it is lost when this process is killed. Not thread-safe.
  */
 public final class SessionRecorder implements Closeable {

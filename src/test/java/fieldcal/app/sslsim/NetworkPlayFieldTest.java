@@ -56,7 +56,7 @@ class NetworkPlayFieldTest {
     SessionRequest request =
         SessionRequest.of(KickKind.FLAT, 1).withChoice(false, 6).into(directory);
     InteractiveField served =
-        ServeRequest.now(
+        ServedField.now(
             SimulationSettings.DEFAULT.withSeed(6),
             request.first(),
             request.second(),

@@ -7,8 +7,8 @@ import fieldcal.vision.RobotId;
 import java.util.List;
 
 /** A field to be served whose clock is the machine's. */
-public final class ServeRequest {
-  private ServeRequest() {}
+public final class ServedField {
+  private ServedField() {}
 
   /**
    * A field that begins now.
