@@ -13,6 +13,9 @@ final class KickerSearch {
   /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
   private static final double LEAST_SEPARATION = 0.04;
 
+  /** Relative to its robot it is faster, m/s. */
+  private static final double CARRIED = 0.5;
+
   /** A kicker hides the ball for up to that long, s: 0.5 m at 2.5 m/s. */
   private static final double HIDDEN = 0.2;
 
@@ -79,6 +82,9 @@ final class KickerSearch {
 
   /** A ball that stays at the robot is dribbled or pushed, however fast both are. */
   boolean carried(RobotId robot, JumpDetector.Jump jump, BallTrack track) {
+    if (Math.hypot(jump.vx() - velocity[0], jump.vy() - velocity[1]) < CARRIED) {
+      return true;
+    }
     double t = track.lastTime();
     double before = robots.distanceTo(robot, jump.time(), jump.x(), jump.y());
     return robots.distanceTo(robot, t, track.x(0), track.y(0)) - before < LEAST_SEPARATION;

@@ -17,6 +17,9 @@ final class RecentEvents {
   /** A ball that bounces off a robot is hidden by it for up to that long; after more the robot held it, and has kicked it, s. */
   private static final double HIDDEN = 0.2;
 
+  /** So long after a deflection its ball may come into view again, s. */
+  private static final double LONG_HIDDEN = 0.6;
+
   /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
   static final double SAME_BALL = 0.5;
 
@@ -67,11 +70,20 @@ final class RecentEvents {
       return true;
     }
     for (JumpDetector.Jump known : deflected) {
-      if (same(known, jump) && jump.speed() < known.speed() + KickerSearch.LEAST_GAIN) {
+      if ((same(known, jump) || jump.born() && leadsTo(known, jump))
+          && jump.speed() < known.speed() + KickerSearch.LEAST_GAIN) {
         return true;
       }
     }
     return false;
+  }
+
+  /** Whether a ball that comes into view was on its way there before. */
+  private static boolean leadsTo(JumpDetector.Jump known, JumpDetector.Jump jump) {
+    double dt = jump.time() - known.time();
+    double off =
+        Math.hypot(known.x() + known.vx() * dt - jump.x(), known.y() + known.vy() * dt - jump.y());
+    return dt > 0 && dt < LONG_HIDDEN && off < 0.1 + 0.3 * known.speed() * dt;
   }
 
   private static boolean same(JumpDetector.Jump known, JumpDetector.Jump jump) {

@@ -73,6 +73,12 @@ final class RobotPath {
     return Math.abs(px - x[i]) < WIDE && Math.abs(py - y[i]) < WIDE;
   }
 
+  /** Whether it was seen around a time, so that nothing is guessed. */
+  boolean sawAround(double t) {
+    int age = nearest(t);
+    return age >= 0 && Math.abs(time[slot(age)] - t) < SMOOTH;
+  }
+
   /** Where its front pointed at a time, rad; NaN when vision does not tell. Ask {@link #at} first. */
   double orientation(double t) {
     int age = nearest(t);

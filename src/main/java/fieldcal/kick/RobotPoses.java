@@ -27,7 +27,8 @@ final class RobotPoses {
   private static final double LEAST_RELATIVE = 0.7;
 
   private final Map<Integer, Map<RobotId, RobotPath>> cameras = new HashMap<>();
-  private final List<RobotPath> paths = new ArrayList<>();
+  private final Map<RobotId, List<RobotPath>> robots = new HashMap<>();
+  private final List<RobotPath> near = new ArrayList<>();
   private final double[] state = new double[4];
 
   void update(VisionFrame frame) {
@@ -38,7 +39,7 @@ final class RobotPoses {
       if (path == null) {
         path = new RobotPath(robot.id());
         seen.put(robot.id(), path);
-        paths.add(path);
+        robots.computeIfAbsent(robot.id(), id -> new ArrayList<>()).add(path);
       }
       path.add(frame.captureTime(), robot.x(), robot.y(), robot.orientation());
     }
@@ -46,14 +47,38 @@ final class RobotPoses {
 
   void clear() {
     cameras.clear();
-    paths.clear();
+    robots.clear();
+  }
+
+  /** The paths of robots that may be near a place; of each robot those that saw it around that time, if any did. */
+  private List<RobotPath> near(double t, double x, double y) {
+    near.clear();
+    for (List<RobotPath> paths : robots.values()) {
+      int first = near.size();
+      boolean fresh = false;
+      for (int i = 0; i < paths.size(); i++) {
+        RobotPath path = paths.get(i);
+        if (!path.mayHaveBeenNear(x, y)) {
+          continue;
+        }
+        boolean saw = path.sawAround(t);
+        if (saw && !fresh) {
+          fresh = true;
+          near.subList(first, near.size()).clear();
+        }
+        if (saw || !fresh) {
+          near.add(path);
+        }
+      }
+    }
+    return near;
   }
 
   /** Centre-to-centre distance between a ball and the nearest robot at {@code t}, m; infinite without robots. */
   double distance(double t, double x, double y, RobotId except) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (RobotPath path : paths) {
-      if (!path.robot().equals(except) && path.mayHaveBeenNear(x, y) && path.at(t, state)) {
+    for (RobotPath path : near(t, x, y)) {
+      if (!path.robot().equals(except) && path.at(t, state)) {
         nearest = Math.min(nearest, Math.hypot(x - state[0], y - state[1]));
       }
     }
@@ -63,7 +88,7 @@ final class RobotPoses {
   /** Centre-to-centre distance between a ball and one robot at {@code t}, m; infinite when the robot is not seen. */
   double distanceTo(RobotId robot, double t, double x, double y) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (RobotPath path : paths) {
+    for (RobotPath path : near(t, x, y)) {
       if (path.robot().equals(robot) && path.at(t, state)) {
         nearest = Math.min(nearest, Math.hypot(x - state[0], y - state[1]));
       }
@@ -75,8 +100,8 @@ final class RobotPoses {
   RobotId nearest(double t, double x, double y, double reach) {
     RobotId best = null;
     double nearest = reach;
-    for (RobotPath path : paths) {
-      if (path.mayHaveBeenNear(x, y) && path.at(t, state)) {
+    for (RobotPath path : near(t, x, y)) {
+      if (path.at(t, state)) {
         double d = Math.hypot(x - state[0], y - state[1]);
         if (d < nearest) {
           nearest = d;
@@ -97,8 +122,8 @@ final class RobotPoses {
       double t, double x, double y, double vx, double vy, double reach, double[] velocity) {
     RobotId best = null;
     double nearest = reach;
-    for (RobotPath path : paths) {
-      if (!path.mayHaveBeenNear(x, y) || !path.at(t, state)) {
+    for (RobotPath path : near(t, x, y)) {
+      if (!path.at(t, state)) {
         continue;
       }
       double d = Math.hypot(x - state[0], y - state[1]);
@@ -124,8 +149,8 @@ final class RobotPoses {
       double t, double x, double y, double vx, double vy, double longest, double[] start) {
     RobotId best = null;
     double soonest = longest;
-    for (RobotPath path : paths) {
-      if (!path.mayHaveBeenNear(x, y) || !path.at(t, state)) {
+    for (RobotPath path : near(t, x, y)) {
+      if (!path.at(t, state)) {
         continue;
       }
       double back = 0;
