@@ -17,6 +17,9 @@ final class RobotPath {
   /** Within that time before and after, a robot's velocity hardly changes, s. */
   private static final double SMOOTH = 0.1;
 
+  /** Fewer detections give no velocity. */
+  private static final int FEWEST = 4;
+
   /** A metre, and as much as a robot drives in the time that is remembered, m. */
   private static final double WIDE = 3;
 
@@ -73,10 +76,14 @@ final class RobotPath {
     return Math.abs(px - x[i]) < WIDE && Math.abs(py - y[i]) < WIDE;
   }
 
-  /** Whether it was seen around a time, so that nothing is guessed. */
-  boolean sawAround(double t) {
+  /** Whether it was seen around a time often enough to tell where it was and how fast: not at the edge of the camera's view, not long ago. */
+  boolean knows(double t) {
     int age = nearest(t);
-    return age >= 0 && Math.abs(time[slot(age)] - t) < SMOOTH;
+    if (age < 0 || Math.abs(time[slot(age)] - t) > SMOOTH) {
+      return false;
+    }
+    collect(age, t);
+    return line.count() >= FEWEST;
   }
 
   /** Where its front pointed at a time, rad; NaN when vision does not tell. Ask {@link #at} first. */
@@ -98,21 +105,27 @@ final class RobotPath {
       return false;
     }
     int seen = slot(age);
-    line.clear(time[seen]);
-    line.add(time[seen], x[seen], y[seen]);
-    for (int a = age + 1; a < size() && joined(a, a - 1) && t - time[slot(a)] < SMOOTH; a++) {
-      line.add(time[slot(a)], x[slot(a)], y[slot(a)]);
-    }
-    for (int a = age - 1; a >= 0 && joined(a + 1, a) && time[slot(a)] - t < SMOOTH; a--) {
-      line.add(time[slot(a)], x[slot(a)], y[slot(a)]);
-    }
-    boolean moves = line.count() > 3 && line.solve();
+    collect(age, t);
+    boolean moves = line.count() >= FEWEST && line.solve();
     state[2] = moves ? line.vx() : 0;
     state[3] = moves ? line.vy() : 0;
     double ahead = Math.max(-SMOOTH, Math.min(SMOOTH, t - time[seen]));
     state[0] = x[seen] + state[2] * ahead;
     state[1] = y[seen] + state[3] * ahead;
     return true;
+  }
+
+  /** What was seen around a time without a jump in between. */
+  private void collect(int nearest, double t) {
+    int seen = slot(nearest);
+    line.clear(time[seen]);
+    line.add(time[seen], x[seen], y[seen]);
+    for (int a = nearest + 1; a < size() && joined(a, a - 1) && t - time[slot(a)] < SMOOTH; a++) {
+      line.add(time[slot(a)], x[slot(a)], y[slot(a)]);
+    }
+    for (int a = nearest - 1; a >= 0 && joined(a + 1, a) && time[slot(a)] - t < SMOOTH; a--) {
+      line.add(time[slot(a)], x[slot(a)], y[slot(a)]);
+    }
   }
 
   /** Whether a robot can have driven from one detection to the next. */

@@ -50,23 +50,23 @@ final class RobotPoses {
     robots.clear();
   }
 
-  /** The paths of robots that may be near a place; of each robot those that saw it around that time, if any did. */
+  /** The paths of robots that may be near a place; of each robot those that know best, if any do. */
   private List<RobotPath> near(double t, double x, double y) {
     near.clear();
     for (List<RobotPath> paths : robots.values()) {
       int first = near.size();
-      boolean fresh = false;
+      boolean known = false;
       for (int i = 0; i < paths.size(); i++) {
         RobotPath path = paths.get(i);
         if (!path.mayHaveBeenNear(x, y)) {
           continue;
         }
-        boolean saw = path.sawAround(t);
-        if (saw && !fresh) {
-          fresh = true;
+        boolean knows = path.knows(t);
+        if (knows && !known) {
+          known = true;
           near.subList(first, near.size()).clear();
         }
-        if (saw || !fresh) {
+        if (knows || !known) {
           near.add(path);
         }
       }
