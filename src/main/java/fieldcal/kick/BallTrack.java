@@ -1,5 +1,7 @@
 package fieldcal.kick;
 
+import java.util.Arrays;
+
 /**
  * The last second or two of what one camera saw of one ball: a ring of detections.
  *
@@ -9,12 +11,15 @@ final class BallTrack {
   /** 160 detections are two seconds at 75 Hz: more than the rest that a kick keeps plus the delay of its detection. */
   private static final int CAPACITY = 160;
 
+  /** Most tracks are single false detections. */
+  private static final int AT_FIRST = 4;
+
   private final int camera;
-  private final double[] time = new double[CAPACITY];
-  private final double[] x = new double[CAPACITY];
-  private final double[] y = new double[CAPACITY];
-  private final double[] pixelX = new double[CAPACITY];
-  private final double[] pixelY = new double[CAPACITY];
+  private double[] time = new double[AT_FIRST];
+  private double[] x = new double[AT_FIRST];
+  private double[] y = new double[AT_FIRST];
+  private double[] pixelX = new double[AT_FIRST];
+  private double[] pixelY = new double[AT_FIRST];
   private int count;
   private final JumpDetector jumps = new JumpDetector();
 
@@ -31,12 +36,24 @@ final class BallTrack {
   }
 
   void add(double t, double px, double py, double u, double v) {
+    if (count == time.length && count < CAPACITY) {
+      grow();
+    }
     int i = count++ % CAPACITY;
     time[i] = t;
     x[i] = px;
     y[i] = py;
     pixelX[i] = u;
     pixelY[i] = v;
+  }
+
+  private void grow() {
+    int n = Math.min(CAPACITY, 4 * count);
+    time = Arrays.copyOf(time, n);
+    x = Arrays.copyOf(x, n);
+    y = Arrays.copyOf(y, n);
+    pixelX = Arrays.copyOf(pixelX, n);
+    pixelY = Arrays.copyOf(pixelY, n);
   }
 
   /** How many detections are still held. */
