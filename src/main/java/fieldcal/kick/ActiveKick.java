@@ -31,6 +31,12 @@ final class ActiveKick {
   /** Less is no flight, s. */
   private static final double SHORTEST_FLIGHT = 0.04;
 
+  /** No ball rolls longer: from 4 m/s at 0.2 m/s² it takes 20 s. What lasts longer is no flight and must not fill the memory, s. */
+  private static final double LONGEST = 30;
+
+  /** A ball that is faster has not stopped, m/s. */
+  private static final double MOVING = 0.2;
+
   /** Fewer detections after the kick are no flight. */
   private static final int FEWEST = 5;
 
@@ -209,6 +215,9 @@ final class ActiveKick {
     } else if (outside > 0.1 || t - outsideSince > 0.15) {
       return KickEnd.LEFT_FIELD;
     }
+    if (t - jump.time() > LONGEST) {
+      return KickEnd.LOST;
+    }
     if (t - jump.time() < 0.5 || !stopped(track)) {
       return null;
     }
@@ -247,7 +256,21 @@ final class ActiveKick {
     return track.fitNewest(64, settings.stopSpan(), line)
         && line.count() >= 8
         && track.lastTime() - track.time(line.count() - 1) > 0.7 * settings.stopSpan()
-        && line.speed() < Math.max(settings.stopSpeed(), 2 * line.velocityError());
+        && line.speed() < Math.max(settings.stopSpeed(), 2 * line.velocityError())
+        && !movesElsewhere(track);
+  }
+
+  /** What one camera sees lying still is not the ball if another sees it moving. */
+  private boolean movesElsewhere(BallTrack track) {
+    for (BallTrack other : members) {
+      if (other != track
+          && track.lastTime() - other.lastTime() < LIVE
+          && other.fitNewest(8, 0.15, line)
+          && line.speed() > MOVING + 3 * line.velocityError()) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Why a kick ends whose ball nobody sees any more. */

@@ -19,7 +19,11 @@ final class TrackMatcher {
   /** A ball that another camera saw so far from there just before was not there, m. */
   private static final double ELSEWHERE = 0.2;
 
-  private static final double MAX_HEIGHT = 3.5;
+  /** No chip goes higher, m, or upwards faster, m/s: the rules allow 6.5. Before the kick the ball is on the ground. */
+  private static final double MAX_HEIGHT = 2.5;
+
+  private static final double MAX_SPEED = 7;
+
   private static final int COMPARED = 3;
   private static final int STRIDE = 4;
   private static final double LOOK_BACK = 0.25;
@@ -39,7 +43,7 @@ final class TrackMatcher {
         continue;
       }
       compared = true;
-      if (meets(member, track)) {
+      if (meets(member, track, kick.time())) {
         return true;
       }
     }
@@ -47,15 +51,17 @@ final class TrackMatcher {
   }
 
   /** Whether the detections of a track are where another camera sees its ball: the newest, and some of the last quarter of a second, or a ball that passes something white would be taken for it. */
-  boolean meets(BallTrack member, BallTrack track) {
+  boolean meets(BallTrack member, BallTrack track, double kicked) {
     for (int age = 0; age < track.size(); age += age < COMPARED - 1 ? 1 : STRIDE) {
       double t = track.time(age);
       boolean known = member.positionAt(t, 0.04, scratch, xy);
       if (age >= COMPARED && (!known || track.lastTime() - t > LOOK_BACK)) {
         break;
       }
+      double highest = Math.max(0, Math.min(MAX_HEIGHT, MAX_SPEED * (t - kicked)));
       if (!known
-          || !(miss(member.camera(), track.camera(), track.x(age), track.y(age)) < TOLERANCE)) {
+          || !(miss(member.camera(), track.camera(), track.x(age), track.y(age), highest)
+              < TOLERANCE)) {
         return false;
       }
     }
@@ -63,7 +69,7 @@ final class TrackMatcher {
   }
 
   /** Distance at which the rays through {@code xy} (of camera a) and (bx, by) (of camera b) pass each other at equal height, m. */
-  private double miss(int a, int b, double bx, double by) {
+  private double miss(int a, int b, double bx, double by, double highest) {
     double dx = xy[0] - bx;
     double dy = xy[1] - by;
     Camera ca = views.get(a);
@@ -78,7 +84,7 @@ final class TrackMatcher {
     double sx = (xy[0] - ca.positionX()) / ha - (bx - cb.positionX()) / hb;
     double sy = (xy[1] - ca.positionY()) / ha - (by - cb.positionY()) / hb;
     double z = (dx * sx + dy * sy) / Math.max(sx * sx + sy * sy, 1e-12);
-    z = Math.max(0, Math.min(MAX_HEIGHT, z));
+    z = Math.max(0, Math.min(highest, z));
     return Math.hypot(dx - z * sx, dy - z * sy);
   }
 
@@ -111,7 +117,8 @@ final class TrackMatcher {
             && scratch.speed() > 0.5 * start.speed()
             && (other.lastTime() < track.time(track.size() - 1)
                 ? continues(other, track)
-                : other.camera() != track.camera() && meets(other, track))) {
+                : other.camera() != track.camera()
+                    && meets(other, track, Double.NEGATIVE_INFINITY))) {
           return true;
         }
       }
