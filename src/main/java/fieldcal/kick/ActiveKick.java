@@ -48,6 +48,7 @@ final class ActiveKick {
   private final boolean dribbled;
   private final KickFinderSettings settings;
   private final List<BallTrack> members = new ArrayList<>();
+  private final List<BallTrack> others = new ArrayList<>();
   private final Observations.Builder observations = new Observations.Builder();
   private final ContactWatch contact;
   private final LineFit line = new LineFit();
@@ -147,6 +148,22 @@ final class ActiveKick {
     return change < 0.3 + 0.5 * line.speed();
   }
 
+  /** Whether a track looked like this ball, but was something else. */
+  boolean isOther(BallTrack track) {
+    return others.contains(track);
+  }
+
+  /** A track turned out to show something else. */
+  private void leave(BallTrack track) {
+    members.remove(track);
+    others.add(track);
+    observations.drop(track.camera(), track.time(track.size() - 1));
+    newest = members.get(0);
+    for (BallTrack member : members) {
+      newest = member.lastTime() > newest.lastTime() ? member : newest;
+    }
+  }
+
   /** Takes in a track that turned out to show this ball, with what it holds of the rest before the kick and of the flight. */
   void join(BallTrack track) {
     if (has(track)) {
@@ -221,6 +238,10 @@ final class ActiveKick {
     if (t - jump.time() < 0.5 || !stopped(track)) {
       return null;
     }
+    if (track != source && movesElsewhere(track)) {
+      leave(track);
+      return null;
+    }
     return contact.stoppedShort(track) ? KickEnd.TOUCHED_ROBOT : KickEnd.STOPPED;
   }
 
@@ -256,8 +277,7 @@ final class ActiveKick {
     return track.fitNewest(64, settings.stopSpan(), line)
         && line.count() >= 8
         && track.lastTime() - track.time(line.count() - 1) > 0.7 * settings.stopSpan()
-        && line.speed() < Math.max(settings.stopSpeed(), 2 * line.velocityError())
-        && !movesElsewhere(track);
+        && line.speed() < Math.max(settings.stopSpeed(), 2 * line.velocityError());
   }
 
   /** What one camera sees lying still is not the ball if another sees it moving. */

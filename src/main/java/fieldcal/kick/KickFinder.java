@@ -174,6 +174,7 @@ public final class KickFinder {
     }
     for (ActiveKick kick : active) {
       if (track.lastTime() > kick.time()
+          && !kick.isOther(track)
           && !kick.sees(track.camera(), track.lastTime())
           && matcher.same(kick, track)) {
         kick.join(track);

@@ -181,6 +181,23 @@ public final class Observations {
       return this;
     }
 
+    /** Takes a camera's detections from a time on out again. */
+    void drop(int cameraId, double from) {
+      int kept = 0;
+      for (int i = 0; i < size; i++) {
+        if (camera[i] == cameraId && time[i] >= from) {
+          continue;
+        }
+        time[kept] = time[i];
+        x[kept] = x[i];
+        y[kept] = y[i];
+        pixelX[kept] = pixelX[i];
+        pixelY[kept] = pixelY[i];
+        camera[kept++] = camera[i];
+      }
+      size = kept;
+    }
+
     private void grow() {
       int n = 2 * size;
       time = Arrays.copyOf(time, n);
