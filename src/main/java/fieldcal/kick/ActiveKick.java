@@ -312,7 +312,9 @@ final class ActiveKick {
   /** The finished kick, or null when nothing sustained came of it. */
   Kick finish(KickEnd end, double endTime) {
     double last = endTime;
-    if (end == KickEnd.TOUCHED_ROBOT && contact.watching()) {
+    boolean atRobot = end == KickEnd.TOUCHED_ROBOT || end == KickEnd.STOPPED;
+    if (atRobot && contact.watching()) {
+      // A slow ball that comes to rest beside a robot may have been stopped by it.
       last = Math.min(last, contact.since() - 0.005);
     } else if (end == KickEnd.LEFT_FIELD && !Double.isNaN(outsideSince)) {
       last = Math.min(last, outsideSince);

@@ -27,6 +27,9 @@ final class ContactWatch {
   /** A sliding ball loses up to that much of its speed on its own, m/s². */
   private static final double SLIDING = 4;
 
+  /** Of a resting ball's place and of where it came near, m. */
+  private static final double NOISE = 0.01;
+
   /** No carpet slows a rolling ball more, m/s²; twice what matches show. */
   private static final double ROLLING = 0.6;
 
@@ -93,7 +96,7 @@ final class ContactWatch {
     }
     double way = Math.hypot(track.x(0) - before.x(since), track.y(0) - before.y(since));
     double least = before.speed() * before.speed() / (2 * ROLLING);
-    return way < 0.5 * least - LEAST_MISS;
+    return way < 0.5 * least - NOISE;
   }
 
   /** Balls in the air pass above robots. */

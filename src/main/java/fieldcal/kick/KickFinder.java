@@ -48,6 +48,7 @@ public final class KickFinder {
   private final TrackMatcher matcher = new TrackMatcher(views);
   private final KickFinderCounts counts = new KickFinderCounts();
   private final KickerSearch kickers;
+  private final double[] scratch = new double[2];
   private double now = Double.NEGATIVE_INFINITY;
   private int found;
   private double gapEnd = Double.NEGATIVE_INFINITY;
@@ -311,7 +312,7 @@ public final class KickFinder {
     while (age + 1 < track.size() && track.time(age) > t) {
       age++;
     }
-    RobotId catcher = robots.nearest(t, track.x(age), track.y(age), CATCHING);
+    RobotId catcher = robots.nearest(t, track.x(age), track.y(age), CATCHING, scratch);
     if (catcher != null) {
       dribbles.caught(catcher, t);
     }

@@ -96,8 +96,8 @@ final class RobotPoses {
     return nearest;
   }
 
-  /** The robot nearest to a place; null when none is within reach. */
-  RobotId nearest(double t, double x, double y, double reach) {
+  /** The robot nearest to a place, with its velocity (m/s); null when none is within reach. */
+  RobotId nearest(double t, double x, double y, double reach, double[] velocity) {
     RobotId best = null;
     double nearest = reach;
     for (RobotPath path : near(t, x, y)) {
@@ -106,6 +106,8 @@ final class RobotPoses {
         if (d < nearest) {
           nearest = d;
           best = path.robot();
+          velocity[0] = state[2];
+          velocity[1] = state[3];
         }
       }
     }

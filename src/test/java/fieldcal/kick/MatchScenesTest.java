@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.vision.RobotDetection;
@@ -20,6 +22,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** What matches do to balls, scene by scene. The kick, where there is one, happens at 1 s. */
 class MatchScenesTest {
   private static final FlatModel FLAT = new FlatModel(-3, -0.28, 0.65);
+
+  /** Of a ball that a robot stops, m/s. */
+  private static final double SLOW = 0.4;
 
   private final FrameScene scene = new FrameScene();
 
@@ -152,5 +157,34 @@ class MatchScenesTest {
     Kick kick = only(scene.kicks(frames));
     assertThat(kick.robot()).contains(KICKER);
     assertThat(kick.time()).isEqualTo(1, within(0.012));
+  }
+
+  @Test
+  void aSlowBallThatARobotStopsEndsBeforeTheRobot() {
+    BallTrajectory path = FlatTrajectory.fromKick(FLAT, 1, -3, 0, 2, 0);
+    double stopped = 1;
+    while (SLOW < speed(path, stopped)) {
+      stopped += 0.01;
+    }
+    double end = stopped;
+    double x = positionAt(path, end)[0];
+    scene.camera(0, 0, 0, -7, 7).robot(KICKER, -3.11, 0).robot(OTHER, x + 0.11, 0);
+    scene.ball(t -> t < end ? along(path).apply(t) : new double[] {x, 0, 0});
+    Kick kick = only(scene.kicks(0, 9));
+    assertThat(kick.endTime()).isLessThan(end + 0.01);
+  }
+
+  private static double speed(BallTrajectory path, double t) {
+    return (positionAt(path, t + 0.005)[0] - positionAt(path, t)[0]) / 0.005;
+  }
+
+  @Test
+  void aSteepChipThatIsProjectedAsideHasItsKicker() {
+    BallTrajectory chip =
+        ChipTrajectory.fromKick(new ChipModel(0.75, 0.9, 0.5, -0.28), 1, 0, 3.6, 0, -1.2, 3.3);
+    scene.camera(-3, 0, 0, -7, 7).camera(3, 0, 0, -7, 7).ball(chip).robot(KICKER, 0, 3.71);
+    Kick kick = only(scene.kicks(0, 6));
+    assertThat(kick.robot()).contains(KICKER);
+    assertThat(kick.time()).isEqualTo(1, within(0.02));
   }
 }
