@@ -34,6 +34,17 @@ final class LiveSession {
   }
 
   /**
+   * Checks that none goes on, for those who must open something before they start one.
+   *
+   * @throws ApiException when one does
+   */
+  synchronized void requireNone() {
+    if (running) {
+      throw ApiException.conflict("the " + name + " is running already; end it first");
+    }
+  }
+
+  /**
    * Lets one go on.
    *
    * @param goesOn what it is
@@ -41,9 +52,7 @@ final class LiveSession {
    */
   void start(Run goesOn) {
     synchronized (this) {
-      if (running) {
-        throw ApiException.conflict("the " + name + " is running already; end it first");
-      }
+      requireNone();
       running = true;
       failure = Optional.empty();
       thread = new Thread(() -> run(goesOn), name);

@@ -58,9 +58,7 @@ final class MatchDesk {
         body.path("own_models").asBoolean()
             ? Optional.of(kicks.calibrated().models())
             : Optional.empty();
-    if (live.running()) {
-      throw ApiException.conflict("the match is running already; end it first");
-    }
+    live.requireNone();
     MatchFeed feed = source == Source.NETWORK ? network(body) : recording(body);
     MonitorRequest request = new MonitorRequest(models, Optional.empty(), Optional.empty());
     MonitorSession next;

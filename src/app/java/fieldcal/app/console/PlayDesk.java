@@ -5,13 +5,16 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayField;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.simulation.TruthJson;
+import fieldcal.app.sslsim.NetworkPlayField;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.FieldGeometry;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,28 +47,44 @@ final class PlayDesk {
     live = new LiveSession("play", changed);
   }
 
-  /** The plan of an order as a drawing. */
+  /** The plan of an order as a drawing: on the simulated field, or on the one of the recordings, or one as large. */
   ObjectNode plan(PlayOrder order) {
-    return PlayDrawing.plan(order.request(), field(order.request(), 0).geometry());
+    Optional<FieldGeometry> recorded =
+        order.simulator().isEmpty()
+            ? Optional.empty()
+            : kicks.view().outcome().flatMap(outcome -> outcome.data().geometry());
+    FieldGeometry geometry = recorded.orElseGet(() -> field(order.request(), 0).geometry());
+    return PlayDrawing.plan(order.request(), geometry);
   }
 
   /**
-   * Begins a play on the simulated field.
+   * Begins a play.
    *
    * @throws ApiException when it cannot be played, or another play is running
+   * @throws IOException when the simulator cannot be reached; one line for the operator
    */
   void start(PlayOrder order) throws IOException {
     // What does not fit on the field is told before anything begins.
     plan(order);
-    int earlier = PlayRun.logs(directory.path()).size();
-    InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
+    live.requireNone();
     SessionRequest request = order.request().into(directory.path());
-    EmbeddedPlayField open = new EmbeddedPlayField(field, order.pace());
-    PlaySession next = new PlaySession(request, open, this::tell);
+    if (order.simulator().isPresent()) {
+      PlayOrder.Simulator at = order.simulator().get();
+      PlayField open = new NetworkPlayField(at.host(), at.ports(), at.vision(), at.referee());
+      begin(new PlaySession(request, open, this::tell), Optional.empty());
+    } else {
+      int earlier = PlayRun.logs(directory.path()).size();
+      InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
+      PlayField open = new EmbeddedPlayField(field, order.pace());
+      begin(new PlaySession(request, open, this::tell), Optional.of(field));
+    }
+  }
+
+  private void begin(PlaySession next, Optional<InteractiveField> simulated) {
     live.start(
         () -> {
           session = next;
-          run(next, field);
+          run(next, simulated);
         });
   }
 
@@ -78,12 +97,13 @@ final class PlayDesk {
     }
   }
 
-  private void run(PlaySession playing, InteractiveField field) throws IOException {
+  private void run(PlaySession playing, Optional<InteractiveField> simulated) throws IOException {
     PlaySession.Outcome outcome = playing.run();
-    if (outcome.log().isPresent()) {
+    if (outcome.log().isPresent() && simulated.isPresent()) {
       Path log = outcome.log().get();
       String truth = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");
-      JsonFiles.write(TruthJson.of(field.finish(packet -> {})), log.resolveSibling(truth));
+      JsonFiles.write(
+          TruthJson.of(simulated.get().finish(packet -> {})), log.resolveSibling(truth));
     }
     if (!outcome.last().kicks().isEmpty()) {
       kicks.readAgain();

@@ -1,11 +1,14 @@
 package fieldcal.app.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.play.SessionRequest;
+import fieldcal.app.sslsim.SimulatorPorts;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayLine.Half;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -14,9 +17,46 @@ import java.util.regex.Pattern;
  *
  * @param request what is wanted
  * @param pace of the simulated field, times real time; infinite for as fast as it can
+ * @param simulator on the network; empty for the simulated field in this process
  */
-record PlayOrder(SessionRequest request, double pace) {
+record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simulator) {
+  private static final int LONGEST_PLACE = 200;
+
   private static final Pattern ROBOT = Pattern.compile("(yellow|blue)(\\d{1,2})");
+
+  /** Where a play takes place. */
+  enum Field {
+    /** On the simulated field in this process. */
+    SIMULATED,
+    /** On a simulator that speaks the league's simulation protocol. */
+    SIMULATOR
+  }
+
+  /**
+   * A simulator on the network.
+   *
+   * @param host where it runs
+   * @param ports where it listens
+   * @param vision where its vision sends to
+   * @param referee where a referee sends to whose HALT and STOP are obeyed
+   */
+  record Simulator(
+      String host, SimulatorPorts ports, NetworkPlace vision, Optional<NetworkPlace> referee) {
+    static Simulator of(JsonNode body) {
+      String host = Requests.text(body, "host", LONGEST_PLACE).strip();
+      if (host.isEmpty()) {
+        throw ApiException.badRequest("host must name the machine of the simulator");
+      }
+      long port = Requests.number(body, "port").orElse(SimulatorPorts.LEAGUE.control());
+      String vision = Requests.text(body, "vision", LONGEST_PLACE).strip();
+      String referee = Requests.text(body, "referee", LONGEST_PLACE).strip();
+      return new Simulator(
+          host,
+          new SimulatorPorts((int) Math.max(-1, Math.min(port, 100_000))),
+          NetworkPlace.parse(vision, null),
+          referee.isEmpty() ? Optional.empty() : Optional.of(NetworkPlace.parse(referee, null)));
+    }
+  }
 
   /**
    * Reads an order.
@@ -42,7 +82,11 @@ record PlayOrder(SessionRequest request, double pace) {
       if (!(pace >= 0 && pace <= 100)) {
         throw ApiException.badRequest("pace must be 0 (as fast as possible) to 100");
       }
-      return new PlayOrder(request, pace == 0 ? Double.POSITIVE_INFINITY : pace);
+      Field field = Requests.oneOf(body, "field", Field.values());
+      return new PlayOrder(
+          request,
+          pace == 0 ? Double.POSITIVE_INFINITY : pace,
+          field == Field.SIMULATOR ? Optional.of(Simulator.of(body)) : Optional.empty());
     } catch (IllegalArgumentException e) {
       throw ApiException.badRequest(e.getMessage());
     }

@@ -8,7 +8,7 @@ const PACES = [['1', 'real time'], ['4', '4 × real time'], ['0', 'as fast as it
 
 export function playPage(app) {
   const page = {id: 'play', title: 'Play', always: true, show, told: showStatus, resized: () => showField(true), keys: {}, keyWords: [['p', 'pause the play, or let it go on']], badge: () => app.state && app.state.play && play().running ? ' ●' : ''};
-  const order = {kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, seed: 1, pace: '4'};
+  const order = {field: 'simulated', host: 'localhost', port: 10300, vision: '224.5.23.2:10020', referee: '', kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, seed: 1, pace: '4'};
   let theme, built = '', plan = null, planFailure = null, shape = '', planning = 0;
 
   const play = () => app.state.play;
@@ -26,23 +26,26 @@ export function playPage(app) {
   // ---- the order ----
 
   function buildForm() {
-    const key = order.kind + play().running;
+    const key = order.field + order.kind + play().running;
     if (key === built) return;
     built = key;
     const keep = name => event => { order[name] = event.target.type === 'number' ? Number(event.target.value) : event.target.value; ask(); };
     const figure = (name, min, max, step, size) => el('input', {id: 'order-' + name, type: 'number', min, max, step, value: order[name], style: 'width: ' + size + 'em', oninput: keep(name)});
-    const text = name => el('input', {id: 'order-' + name, value: order[name], size: 8, maxlength: 20, oninput: keep(name)});
+    const text = (name, placeholder) => el('input', {id: 'order-' + name, value: order[name], size: 8, maxlength: 100, placeholder, oninput: keep(name)});
+    const network = order.field === 'simulator';
     const chip = order.kind === 'chip';
     const choose = name => value => { order[name] = value; if (name === 'kind') Object.assign(order, value === 'chip' ? {slowest: 3, fastest: 6.5} : {slowest: 2, fastest: 6.5}); built = ''; buildForm(); ask(); };
     $('order-form').onsubmit = event => { event.preventDefault(); start(); };
     $('order-form').replaceChildren(el('fieldset', {disabled: play().running ? '' : null},
-      field('Field', el('select', {id: 'order-field'}, el('option', {}, 'simulated'))),
+      field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator']], order.field, choose('field'))),
       field('Kicks', select('order-kind', [['flat', 'flat'], ['chip', 'chips']], order.kind, choose('kind'))),
       field('How many good ones', figure('kicks', 1, 200, 1, 5)),
       field('Slowest m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest m/s', figure('fastest', 0.7, 8, 0.1, 5)),
       ...(chip ? [field('Elevation °', figure('elevation', 15, 75, 1, 5)), field('Line at x m', figure('across', -6, 6, 0.1, 5))] : [field('Part of the field', select('order-half', [['whole', 'all of it'], ['negative', 'half at −x'], ['positive', 'half at +x']], order.half, choose('half')))]),
       field('Robot', text('first')), field('Robot', text('second')),
-      field('Seed', figure('seed', 0, 999999, 1, 6)), field('Pace', select('order-pace', PACES, order.pace, value => { order.pace = value; })),
+      field('Seed', figure('seed', 0, 999999, 1, 6)),
+      ...(network ? [field('Host', text('host')), field('Control port', figure('port', 1, 65533, 1, 6)), field('Its vision', text('vision')), field('Referee', text('referee', 'none'))]
+        : [field('Pace', select('order-pace', PACES, order.pace, value => { order.pace = value; }))]),
       el('button', {type: 'submit', id: 'play-start', class: 'strong'}, 'Start')));
   }
 

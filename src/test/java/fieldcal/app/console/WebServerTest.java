@@ -228,7 +228,7 @@ class WebServerTest {
     String outside = "{\"source\":\"recording\",\"recording\":\"../outside.json\"}";
     assertRefused(console.post("/api/match", outside), 404);
     String order =
-        "{\"kind\":\"flat\",\"half\":\"whole\",\"first\":\"yellow0\",\"second\":\"yellow1\"%s}";
+        "{\"field\":\"simulated\",\"kind\":\"flat\",\"half\":\"whole\",\"first\":\"yellow0\",\"second\":\"yellow1\"%s}";
     String[] wrong = {
       ",\"kicks\":0",
       ",\"kicks\":\"many\"",
@@ -239,7 +239,11 @@ class WebServerTest {
       ",\"second\":\"robot\"",
       ",\"half\":\"both\"",
       ",\"kind\":\"chip\",\"across\":50",
-      ",\"pace\":-1"
+      ",\"pace\":-1",
+      ",\"field\":\"moon\"",
+      ",\"field\":\"simulator\"",
+      ",\"field\":\"simulator\",\"host\":\"localhost\",\"vision\":\"nowhere\"",
+      ",\"field\":\"simulator\",\"host\":\"localhost\",\"vision\":\"224.5.23.2:1\",\"port\":0"
     };
     for (String more : wrong) {
       assertRefused(console.post("/api/play/plan", order.formatted(more)), 400);
