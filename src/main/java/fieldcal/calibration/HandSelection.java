@@ -128,6 +128,9 @@ public final class HandSelection {
 
   /** Times move by a millisecond or two when a fit improves, so a neighbouring key is the same kick. */
   private String lookUp(String key) {
+    if (dropped.isEmpty()) {
+      return null;
+    }
     for (String near : neighbours(key)) {
       if (dropped.containsKey(near)) {
         return dropped.get(near);
@@ -143,7 +146,7 @@ public final class HandSelection {
    * @return true when it is
    */
   public boolean isKept(String key) {
-    return neighbours(key).stream().anyMatch(kept::contains);
+    return !kept.isEmpty() && neighbours(key).stream().anyMatch(kept::contains);
   }
 
   /**

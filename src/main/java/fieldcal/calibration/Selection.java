@@ -6,12 +6,15 @@ import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import fieldcal.vision.Epoch;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /** Which kicks and which of their samples a model is made from. */
 final class Selection {
@@ -32,10 +35,12 @@ final class Selection {
 
   /** Kicks whose fit can be believed and that nobody dropped: these enter the joint fit, whatever they determine. */
   static List<KickFit> trusted(List<KickFit> fits, Decisions decisions) {
-    return fits.stream().filter(f -> distrust(f, fits, decisions).isEmpty()).toList();
+    Map<KickKind, Double> medians = medianRms(fits);
+    return fits.stream().filter(f -> distrust(f, medians, decisions).isEmpty()).toList();
   }
 
-  private static Optional<String> distrust(KickFit fit, List<KickFit> all, Decisions decisions) {
+  private static Optional<String> distrust(
+      KickFit fit, Map<KickKind, Double> medians, Decisions decisions) {
     if (fit.failure().isPresent()) {
       return fit.failure();
     }
@@ -45,7 +50,7 @@ final class Selection {
       return byHand.map(r -> "by hand: " + r);
     }
     FitStatistics s = fit.statistics();
-    double median = medianRms(all, fit.kind());
+    double median = medians.get(fit.kind());
     if (s.rmsMm() > WORSE_THAN_OTHERS * median) {
       return Optional.of(
           String.format(
@@ -57,6 +62,15 @@ final class Selection {
           String.format(Locale.ROOT, "%.0f %% of its detections do not fit", 100 * outliers));
     }
     return Optional.empty();
+  }
+
+  /** Of the kicks of each kind that have a fit; NaN without any. */
+  private static Map<KickKind, Double> medianRms(List<KickFit> fits) {
+    Map<KickKind, Double> medians = new EnumMap<>(KickKind.class);
+    for (KickKind kind : KickKind.values()) {
+      medians.put(kind, medianRms(fits, kind));
+    }
+    return medians;
   }
 
   private static double medianRms(List<KickFit> fits, KickKind kind) {
@@ -77,9 +91,14 @@ final class Selection {
   static List<CalibratedKick> select(List<KickFit> fits, Decisions decisions) {
     Map<String, List<Sample>> byParameter = new LinkedHashMap<>();
     Map<KickFit, Optional<String>> distrusted = new HashMap<>();
+    Set<Integer> kept = new HashSet<>();
+    Map<KickKind, Double> medians = medianRms(fits);
     for (KickFit fit : fits) {
-      Optional<String> reason = distrust(fit, fits, decisions);
+      Optional<String> reason = distrust(fit, medians, decisions);
       distrusted.put(fit, reason);
+      if (decisions.selection().isKept(key(fit, decisions))) {
+        kept.add(fit.kick().id());
+      }
       for (Estimate e : fit.modelEstimates()) {
         if (e.usable()) {
           Sample s = new Sample(fit.kick().id(), e.name(), e.value(), e.standardError(), reason);
@@ -91,9 +110,10 @@ final class Selection {
     }
     Map<Integer, List<Sample>> byKick = new HashMap<>();
     for (List<Sample> samples : byParameter.values()) {
-      List<Sample> kept = TwoSigma.rounds(samples, decisions.selection().twoSigmaRounds());
-      for (int i = 0; i < kept.size(); i++) {
-        Sample sample = byHand(samples.get(i), kept.get(i), fits, decisions);
+      List<Sample> judged = TwoSigma.rounds(samples, decisions.selection().twoSigmaRounds());
+      for (int i = 0; i < judged.size(); i++) {
+        // A kick kept by hand keeps its samples.
+        Sample sample = kept.contains(judged.get(i).kickId()) ? samples.get(i) : judged.get(i);
         byKick.computeIfAbsent(sample.kickId(), id -> new ArrayList<>()).add(sample);
       }
     }
@@ -103,14 +123,6 @@ final class Selection {
                 new CalibratedKick(
                     f, byKick.getOrDefault(f.kick().id(), List.of()), distrusted.get(f)))
         .toList();
-  }
-
-  /** A kick kept by hand keeps its samples. */
-  private static Sample byHand(
-      Sample before, Sample after, List<KickFit> fits, Decisions decisions) {
-    KickFit fit =
-        fits.stream().filter(f -> f.kick().id() == before.kickId()).findFirst().orElseThrow();
-    return decisions.selection().isKept(key(fit, decisions)) ? before : after;
   }
 
   /** The average of each parameter over the kicks of one kind. */

@@ -175,7 +175,7 @@ public final class ReportBuilder {
             .orElse(new JointFit.Offset(Double.NaN, Double.NaN, Double.NaN, Double.NaN));
     return new CalibrationReport.Camera(
         view.id(),
-        outcome.sawKicks(view.id()) ? 1000 * view.noise() : Double.NaN,
+        seen > 0 ? 1000 * view.noise() : Double.NaN,
         stream == null ? Double.NaN : stream.rateHz(),
         seen,
         1000 * o.x(),

@@ -51,6 +51,7 @@ final class Desks {
     match.close();
     play.close();
     work.close();
+    kicks.close();
     events.close();
   }
 

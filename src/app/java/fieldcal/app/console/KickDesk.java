@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.ForkJoinPool;
 
 /**
  * The calibration of a session and the decisions about its kicks. A decision changes selection and averages at once; what needs fits (offsets of the cameras, joint fit)
@@ -27,7 +28,15 @@ final class KickDesk {
   private static final String READING = "Reading and calibrating";
   private static final String REFINING = "Refining the joint fit";
 
+  /** Nobody waits for the joint fit while kicks are still being dropped, ms. */
+  private static final long REFINE_AFTER_MS = 800;
+
   private final SessionDirectory directory;
+
+  /** Fits beside the operator's clicks: one core stays free for these. */
+  private final ForkJoinPool beside =
+      new ForkJoinPool(Math.max(1, Runtime.getRuntime().availableProcessors() - 1));
+
   private final Work work;
   private final Runnable changed;
   private final Optional<BallModels> initial;
@@ -254,6 +263,7 @@ final class KickDesk {
   private void refine(Work.Progress progress) {
     CalibrationOutcome before = calibrated();
     try {
+      // Most decisions come in a row.
       CalibrationOutcome refined =
           session.calibrate(before.data(), request(before.logs(), before.selection()), progress);
       progress.check();
@@ -289,6 +299,10 @@ final class KickDesk {
     }
     changed.run();
     refine();
+  }
+
+  void close() {
+    beside.shutdownNow();
   }
 
   /** How many values the 2σ rule leaves out now. */

@@ -202,6 +202,20 @@ final class Work {
       }
     }
 
+    /** Lets some time pass; ends when the task is cancelled. */
+    void pause(long millis) {
+      long end = System.nanoTime() + millis * 1_000_000;
+      try {
+        while (System.nanoTime() < end) {
+          check();
+          Thread.sleep(20);
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new CancellationException();
+      }
+    }
+
     @Override
     public void read(Path log, long bytesRead, long totalBytes) {
       int index = Math.max(0, logs.indexOf(log));

@@ -49,6 +49,19 @@ final class SampleSession {
     simulate("--scenario=match", "--minutes=1", "--seed=3", "--out=" + log);
   }
 
+  /** Kicks of both kinds and a match that is long enough for estimates. */
+  static void recordForPictures(Path session) throws IOException {
+    simulate(
+        "--scenario=mixed",
+        "--physics=contact",
+        "--kicks=18",
+        "--seed=8",
+        "--effect=air_drag:cd=0.45",
+        "--out=" + session.resolve("practice.log.gz"));
+    Path log = Files.createDirectories(session.resolve("matches")).resolve("final.log.gz");
+    simulate("--scenario=match", "--minutes=5", "--seed=3", "--out=" + log);
+  }
+
   static Path copy(Path log, Path directory) throws IOException {
     Files.createDirectories(directory);
     return Files.copy(log, directory.resolve(LOG));

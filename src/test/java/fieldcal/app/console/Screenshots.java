@@ -1,0 +1,87 @@
+package fieldcal.app.console;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.stream.Stream;
+
+/** Makes the pictures of the console in {@code docs/} anew, from a simulated session: {@code ./gradlew screenshots}. */
+public final class Screenshots {
+  private Screenshots() {}
+
+  /**
+   * Makes them.
+   *
+   * @param args the directory for the pictures
+   * @throws IOException when one cannot be written
+   */
+  public static void main(String[] args) throws IOException {
+    Path docs = Files.createDirectories(Path.of(args[0]));
+    Path session = Files.createTempDirectory("session");
+    try {
+      SampleSession.recordForPictures(session);
+      try (RunningConsole console = RunningConsole.start(session);
+          Browser browser = new Browser()) {
+        console.settled();
+        new Screenshots().take(browser, console, docs);
+      }
+    } finally {
+      try (Stream<Path> files = Files.walk(session)) {
+        for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+          Files.delete(file);
+        }
+      }
+    }
+  }
+
+  private void take(Browser browser, RunningConsole console, Path docs) throws IOException {
+    browser.open(console.url() + "?theme=light#kicks/3");
+    browser.find("#kick[data-shown]");
+    browser.type("#reason", "touched by a foot");
+    browser.press("d");
+    browser.awaitText("#kicks", "touched by a foot");
+    console.settled();
+    browser.awaitGone("#refining");
+    browser.screenshot(docs.resolve("console-kicks.png"));
+    browser.script("document.querySelector('.desk').scrollTop = 420");
+    browser.press("t");
+    browser.screenshot(docs.resolve("console-kick-dark.png"));
+    browser.press("t");
+    browser.press("3");
+    browser.click("#diagnose-run");
+    browser.find("#headline");
+    console.settled();
+    // The report within draws itself after it is loaded.
+    browser.await(
+        "the report is drawn",
+        d ->
+            Boolean.TRUE.equals(
+                    browser.script(
+                        "const report ="
+                            + " document.getElementById('diagnosis-report').contentDocument; return"
+                            + " report.querySelectorAll('canvas').length > 3"))
+                ? true
+                : null);
+    browser.screenshot(docs.resolve("console-diagnosis.png"));
+    browser.press("4");
+    browser.find("#verdict p");
+    browser.screenshot(docs.resolve("console-publish.png"));
+    browser.press("5");
+    browser.script(
+        "const s = document.getElementById('watch-source'); s.value = 'recording';"
+            + " s.dispatchEvent(new Event('change'))");
+    browser.click("#watch-start");
+    browser.awaitText("#watch-line", "ended");
+    browser.screenshot(docs.resolve("console-match.png"));
+    browser.press("2");
+    browser.find("#play-field canvas");
+    browser.click("#play-start");
+    browser.await(
+        "some kicks are made", d -> browser.count("#play-kicks tbody tr") > 4 ? true : null);
+    browser.screenshot(docs.resolve("console-play.png"));
+    browser.click("#play-abort");
+    browser.click("#confirm");
+    browser.awaitGone("#play-abort");
+  }
+}
