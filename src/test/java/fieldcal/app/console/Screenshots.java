@@ -18,7 +18,8 @@ public final class Screenshots {
    */
   public static void main(String[] args) throws IOException {
     Path docs = Files.createDirectories(Path.of(args[0]));
-    Path session = Files.createTempDirectory("session");
+    Path folder = Files.createTempDirectory("");
+    Path session = Files.createDirectory(folder.resolve("session"));
     try {
       SampleSession.recordForPictures(session);
       try (RunningConsole console = RunningConsole.start(session);
@@ -27,7 +28,7 @@ public final class Screenshots {
         new Screenshots().take(browser, console, docs);
       }
     } finally {
-      try (Stream<Path> files = Files.walk(session)) {
+      try (Stream<Path> files = Files.walk(folder)) {
         for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
           Files.delete(file);
         }
