@@ -28,16 +28,19 @@ final class CauseSearch {
   /** A step that explains that share of what remains is a step on the way, whatever remains then. */
   private static final double A_GOOD_PART = 0.25;
 
-  private static final double[] BOUNCE_STARTS = {0.08, -0.08, 0.25, -0.25};
+  private static final double[] BOUNCE_STARTS = {0.05, -0.05, 0.12, -0.12, 0.2, -0.2, 0.3, -0.3};
 
   /** Spin of a ball between hops, as a fraction of rolling. */
-  private static final double TYPICAL_SPIN = 0.6;
+  private static final double TYPICAL_SPIN = 0.5;
 
   /** A search that has fitted so many hypotheses without an end will find none. */
   private static final int MOST_FITS = 40;
 
   /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
   private static final double NOTHING_LEFT = 3;
+
+  /** Evidence by which two fits of one hypothesis differ when they ended in different valleys. */
+  private static final double OTHER_VALLEY = 1;
 
   /** Hypotheses carried on. */
   private static final int BEAM = 3;
@@ -55,6 +58,7 @@ final class CauseSearch {
   private final Consumer<String> progress;
   private final Map<FittedHypothesis, List<Score>> scores = new HashMap<>();
   private final List<FittedHypothesis> fitted = new ArrayList<>();
+  private final Map<FittedHypothesis, Map<Chart, FittedHypothesis>> without = new HashMap<>();
 
   CauseSearch(HypothesisFitter fitter, Consumer<String> progress) {
     this.fitter = fitter;
@@ -126,7 +130,7 @@ final class CauseSearch {
       changed = false;
       double temper = Decision.temper(fitter, best);
       for (Chart chart : best.hypothesis().charts()) {
-        FittedHypothesis less = fit(best.hypothesis().without(chart), best);
+        FittedHypothesis less = without(best, chart);
         if (Decision.evidence(best, less, temper) < WORTH_A_FIT) {
           best = less;
           changed = true;
@@ -221,13 +225,32 @@ final class CauseSearch {
     double[] start = start(next, from);
     FittedHypothesis f = fit(next, start, from, replaced == null ? score : null);
     if (isBounce(score.chart())) {
-      for (double[] other : bounceStarts(next, score.chart(), start)) {
-        FittedHypothesis tried = fitter.fit(next, other, fitter.withOwnFits(from), true);
-        f = tried.logEvidence() > f.logEvidence() ? tried : f;
-      }
+      f = fromOtherStarts(f, score.chart(), start, from);
     }
     fitted.add(f);
     return f;
+  }
+
+  /** The best fit from several starts; the first that leaves nothing to be explained is the best. */
+  private FittedHypothesis fromOtherStarts(
+      FittedHypothesis f, Chart chart, double[] start, FittedHypothesis from) {
+    FittedHypothesis best = f;
+    FittedHypothesis apart = fitter.withOwnFits(from);
+    int end = offset(f.hypothesis(), chart) + chart.size();
+    for (double[] other : bounceStarts(f.hypothesis(), chart, start)) {
+      if (Structure.of(fitter, best).deviation() < NOTHING_LEFT) {
+        break;
+      }
+      FittedHypothesis tried =
+          fitter.fitHeldAtFirst(
+              f.hypothesis(),
+              other,
+              apart,
+              SharedUnknowns.FIRST_HOP,
+              end - SharedUnknowns.FIRST_HOP);
+      best = tried.logEvidence() > best.logEvidence() ? tried : best;
+    }
+    return best;
   }
 
   /** Where to start with what changes bounces: at its absence, and, since spin that ends in rolling puts creases into the objective, on both sides of them. */
@@ -242,6 +265,38 @@ final class CauseSearch {
       }
     }
     return starts;
+  }
+
+  /**
+   * A hypothesis without one of its causes. It is fitted from where the whole hypothesis ended even when a fit of it is known: that one may have stopped in another valley, with other numbers of
+   * hops, and a cause that does nothing would seem to explain the difference.
+   */
+  FittedHypothesis without(FittedHypothesis f, Chart chart) {
+    return without
+        .computeIfAbsent(f, key -> new HashMap<>())
+        .computeIfAbsent(chart, c -> fitWithout(f, c));
+  }
+
+  private FittedHypothesis fitWithout(FittedHypothesis f, Chart chart) {
+    Hypothesis less = f.hypothesis().without(chart);
+    FittedHypothesis fresh = fitter.fit(less, start(less, f), f, true);
+    for (int i = 0; i < fitted.size(); i++) {
+      FittedHypothesis known = fitted.get(i);
+      if (known.hypothesis().sameCauses(less)) {
+        if (fresh.logEvidence() < known.logEvidence() + OTHER_VALLEY) {
+          return known;
+        }
+        fitted.set(i, fresh);
+        return fresh;
+      }
+    }
+    fitted.add(fresh);
+    return fresh;
+  }
+
+  /** The best fit that is known of the simple model. */
+  FittedHypothesis simple() {
+    return fitted.stream().filter(f -> f.hypothesis().isSimple()).findFirst().orElseThrow();
   }
 
   /** The fit of a hypothesis, new or known, from another one's. */

@@ -27,24 +27,42 @@ final class Cleaning {
   /** No robot touches a ball for longer before the kick is seen to end, and no placing lasts longer into what looks like rest, s. */
   private static final double LONGEST = 0.2;
 
+  /** Resting detections of a camera from which on it tells where the ball lay. */
+  private static final int LEAST_REST = 3;
+
   private Cleaning() {}
 
-  /** The kicks without what is no free flight at their ends; the same list when there is nothing of that kind. */
+  /**
+   * The kicks without what is no free flight at their ends; the same list when it is the same detections as before. What was left out in the light of a worse explanation comes back: a ball that
+   * curves, for one whose model is straight, seems to rest elsewhere than it does.
+   */
   static List<KickData> ends(HypothesisFitter fitter, FittedHypothesis at) {
+    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
     List<KickData> kept = new ArrayList<>();
     boolean changed = false;
-    double[][] residuals = residuals(fitter, at);
-    for (int k = 0; k < residuals.length; k++) {
+    for (int k = 0; k < fitter.kicks.size(); k++) {
       KickData data = fitter.kicks.get(k);
-      boolean[] dropped = ends(data, residuals[k]);
-      boolean any = false;
-      for (boolean d : dropped) {
-        any |= d;
-      }
-      changed |= any;
-      kept.add(any ? data.without(dropped) : data);
+      KickData now = data.whole.without(ends(data.whole, wholeResiduals(fitter, at, state, k)));
+      boolean same = Arrays.equals(now.used, data.used);
+      changed |= !same;
+      kept.add(same ? data : now);
     }
     return changed ? kept : fitter.kicks;
+  }
+
+  /** Residuals of all detections of a kick; one that was cut is fitted as a whole again, or what was left out would look wrong because it was. */
+  private static double[] wholeResiduals(
+      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
+    KickData data = fitter.kicks.get(k);
+    KickModel model =
+        new KickModel(data.whole, at.hypothesis().random().size(), fitter.sessionStart);
+    model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
+    if (data.usedCount < data.whole.usedCount) {
+      new OwnFit(model, state, at.scatter()).minimize();
+    }
+    double[] residuals = new double[2 * data.size];
+    model.residuals(state, model.path(state, model.own), residuals);
+    return residuals;
   }
 
   /** The kicks without those that stand out while the others are explained; the same list when there are none. */
@@ -93,22 +111,57 @@ final class Cleaning {
       return dropped;
     }
     // Blocks of several cameras lie side by side: two in a row that are fine end the search.
-    drop(data, blocks, off, dropped, true);
-    drop(data, blocks, off, dropped, false);
+    dropTouched(data, blocks, off, dropped);
+    for (int[] block : blocks) {
+      if (data.time[block[0]] < data.time[blocks.get(0)[0]] + LONGEST
+          && wasPlaced(data, block, r)) {
+        drop(data, Double.NEGATIVE_INFINITY, data.time[block[block.length - 1]], dropped);
+      }
+    }
     return dropped;
   }
 
-  private static void drop(
-      KickData data, List<int[]> blocks, double[] off, boolean[] dropped, boolean fromEnd) {
+  /** Whether the ball lay elsewhere then than just before the kick. The resting ball alone tells, since a wrong model of the flight makes a good rest look wrong. */
+  private static boolean wasPlaced(KickData data, int[] block, double[] r) {
+    double kickTime = data.kick.time();
+    double[] rest = new double[2];
+    int n = 0;
+    for (int i = 0; i < data.size; i++) {
+      if (data.used[i]
+          && data.camera[i] == data.camera[block[0]]
+          && data.time[i] < kickTime
+          && data.time[i] > kickTime - LONGEST) {
+        rest[0] += r[2 * i];
+        rest[1] += r[2 * i + 1];
+        n++;
+      }
+    }
+    if (n < LEAST_REST || data.time[block[block.length - 1]] > kickTime - LONGEST) {
+      return false;
+    }
+    double s1 = 0;
+    double s2 = 0;
+    for (int i : block) {
+      s1 += r[2 * i] - rest[0] / n;
+      s2 += r[2 * i + 1] - rest[1] / n;
+    }
+    return (s1 * s1 + s2 * s2) / block.length / (1 + block.length / (double) n) - 2 > OFF;
+  }
+
+  private static void drop(KickData data, double from, double to, boolean[] dropped) {
+    for (int i = 0; i < data.size; i++) {
+      dropped[i] |= data.time[i] >= from && data.time[i] <= to;
+    }
+  }
+
+  private static void dropTouched(
+      KickData data, List<int[]> blocks, double[] off, boolean[] dropped) {
     int fine = 0;
     int last = -1;
-    double begin = data.time[blocks.get(0)[0]];
     int[] latest = blocks.get(off.length - 1);
     double end = data.time[latest[latest.length - 1]];
-    for (int j = 0; j < off.length / 3 && fine < 3; j++) {
-      int b = fromEnd ? off.length - 1 - j : j;
-      double at = data.time[blocks.get(b)[0]];
-      if (fromEnd ? at < end - LONGEST : at > begin + LONGEST) {
+    for (int b = off.length - 1; b >= off.length * 2 / 3 && fine < 3; b--) {
+      if (data.time[blocks.get(b)[0]] < end - LONGEST) {
         break;
       }
       if (off[b] > OFF) {
@@ -118,13 +171,8 @@ final class Cleaning {
         fine++;
       }
     }
-    if (last < 0) {
-      return;
-    }
-    int[] block = blocks.get(last);
-    double edge = fromEnd ? data.time[block[0]] : data.time[block[block.length - 1]];
-    for (int i = 0; i < data.size; i++) {
-      dropped[i] |= fromEnd ? data.time[i] >= edge : data.time[i] <= edge;
+    if (last >= 0) {
+      drop(data, data.time[blocks.get(last)[0]], Double.POSITIVE_INFINITY, dropped);
     }
   }
 

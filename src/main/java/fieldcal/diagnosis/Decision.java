@@ -30,7 +30,6 @@ final class Decision {
   private final CauseSearch search;
   private final long seed;
   private FittedHypothesis best;
-  private final Map<Chart, FittedHypothesis> without = new java.util.HashMap<>();
   private final Map<Chart, List<String>> ties = new java.util.HashMap<>();
 
   Decision(CauseSearch search, FittedHypothesis best, long seed) {
@@ -68,11 +67,10 @@ final class Decision {
   }
 
   private FittedHypothesis without(Chart chart) {
-    return without.computeIfAbsent(chart, c -> search.fit(best.hypothesis().without(c), best));
+    return search.without(best, chart);
   }
 
   private boolean dropped() {
-    without.clear();
     double temper = temper(search.fitter(), best);
     Chart weakest = null;
     double least = NEEDED;
@@ -87,7 +85,6 @@ final class Decision {
       return false;
     }
     best = without(weakest);
-    without.clear();
     return true;
   }
 
@@ -120,7 +117,6 @@ final class Decision {
       }
       if (better != null) {
         best = better;
-        without.clear();
         return true;
       }
       ties.put(chart, tied.stream().distinct().toList());
@@ -156,7 +152,6 @@ final class Decision {
       }
       progress.accept("not named: " + useless + " does not pay on kicks that were held out");
       best = without(useless);
-      without.clear();
       settle();
     }
   }
@@ -164,8 +159,7 @@ final class Decision {
   /** Takes causes out that the remaining structure makes doubtful. */
   void acquit(List<Chart> charts) {
     for (Chart chart : charts) {
-      best = search.fit(best.hypothesis().without(chart), best);
-      without.clear();
+      best = without(chart);
     }
   }
 

@@ -25,7 +25,7 @@ import java.util.function.Consumer;
  */
 public final class Diagnoser {
   /** Rounds of leaving out what is no free ball. */
-  private static final int CLEANINGS = 3;
+  private static final int CLEANINGS = 4;
 
   /** Where that share of what the simple model gets wrong remains, nothing may be named. */
   private static final double TOO_MUCH = 0.1;
@@ -138,12 +138,13 @@ public final class Diagnoser {
         }
         progress.accept("testing every known effect");
         search = new CauseSearch(fitter, progress);
+        boolean first = round == 0;
         boolean last = round == CLEANINGS - 1;
         best =
             search.search(
                 simple,
                 problem.maxCauses(),
-                f -> !last && Cleaning.ends(fitter, f) != fitter.kicks);
+                f -> first && Cleaning.ends(fitter, f) != fitter.kicks);
         clean = last ? fitter.kicks : cleaned(best);
         if (clean == fitter.kicks) {
           break;
@@ -154,6 +155,7 @@ public final class Diagnoser {
       progress.accept("weighing the explanations");
       decision = new Decision(search, best, problem.seed());
       decision.settle();
+      simple = search.simple();
     }
 
     private List<KickData> settledKinds(FittedHypothesis at) {

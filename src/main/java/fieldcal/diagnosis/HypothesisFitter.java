@@ -41,6 +41,11 @@ final class HypothesisFitter {
 
   private static final int SCATTER_ROUNDS = 12;
 
+  /** A chip that is explained that many times worse than the median kick, and that much worse than noise, may be in a wrong valley. */
+  private static final double OUTLYING = 3;
+
+  private static final double LEAST_OUTLYING = 2;
+
   /** Scatter before it is known, and the smallest, in the effect's scales. */
   private static final double FIRST_SCATTER = 1;
 
@@ -116,6 +121,24 @@ final class HypothesisFitter {
     return run.fit(flights);
   }
 
+  /**
+   * From where another hypothesis ended, with some shared unknowns held until each kick has found its own under them, number of flights included: what changes bounces puts creases into the objective, and a fit of
+   * everything at once is caught by the nearest.
+   *
+   * @param held the first of the held unknowns
+   * @param count how many
+   */
+  FittedHypothesis fitHeldAtFirst(
+      Hypothesis hypothesis, double[] start, FittedHypothesis from, int held, int count) {
+    Run run = run(hypothesis, start, from);
+    run.settleKicks();
+    Arrays.fill(run.unknowns.free, held, held + count, false);
+    run.minimize();
+    run.settleFlights();
+    Arrays.fill(run.unknowns.free, held, held + count, true);
+    return run.fit(true);
+  }
+
   /** The cost of a hypothesis at given shared unknowns, each kick's own ones as they are. */
   double cost(Hypothesis hypothesis, double[] start, FittedHypothesis from) {
     Run run = run(hypothesis, start, from);
@@ -178,8 +201,9 @@ final class HypothesisFitter {
 
     FittedHypothesis fit(boolean flights) {
       minimize();
-      for (int round = 0; round < FLIGHT_ROUNDS && flights && tryFlights(); round++) {
-        minimize();
+      if (flights) {
+        settleFlights();
+        followTheRule();
       }
       for (int round = 0; round < SCATTER_ROUNDS && scatter.length > 0; round++) {
         if (!updateScatter()) {
@@ -417,23 +441,72 @@ final class HypothesisFitter {
       return IntStream.range(0, size).filter(k -> unknowns.free[k]).toArray();
     }
 
-    /** Tries one flight more and one less of each chip with the shared unknowns held; tells whether any changed. */
+    private void settleFlights() {
+      for (int round = 0; round < FLIGHT_ROUNDS && tryFlights(); round++) {
+        minimize();
+      }
+    }
+
+    /**
+     * Where chips hop more or less often than the 10 mm rule says of them, starts once more with the rule's numbers. Wrong numbers of many kicks hold each other up: the shared unknowns make up for them, so that no
+     * single kick gains by the right one.
+     */
+    private void followTheRule() {
+      int[] rule = new int[models.size()];
+      IntStream.range(0, rule.length)
+          .parallel()
+          .filter(k -> models.get(k).data.kind == KickKind.CHIP)
+          .forEach(k -> rule[k] = models.get(k).flightsByRule(state, models.get(k).own));
+      double[] kept = shared.clone();
+      double keptCost = cost;
+      List<double[]> owns = models.stream().map(m -> m.own.clone()).toList();
+      int[] flights = models.stream().mapToInt(m -> m.flights).toArray();
+      boolean differs = false;
+      for (int k = 0; k < rule.length; k++) {
+        differs |= rule[k] > 0 && rule[k] != flights[k];
+        models.get(k).flights = rule[k] > 0 ? rule[k] : flights[k];
+      }
+      if (!differs) {
+        return;
+      }
+      minimize();
+      settleFlights();
+      if (cost > keptCost) {
+        System.arraycopy(kept, 0, shared, 0, kept.length);
+        for (int k = 0; k < rule.length; k++) {
+          models.get(k).startFrom(owns.get(k), flights[k], new double[0]);
+        }
+        minimize();
+      }
+    }
+
+    /** Tries one flight more and one less of each chip, and other rises of those that stand out, with the shared unknowns held; tells whether any changed. */
     private boolean tryFlights() {
+      double[] misfits = new double[models.size()];
+      Arrays.setAll(misfits, this::misfit);
+      double[] sorted = misfits.clone();
+      Arrays.sort(sorted);
+      double outlying = Math.max(LEAST_OUTLYING, OUTLYING * sorted[sorted.length / 2]);
       boolean[] changed = new boolean[models.size()];
       IntStream.range(0, changed.length)
           .parallel()
           .forEach(
               k -> {
                 KickModel model = models.get(k);
-                changed[k] =
-                    model.data.kind == KickKind.CHIP
-                        && new OwnFit(model, state, scatter).chooseFlights();
+                if (model.data.kind == KickKind.CHIP) {
+                  OwnFit fit = new OwnFit(model, state, scatter);
+                  changed[k] = fit.chooseFlights() | (misfits[k] > outlying && fit.restart());
+                }
               });
       boolean any = false;
       for (boolean c : changed) {
         any |= c;
       }
       return any;
+    }
+
+    private double misfit(int kick) {
+      return normals.get(kick).cost / Math.max(1, 2 * models.get(kick).data.usedCount);
     }
 
     /** Expectation and maximisation; tells whether a scatter changed by more than a hundredth. */

@@ -16,6 +16,9 @@ final class KickData {
   /** Without rest before the kick its time is known from where two lines cross only, s. */
   static final double TIME_PRIOR = 0.004;
 
+  /** A fitted start that far from where the ball lay lost the rest, m; cameras disagree by less. */
+  private static final double LOST_REST = 0.1;
+
   final Kick kick;
   final KickKind kind;
 
@@ -36,15 +39,20 @@ final class KickData {
   final boolean[] used;
   final int usedCount;
 
+  /** The same kick with all detections that its own fit used. */
+  final KickData whole;
+
   /**
    * @param stampNoise standard deviation of time stamps, s
    */
   KickData(KickFit fit, CameraViews views, double stampNoise) {
+    whole = this;
     kick = fit.kick();
     kind = fit.kind();
     int own = ownSize(kind);
     start = new double[own];
     System.arraycopy(fit.values(), 0, start, 0, own);
+    startAtRest();
     flights = fit.statistics().flights();
     Observations seen = kick.observations();
     size = seen.size();
@@ -82,6 +90,7 @@ final class KickData {
 
   /** The same without some of the detections. */
   private KickData(KickData of, boolean[] dropped) {
+    whole = of;
     kick = of.kick;
     kind = of.kind;
     start = of.start;
@@ -105,8 +114,19 @@ final class KickData {
     usedCount = count;
   }
 
+  /** A fit that lost the resting ball, because no path of its model leads from there, starts where that lay. */
+  private void startAtRest() {
+    double[] rest = Outliers.rest(kick);
+    if (rest != null && Math.hypot(start[0] - rest[0], start[1] - rest[1]) > LOST_REST) {
+      start[0] = rest[0];
+      start[1] = rest[1];
+      start[timeIndex()] = kick.time();
+    }
+  }
+
+  /** The whole kick without some of its detections. */
   KickData without(boolean[] dropped) {
-    return new KickData(this, dropped);
+    return new KickData(whole, dropped);
   }
 
   /** How many unknowns a kick has of its own: position, velocity, time. */

@@ -16,6 +16,9 @@ final class OwnFit {
   /** Hops up to that many times higher or lower than the rule's limit may be wrongly counted. */
   private static final double NEAR_RULE = 3;
 
+  /** Rises from which a chip in a wrong valley is fitted anew, as multiples of the present one. */
+  private static final double[] OTHER_RISES = {0.55, 0.65, 0.75, 0.87, 1.15, 1.3, 1.5, 1.8};
+
   private final KickModel model;
   private final SharedState state;
   private final double[] scatter;
@@ -129,6 +132,33 @@ final class OwnFit {
     model.flights = bestFlights;
     model.own = bestOwn;
     return bestFlights != kept;
+  }
+
+  /**
+   * Fits a chip that the shared unknowns explain badly from other rises, each with the number of flights that follows from it; true when one explains it better. The height of one hop and the number of all are
+   * nearly exchangeable for a single kick, so its own fit may have ended far from what the other kicks say.
+   */
+  boolean restart() {
+    double[] keptOwn = model.own;
+    int kept = model.flights;
+    double before = priced(cost(keptOwn, new double[2 * model.data.size]));
+    double best = before;
+    double[] bestOwn = keptOwn;
+    int bestFlights = kept;
+    for (double rise : OTHER_RISES) {
+      model.own = keptOwn.clone();
+      model.own[4] *= rise;
+      model.flights = model.flightsByRule(state, model.own);
+      double tried = priced(minimize());
+      if (tried < best - RULE_PRICE) {
+        best = tried;
+        bestOwn = model.own;
+        bestFlights = model.flights;
+      }
+    }
+    model.own = bestOwn;
+    model.flights = bestFlights;
+    return best < before;
   }
 
   /** Whether another number of flights is worth a fit: the last hop, or the one after it, comes near the rule's height. */
