@@ -171,12 +171,8 @@ final class CauseSearch {
     }
     double strongest = all.stream().mapToDouble(Score::evidence).max().orElse(0);
     // A second region would be a pattern of the carpet, and no known cause.
-    Score region =
-        at.hypothesis().hasEffect("worn_region")
-            ? null
-            : new RegionSearch(frame).best(Math.max(WORTH_A_FIT, OF_STRONGEST * strongest));
-    if (region != null) {
-      all.add(region);
+    if (!at.hypothesis().hasEffect("worn_region")) {
+      all.addAll(new RegionSearch(frame).best(Math.max(WORTH_A_FIT, OF_STRONGEST * strongest)));
     }
     all.sort(Comparator.comparingDouble((Score s) -> -s.evidence()));
     return all;

@@ -10,39 +10,53 @@ import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression;
  */
 final class Independence {
   /** Chance of calling luck a law. */
-  private static final double CHANCE = 1e-4;
+  private static final double CHANCE = 1e-3;
 
   /** And it must explain that share of the variance. */
   private static final double SHARE = 0.5;
+
+  /** A kick whose magnitude is nearer to the mean than that, in scatters, does not tell its own: a chip's spin, for instance, hardly shows. */
+  private static final double UNTOLD = 0.02;
 
   private Independence() {}
 
   /** Whether a kick's own magnitude of a random effect follows from one of the kick's other properties. */
   static boolean isLaw(HypothesisFitter fitter, FittedHypothesis at, Chart chart) {
     int j = at.hypothesis().random().indexOf(chart);
-    int n = fitter.kicks.size();
+    double mean = at.shared()[at.offset(chart)];
+    List<Integer> telling = new ArrayList<>();
+    for (int k = 0; k < fitter.kicks.size(); k++) {
+      if (Math.abs(magnitude(fitter, at, k, j) - mean) > UNTOLD * at.scatter()[j]) {
+        telling.add(k);
+      }
+    }
+    int n = telling.size();
     double[] magnitude = new double[n];
     double[][] speed = new double[n][];
     double[][] direction = new double[n][];
     double[][] when = new double[n][];
-    for (int k = 0; k < n; k++) {
+    for (int i = 0; i < n; i++) {
+      int k = telling.get(i);
       double[] own = at.own().get(k);
-      KickData data = fitter.kicks.get(k);
-      magnitude[k] = own[data.start.length + j];
+      magnitude[i] = magnitude(fitter, at, k, j);
       double v = Math.hypot(own[2], own[3]);
       // What is proportional to speed or to its inverse shows with these two.
-      speed[k] = new double[] {v, v * v};
-      direction[k] = new double[] {own[2] / v, own[3] / v};
-      when[k] = new double[] {data.kick.time() - fitter.sessionStart};
+      speed[i] = new double[] {v, v * v};
+      direction[i] = new double[] {own[2] / v, own[3] / v};
+      when[i] = new double[] {fitter.kicks.get(k).kick.time() - fitter.sessionStart};
     }
     List<double[][]> laws = new ArrayList<>(List.of(speed, direction, when));
     return laws.stream().anyMatch(law -> follows(magnitude, law));
   }
 
+  private static double magnitude(HypothesisFitter fitter, FittedHypothesis at, int kick, int j) {
+    return at.own().get(kick)[fitter.kicks.get(kick).start.length + j];
+  }
+
   private static boolean follows(double[] y, double[][] x) {
     int n = y.length;
     int p = x[0].length;
-    if (n < p + 4) {
+    if (n < p + 3) {
       return false;
     }
     OLSMultipleLinearRegression regression = new OLSMultipleLinearRegression();

@@ -30,8 +30,45 @@ final class RegionSearch {
     this.frame = frame;
   }
 
-  /** The best rectangle, its evidence with the price of having been looked for taken off; null when there is none above the least. */
-  Score best(double least) {
+  /** The best rectangle and the best half or quarter of the field, their evidence with the price of having been looked for taken off; those above the least. */
+  List<Score> best(double least) {
+    double[] box = box();
+    List<Score> found = new ArrayList<>();
+    Score any = anywhere(box, least);
+    if (any != null) {
+      found.add(any);
+    }
+    Score part = null;
+    for (Chart chart : parts(box)) {
+      Score s = frame.score(chart);
+      part = part == null || s.gain() > part.gain() ? s : part;
+    }
+    if (part != null && part.evidence() - PRICE > least) {
+      found.add(priced(part));
+    }
+    return found;
+  }
+
+  /** Halves and quarters, which meet at the centre: as fields are laid out and worn. Of two halves one says what the other does. */
+  private static List<Chart> parts(double[] box) {
+    double left = Math.min(box[0], -SMALLEST);
+    double right = Math.max(box[1], SMALLEST);
+    double low = Math.min(box[2], -SMALLEST);
+    double high = Math.max(box[3], SMALLEST);
+    return List.of(
+        chart(left, 0, low, high),
+        chart(left, right, low, 0),
+        chart(left, 0, low, 0),
+        chart(left, 0, 0, high),
+        chart(0, right, low, 0),
+        chart(0, right, 0, high));
+  }
+
+  private static Score priced(Score s) {
+    return new Score(s.chart(), false, s.gain(), s.evidence() - PRICE, s.coordinates(), 0);
+  }
+
+  private double[] box() {
     double[] box = {Double.MAX_VALUE, -Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE};
     for (int k = 0; k < frame.kicks(); k++) {
       double[] one = frame.extent(k);
@@ -40,6 +77,10 @@ final class RegionSearch {
       box[2] = Math.min(box[2], one[2]);
       box[3] = Math.max(box[3], one[3]);
     }
+    return box;
+  }
+
+  private Score anywhere(double[] box, double least) {
     int nx = Math.max(1, (int) Math.ceil((box[1] - box[0]) / CELL));
     int ny = Math.max(1, (int) Math.ceil((box[3] - box[2]) / CELL));
     if (nx * ny > 400 || nx * ny < 2) {
@@ -170,8 +211,7 @@ final class RegionSearch {
         }
       }
     }
-    return new Score(
-        best.chart(), false, best.gain(), best.evidence() - PRICE, best.coordinates(), 0);
+    return priced(best);
   }
 
   /** The same region with one edge moved. */
