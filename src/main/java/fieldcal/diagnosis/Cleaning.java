@@ -42,7 +42,8 @@ final class Cleaning {
     boolean changed = false;
     for (int k = 0; k < fitter.kicks.size(); k++) {
       KickData data = fitter.kicks.get(k);
-      KickData now = data.whole.without(ends(data.whole, wholeResiduals(fitter, at, state, k)));
+      double[] residuals = wholeResiduals(fitter, at, state, k);
+      KickData now = data.whole.without(ends(data.whole, residuals, lastUsed(data)));
       boolean same = Arrays.equals(now.used, data.used);
       changed |= !same;
       kept.add(same ? data : now);
@@ -100,7 +101,15 @@ final class Cleaning {
     return all;
   }
 
-  private static boolean[] ends(KickData data, double[] r) {
+  private static double lastUsed(KickData data) {
+    int i = data.size - 1;
+    while (i > 0 && !data.used[i]) {
+      i--;
+    }
+    return data.time[i];
+  }
+
+  private static boolean[] ends(KickData data, double[] r, double end) {
     boolean[] dropped = new boolean[data.size];
     List<int[]> blocks = new ArrayList<>(Structure.blocks(data));
     blocks.sort((a, b) -> Double.compare(data.time[a[0]], data.time[b[0]]));
@@ -111,7 +120,7 @@ final class Cleaning {
       return dropped;
     }
     // Blocks of several cameras lie side by side: two in a row that are fine end the search.
-    dropTouched(data, blocks, off, dropped);
+    dropTouched(data, blocks, off, end, dropped);
     for (int[] block : blocks) {
       if (data.time[block[0]] < data.time[blocks.get(0)[0]] + LONGEST
           && wasPlaced(data, block, r)) {
@@ -154,12 +163,13 @@ final class Cleaning {
     }
   }
 
+  /**
+   * @param end of what was free flight so far, s: an earlier look may have cut some, and seen through that there is more
+   */
   private static void dropTouched(
-      KickData data, List<int[]> blocks, double[] off, boolean[] dropped) {
+      KickData data, List<int[]> blocks, double[] off, double end, boolean[] dropped) {
     int fine = 0;
     int last = -1;
-    int[] latest = blocks.get(off.length - 1);
-    double end = data.time[latest[latest.length - 1]];
     for (int b = off.length - 1; b >= off.length * 2 / 3 && fine < 3; b--) {
       if (data.time[blocks.get(b)[0]] < end - LONGEST) {
         break;

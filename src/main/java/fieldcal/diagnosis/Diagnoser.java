@@ -27,6 +27,9 @@ public final class Diagnoser {
   /** Rounds of leaving out what is no free ball. */
   private static final int CLEANINGS = 4;
 
+  /** Steps in which the ends of kicks are cut before the causes are looked for anew. */
+  private static final int CUTS = 4;
+
   /** Where that share of what the simple model gets wrong remains, nothing may be named. */
   private static final double TOO_MUCH = 0.1;
 
@@ -168,8 +171,23 @@ public final class Diagnoser {
       if (settled != fitter.kicks) {
         return settled;
       }
-      List<KickData> ends = Cleaning.ends(fitter, best);
+      List<KickData> ends = cutEnds(best);
       return ends == fitter.kicks ? Cleaning.kicks(fitter, best) : ends;
+    }
+
+    /** Cuts the ends until nothing changes: a touch that lasts is seen through step by step. */
+    private List<KickData> cutEnds(FittedHypothesis best) {
+      HypothesisFitter at = fitter;
+      FittedHypothesis f = best;
+      for (int i = 0; i < CUTS; i++) {
+        List<KickData> ends = Cleaning.ends(at, f);
+        if (ends == at.kicks) {
+          break;
+        }
+        at = at.of(ends);
+        f = at.fit(f.hypothesis(), f.shared(), f, false);
+      }
+      return at.kicks;
     }
 
     /** Where structure remains, a cause stays only if it is the same in all kicks. */
@@ -285,20 +303,21 @@ public final class Diagnoser {
     private List<Candidate> tried(FittedHypothesis best) {
       Map<String, Candidate> all = new java.util.LinkedHashMap<>();
       List<Score> added = search.scores(best);
+      double temper = Decision.temper(fitter, best);
       for (Score score : search.scores(simple)) {
         Hypothesis alone = Hypothesis.SIMPLE.with(score.chart(), score.perKick());
         double evidence = Double.NaN;
         Effect effect = score.chart().effect(score.coordinates(), 0);
         for (FittedHypothesis f : search.fitted()) {
           if (f.hypothesis().sameCauses(alone)) {
-            evidence = f.logEvidence() - simple.logEvidence();
+            evidence = Decision.evidence(f, simple, temper);
             effect = f.effect(f.hypothesis().charts().get(0));
           }
         }
         double more = Double.NaN;
         for (Score s : added) {
           if (s.chart().sameCause(score.chart()) && s.chart().size() == score.chart().size()) {
-            more = s.evidence();
+            more = s.evidence() - 0.5 * s.gain() * (1 - 1 / temper);
           }
         }
         all.putIfAbsent(

@@ -2,7 +2,6 @@ package fieldcal.diagnosis;
 
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
-import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 
@@ -83,10 +82,5 @@ record Score(
     }
     return new Score(
         chart, true, bestGain, best, new double[1], Math.max(0.02, bestScatter) * chart.scale(0));
-  }
-
-  /** Whether the coordinates can be told apart at all. */
-  static boolean isRegular(RealMatrix information) {
-    return new LUDecomposition(information).getDeterminant() > 0;
   }
 }

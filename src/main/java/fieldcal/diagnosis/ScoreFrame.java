@@ -1,6 +1,5 @@
 package fieldcal.diagnosis;
 
-import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.ObservedCamera;
 import java.util.Arrays;
@@ -294,9 +293,5 @@ final class ScoreFrame {
   /** The end of what is seen of a kick, s. */
   double lastSeen(int kick) {
     return frames[kick].model.data.kick.endTime();
-  }
-
-  Effect none(Chart chart) {
-    return chart.template();
   }
 }

@@ -1,6 +1,5 @@
 package fieldcal.diagnosis;
 
-import fieldcal.kick.KickKind;
 import java.util.List;
 
 /**
@@ -86,9 +85,5 @@ record Structure(double systematic, double deviation, int blocks) {
 
   boolean isSignificant() {
     return deviation > SIGNIFICANT;
-  }
-
-  static boolean flies(KickData data) {
-    return data.kind == KickKind.CHIP;
   }
 }

@@ -45,7 +45,7 @@ class HiddenEffectTest {
         7000030, 7000146, 7000192, 7000599, 7007925, 7000541, 7000917, 7000491, 7000627, 7000224,
         7000329, 7000791, 7000993, 7001549, 7000233, 7000074, 7000821, 7000973, 7001206, 7000844,
         7001176, 7000120, 7000870, 7000067, 3000015, 7000789, 7000854, 7000068, 7000799, 7000064,
-        7000257
+        7000257, 41000269, 41000112
       })
   void aSingleEffectIsNamedSizedAndPays(long seed) {
     StudiedCase studied = study(seed);
@@ -82,6 +82,16 @@ class HiddenEffectTest {
         .as("%s", studied)
         .hasSize(2)
         .allMatch(f -> f.how() != How.NOT);
+  }
+
+  /** Sliding friction that depends on the slip makes fast and slow kicks differ like spin that follows from the speed. */
+  @ParameterizedTest
+  @ValueSource(longs = {41000151, 41000143})
+  void whatNoKnownEffectExplainsIsBlamedOnNone(long seed) {
+    StudiedCase studied = study(seed);
+    assertThat(studied.outcome().orElseThrow()).as("%s", studied).isEqualTo(Outcome.RIGHT);
+    assertThat(studied.judgement().orElseThrow().verdict())
+        .isEqualTo(Verdict.UNEXPLAINED_STRUCTURE);
   }
 
   /** Known defects: 7000162 and 7001218 are said to be unexplained, in 7000434 a chip that was taken for a flat kick is explained by causes that are not there. */

@@ -68,6 +68,16 @@ public record HiddenRun(DiagnosisProblem problem, Diagnosis diagnosis, Truth tru
   }
 
   /**
+   * What the diagnosis of a case is given.
+   *
+   * @param hidden the case
+   * @return kicks and cameras as seen, fitted one by one
+   */
+  public static DiagnosisProblem problem(HiddenCase hidden) {
+    return problem(SeenKicks.of(hidden.settings()), hidden.commands());
+  }
+
+  /**
    * What a diagnosis of these kicks is made from.
    *
    * @param seen what the cameras saw
