@@ -132,10 +132,12 @@ final class HypothesisFitter {
       Hypothesis hypothesis, double[] start, FittedHypothesis from, int held, int count) {
     Run run = run(hypothesis, start, from);
     run.settleKicks();
-    Arrays.fill(run.unknowns.free, held, held + count, false);
+    boolean[] free = run.unknowns.free;
+    boolean[] before = free.clone();
+    Arrays.fill(free, held, held + count, false);
     run.minimize();
     run.settleFlights();
-    Arrays.fill(run.unknowns.free, held, held + count, true);
+    System.arraycopy(before, 0, free, 0, free.length);
     return run.fit(true);
   }
 
