@@ -200,10 +200,15 @@ final class CauseSearch {
     if (at.hypothesis().isSimple()) {
       // With wrong numbers of hops the score of what changes bounces says little.
       scores(at).stream()
-          .filter(s -> isBounce(s.chart()) && !chosen.contains(s))
+          .filter(s -> isBounce(s.chart()) && shows(s) && !chosen.contains(s))
           .forEach(chosen::add);
     }
     return chosen;
+  }
+
+  /** Whether the kicks show anything of an effect at all. */
+  private static boolean shows(Score score) {
+    return score.evidence() > Double.NEGATIVE_INFINITY;
   }
 
   /** The hypothesis with one effect more, fitted; null when that was done before. */
