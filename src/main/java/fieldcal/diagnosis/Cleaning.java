@@ -51,6 +51,16 @@ final class Cleaning {
     return changed ? kept : fitter.kicks;
   }
 
+  /** Whether two looks at the same kicks left the same detections. */
+  static boolean sameDetections(List<KickData> a, List<KickData> b) {
+    for (int k = 0; k < a.size(); k++) {
+      if (!Arrays.equals(a.get(k).used, b.get(k).used)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** Residuals of all detections of a kick; one that was cut is fitted as a whole again, or what was left out would look wrong because it was. */
   private static double[] wholeResiduals(
       HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {

@@ -148,7 +148,7 @@ public final class Diagnoser {
                 simple,
                 problem.maxCauses(),
                 f -> first && Cleaning.ends(fitter, f) != fitter.kicks);
-        clean = last ? fitter.kicks : cleaned(best);
+        clean = last ? fitter.kicks : cleaned(best, first);
         if (clean == fitter.kicks) {
           break;
         }
@@ -165,14 +165,22 @@ public final class Diagnoser {
       return Kinds.settle(fitter, at, noise, problem.cameras(), flatStart(), chipStart());
     }
 
-    /** The kicks as they look in the light of an explanation; the same list when nothing is to be changed. */
-    private List<KickData> cleaned(FittedHypothesis best) {
+    /**
+     * The kicks as they look in the light of an explanation; the same list when nothing is to be changed.
+     *
+     * @param first whether this is the first look: then the ends of a kick are suspected before the kick is, later the other way round
+     */
+    private List<KickData> cleaned(FittedHypothesis best, boolean first) {
       List<KickData> settled = best.hypothesis().isSimple() ? fitter.kicks : settledKinds(best);
       if (settled != fitter.kicks) {
         return settled;
       }
-      List<KickData> ends = cutEnds(best);
-      return ends == fitter.kicks ? Cleaning.kicks(fitter, best) : ends;
+      List<KickData> ends = first ? cutEnds(best) : fitter.kicks;
+      if (ends != fitter.kicks) {
+        return ends;
+      }
+      List<KickData> good = Cleaning.kicks(fitter, best);
+      return good == fitter.kicks ? cutEnds(best) : good;
     }
 
     /** Cuts the ends until nothing changes: a touch that lasts is seen through step by step. */
@@ -187,7 +195,7 @@ public final class Diagnoser {
         at = at.of(ends);
         f = at.fit(f.hypothesis(), f.shared(), f, false);
       }
-      return at.kicks;
+      return Cleaning.sameDetections(at.kicks, fitter.kicks) ? fitter.kicks : at.kicks;
     }
 
     /** Where structure remains, a cause stays only if it is the same in all kicks. */
