@@ -143,11 +143,7 @@ public final class Diagnoser {
         search = new CauseSearch(fitter, progress);
         boolean first = round == 0;
         boolean last = round == CLEANINGS - 1;
-        best =
-            search.search(
-                simple,
-                problem.maxCauses(),
-                f -> first && Cleaning.ends(fitter, f) != fitter.kicks);
+        best = search.search(simple, problem.maxCauses(), f -> first && cutEnds(f) != fitter.kicks);
         clean = last ? fitter.kicks : cleaned(best, first);
         if (clean == fitter.kicks) {
           break;
