@@ -295,6 +295,12 @@ final class CauseSearch {
     return fresh;
   }
 
+  /** Takes a fit that was made elsewhere. */
+  void know(FittedHypothesis f) {
+    fitted.removeIf(known -> known.hypothesis().sameCauses(f.hypothesis()));
+    fitted.add(f);
+  }
+
   /** The best fit that is known of the simple model. */
   FittedHypothesis simple() {
     return fitted.stream().filter(f -> f.hypothesis().isSimple()).findFirst().orElseThrow();

@@ -24,7 +24,7 @@ final class Cleaning {
   /** The others count as explained below that many variances of noise. */
   private static final double EXPLAINED = 1.6;
 
-  /** No robot touches a ball for longer before the kick is seen to end, and no placing lasts longer into what looks like rest, s. */
+  /** No robot touches a ball for longer before the kick is seen to end; and for so long a ball rests at least before it is kicked, s. */
   private static final double LONGEST = 0.2;
 
   /** Resting detections of a camera from which on it tells where the ball lay. */
@@ -132,8 +132,7 @@ final class Cleaning {
     // Blocks of several cameras lie side by side: two in a row that are fine end the search.
     dropTouched(data, blocks, off, end, dropped);
     for (int[] block : blocks) {
-      if (data.time[block[0]] < data.time[blocks.get(0)[0]] + LONGEST
-          && wasPlaced(data, block, r)) {
+      if (wasPlaced(data, block, r)) {
         drop(data, Double.NEGATIVE_INFINITY, data.time[block[block.length - 1]], dropped);
       }
     }

@@ -105,6 +105,12 @@ public final class Diagnoser {
       }
       look(kicks);
       Map<Chart, Gain> gains = decision.gains(progress);
+      List<KickData> cut = cutEnds(decision.best());
+      if (cut != fitter.kicks) {
+        // A cause that was dropped had explained what a touched ball did.
+        weighAnew(cut);
+        gains = decision.gains(progress);
+      }
       blameOnlyTheGuilty();
       gains.keySet().retainAll(decision.best().hypothesis().charts());
       return result(gains);
@@ -152,6 +158,19 @@ public final class Diagnoser {
       }
       best = search.polishRegion(best);
       progress.accept("weighing the explanations");
+      decision = new Decision(search, best, problem.seed());
+      decision.settle();
+      simple = search.simple();
+    }
+
+    /** Weighs what was decided on kicks whose ends were cut, without another search. */
+    private void weighAnew(List<KickData> cut) {
+      FittedHypothesis decided = decision.best();
+      fitter = fitter.of(cut);
+      search = new CauseSearch(fitter, progress);
+      search.know(fitter.fitSimple());
+      FittedHypothesis best = fitter.fit(decided.hypothesis(), decided.shared(), decided, true);
+      search.know(best);
       decision = new Decision(search, best, problem.seed());
       decision.settle();
       simple = search.simple();
