@@ -117,9 +117,14 @@ final class Browser implements AutoCloseable {
   }
 
   void type(String css, String text) {
-    WebElement field = find(css);
-    field.clear();
-    field.sendKeys(text);
+    await(
+        css + " takes text",
+        d -> {
+          WebElement field = d.findElement(By.cssSelector(css));
+          field.clear();
+          field.sendKeys(text);
+          return true;
+        });
   }
 
   /** Presses keys with nothing in focus. */
@@ -133,7 +138,8 @@ final class Browser implements AutoCloseable {
   }
 
   String text(String css) {
-    return find(css).getText();
+    // In one step: the page may draw an element anew between finding and reading it.
+    return await(css + " is read", d -> d.findElement(By.cssSelector(css)).getText());
   }
 
   void awaitText(String css, String part) {
