@@ -341,7 +341,7 @@ class SessionTest {
       Answer twice = console.post("/api/diagnosis", "{}");
       assertThat(twice.status()).isEqualTo(409);
       assertThat(twice.error()).contains("Diagnosing");
-      console.await("running", s -> s.at("/work/title").asText().equals("Diagnosing"));
+      console.await("running", s -> s.path("work").path("title").asText().equals("Diagnosing"));
       assertThat(console.post("/api/cancel", "{}").status()).isEqualTo(200);
       JsonNode state = console.await("ended", s -> !s.path("work").has("title"));
       assertThat(state.at("/diagnosis/failure").asText()).contains("cancelled");
