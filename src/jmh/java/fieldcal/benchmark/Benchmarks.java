@@ -1,5 +1,6 @@
 package fieldcal.benchmark;
 
+import fieldcal.app.console.ConsoleBenchmark;
 import fieldcal.effect.ExtendedQueries;
 import fieldcal.fit.FitAccuracy;
 import fieldcal.fit.WrongMinima;
@@ -22,7 +23,7 @@ import java.util.Map;
 public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
-          + " [k-switch] [live] [live-day] [sample-tree]"
+          + " [k-switch] [live] [live-day] [sample-tree] [console]"
           + " [play] [play-calibration] [play-adaptive]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
@@ -53,6 +54,7 @@ public final class Benchmarks {
     parts.put("live", LiveBenchmark::run);
     parts.put("live-day", LiveDay::run);
     parts.put("sample-tree", SampleTreeStudy::run);
+    parts.put("console", ConsoleBenchmark::run);
     parts.put("play", PlayBenchmark::run);
     parts.put("play-calibration", PlayCalibrationBenchmark::run);
     parts.put("play-adaptive", AdaptiveBenchmark::run);

@@ -15,6 +15,7 @@ final class Desks {
   private final NotesDesk notes;
   private final KickDesk kicks;
   private final DiagnosisDesk diagnosis;
+  private final VisionDesk vision;
   private final PublishDesk publish;
   private final MatchDesk match;
   private final PlayDesk play;
@@ -26,12 +27,22 @@ final class Desks {
     notes = new NotesDesk(directory);
     kicks = new KickDesk(directory, settings, work, this::tellState);
     diagnosis = new DiagnosisDesk(directory, settings, kicks, notes, work, this::tellState);
-    publish = new PublishDesk(directory, kicks, notes, clock, this::tellState);
+    vision = new VisionDesk(clock, this::tellState);
+    publish = new PublishDesk(directory, kicks, notes, vision, clock, this::tellState);
     match = new MatchDesk(directory, kicks, events, this::tellState);
     play = new PlayDesk(directory, kicks, events, this::tellState);
     json =
         new StateJson(
-            directory, kicks, diagnosis, match, play, notes, work, clock.millis(), changes::get);
+            directory,
+            kicks,
+            diagnosis,
+            vision,
+            match,
+            play,
+            notes,
+            work,
+            clock.millis(),
+            changes::get);
   }
 
   /** Begins with what is in the directory. */
@@ -48,6 +59,7 @@ final class Desks {
   }
 
   void stop() {
+    vision.close();
     match.close();
     play.close();
     work.close();
@@ -91,6 +103,10 @@ final class Desks {
 
   DiagnosisDesk diagnosis() {
     return diagnosis;
+  }
+
+  VisionDesk vision() {
+    return vision;
   }
 
   PublishDesk publish() {

@@ -1,6 +1,9 @@
 package fieldcal.app.console;
 
-import io.javalin.http.sse.SseClient;
+import io.javalin.http.Context;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -22,6 +25,8 @@ final class EventHub {
 
   /** What one window is still to be told. */
   private static final class Window {
+    private static final Map<String, String> BEAT = Map.of("beat", "{}");
+
     private final Map<String, String> pending = new LinkedHashMap<>();
     private boolean closed;
 
@@ -45,38 +50,48 @@ final class EventHub {
       }
       Map<String, String> news = new LinkedHashMap<>(pending);
       pending.clear();
-      return news.isEmpty() ? Map.of("beat", "{}") : news;
+      return news.isEmpty() ? BEAT : news;
     }
   }
 
-  /** Serves one window until it is closed; the calling thread is its own. */
-  void serve(SseClient client) {
+  /**
+   * Serves one window until it is closed, with server-sent events; the calling thread is its own, so that the request is still there when the window has gone: afterwards the server would use it for somebody
+   * else.
+   */
+  void serve(Context request) {
     Window window = new Window();
     synchronized (this) {
       if (closed || windows.size() >= MOST_WINDOWS) {
-        client.close();
-        return;
+        throw new ApiException(503, "too many windows are open, or the console ends");
       }
       windows.add(window);
     }
-    client.onClose(window::close);
     try {
-      client.sendEvent("beat", "{}");
-      while (!client.terminated()) {
-        Map<String, String> news = window.next();
-        if (news == null) {
-          return;
+      request.contentType("text/event-stream; charset=utf-8");
+      OutputStream out = request.res().getOutputStream();
+      Map<String, String> news = Window.BEAT;
+      while (news != null) {
+        for (Map.Entry<String, String> event : news.entrySet()) {
+          send(out, event.getKey(), event.getValue());
         }
-        news.forEach(client::sendEvent);
+        out.flush();
+        news = window.next();
       }
+    } catch (IOException e) {
+      // The window is closed, or its network is gone: it asks again if it is still there.
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
       synchronized (this) {
         windows.remove(window);
       }
-      client.close();
     }
+  }
+
+  /** What is told is JSON without line ends. */
+  private static void send(OutputStream out, String event, String data) throws IOException {
+    String text = "event: " + event + "\ndata: " + data + "\n\n";
+    out.write(text.getBytes(StandardCharsets.UTF_8));
   }
 
   /** Tells all windows. */

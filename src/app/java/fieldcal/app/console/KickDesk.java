@@ -261,11 +261,13 @@ final class KickDesk {
   }
 
   private void refine(Work.Progress progress) {
-    CalibrationOutcome before = calibrated();
     try {
       // Most decisions come in a row.
+      progress.pause(REFINE_AFTER_MS);
+      CalibrationOutcome before = calibrated();
+      CalibrationRequest request = request(before.logs(), before.selection());
       CalibrationOutcome refined =
-          session.calibrate(before.data(), request(before.logs(), before.selection()), progress);
+          beside.submit(() -> session.calibrate(before.data(), request, progress)).join();
       progress.check();
       synchronized (this) {
         // What was decided while it was refined holds; another refinement is on its way when

@@ -26,22 +26,29 @@ final class PublishDesk {
   private final SessionDirectory directory;
   private final KickDesk kicks;
   private final NotesDesk notes;
+  private final VisionDesk vision;
   private final Clock clock;
   private final Runnable changed;
   private long written = -1;
 
   PublishDesk(
-      SessionDirectory directory, KickDesk kicks, NotesDesk notes, Clock clock, Runnable changed) {
+      SessionDirectory directory,
+      KickDesk kicks,
+      NotesDesk notes,
+      VisionDesk vision,
+      Clock clock,
+      Runnable changed) {
     this.directory = directory;
     this.kicks = kicks;
     this.notes = notes;
+    this.vision = vision;
     this.clock = clock;
     this.changed = changed;
   }
 
   /** What sort of packet is sent. */
   enum Format {
-    /** {@code SSL_WrapperPacket}, as vision sends it: the geometry of the recording with the new models in it. */
+    /** {@code SSL_WrapperPacket}, as vision sends it: its geometry, or else that of the recordings, with the new models in it. */
     WRAPPER,
     /** {@code SSL_GeometryModels} alone. */
     MODELS
@@ -101,20 +108,22 @@ final class PublishDesk {
     return publication;
   }
 
-  private static byte[] bytes(Format format, CalibrationOutcome outcome) {
+  private byte[] bytes(Format format, CalibrationOutcome outcome) {
     BallModels models = outcome.models();
     if (format == Format.MODELS) {
       return models.toBytes();
     }
+    // Everybody takes over the whole packet: an old field must not come with the new models.
     FieldGeometry geometry =
-        outcome
-            .data()
-            .geometry()
+        vision
+            .heard()
+            .flatMap(VisionDesk.Heard::geometry)
+            .or(() -> outcome.data().geometry())
             .orElseThrow(
                 () ->
                     ApiException.conflict(
-                        "the recordings have no geometry, which such a packet must carry; send the"
-                            + " models alone"));
+                        "the recordings have no geometry, which such a packet must carry; listen to"
+                            + " vision, or send the models alone"));
     FieldGeometry field = geometry.withModels(models.flat(), models.chip());
     return new VisionEncoder(outcome.data().epoch()).encode(VisionPacket.of(field));
   }

@@ -28,6 +28,7 @@ final class StateJson {
   private final SessionDirectory directory;
   private final KickDesk kicks;
   private final DiagnosisDesk diagnosis;
+  private final VisionDesk vision;
   private final MatchDesk match;
   private final PlayDesk play;
   private final NotesDesk notes;
@@ -37,6 +38,7 @@ final class StateJson {
   private final Object workOrder = new Object();
   private long workNumber;
   private long calibrationVersion = -1;
+  private final KickTexts texts = new KickTexts();
   private ObjectNode calibration;
 
   /**
@@ -49,6 +51,7 @@ final class StateJson {
       SessionDirectory directory,
       KickDesk kicks,
       DiagnosisDesk diagnosis,
+      VisionDesk vision,
       MatchDesk match,
       PlayDesk play,
       NotesDesk notes,
@@ -58,6 +61,7 @@ final class StateJson {
     this.directory = directory;
     this.kicks = kicks;
     this.diagnosis = diagnosis;
+    this.vision = vision;
     this.match = match;
     this.play = play;
     this.notes = notes;
@@ -66,8 +70,8 @@ final class StateJson {
     this.changes = changes;
   }
 
-  /** Everything. */
-  String state() throws IOException {
+  /** Everything, but of the kicks only those that a page does not have as they are. */
+  String state(Having having) throws IOException {
     ObjectNode root = NODES.objectNode();
     root.put("run", run);
     // Asked for first: what changes meanwhile is told with a higher one.
@@ -85,9 +89,10 @@ final class StateJson {
     notes.unsaved().ifPresent(unsaved::add);
     root.set("work", workNode());
     if (view.outcome().isPresent()) {
-      root.setAll(calibration(view));
+      root.setAll(calibration(view, having.run() == run ? having.calibration() : -1));
     }
     root.set("diagnosis", diagnosis(view));
+    root.set("vision", vision.state(view.outcome().flatMap(o -> o.data().geometry())));
     root.set("match", match.state());
     ArrayNode watchable = root.putArray("watchable");
     directory.watchable().keySet().forEach(watchable::add);
@@ -138,18 +143,26 @@ final class StateJson {
     return names;
   }
 
-  private synchronized ObjectNode calibration(KickDesk.View view) throws IOException {
-    if (calibrationVersion != view.version()) {
+  private synchronized ObjectNode calibration(KickDesk.View view, long known) throws IOException {
+    // Somebody who asked a moment before may come later.
+    if (calibrationVersion < view.version()) {
       CalibrationOutcome outcome = view.outcome().orElseThrow();
       ObjectNode node = NODES.objectNode();
-      String report = CalibrationReportWriter.json(new ReportBuilder(outcome).overview());
-      node.putRawValue("calibration", new RawValue(report));
+      CalibrationReport report = new ReportBuilder(outcome).overview();
+      texts.update(report.kicks(), view.version());
+      node.set("calibration", MAPPER.readTree(CalibrationReportWriter.jsonWithoutKicks(report)));
       node.set("selection", selection(view, outcome));
       node.set("model", model(outcome));
       calibration = node;
       calibrationVersion = view.version();
     }
-    return calibration;
+    ObjectNode told = calibration.deepCopy();
+    ObjectNode of = (ObjectNode) told.path("calibration");
+    of.put("version", calibrationVersion);
+    of.put("since", texts.knows(known) ? known : null);
+    ArrayNode changed = ((ObjectNode) of.path("report")).putArray("kicks");
+    texts.after(known).forEach(json -> changed.addRawValue(new RawValue(json)));
+    return told;
   }
 
   private static ObjectNode selection(KickDesk.View view, CalibrationOutcome outcome) {
@@ -174,12 +187,13 @@ final class StateJson {
     return node;
   }
 
-  private static ObjectNode model(CalibrationOutcome outcome) {
+  private ObjectNode model(CalibrationOutcome outcome) {
     BallModels models = outcome.models();
     ObjectNode node = Snippets.of(models);
     node.put("flat", models.flat().isPresent());
     node.put("chip", models.chip().isPresent());
     node.put("geometry", outcome.data().geometry().isPresent());
+    node.put("compared", kicks.initial().isPresent() ? "file" : "recordings");
     ArrayNode effects = node.putArray("effects");
     outcome
         .extended()

@@ -85,9 +85,9 @@ final class WebServer {
     routes.get("/", this::page);
     routes.get("/assets/{name}", this::asset);
     routes.get("/files/{name}", this::file);
-    routes.get("/api/state", request -> json(request, desks.json().state()));
+    routes.get("/api/state", this::state);
     routes.get("/api/kicks/{id}", request -> json(request, desks.json().kick(number(request))));
-    routes.sse("/api/events", desks.events()::serve);
+    routes.get("/api/events", desks.events()::serve);
     routes.post("/api/token", this::token);
     actions(routes);
     errors(routes);
@@ -111,6 +111,8 @@ final class WebServer {
     routes.post(
         "/api/play/plan",
         r -> json(r, desks.play().plan(PlayOrder.of(Requests.body(r))).toString()));
+    action(routes, "/api/vision", body -> desks.vision().start(body));
+    action(routes, "/api/vision/end", body -> desks.vision().stop());
     action(routes, "/api/publish", body -> desks.publish().send(body));
   }
 
@@ -125,7 +127,7 @@ final class WebServer {
         path,
         request -> {
           action.run(Requests.body(request));
-          json(request, desks.json().state());
+          state(request);
         });
   }
 
@@ -200,6 +202,10 @@ final class WebServer {
       throw ApiException.badRequest("a kick is named by its number");
     }
     return Integer.parseInt(text);
+  }
+
+  private void state(Context request) throws IOException {
+    json(request, desks.json().state(Having.of(request)));
   }
 
   private static void json(Context request, String json) {

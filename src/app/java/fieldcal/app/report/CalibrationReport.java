@@ -44,6 +44,15 @@ public record CalibrationReport(
     problems = List.copyOf(problems);
   }
 
+  /**
+   * The same without its kicks.
+   *
+   * @return the changed copy
+   */
+  public CalibrationReport withoutKicks() {
+    return new CalibrationReport(provenance, models, cameras, field, List.of(), warnings, problems);
+  }
+
   /** What a kick is, and which of the two models it belongs to. */
   public enum Kind {
     /** Along the ground. */

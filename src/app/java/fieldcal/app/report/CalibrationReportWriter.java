@@ -37,6 +37,17 @@ public final class CalibrationReportWriter {
   }
 
   /**
+   * Everything but the kicks as in {@link #json}; the verdict is that of all of them.
+   *
+   * @param report what to show
+   * @return JSON, whose kicks are an empty list
+   * @throws IOException if a value cannot be written as JSON
+   */
+  public static String jsonWithoutKicks(CalibrationReport report) throws IOException {
+    return ReportJson.of(new Contents(Verdict.of(report), report.withoutKicks()));
+  }
+
+  /**
    * One kick as in {@link #json}.
    *
    * @param kick what to show

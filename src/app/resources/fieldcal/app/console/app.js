@@ -10,10 +10,13 @@ import {playPage} from './play.js';
 const {el} = Charts;
 const {$} = Frame;
 
+// What is printed is the report; on the screen, more pixels than it has would only take time.
+Frame.screen.pixelRatio = window.devicePixelRatio || 1;
+
 const app = {state: null, theme: null, decide, run, fail, colours};
 const PAGES = [kicksPage(app), playPage(app), diagnosisPage(app), publishPage(app), matchPage(app)];
 let current = null;
-let lastWork = null, failures = [], asking = false, askAgain = false;
+let lastWork = null, failures = [], asking = false, askAgain = false, acting = 0, newest = 0;
 
 // ---- state ----
 
@@ -21,6 +24,12 @@ let lastWork = null, failures = [], asking = false, askAgain = false;
 function take(state) {
   const old = app.state;
   if (old && old.run === state.run && old.version > state.version) return;
+  if (state.calibration && state.calibration.since !== null) {
+    if (!old || old.run !== state.run || !old.calibration) return void refresh();
+    // Only the kicks that changed were told; the others stay the very objects they were.
+    const changed = new Map(state.calibration.report.kicks.map(kick => [kick.id, kick]));
+    state.calibration.report.kicks = old.calibration.report.kicks.map(kick => changed.get(kick.id) || kick);
+  }
   app.state = state;
   showAll();
 }
@@ -33,7 +42,7 @@ async function refresh() {
   }
   asking = true;
   try {
-    take(await ask('state'));
+    take(await ask('state' + having()));
   } catch (failure) {
     if (failure.status !== 0) fail(failure); // that there is no connection is shown already
   } finally {
@@ -45,10 +54,20 @@ async function refresh() {
   }
 }
 
+/** What this page knows already and need not be told again. */
+const having = () => app.state && app.state.calibration ? '?run=' + app.state.run + '&calibration=' + app.state.calibration.version : '';
+
+/** Something changed; what this page itself brought about comes as an answer. */
+function changed(version) {
+  newest = version;
+  if (!acting && app.state && app.state.version !== version) refresh();
+}
+
 /** Has the server do something, and shows what came of it. */
 async function run(what, body) {
+  acting++;
   try {
-    const state = await act(what, body);
+    const state = await act(what + having(), body);
     failures = [];
     take(state);
     return true;
@@ -56,6 +75,9 @@ async function run(what, body) {
     fail(failure);
     if (failure.status === 409) await refresh();
     return false;
+  } finally {
+    acting--;
+    if (!acting && app.state && app.state.version < newest) refresh();
   }
 }
 
@@ -210,7 +232,7 @@ setTheme(firstTheme());
 go();
 showNavigation();
 listen((name, data) => {
-  if (name === 'state') { if (!app.state || app.state.version !== data) refresh(); }
+  if (name === 'state') changed(data);
   else if (name === 'work') showWork(data);
   else {
     if (app.state) app.state[name].status = data;

@@ -6,24 +6,56 @@ const LISTED = COLUMNS.filter(column => column.key !== 'used');
 const STEPS = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity};
 
 export function kickTable({select, mark, toggle}) {
-  const state = {filter: 'all', sort: {key: 'id', down: false}, shown: [], rows: new Map(), selected: null};
+  const state = {filter: 'all', sort: {key: 'id', down: false}, shown: [], rows: new Map(), selected: null, listed: ''};
+  const parts = new Map();
   let last = null;
 
   function show(report, byHand, marks, selected) {
     last = [report, byHand, marks, selected];
     choices('kick-filter', Object.keys(FILTERS).map(key => [key, key + ' ' + report.kicks.filter(FILTERS[key]).length]), state.filter, key => { state.filter = key; show(...last); });
     state.shown = sorted(report.kicks.filter(FILTERS[state.filter]), state.sort);
-    state.rows = new Map();
     const focused = document.activeElement && document.activeElement.closest('#kicks tr[data-kick]');
     const box = content('kicks');
     if (state.shown.length === 0) {
+      state.rows = new Map();
+      state.listed = '';
       box.replaceChildren(el('p', {class: 'empty'}, report.kicks.length ? 'None.' : 'No kick was found in the recordings.'));
       return;
     }
-    const body = el('tbody', {}, state.shown.flatMap(kick => rowsOf(kick, byHand[kick.id], marks.has(kick.id))));
-    body.addEventListener('keydown', pressed);
-    box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text', title: 'marked kicks are decided about together'}, ''), LISTED.map(heading), el('th', {class: 'text'}, 'Used'))), body));
+    // Rows of kicks that did not change stay as they are: there may be hundreds.
+    const listed = JSON.stringify([state.sort, state.shown.map(kick => kick.id)]), same = listed === state.listed;
+    const rows = state.shown.map(kick => {
+      const old = parts.get(kick.id), decision = byHand[kick.id];
+      if (old && old.kick === kick && old.decision === decision) return old;
+      const part = {kick, decision, nodes: rowsOf(kick, decision, marks.has(kick.id))};
+      if (same && old) {
+        old.nodes.slice(1).forEach(node => node.remove());
+        old.nodes[0].replaceWith(...part.nodes);
+      }
+      parts.set(kick.id, part);
+      return part;
+    });
+    state.rows = new Map(rows.map(part => [part.kick.id, part.nodes[0]]));
+    if (!same) {
+      state.listed = listed;
+      const body = el('tbody', {}, rows.flatMap(part => part.nodes));
+      body.addEventListener('keydown', pressed);
+      box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text', title: 'marked kicks are decided about together'}, ''), LISTED.map(heading), el('th', {class: 'text'}, 'Used'))), body));
+    }
+    setMarks(marks);
     pick(selected, Boolean(focused));
+  }
+
+  /** Shows at once what was decided about kicks; what comes of it is shown when the server has answered. */
+  function expect(ids, used) {
+    for (const id of ids) {
+      const part = parts.get(id), row = state.rows.get(id);
+      if (!part || !row) continue;
+      part.kick = null;
+      row.classList.toggle('dropped', !used);
+      row.classList.add('pending');
+      row.querySelector('button.use').replaceChildren(Frame.badge(used ? 'good' : 'bad', used ? '✔' : '✘'), el('span', {}, '…'));
+    }
   }
 
   function heading(column) {
@@ -75,7 +107,9 @@ export function kickTable({select, mark, toggle}) {
   function pick(id, focus) {
     state.selected = id;
     for (const [kick, row] of state.rows) {
-      row.setAttribute('aria-selected', String(kick === id));
+      const selected = String(kick === id);
+      if (row.getAttribute('aria-selected') === selected) continue;
+      row.setAttribute('aria-selected', selected);
       row.tabIndex = kick === id ? 0 : -1;
     }
     const row = state.rows.get(id);
@@ -92,8 +126,14 @@ export function kickTable({select, mark, toggle}) {
   }
 
   function setMarks(marks) {
-    for (const [kick, row] of state.rows) row.querySelector('input').checked = marks.has(kick);
+    for (const [kick, row] of state.rows) row.firstChild.firstChild.checked = marks.has(kick);
   }
 
-  return {show, pick, step, setMarks};
+  /** The kicks before and after the selected one. */
+  function beside() {
+    const now = state.shown.findIndex(kick => kick.id === state.selected);
+    return now < 0 ? [] : [state.shown[now + 1], state.shown[now - 1]].filter(Boolean).map(kick => kick.id);
+  }
+
+  return {show, pick, step, setMarks, expect, beside};
 }

@@ -1,6 +1,6 @@
 /* The page of the kicks: table, model, pictures of one kick, and the decisions about them. */
 import {ask} from './server.js';
-import {button} from './parts.js';
+import {button, soon} from './parts.js';
 import {kickTable} from './kick-table.js';
 
 const {el, known, number, withError} = Charts;
@@ -11,7 +11,7 @@ const ADVICE = {PUBLISH: ['good', '✔ publish'], KEEP: ['good', '✔ keep the o
 
 export function kicksPage(app) {
   const page = {id: 'kicks', title: 'Kicks', show, resized, keys: {}, keyWords: []};
-  const view = {selected: null, kind: null, axis: 'kick', marks: new Set(), details: new Map(), fits: null, laidOut: ''};
+  const view = {selected: null, kind: null, axis: 'kick', marks: new Set(), details: new Map(), fits: null, laidOut: '', pictured: ''};
   const table = kickTable({select, mark, toggle});
   let theme, reason = '';
 
@@ -26,7 +26,7 @@ export function kicksPage(app) {
     theme = app.colours();
     if (view.fits !== state().fits) {
       view.fits = state().fits;
-      view.details.clear();
+      view.details = new Map();
     }
     const kicks = report().kicks;
     if (!kickOf(view.selected)) {
@@ -47,8 +47,8 @@ export function kicksPage(app) {
   }
 
   function resized() {
-    const detail = view.details.get(view.selected);
-    if (detail) drawKick(theme, $('kick-charts'), report(), merged(detail));
+    view.pictured = '';
+    showKick();
   }
 
   // ---- decisions ----
@@ -75,9 +75,9 @@ export function kicksPage(app) {
 
   function showMarked() {
     const ids = [...view.marks].sort((a, b) => a - b);
-    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'why a kick is dropped', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f)', oninput: event => { reason = event.target.value; }});
+    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'reason for dropping', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f)', oninput: event => { reason = event.target.value; }});
     const list = el('datalist', {id: 'reasons'}, REASONS.map(value => el('option', {value})));
-    const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'To mark several kicks, drag over their points or tick them.')] : [
+    const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'Several: drag over points, or tick them.')] : [
       el('b', {}, ids.length + (ids.length === 1 ? ' kick marked' : ' kicks marked')),
       button('Drop them', () => drop(ids), {id: 'drop-marked', strong: true}),
       button('Restore them', () => restore(ids), {id: 'restore-marked'}),
@@ -85,13 +85,21 @@ export function kicksPage(app) {
     $('marked').replaceChildren(...marked, el('span', {class: 'spring'}), input, list);
   }
 
-  const drop = ids => app.decide('drop', {kicks: ids, reason}).then(done => { if (done) { reason = ''; setMarks([]); } });
+  function drop(ids) {
+    table.expect(ids, false);
+    return app.decide('drop', {kicks: ids, reason}).then(done => {
+      if (!done) return show();
+      reason = '';
+      setMarks([]);
+    });
+  }
 
   /** What was dropped by hand is left to the rules again; what the rules leave out is used all the same. */
   async function restore(ids) {
     const byHand = ids.filter(id => hand(id) === 'drop'), byRule = ids.filter(id => hand(id) !== 'drop' && CalibrationViews.whyDropped(kickOf(id)));
-    if (byHand.length) await app.decide('auto', {kicks: byHand});
-    if (byRule.length) await app.decide('keep', {kicks: byRule});
+    table.expect(ids, true);
+    const done = (byHand.length === 0 || await app.decide('auto', {kicks: byHand})) && (byRule.length === 0 || await app.decide('keep', {kicks: byRule}));
+    if (!done) show();
     setMarks([]);
   }
 
@@ -134,6 +142,8 @@ export function kicksPage(app) {
       view.laidOut = layout;
       box.append(...shown.map(parameter => el('figure', {'data-parameter': parameter.name}, el('div', {class: 'value'}), el('div', {class: 'chart', role: 'img', 'aria-label': parameter.name + ' of each kick; drag to mark kicks'}))));
     }
+    if (view.themed !== theme.text) for (const place of box.querySelectorAll('.chart')) delete place.dataset.layout;
+    view.themed = theme.text;
     for (const parameter of shown) {
       box.querySelector('figure[data-parameter="' + parameter.name + '"] .value').replaceChildren(...valueOf(parameter));
     }
@@ -146,23 +156,37 @@ export function kicksPage(app) {
       el('p', {}, el('b', {class: 'mean'}, withError(parameter.mean, parameter.standardError)), el('span', {class: 'spring'}), el('span', {class: 'note', title: 'kicks in the mean'}, 'n ' + parameter.n))];
   }
 
+  /** Draws what is not drawn as it should be, after everything that tells in words. */
   function drawModel() {
-    const model = report().models.find(m => m.kind === view.kind);
-    if (!model) return;
-    const kicks = report().kicks.filter(kick => kick.kind === view.kind);
-    for (const figure of content('parameters').querySelectorAll('figure')) {
-      const parameter = model.parameters.find(p => p.name === figure.dataset.parameter);
-      const option = Plots.parameter(theme, parameter, kicks, view.axis, view.selected);
-      option.series.push(markedPoints(option));
-      option.brush = {xAxisIndex: 0, yAxisIndex: 0, brushStyle: {color: theme.accent, opacity: 0.15, borderColor: theme.accent}, outOfBrush: {colorAlpha: 1}, throttleType: 'debounce', throttleDelay: 0};
-      option.toolbox = {show: false};
-      option.grid.bottom = 38;
-      const box = figure.querySelector('.chart'), made = !charts.has(box);
-      draw(box, option, event => event.data && event.data.kick && select(event.data.kick));
-      const chart = charts.get(box);
-      if (made) chart.on('brushEnd', event => brushed(chart, event));
-      chart.dispatchAction({type: 'takeGlobalCursor', key: 'brush', brushOption: {brushType: 'rect', brushMode: 'single'}});
+    const shown = JSON.stringify([state().run, state().calibration.version, view.kind, view.axis, view.selected, [...view.marks], theme.text]);
+    for (const box of content('parameters').querySelectorAll('.chart')) {
+      if (box.dataset.shows === shown) continue;
+      box.dataset.shows = shown;
+      soon(box, () => drawParameter(box));
     }
+  }
+
+  function drawParameter(box) {
+    const model = report().models.find(m => m.kind === view.kind);
+    const parameter = model && model.parameters.find(p => p.name === box.parentNode.dataset.parameter);
+    if (!parameter) return;
+    const kicks = report().kicks.filter(kick => kick.kind === view.kind);
+    const option = Plots.parameter(theme, parameter, kicks, view.axis, view.selected);
+    option.series.push(markedPoints(option));
+    option.grid.bottom = 38;
+    const layout = view.kind + view.axis, made = charts.get(box);
+    if (made && box.dataset.layout === layout) {
+      // The same axes: only points and lines are others.
+      made.setOption(option, {replaceMerge: ['series']});
+      return;
+    }
+    box.dataset.layout = layout;
+    option.brush = {xAxisIndex: 0, yAxisIndex: 0, brushStyle: {color: theme.accent, opacity: 0.15, borderColor: theme.accent}, outOfBrush: {colorAlpha: 1}, throttleType: 'debounce', throttleDelay: 0};
+    option.toolbox = {show: false};
+    draw(box, option, event => event.data && event.data.kick && select(event.data.kick));
+    const chart = charts.get(box);
+    if (!made) chart.on('brushEnd', event => brushed(chart, event));
+    chart.dispatchAction({type: 'takeGlobalCursor', key: 'brush', brushOption: {brushType: 'rect', brushMode: 'single'}});
   }
 
   const items = option => option.series.filter(series => series.type === 'scatter' && !series.silent).flatMap(series => series.data).filter(item => item && item.kick);
@@ -177,8 +201,8 @@ export function kicksPage(app) {
     if (!area) return;
     const [[x0, x1], [y0, y1]] = area.coordRange;
     const inside = items(chart.getOption()).filter(({value: [x, y]}) => x >= x0 && x <= x1 && y >= y0 && y <= y1).map(item => item.kick);
+    chart.dispatchAction({type: 'brush', areas: []});
     if (inside.length) setMarks([...view.marks, ...inside]);
-    else chart.dispatchAction({type: 'brush', areas: []});
   }
 
   // ---- one kick ----
@@ -189,13 +213,12 @@ export function kicksPage(app) {
     view.selected = id;
     history.replaceState(null, '', '#kicks/' + id);
     table.pick(id, focus);
-    if (kick.kind !== view.kind) {
+    // What was pressed comes first, the circle around it in the other pictures after that.
+    showKick().then(() => {
+      if (kick.kind === view.kind) return drawModel();
       view.kind = kick.kind;
       showModel();
-    } else {
-      drawModel();
-    }
-    showKick();
+    });
   }
 
   /** What was seen of a kick, which is asked for once, with what is decided about it now. */
@@ -206,22 +229,38 @@ export function kicksPage(app) {
     if (!kick) return;
     $('kick-title').textContent = kickTitle(kick);
     $('kick-actions').replaceChildren(...actionsOf(kick));
-    if (!view.details.has(id)) {
-      try {
-        const detail = await ask('kicks/' + id);
-        view.details.set(id, detail);
-      } catch (failure) {
-        app.fail(failure);
-        return;
-      }
-      if (view.selected !== id || !kickOf(id)) return;
+    let detail;
+    try {
+      detail = await detailOf(id);
+    } catch (failure) {
+      app.fail(failure);
+      return;
     }
-    const all = merged(view.details.get(id));
+    if (view.selected !== id || !kickOf(id)) return;
+    const all = merged(detail);
     $('kick-facts').replaceChildren(...kickFacts(report(), all));
+    const pictured = JSON.stringify([state().run, view.fits, id, theme.text]);
+    if (view.pictured === pictured) return;
+    view.pictured = pictured;
     $('kick-legend').replaceChildren(...kickLegend(theme, all));
     layOutKick($('kick-charts'), all);
-    drawKick(theme, $('kick-charts'), report(), all);
-    $('kick').dataset.shown = id;
+    drawKick(theme, $('kick-charts'), report(), all, soon);
+    soon($('kick'), () => {
+      $('kick').dataset.shown = id;
+      // Most go on to the next one, or back.
+      for (const near of table.beside()) detailOf(near).catch(() => {});
+    });
+  }
+
+  /** What was seen of a kick, asked for once as long as it is not fitted anew. */
+  function detailOf(id) {
+    const known = view.details;
+    if (!known.has(id)) {
+      const asked = ask('kicks/' + id);
+      asked.catch(() => known.delete(id));
+      known.set(id, asked);
+    }
+    return known.get(id);
   }
 
   function actionsOf(kick) {

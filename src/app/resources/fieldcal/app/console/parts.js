@@ -54,6 +54,30 @@ export function select(id, options, current, chosen) {
   return node;
 }
 
+const waiting = new Map();
+let drawing = false;
+
+/** Draws once the words are on the screen, one picture after another; of several wishes for one place the last one counts. */
+export function soon(box, draw) {
+  box.dataset.waiting = '';
+  waiting.set(box, draw);
+  if (drawing) return;
+  drawing = true;
+  requestAnimationFrame(() => setTimeout(drawNext));
+}
+
+function drawNext() {
+  const next = waiting.entries().next();
+  drawing = !next.done;
+  if (next.done) return;
+  const [box, draw] = next.value;
+  waiting.delete(box);
+  delete box.dataset.waiting;
+  // The next one even if this one fails; and the browser may show this one, or hear of a key, in between.
+  setTimeout(drawNext);
+  if (box.isConnected) draw();
+}
+
 /** Replaces what is in a box only when it would be something else: a button that is replaced while it is pressed is never pressed. */
 export function renew(box, key, make) {
   const text = JSON.stringify(key);

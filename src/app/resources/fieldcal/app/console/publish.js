@@ -1,8 +1,8 @@
 /* The page for giving the model away: what changes against the published one, files, packets, text for a configuration. */
-import {button, confirmed} from './parts.js';
+import {button, confirmed, field, progress, renew, table} from './parts.js';
 
-const {el, number} = Charts;
-const {$, content, choices} = Frame;
+const {el, known, number, signed} = Charts;
+const {$, content, choices, badge} = Frame;
 const FORMS = {text: 'protobuf text', properties: 'properties', java: 'Java'};
 const FORMATS = {wrapper: 'SSL_WrapperPacket with the geometry, as vision sends it', models: 'SSL_GeometryModels alone'};
 const FILES = [
@@ -15,7 +15,7 @@ const FILES = [
 
 export function publishPage(app) {
   const page = {id: 'publish', title: 'Publish', show, keys: {}, keyWords: []};
-  const view = {form: 'text', address: '', port: '', format: 'wrapper', built: false};
+  const view = {form: 'text', address: '', port: '', format: 'wrapper', built: null, vision: '224.5.23.2:10006', seconds: 10};
 
   const state = () => app.state;
   const report = () => state().calibration.report;
@@ -26,15 +26,67 @@ export function publishPage(app) {
     CalibrationViews.verdict($('verdict'), state().calibration.verdict, report().warnings);
     content('model').replaceChildren(...CalibrationViews.model(report()));
     content('cameras').replaceChildren(CalibrationViews.cameras(theme, report()));
+    showVision();
     showSend();
     showFiles();
     showSnippet();
   }
 
+  // ---- what vision publishes at the moment ----
+
+  const heard = () => state().vision.heard || null;
+  /** When it was heard, by this machine's clock. */
+  let heardAt = 0;
+
+  function showVision() {
+    const {running, failure} = state().vision, last = heard();
+    if (last) heardAt = Date.now() - 1000 * last.age;
+    renew($('vision-form'), running, () => running ? [progress(0, 0), el('span', {}, 'listening to ' + view.vision + ' …'), button('Stop listening', () => app.run('vision/end'), {id: 'vision-end'})] : [
+      field('Address', el('input', {id: 'vision-place', value: view.vision, required: '', size: 17, maxlength: 200, oninput: event => { view.vision = event.target.value; }})),
+      field('for', el('input', {id: 'vision-seconds', type: 'number', min: 1, max: 120, value: view.seconds, style: 'width: 4.5em', oninput: event => { view.seconds = Number(event.target.value); }})), el('span', {}, 's at most'),
+      el('button', {type: 'submit', id: 'vision-listen', class: last ? null : 'strong'}, last ? 'Listen again' : 'Listen')]);
+    $('vision-form').onsubmit = event => { event.preventDefault(); app.run('vision', {vision: view.vision, seconds: view.seconds}); };
+    const rows = [];
+    if (failure) rows.push(el('p', {class: 'notice bad'}, failure));
+    if (!last) rows.push(el('p', {class: 'note', id: 'vision-unknown'}, 'Not known yet. Listen before you publish: others may have changed the model, or the cameras, since the recordings.'));
+    else {
+      if (last.lacks) rows.push(el('p', {class: 'notice warn', id: 'vision-lacks'}, last.lacks));
+      rows.push(...last.differences.map(words => el('p', {class: 'notice bad vision-difference'}, '⚠ ' + words)), ...last.notes.map(words => el('p', {class: 'note'}, words)));
+      if (!last.lacks) rows.push(changes(true));
+      rows.push(el('p', {class: 'note'}, last.geometry ? 'Heard ' : 'Listened ', el('span', {id: 'vision-age'}, age()), ' at ' + last.place + (last.senders.length ? ', sent by ' + last.senders.join(', ') : '') + '.' + (last.geometry && !last.differences.length && state().model.geometry ? ' Field and cameras are those of the recordings.' : '')));
+    }
+    content('vision').replaceChildren(...rows);
+  }
+
+  function age() {
+    const seconds = Math.max(0, (Date.now() - heardAt) / 1000);
+    return seconds < 90 ? Math.round(seconds) + ' s ago' : seconds < 5400 ? Math.round(seconds / 60) + ' min ago' : Math.round(seconds / 3600) + ' h ago';
+  }
+  setInterval(() => { if ($('vision-age')) $('vision-age').textContent = age(); }, 1000);
+
+  /** The parameters of the models that are complete. */
+  const sent = () => report().models.filter(model => state().model[model.kind.toLowerCase()]).flatMap(model => model.parameters);
+
+  /** How far the new value is from another one. */
+  function change(p, from) {
+    if (!known(from)) return badge('warn', 'new');
+    const percent = from === 0 ? NaN : (p.mean / from - 1) * 100, same = Math.abs(p.mean - from) < 5e-6;
+    return same ? badge('good', '= the same') : badge(Math.abs(percent) >= 20 ? 'bad' : Math.abs(percent) >= 3 ? 'warn' : 'good', known(percent) ? signed(percent, Math.abs(percent) < 9.95 ? 1 : 0) + ' %' : '–');
+  }
+
+  /** The new model beside what vision publishes now and what the recordings, or the operator's file, say. */
+  function changes(short) {
+    const now = heard() && heard().geometry ? heard().values : null, before = state().model.compared;
+    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
+      ...(now ? [el('td', {}, known(now[p.name]) ? number(now[p.name], 5) : '–')] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
+    return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'Your file' : 'Recordings', false, 'what the new model was compared with']]), ...(now ? [['Vision now']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
+  }
+
   function showSend() {
+    const geometry = Boolean(state().model.geometry || (heard() && heard().geometry));
     // What somebody is typing is not replaced under their hands.
-    if (!view.built) buildSend();
-    view.built = true;
+    if (view.built !== geometry) buildSend(geometry);
+    view.built = geometry;
     const ready = complete() && state().settled;
     $('send-button').disabled = !ready;
     $('send-note').textContent = !complete() ? 'There is no complete model: record more kicks.' : !state().settled ? 'The joint fit is being refined after the last decision …'
@@ -45,15 +97,15 @@ export function publishPage(app) {
 
   const missing = () => !state().model.flat ? 'Only the chip model is complete; the flat one is not sent.' : !state().model.chip ? 'Only the flat model is complete; the chip one is not sent.' : '';
 
-  function buildSend() {
+  function buildSend(geometry) {
     const keep = name => event => { view[name] = event.target.value; };
-    if (!state().model.geometry) view.format = 'models';
+    if (!geometry) view.format = 'models';
     content('send').replaceChildren(
       el('form', {id: 'send-form', onsubmit: event => { event.preventDefault(); send(); }},
-        el('label', {}, 'Address ', el('input', {id: 'send-address', required: '', maxlength: 200, placeholder: '224.5.23.2', oninput: keep('address')})),
-        el('label', {}, 'Port ', el('input', {id: 'send-port', required: '', inputmode: 'numeric', pattern: '[0-9]{1,5}', size: 6, placeholder: '10006', oninput: keep('port')})),
+        el('label', {}, 'Address ', el('input', {id: 'send-address', value: view.address, required: '', maxlength: 200, placeholder: '224.5.23.2', oninput: keep('address')})),
+        el('label', {}, 'Port ', el('input', {id: 'send-port', value: view.port, required: '', inputmode: 'numeric', pattern: '[0-9]{1,5}', size: 6, placeholder: '10006', oninput: keep('port')})),
         el('fieldset', {}, el('legend', {}, 'As'), Object.entries(FORMATS).map(([key, words]) => el('label', {}, el('input', {
-          type: 'radio', name: 'format', value: key, checked: key === view.format ? '' : null, disabled: key === 'wrapper' && !state().model.geometry ? '' : null, onchange: keep('format'),
+          type: 'radio', name: 'format', value: key, checked: key === view.format ? '' : null, disabled: key === 'wrapper' && !geometry ? '' : null, onchange: keep('format'),
         }), ' ' + words))),
         el('button', {type: 'submit', id: 'send-button', class: 'strong'}, 'Send …'), el('span', {class: 'note', id: 'send-note'})),
       el('div', {id: 'published'}));
@@ -62,16 +114,10 @@ export function publishPage(app) {
   async function send() {
     const text = state().model.text;
     const sure = await confirmed('Send this model to ' + view.address + ':' + view.port + '?', [
-      difference(), ...report().warnings.map(warning => el('p', {class: 'notice warn'}, '⚠ ' + warning)),
-      el('p', {}, 'As ' + FORMATS[view.format] + '. Who listens there plays with it from now on.')], 'Send');
+      changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: nobody listened' + (heard() ? ' with success' : '') + '.')]),
+      ...(heard() ? heard().differences : []).map(words => el('p', {class: 'notice bad'}, '⚠ ' + words)), ...report().warnings.map(warning => el('p', {class: 'notice warn'}, '⚠ ' + warning)),
+      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. Who listens there plays with it from now on.')], 'Send');
     if (sure) await app.run('publish', {address: view.address, port: Number(view.port), format: view.format, confirmed: text});
-  }
-
-  /** Old and new, and what changes; only what is sent. */
-  function difference() {
-    const sent = report().models.filter(model => state().model[model.kind.toLowerCase()]);
-    const rows = sent.flatMap(model => model.parameters.map(p => el('tr', {}, el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), el('td', {}, Plots.asPublished(p.published)), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, CalibrationViews.difference(p)))));
-    return el('table', {}, el('thead', {}, el('tr', {}, ['Parameter', 'Published', 'New', 'Change'].map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows));
   }
 
   function showFiles() {

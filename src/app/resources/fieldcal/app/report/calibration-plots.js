@@ -264,9 +264,20 @@ const Plots = (() => {
   }
 
   const seconds = row => number(row.t, 3) + ' s after the kick';
-  const points = (style, data, more) => Object.assign({
-    type: 'scatter', symbol: style.symbol, symbolSize: 5, itemStyle: {color: style.colour, opacity: 0.75}, data, z: 3,
+
+  /**
+   * Observations of one camera as points: at(row) says where, hints are told by tipOf(). The points are plain pairs; with an object for each, ECharts takes several
+   * times as long.
+   */
+  const points = (style, camera, rows, at, more) => Object.assign({
+    type: 'scatter', symbol: style.symbol, symbolSize: 5, itemStyle: {color: style.colour, opacity: 0.75}, data: rows.map(at), z: 3, seen: {camera, rows},
   }, more);
+
+  /** What is told of the point under the mouse; words(row, camera) for an observation, other(data) for anything else. */
+  const tipOf = (option, words, other = () => '') => ({seriesIndex, dataIndex, data}) => {
+    const {seen} = option.series[seriesIndex];
+    return seen ? words(seen.rows[dataIndex], seen.camera) : other(data);
+  };
 
   /** Beside the path, and inside the drawing. */
   function labelPosition(kick, event, box) {
@@ -286,9 +297,9 @@ const Plots = (() => {
     option.series.push(line(every, theme.muted, 1, 2, {lineStyle: {color: theme.muted, width: 1, opacity: 0.35}}));
     for (const {camera, used, outliers} of prepared.cameras) {
       const style = theme.camera(camera);
-      const data = rows => rows.map(row => ({value: [row.x, row.y], row, camera}));
-      option.series.push(points(style, data(used), {symbolSize: 5}));
-      option.series.push(points(style, data(outliers), {symbolSize: 7, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4}));
+      const at = row => [row.x, row.y];
+      option.series.push(points(style, camera, used, at));
+      option.series.push(points(style, camera, outliers, at, {symbolSize: 7, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4}));
     }
     option.series.push(line(kick.fitted.x.map((x, i) => [x, kick.fitted.y[i]]), theme.text, 2, 5));
     option.series.push({
@@ -301,9 +312,9 @@ const Plots = (() => {
         label: {show: event.shown, formatter: event.label, position: labelPosition(kick, event, box), color: theme.text, fontSize: 12, fontWeight: 600, textBorderColor: theme.field, textBorderWidth: 3},
       })),
     });
-    option.tooltip.formatter = ({data}) => data.event
-      ? tip(data.event.name, number(data.event.t, 3) + ' s, x ' + number(data.event.x, 3) + ' m, y ' + number(data.event.y, 3) + ' m')
-      : data.row ? tip('Camera ' + data.camera + (data.row.used ? '' : ', outlier'), seconds(data.row), 'x ' + number(data.row.x, 3) + ' m, y ' + number(data.row.y, 3) + ' m') : '';
+    option.tooltip.formatter = tipOf(option,
+      (row, camera) => tip('Camera ' + camera + (row.used ? '' : ', outlier'), seconds(row), 'x ' + number(row.x, 3) + ' m, y ' + number(row.y, 3) + ' m'),
+      ({event}) => event ? tip(event.name, number(event.t, 3) + ' s, x ' + number(event.x, 3) + ' m, y ' + number(event.y, 3) + ' m') : '');
     return option;
   }
 
@@ -323,11 +334,11 @@ const Plots = (() => {
     option.series.push(eventLines(theme, kick));
     for (const {camera, used} of cameras) {
       const style = theme.camera(camera);
-      const data = used.filter(row => known(row.speed) && row.t >= 0).map(row => ({value: [row.t, Math.max(0, Math.min(option.yAxis.max, row.speed))], row, camera}));
-      option.series.push(points(style, data));
+      const rows = used.filter(row => known(row.speed) && row.t >= 0);
+      option.series.push(points(style, camera, rows, row => [row.t, Math.max(0, Math.min(option.yAxis.max, row.speed))]));
     }
     option.series.push({type: 'line', data: speedLine(kick.fitted), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, z: 5});
-    option.tooltip.formatter = ({data}) => data.row ? tip(number(data.row.speed, 3) + ' m/s, camera ' + data.camera, seconds(data.row), 'fitted ' + number(along(kick.fitted, 'speed', data.row.t), 3) + ' m/s') : '';
+    option.tooltip.formatter = tipOf(option, (row, camera) => tip(number(row.speed, 3) + ' m/s, camera ' + camera, seconds(row), 'fitted ' + number(along(kick.fitted, 'speed', row.t), 3) + ' m/s'));
     return option;
   }
 
@@ -350,12 +361,16 @@ const Plots = (() => {
     }));
     for (const {camera, used, outliers} of cameras) {
       const style = theme.camera(camera);
-      const shown = row => {
-        const value = Math.max(-range, Math.min(range, row[column]));
-        return {value: [row.t, value], row, camera, symbol: value === row[column] ? style.symbol : 'triangle', symbolRotate: row[column] < -range ? 180 : 0, symbolOffset: value === row[column] ? [0, 0] : [0, value > 0 ? 5 : -5]};
+      const at = row => [row.t, Math.max(-range, Math.min(range, row[column]))];
+      const add = (rows, look) => {
+        const within = rows.filter(row => row[column] !== null && Math.abs(row[column]) <= range);
+        const above = rows.filter(row => row[column] > range), below = rows.filter(row => row[column] < -range);
+        option.series.push(points(style, camera, within, at, look));
+        if (above.length) option.series.push(points(style, camera, above, at, Object.assign({}, look, {symbol: 'triangle', symbolOffset: [0, 5]})));
+        if (below.length) option.series.push(points(style, camera, below, at, Object.assign({}, look, {symbol: 'triangle', symbolRotate: 180, symbolOffset: [0, -5]})));
       };
-      option.series.push(points(style, used.filter(row => row[column] !== null).map(shown), {itemStyle: {color: style.colour, opacity: 0.5}, symbolSize: 4}));
-      option.series.push(points(style, outliers.filter(row => row[column] !== null).map(shown), {symbolSize: 8, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4}));
+      add(used, {itemStyle: {color: style.colour, opacity: 0.5}, symbolSize: 4});
+      add(outliers, {symbolSize: 8, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4});
       const mean = [];
       used.filter(row => known(row[column + 'Mean'])).forEach((row, i, all) => {
         if (i > 0 && (row.t - all[i - 1].t > 4 * HALF_WINDOW || (row.t >= 0) !== (all[i - 1].t >= 0))) mean.push([row.t, null]);
@@ -363,7 +378,7 @@ const Plots = (() => {
       });
       option.series.push({type: 'line', data: mean, symbol: 'none', silent: true, lineStyle: {color: style.colour, width: 2}, z: 5});
     }
-    option.tooltip.formatter = ({data}) => data.row ? tip('Camera ' + data.camera + (data.row.used ? '' : ', outlier'), seconds(data.row), signed(data.row.along, 1) + ' mm along, ' + signed(data.row.across, 1) + ' mm across') : '';
+    option.tooltip.formatter = tipOf(option, (row, camera) => tip('Camera ' + camera + (row.used ? '' : ', outlier'), seconds(row), signed(row.along, 1) + ' mm along, ' + signed(row.across, 1) + ' mm across'));
     return option;
   }
 
@@ -377,11 +392,11 @@ const Plots = (() => {
     option.yAxis.axisLabel.showMaxLabel = false;
     option.series.push(eventLines(theme, kick));
     for (const {camera, used} of cameras) {
-      const data = used.filter(row => known(row.height) && row.t >= 0).map(row => ({value: [row.t, Math.max(0, Math.min(option.yAxis.max, row.height))], row, camera}));
-      option.series.push(points(theme.camera(camera), data));
+      const rows = used.filter(row => known(row.height) && row.t >= 0);
+      option.series.push(points(theme.camera(camera), camera, rows, row => [row.t, Math.max(0, Math.min(option.yAxis.max, row.height))]));
     }
     option.series.push({type: 'line', data: kick.fitted.t.map((t, i) => [t, kick.fitted.z[i]]), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, areaStyle: {color: theme.text, opacity: 0.06}, z: 5});
-    option.tooltip.formatter = ({data}) => data.row ? tip(number(data.row.height * 1000, 0) + ' mm high, camera ' + data.camera, seconds(data.row), 'fitted ' + number(along(kick.fitted, 'z', data.row.t) * 1000, 0) + ' mm') : '';
+    option.tooltip.formatter = tipOf(option, (row, camera) => tip(number(row.height * 1000, 0) + ' mm high, camera ' + camera, seconds(row), 'fitted ' + number(along(kick.fitted, 'z', row.t) * 1000, 0) + ' mm'));
     return option;
   }
 

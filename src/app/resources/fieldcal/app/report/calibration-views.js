@@ -186,8 +186,8 @@ const CalibrationViews = (() => {
     }
   }
 
-  /** The pictures of one kick: path among the others of its kind, speed, height, residuals. */
-  function drawKick(theme, box, report, kick) {
+  /** The pictures of one kick: path among the others of its kind, speed, height, residuals; when(place, paint) says when each is painted. */
+  function drawKick(theme, box, report, kick, when = (place, paint) => paint()) {
     const others = report.kicks.filter(k => k.kind === kick.kind && k.id !== kick.id);
     const noises = Object.fromEntries(report.cameras.map(c => [c.id, c.noiseMm]));
     const options = {
@@ -195,7 +195,7 @@ const CalibrationViews = (() => {
       speed: () => Plots.speed(theme, kick), height: () => Plots.height(theme, kick),
       along: () => Plots.residual(theme, kick, 'along', noises), across: () => Plots.residual(theme, kick, 'across', noises),
     };
-    for (const place of box.querySelectorAll('[data-plot]')) draw(place, options[place.dataset.plot](place));
+    for (const place of box.querySelectorAll('[data-plot]')) when(place, () => draw(place, options[place.dataset.plot](place)));
   }
 
   return {

@@ -9,11 +9,13 @@ const Frame = (() => {
 
   const charts = new Map();
 
+  /** Twice the pixels, also on plain screens, so that a printed page is sharp. */
+  const screen = {pixelRatio: Math.max(2, window.devicePixelRatio || 1)};
+
   function draw(box, option, onClick) {
     let chart = charts.get(box);
     if (!chart) {
-      // Twice the pixels, also on plain screens, so that a printed page is sharp.
-      chart = echarts.init(box, null, {renderer: 'canvas', devicePixelRatio: Math.max(2, window.devicePixelRatio || 1)});
+      chart = echarts.init(box, null, {renderer: 'canvas', devicePixelRatio: screen.pixelRatio});
       charts.set(box, chart);
       if (onClick) chart.on('click', onClick);
     }
@@ -129,5 +131,5 @@ const Frame = (() => {
     page.showAll();
   }
 
-  return {$, content, charts, draw, forget, figure, choices, badge, swatch, showProvenance, showProblems, start};
+  return {$, content, charts, screen, draw, forget, figure, choices, badge, swatch, showProvenance, showProblems, start};
 })();

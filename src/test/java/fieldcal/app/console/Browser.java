@@ -61,6 +61,7 @@ final class Browser implements AutoCloseable {
             .usingAnyFreePort()
             .build();
     driver = new ChromeDriver(service, options);
+    driver.manage().timeouts().scriptTimeout(PATIENCE);
     driver.executeCdpCommand(
         "Emulation.setDeviceMetricsOverride",
         Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", false));
@@ -154,6 +155,16 @@ final class Browser implements AutoCloseable {
 
   Object script(String code, Object... arguments) {
     return ((JavascriptExecutor) driver).executeScript(code, arguments);
+  }
+
+  /** Runs a script that calls its last argument with the answer, sooner or later. */
+  Object scriptThatAnswers(String code, Object... arguments) {
+    return ((JavascriptExecutor) driver).executeAsyncScript(code, arguments);
+  }
+
+  /** A command of the browser's own protocol for tools. */
+  Map<String, Object> command(String name, Map<String, Object> parameters) {
+    return driver.executeCdpCommand(name, parameters);
   }
 
   /** Drags within an element, from and to fractions of its size. */

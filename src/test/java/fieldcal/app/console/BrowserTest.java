@@ -3,11 +3,13 @@ package fieldcal.app.console;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -22,7 +24,7 @@ class BrowserTest {
 
   @BeforeAll
   static void start() {
-    log = SampleSession.record(folder);
+    log = SampleSession.full();
     browser = new Browser();
   }
 
@@ -170,10 +172,43 @@ class BrowserTest {
       assertThat(packet.getLength()).isGreaterThan(50);
       browser.awaitText("#published", "this model");
       assertThat(browser.count("#published tbody tr")).isEqualTo(1);
+      listen(vision, Arrays.copyOf(packet.getData(), packet.getLength()));
     }
     assertThat(browser.text("#snippet")).contains("acc_slide");
     browser.click("#write-results");
     browser.awaitGone("#notices .notice.bad");
+  }
+
+  /** First to nobody, then to a vision that took over the model that was sent. */
+  private static void listen(DatagramSocket sender, byte[] published) throws IOException {
+    int port;
+    try (DatagramSocket free = new DatagramSocket(0, sender.getLocalAddress())) {
+      port = free.getLocalPort();
+    }
+    browser.find("#vision-unknown");
+    browser.type("#vision-place", "127.0.0.1:" + port);
+    browser.type("#vision-seconds", "1");
+    browser.click("#vision-listen");
+    browser.awaitText("#vision-lacks", "Vision is silent");
+    browser.type("#vision-seconds", "60");
+    browser.click("#vision-listen");
+    DatagramPacket packet =
+        new DatagramPacket(published, published.length, sender.getLocalAddress(), port);
+    browser.await(
+        "the model comes back from vision",
+        d -> {
+          try {
+            sender.send(packet);
+          } catch (IOException e) {
+            throw new UncheckedIOException(e);
+          }
+          return browser.count("#vision tr[data-parameter='accRoll']") == 1 ? true : null;
+        });
+    assertThat(browser.text("#vision tr[data-parameter='accRoll']")).contains("= the same");
+    assertThat(browser.text("#vision"))
+        .contains("s ago at 127.0.0.1:" + port)
+        .contains("Field and cameras are those of the recordings")
+        .doesNotContain("⚠");
   }
 
   private static void stillThere() {

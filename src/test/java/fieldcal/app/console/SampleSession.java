@@ -6,30 +6,63 @@ import fieldcal.app.cli.Main;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 
-/** A session to work on: fourteen simulated flat kicks on a field whose air the model does not know, so that kicks differ and a diagnosis finds something. */
+/** Recordings to work on, which are made once for all tests. */
 final class SampleSession {
+  /** Kicks of the recording that a diagnosis finds something in. */
   static final int KICKS = 14;
+
+  /** Kicks of the recording that is for everything else. */
+  static final int FEW_KICKS = 6;
 
   private static final String LOG = "practice.log.gz";
 
   private SampleSession() {}
 
-  /** Makes the recording once; tests copy it. */
-  static Path record(Path directory) {
-    Path log = directory.resolve(LOG);
-    simulate(
-        "--scenario=flat",
-        "--physics=contact",
-        "--kicks=" + KICKS,
-        "--seed=1",
-        "--effect=air_drag:cd=0.45",
-        "--out=" + log);
-    return log;
+  /** Made when the first test asks for it. */
+  private static final class Full {
+    private static final Path LOG = recorded(KICKS);
+  }
+
+  /** Likewise. */
+  private static final class Few {
+    private static final Path LOG = recorded(FEW_KICKS);
+  }
+
+  /** Simulated flat kicks on a field whose air the model does not know, so that kicks differ and a diagnosis finds something; tests copy it. */
+  static Path full() {
+    return Full.LOG;
+  }
+
+  /** As many kicks as a model needs, which are calibrated in a second. */
+  static Path small() {
+    return Few.LOG;
+  }
+
+  private static Path recorded(int kicks) {
+    try {
+      Path directory = Files.createTempDirectory("fieldcal-kicks");
+      Path log = directory.resolve(LOG);
+      simulate(
+          "--scenario=flat",
+          "--physics=contact",
+          "--kicks=" + kicks,
+          "--seed=1",
+          "--effect=air_drag:cd=0.45",
+          "--out=" + log);
+      directory.toFile().deleteOnExit();
+      try (Stream<Path> files = Files.list(directory)) {
+        files.forEach(file -> file.toFile().deleteOnExit());
+      }
+      return log;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private static void simulate(String... options) {

@@ -40,7 +40,7 @@ class SessionTest {
 
   @BeforeAll
   static void record() {
-    log = SampleSession.record(folder);
+    log = SampleSession.full();
   }
 
   @BeforeEach
@@ -192,6 +192,29 @@ class SessionTest {
         assertThat(lines.readLine()).matches("data: \\d+");
       }
     }
+  }
+
+  @Test
+  void aWindowThatGoesAwayLeavesNothingBehind() throws IOException, InterruptedException {
+    try (RunningConsole console = RunningConsole.start(session)) {
+      for (int i = 0; i < 5; i++) {
+        try (Socket window = listening(console)) {
+          window.getInputStream().read();
+          window.setSoLinger(i % 2 == 0, 0);
+        }
+      }
+      while (Thread.getAllStackTraces().values().stream().anyMatch(SessionTest::servesWindow)) {
+        // The next word to a window finds that it has gone; the build's time limit ends this
+        // otherwise.
+        console.post("/api/cancel", "{}");
+        Thread.sleep(50);
+      }
+      assertThat(console.get("/api/state").status()).isEqualTo(200);
+    }
+  }
+
+  private static boolean servesWindow(StackTraceElement[] stack) {
+    return Arrays.stream(stack).anyMatch(e -> e.getClassName().equals(EventHub.class.getName()));
   }
 
   private static Socket listening(RunningConsole console) throws IOException {

@@ -1,0 +1,250 @@
+package fieldcal.app.console;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.sun.management.OperatingSystemMXBean;
+import fieldcal.app.cli.Main;
+import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Goal;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * How long an operator with 200 kicks waits, in Debian's chromium: until the page can be used, and for the answer to a click. Times depend on what else the machine does, so that its load is printed; processor times
+ * of the page's own thread and of the server depend on it little.
+ */
+public final class ConsoleBenchmark {
+  private static final int KICKS = 200;
+  private static final int CLICKS = 20;
+  private static final Goal USABLE = Goal.atMost(2000, "%.0f");
+  private static final Goal ANSWER = Goal.atMost(100, "%.0f");
+  private static final Goal MEMORY = Goal.atMost(512, "%.0f");
+
+  /** Notes when the table and one kick's pictures are there first. */
+  private static final String WATCH_OPENING =
+      """
+      window.opening = {};
+      new MutationObserver(() => {
+        const note = (name, css) => {
+          if (!(name in opening) && document.querySelector(css)) opening[name] = performance.now();
+        };
+        note('table', '#kicks tr[data-kick]');
+        note('kick', '#kick[data-shown] canvas');
+        note('model', '#parameters canvas');
+      }).observe(document, {subtree: true, childList: true, attributes: true});
+      """;
+
+  /** Presses, and tells after how many ms the row, the model's numbers and all pictures are new, each with the painting after it. */
+  private static final String CLICK =
+      """
+      const [css, done] = arguments, node = document.querySelector(css), times = {};
+      const row = () => document.querySelector('#kicks tr[data-kick="' + node.closest('tr').dataset.kick + '"]').className;
+      const mean = () => document.querySelector('#undo').textContent;
+      const [oldRow, oldMean, start] = [row(), mean(), performance.now()];
+      const look = () => {
+        const now = performance.now() - start;
+        if (!('row' in times) && row() !== oldRow) times.row = now;
+        if (!('model' in times) && mean() !== oldMean) times.model = now;
+        if (!('rest' in times) && 'model' in times && !document.querySelector('[data-waiting]')) times.rest = now;
+        if ('rest' in times || now > 20000) done([times.row, times.model, times.rest, performance.now() - start]);
+        else requestAnimationFrame(look);
+      };
+      node.click();
+      requestAnimationFrame(look);
+      """;
+
+  private ConsoleBenchmark() {}
+
+  /**
+   * Measures and prints.
+   *
+   * @param settings how much
+   * @param out where to
+   * @throws IOException when a recording cannot be made
+   */
+  public static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+    Path folder = Files.createTempDirectory("fieldcal-console");
+    try {
+      Path session = Files.createDirectory(folder.resolve("session"));
+      record(session, settings.seed());
+      try (RunningConsole console = RunningConsole.start(session);
+          Browser browser = new Browser()) {
+        JsonNode kicks = console.settled().at("/calibration/report/kicks");
+        long observations = 0;
+        for (JsonNode kick : kicks) {
+          observations += kick.path("observations").asLong();
+        }
+        out.printf(Locale.ROOT, "%d kicks, %d observations%n", kicks.size(), observations);
+        open(console, browser, settings.runs(), out);
+        decide(browser, out);
+        select(browser, out);
+        memory(out);
+      }
+    } finally {
+      delete(folder);
+    }
+  }
+
+  private static void record(Path session, long seed) throws IOException {
+    StringWriter err = new StringWriter();
+    int status =
+        Main.commandLine()
+            .setOut(new PrintWriter(new StringWriter()))
+            .setErr(new PrintWriter(err))
+            .execute(
+                "simulate",
+                "--scenario=mixed",
+                "--kicks=" + KICKS,
+                "--seed=" + seed,
+                "--out=" + session.resolve("practice.log.gz"));
+    if (status != 0) {
+      throw new IOException(err.toString());
+    }
+  }
+
+  private static void open(RunningConsole console, Browser browser, int runs, PrintStream out) {
+    browser.command("Page.addScriptToEvaluateOnNewDocument", Map.of("source", WATCH_OPENING));
+    browser.command("Performance.enable", Map.of("timeDomain", "threadTicks"));
+    double[][] times = new double[4][runs];
+    for (int i = 0; i < runs; i++) {
+      browser.open("about:blank");
+      double before = pageCpu(browser);
+      browser.open(console.url());
+      browser.await(
+          "the page is there",
+          d ->
+              Boolean.TRUE.equals(browser.script("return 'kick' in opening && 'model' in opening"))
+                  ? true
+                  : null);
+      times[0][i] = number(browser.script("return opening.table"));
+      times[1][i] = number(browser.script("return opening.model"));
+      times[2][i] = number(browser.script("return opening.kick"));
+      times[3][i] = pageCpu(browser) - before;
+    }
+    print(out, "page opened: the table is there, ms", times[0], USABLE);
+    print(out, "  the model's plots", times[1], USABLE);
+    print(out, "  the pictures of a kick", times[2], USABLE);
+    print(out, "  processor time of the page, ms", times[3], null);
+  }
+
+  private static void decide(Browser browser, PrintStream out) {
+    double[][] times = new double[5][CLICKS];
+    for (int i = 0; i < CLICKS; i++) {
+      String css = "#kicks tr[data-kick='" + (3 + 2 * i) + "'] button.use";
+      measure(browser, css, times, i);
+    }
+    print(out, "kick dropped by a click: its row says so, ms", times[0], ANSWER);
+    print(out, "  the model's numbers are new", times[1], ANSWER);
+    print(out, "  everything is drawn", times[2], null);
+    print(out, "  processor time of the page, ms", times[3], null);
+    print(out, "  processor time of the server, ms", times[4], null);
+  }
+
+  private static void measure(Browser browser, String css, double[][] times, int i) {
+    double page = pageCpu(browser);
+    double server = serverCpu();
+    List<?> answer = (List<?>) browser.scriptThatAnswers(CLICK, css);
+    for (int k = 0; k < 3; k++) {
+      times[k][i] = number(answer.get(k));
+    }
+    times[3][i] = pageCpu(browser) - page;
+    times[4][i] = serverCpu() - server;
+  }
+
+  private static void select(Browser browser, PrintStream out) {
+    double[] times = new double[CLICKS];
+    double[] cpu = new double[CLICKS];
+    for (int i = 0; i < CLICKS; i++) {
+      double before = pageCpu(browser);
+      times[i] =
+          number(
+              browser.scriptThatAnswers(
+                  """
+                  const [id, done] = arguments, start = performance.now();
+                  const look = () => {
+                    const shown = document.getElementById('kick').dataset.shown === id;
+                    if (shown && !document.querySelector('[data-waiting]')) done(performance.now() - start);
+                    else requestAnimationFrame(look);
+                  };
+                  document.querySelector('#kicks tr[data-kick="' + id + '"]').click();
+                  look();
+                  """,
+                  Integer.toString(101 + i)));
+      cpu[i] = pageCpu(browser) - before;
+    }
+    print(out, "kick selected: its pictures are drawn, ms", times, ANSWER);
+    print(out, "  processor time of the page, ms", cpu, null);
+  }
+
+  private static void memory(PrintStream out) {
+    double before = heap();
+    System.gc();
+    out.printf(
+        Locale.ROOT,
+        "heap of the server with the recording's makers: %.0f MB, %.0f MB after a collection (goal"
+            + " %s: %s)%n",
+        before,
+        heap(),
+        MEMORY,
+        MEMORY.verdict(heap()));
+  }
+
+  private static double heap() {
+    return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1e6;
+  }
+
+  private static double serverCpu() {
+    return ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class).getProcessCpuTime()
+        / 1e6;
+  }
+
+  /** Processor time of the page's own thread until now, ms. */
+  private static double pageCpu(Browser browser) {
+    List<?> metrics = (List<?>) browser.command("Performance.getMetrics", Map.of()).get("metrics");
+    return metrics.stream()
+        .map(metric -> (Map<?, ?>) metric)
+        .filter(metric -> metric.get("name").equals("TaskDuration"))
+        .mapToDouble(metric -> 1000 * number(metric.get("value")))
+        .findFirst()
+        .orElse(Double.NaN);
+  }
+
+  private static double number(Object value) {
+    return value instanceof Number n ? n.doubleValue() : Double.NaN;
+  }
+
+  private static void print(PrintStream out, String what, double[] values, Goal goal) {
+    double[] sorted = IntStream.range(0, values.length).mapToDouble(i -> values[i]).toArray();
+    Arrays.sort(sorted);
+    double median = sorted[sorted.length / 2];
+    out.printf(
+        Locale.ROOT,
+        "%-50s %7.0f (%.0f–%.0f) %8s  %s  load %.1f%n",
+        what,
+        median,
+        sorted[0],
+        sorted[sorted.length - 1],
+        goal == null ? "" : goal,
+        goal == null ? "" : goal.verdict(median),
+        ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage());
+  }
+
+  private static void delete(Path directory) throws IOException {
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+}
