@@ -19,6 +19,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
 
 /** The calibration play: plan, run, and what is to be seen of it. Its recording becomes part of the session. Thread-safe. */
 final class PlayDesk {
@@ -68,23 +70,33 @@ final class PlayDesk {
     plan(order);
     live.requireNone();
     SessionRequest request = order.request().into(directory.path());
+    // Its recording is new, and has the name that recordings of plays have.
+    Set<Path> before = Set.copyOf(directory.logs());
+    Predicate<Path> its =
+        log -> log.getFileName().toString().startsWith("session-") && !before.contains(log);
     if (order.simulator().isPresent()) {
       PlayOrder.Simulator at = order.simulator().get();
       PlayField open = new NetworkPlayField(at.host(), at.ports(), at.vision(), at.referee());
-      begin(new PlaySession(request, open, this::tell), Optional.empty());
+      begin(new PlaySession(request, open, this::tell), its, Optional.empty());
     } else {
       int earlier = PlayRun.logs(directory.path()).size();
       InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
       PlayField open = new EmbeddedPlayField(field, order.pace());
-      begin(new PlaySession(request, open, this::tell), Optional.of(field));
+      begin(new PlaySession(request, open, this::tell), its, Optional.of(field));
     }
   }
 
-  private void begin(PlaySession next, Optional<InteractiveField> simulated) {
+  private void begin(
+      PlaySession next, Predicate<Path> itsLog, Optional<InteractiveField> simulated) {
     live.start(
         () -> {
           session = next;
-          run(next, simulated);
+          directory.growing(itsLog);
+          try {
+            run(next, simulated);
+          } finally {
+            directory.growing(log -> false);
+          }
         });
   }
 
@@ -99,6 +111,7 @@ final class PlayDesk {
 
   private void run(PlaySession playing, Optional<InteractiveField> simulated) throws IOException {
     PlaySession.Outcome outcome = playing.run();
+    directory.growing(log -> false);
     if (outcome.log().isPresent() && simulated.isPresent()) {
       Path log = outcome.log().get();
       String truth = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");

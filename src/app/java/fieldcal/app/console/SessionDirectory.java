@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
-/** The directory of a session: which recordings are in it, and which of its files a page may have. Immutable. */
+/** The directory of a session: which recordings are in it, and which of its files a page may have. Thread-safe. */
 final class SessionDirectory {
   static final String SELECTION = "selection.json";
   static final String EXTENDED_MODEL = "extended_model.json";
@@ -46,6 +46,7 @@ final class SessionDirectory {
           "application/json");
 
   private final Path path;
+  private volatile Predicate<Path> growing = file -> false;
 
   private SessionDirectory(Path path) {
     this.path = path;
@@ -77,9 +78,19 @@ final class SessionDirectory {
     return path.resolve(name);
   }
 
-  /** The recordings, by name. */
+  /**
+   * Says which recordings are being written, and are no recordings of the session yet.
+   *
+   * @param which those
+   */
+  void growing(Predicate<Path> which) {
+    growing = which;
+  }
+
+  /** The recordings that are complete, by name. */
   List<Path> logs() throws IOException {
-    return files(SessionDirectory::isLog);
+    Predicate<Path> incomplete = growing;
+    return files(file -> isLog(file) && !incomplete.test(file));
   }
 
   /** What can be watched: the recordings, and those of matches, which nobody wants to calibrate; by name. */

@@ -76,6 +76,8 @@ final class StateJson {
     root.put("run", run);
     // Asked for first: what changes meanwhile is told with a higher one.
     root.put("version", changes.getAsLong());
+    // So is what is being done: who sees it ended sees what came of it.
+    ObjectNode working = workNode();
     KickDesk.View view = kicks.view();
     root.put("fits", view.fits());
     root.put("decisions", view.decisions());
@@ -87,7 +89,7 @@ final class StateJson {
     ArrayNode unsaved = root.putArray("unsaved");
     view.unsaved().ifPresent(unsaved::add);
     notes.unsaved().ifPresent(unsaved::add);
-    root.set("work", workNode());
+    root.set("work", working);
     if (view.outcome().isPresent()) {
       root.setAll(calibration(view, having.run() == run ? having.calibration() : -1));
     }

@@ -7,7 +7,9 @@ import fieldcal.play.PlayedKick;
 import fieldcal.vision.Epoch;
 import java.io.Closeable;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -80,9 +82,13 @@ public final class SessionRecorder implements Closeable {
    * @throws IOException when it cannot be written
    */
   public void message(double receivedTime, MessageType type, byte[] payload) throws IOException {
-    writer.write(epoch.unixNanosOf(receivedTime), type, payload);
-    if (receivedTime - flushed > FLUSH) {
-      flush(receivedTime);
+    try {
+      writer.write(epoch.unixNanosOf(receivedTime), type, payload);
+      if (receivedTime - flushed > FLUSH) {
+        flush(receivedTime);
+      }
+    } catch (IOException e) {
+      throw named(log, e);
     }
   }
 
@@ -104,7 +110,16 @@ public final class SessionRecorder implements Closeable {
             kick.planned().speed(),
             Math.toDegrees(Math.IEEEremainder(kick.direction(), 2 * Math.PI)),
             Math.toDegrees(kick.planned().elevation()));
-    Files.writeString(commands, line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+    long complete = Files.size(commands);
+    try {
+      Files.writeString(commands, line, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+    } catch (IOException e) {
+      // Half a line would make all of the file unreadable.
+      try (FileChannel file = FileChannel.open(commands, StandardOpenOption.WRITE)) {
+        file.truncate(complete);
+      }
+      throw named(commands, e);
+    }
     flush(kick.ended());
   }
 
@@ -113,8 +128,17 @@ public final class SessionRecorder implements Closeable {
     flushed = now;
   }
 
+  /** A full disk does not say which file it was. */
+  private static IOException named(Path file, IOException e) {
+    return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
+  }
+
   @Override
   public void close() throws IOException {
-    writer.close();
+    try {
+      writer.close();
+    } catch (IOException e) {
+      throw named(log, e);
+    }
   }
 }

@@ -24,12 +24,19 @@ final class RunningConsole implements AutoCloseable {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final Duration PATIENCE = Duration.ofSeconds(120);
 
-  private final Console console;
+  private final String url;
+  private final Runnable end;
   private final int port;
 
-  private RunningConsole(Console console) {
-    this.console = console;
-    port = URI.create(console.url()).getPort();
+  private RunningConsole(String url, Runnable end) {
+    this.url = url;
+    this.end = end;
+    port = URI.create(url).getPort();
+  }
+
+  /** One that runs elsewhere. */
+  static RunningConsole at(String url, Runnable end) {
+    return new RunningConsole(url, end);
   }
 
   static RunningConsole start(Path directory) throws IOException {
@@ -37,7 +44,8 @@ final class RunningConsole implements AutoCloseable {
   }
 
   static RunningConsole start(ConsoleSettings settings) throws IOException {
-    return new RunningConsole(Console.start(settings, Clock.fixed(NOW, ZoneOffset.UTC)));
+    Console console = Console.start(settings, Clock.fixed(NOW, ZoneOffset.UTC));
+    return new RunningConsole(console.url(), console::close);
   }
 
   static ConsoleSettings withToken(Path directory, String address, String token) {
@@ -68,7 +76,7 @@ final class RunningConsole implements AutoCloseable {
   }
 
   String url() {
-    return console.url();
+    return url;
   }
 
   String host() {
@@ -164,6 +172,6 @@ final class RunningConsole implements AutoCloseable {
 
   @Override
   public void close() {
-    console.close();
+    end.run();
   }
 }

@@ -17,8 +17,8 @@ final class SampleSession {
   /** Kicks of the recording that a diagnosis finds something in. */
   static final int KICKS = 14;
 
-  /** Kicks of the recording that is for everything else. */
-  static final int FEW_KICKS = 6;
+  /** Kicks of the recording that is for everything else, of which seven are found. */
+  private static final int FEW_KICKS = 8;
 
   private static final String LOG = "practice.log.gz";
 

@@ -21,6 +21,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -40,7 +41,7 @@ class SessionTest {
 
   @BeforeAll
   static void record() {
-    log = SampleSession.full();
+    log = SampleSession.small();
   }
 
   @BeforeEach
@@ -52,7 +53,7 @@ class SessionTest {
   private RunningConsole ready() throws IOException {
     RunningConsole console = RunningConsole.start(session);
     JsonNode state = console.settled();
-    assertThat(kicks(state)).hasSize(SampleSession.KICKS);
+    assertThat(kicks(state)).hasSizeGreaterThanOrEqualTo(5);
     return console;
   }
 
@@ -124,6 +125,10 @@ class SessionTest {
 
   @Test
   void twoSigmaCanBePressedAgainUntilNothingLeaves() throws IOException {
+    Files.copy(
+        SampleSession.full(),
+        session.resolve(log.getFileName()),
+        StandardCopyOption.REPLACE_EXISTING);
     try (RunningConsole console = ready()) {
       JsonNode all = console.state().path("selection");
       JsonNode state = console.decide("{\"action\":\"no_two_sigma\"}");
@@ -264,9 +269,9 @@ class SessionTest {
   @Test
   void aRecordingThatComesLaterIsOfferedAndRead() throws IOException {
     try (RunningConsole console = ready()) {
-      console.decide("{\"action\":\"drop\",\"kicks\":[1]}");
+      int before = kicks(console.decide("{\"action\":\"drop\",\"kicks\":[1]}")).size();
       byte[] all = Files.readAllBytes(log);
-      Files.write(session.resolve("second.log.gz"), Arrays.copyOf(all, all.length / 3));
+      Files.write(session.resolve("second.log.gz"), Arrays.copyOf(all, all.length / 2));
       JsonNode state = console.state();
       assertThat(state.path("unread")).hasSize(1);
       assertThat(state.at("/unread/0").asText()).isEqualTo("second.log.gz");
@@ -274,8 +279,28 @@ class SessionTest {
       JsonNode read = console.settled();
       assertThat(read.path("recordings")).hasSize(2);
       assertThat(read.path("unread")).isEmpty();
-      assertThat(kicks(read).size()).isGreaterThan(SampleSession.KICKS);
+      assertThat(kicks(read).size()).isGreaterThan(before);
       assertThat(kick(read, 1).path("selected").asBoolean()).isFalse();
+    }
+  }
+
+  @Test
+  void aRecordingThatIsBeingWrittenIsNotOffered() throws IOException {
+    Path empty = Files.createDirectory(folder.resolve("playing"));
+    try (RunningConsole console = RunningConsole.start(empty)) {
+      console.settled();
+      String order =
+          "{\"field\":\"simulated\",\"kind\":\"flat\",\"half\":\"whole\",\"first\":\"yellow0\","
+              + "\"second\":\"yellow1\",\"kicks\":2,\"pace\":1}";
+      assertThat(console.post("/api/play", order).status()).isEqualTo(200);
+      console.await("it is written", s -> Files.exists(empty.resolve("session-flat.log")));
+      assertThat(console.state().path("unread")).isEmpty();
+      assertThat(console.state().path("watchable")).isEmpty();
+      assertThat(console.post("/api/read", "{}").status()).isEqualTo(200);
+      assertThat(console.settled().path("recordings")).isEmpty();
+      assertThat(console.post("/api/play/word", "{\"word\":\"abort\"}").status()).isEqualTo(200);
+      JsonNode after = console.await("over", s -> !s.at("/play/running").asBoolean());
+      assertThat(after.at("/unread/0").asText()).isEqualTo("session-flat.log");
     }
   }
 
