@@ -6,6 +6,7 @@ import fieldcal.fit.FitAccuracy;
 import fieldcal.fit.WrongMinima;
 import fieldcal.gamelog.ReadingBenchmark;
 import fieldcal.kick.MatchKicks;
+import fieldcal.live.CarpetBenchmark;
 import fieldcal.live.LiveBenchmark;
 import fieldcal.live.LiveDay;
 import fieldcal.live.SampleTreeStudy;
@@ -23,7 +24,7 @@ import java.util.Map;
 public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
-          + " [k-switch] [live] [live-day] [sample-tree] [console]"
+          + " [k-switch] [live] [live-carpets] [live-day] [sample-tree] [console]"
           + " [play] [play-calibration] [play-adaptive]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
@@ -52,6 +53,7 @@ public final class Benchmarks {
     parts.put("match-kicks", MatchKicks::run);
     parts.put("k-switch", KSwitchCauses::run);
     parts.put("live", LiveBenchmark::run);
+    parts.put("live-carpets", CarpetBenchmark::run);
     parts.put("live-day", LiveDay::run);
     parts.put("sample-tree", SampleTreeStudy::run);
     parts.put("console", ConsoleBenchmark::run);

@@ -14,11 +14,14 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Simulated matches of 6 against 6 whose cameras disagree by 23 mm, watched: medians against the truth, warnings with and without another carpet, speed of a replay, how long a frame takes.
+ * Simulated matches of 6 against 6 and 11 against 11 whose cameras disagree by 23 mm, watched: medians against the truth, warnings with and without another carpet, speed of a replay, how long a frame takes.
  */
 public final class LiveBenchmark {
   private static final double ROLL = -0.28;
+  private static final int SMALL = 6;
+  private static final int LARGE = 11;
   private static final int MATCHES_PER_RUN = 10;
+  private static final int LARGE_MATCHES_PER_RUN = 2;
 
   /** Before the carpet changes there must be 31 samples, min. */
   private static final double SHORTEST_HALF = 5;
@@ -72,13 +75,14 @@ public final class LiveBenchmark {
    */
   public static void run(BenchmarkSettings settings, PrintStream out) {
     LiveBenchmark benchmark = new LiveBenchmark(settings, out);
-    benchmark.unchanged();
+    benchmark.unchanged(SMALL);
+    benchmark.unchanged(LARGE);
     benchmark.changed();
     benchmark.speed();
   }
 
-  private SimulatedMatch match(int number, double minutes, double roll) {
-    return SimulatedMatch.play(1000 * settings.seed() + number, minutes, roll);
+  private SimulatedMatch match(int number, double minutes, double roll, int size) {
+    return SimulatedMatch.play(1000 * settings.seed() + number, minutes, roll, size);
   }
 
   private static LiveMonitor monitor(SimulatedMatch match, LiveListener listener) {
@@ -89,13 +93,13 @@ public final class LiveBenchmark {
         Runnable::run);
   }
 
-  private void unchanged() {
-    int matches = MATCHES_PER_RUN * settings.runs();
+  private void unchanged(int size) {
+    int matches = (size == SMALL ? MATCHES_PER_RUN : LARGE_MATCHES_PER_RUN) * settings.runs();
     Map<BallParameter, List<Double>> errors = new EnumMap<>(BallParameter.class);
     int warnings = 0;
     long kicks = 0;
     for (int i = 0; i < matches; i++) {
-      SimulatedMatch match = match(i, settings.minutes(), ROLL);
+      SimulatedMatch match = match(i, settings.minutes(), ROLL, size);
       Notes notes = new Notes();
       LiveMonitor monitor = monitor(match, notes);
       match.feed(monitor, 0);
@@ -115,8 +119,10 @@ public final class LiveBenchmark {
     }
     out.printf(
         Locale.ROOT,
-        "%d matches of %d minutes, %d kicks; the published model is the truth%n",
+        "%d matches of %d against %d, %d minutes, %d kicks; the published model is the truth%n",
         matches,
+        size,
+        size,
         settings.minutes(),
         kicks);
     for (BallParameter parameter : BallParameter.values()) {
@@ -149,8 +155,8 @@ public final class LiveBenchmark {
     int[] samples = new int[matches];
     for (int i = 0; i < matches; i++) {
       double half = Math.max(SHORTEST_HALF, settings.minutes() / 2.0);
-      SimulatedMatch first = match(500 + i, half, ROLL);
-      SimulatedMatch second = match(500 + i, half, 1.3 * ROLL);
+      SimulatedMatch first = match(500 + i, half, ROLL, SMALL);
+      SimulatedMatch second = match(500 + i, half, 1.3 * ROLL, SMALL);
       Notes notes = new Notes();
       LiveMonitor monitor = monitor(first, notes);
       first.feed(monitor, 0);
@@ -179,7 +185,7 @@ public final class LiveBenchmark {
   }
 
   private void speed() {
-    SimulatedMatch match = match(900, settings.minutes(), ROLL);
+    SimulatedMatch match = match(900, settings.minutes(), ROLL, SMALL);
     SimulatedRecording recording = match.recording();
     List<VisionFrame> frames = recording.frames();
     double best = 0;

@@ -87,7 +87,7 @@ public final class SampleTreeStudy {
     @Override
     public boolean warns(BallSample sample) {
       tree.add(sample);
-      on = rule.judge(tree, 1, on).warn();
+      on = rule.judge(tree, Double.NaN, 1, on).warn();
       return on;
     }
   }

@@ -9,9 +9,10 @@ import java.util.Comparator;
  * @param value in the parameter's unit
  * @param standardError of the value, positive
  * @param possiblySpinning whether spin from a dribbler may have changed it, see {@link BallParameter#spinSensitive}
+ * @param speed how fast the ball was on average while it showed that, m/s; NaN where it is not known, or where nobody expects that it matters ({@link BallParameter#speedSensitive})
  */
 public record BallSample(
-    double time, double value, double standardError, boolean possiblySpinning) {
+    double time, double value, double standardError, boolean possiblySpinning, double speed) {
   /** By time; those of one moment by value and error, so that any order of adding gives the same. */
   static final Comparator<BallSample> BY_TIME =
       Comparator.comparingDouble(BallSample::time)
@@ -19,9 +20,21 @@ public record BallSample(
           .thenComparingDouble(BallSample::standardError);
 
   /**
+   * A sample of a ball of unknown speed.
+   *
+   * @param time Unix time, s
+   * @param value in the parameter's unit
+   * @param standardError of the value, positive
+   * @param possiblySpinning whether spin may have changed it
+   */
+  public BallSample(double time, double value, double standardError, boolean possiblySpinning) {
+    this(time, value, standardError, possiblySpinning, Double.NaN);
+  }
+
+  /**
    * Checks the numbers. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when one is not finite, or the error is not positive
+   * @throws IllegalArgumentException when one is not finite but for an unknown speed, the error is not positive, or the speed negative
    */
   public BallSample {
     if (!Double.isFinite(time) || !Double.isFinite(value)) {
@@ -29,6 +42,9 @@ public record BallSample(
     }
     if (!(standardError > 0) || Double.isInfinite(standardError)) {
       throw new IllegalArgumentException("standard error must be positive: " + standardError);
+    }
+    if (speed < 0 || Double.isInfinite(speed)) {
+      throw new IllegalArgumentException("speed must be finite, 0 or more: " + speed);
     }
   }
 }

@@ -1,10 +1,13 @@
 package fieldcal.live;
 
+import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.ball.Phase;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
 import fieldcal.fit.FitStatistics;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
@@ -35,15 +38,37 @@ final class KickJudge {
   /** More outliers than that, and the rest is not trusted either. */
   private static final double MOST_OUTLIERS = 0.25;
 
+  /** Evaluations of a search near the published model. */
+  private static final int SHORT_SEARCH = 50;
+
+  /** A fit to within that many times the noise … */
+  private static final double EXPLAINED = 1.5;
+
+  /** … that leaves out no larger part of the detections is right: no other model explains the kick better than noise lets it. */
+  private static final double FEW_OUTLIERS = 0.03;
+
+  /** So precisely the beginning of rolling is looked for, s. */
+  private static final double ROLLING_STEP = 0.01;
+
   private final LiveSettings settings;
   private final Epoch epoch;
   private final KickFitter fitter;
+  private final KickFitter nearby;
   private final Map<KickKind, Deque<Double>> residuals = new EnumMap<>(KickKind.class);
 
   KickJudge(LiveSettings settings, Epoch epoch) {
     this.settings = settings;
     this.epoch = epoch;
     fitter = new KickFitter(settings.fit());
+    FitSettings fit = settings.fit();
+    nearby =
+        new KickFitter(
+            new FitSettings(
+                fit.seed(),
+                SHORT_SEARCH,
+                fit.searchObservations(),
+                fit.outlierDistance(),
+                fit.lossScale()));
     for (KickKind kind : KickKind.values()) {
       residuals.put(kind, new ArrayDeque<>());
     }
@@ -61,7 +86,7 @@ final class KickJudge {
             cameras,
             start.flat().orElse(FlatModel.typical()),
             start.chip().orElse(ChipModel.typical()));
-    KickFit fit = fitter.fit(problem);
+    KickFit fit = fit(problem);
     if (fit.failure().isPresent()) {
       return kick(kick, fit, Map.of(), fit.failure().get());
     }
@@ -76,6 +101,17 @@ final class KickJudge {
     }
     Map<BallParameter, BallSample> samples = samples(fit);
     return kick(kick, fit, samples, samples.isEmpty() ? tooShort(kick.end()) : null);
+  }
+
+  /** Most kicks of a match are flat and much like the published model: what is near it and explains the kick needs no long search. */
+  private KickFit fit(FitProblem problem) {
+    KickFit flat = nearby.fit(problem, KickKind.FLAT);
+    FitStatistics s = flat.statistics();
+    boolean explained =
+        flat.failure().isEmpty()
+            && s.robustScale() < EXPLAINED
+            && s.observations() - s.used() < FEW_OUTLIERS * s.observations();
+    return explained ? flat : fitter.fit(problem);
   }
 
   private String distrust(KickFit fit) {
@@ -112,17 +148,33 @@ final class KickJudge {
     for (Estimate e : fit.modelEstimates()) {
       Arrays.stream(BallParameter.values())
           .filter(p -> p.modelName().equals(e.name()) && counts(e))
-          .forEach(p -> samples.put(p, sample(fit.kick(), p, e)));
+          .forEach(p -> samples.put(p, sample(fit, p, e)));
     }
     return samples;
   }
 
-  private BallSample sample(Kick kick, BallParameter parameter, Estimate e) {
+  private BallSample sample(KickFit fit, BallParameter parameter, Estimate e) {
+    Kick kick = fit.kick();
     return new BallSample(
         epoch.unixSeconds(kick.time()),
         e.value(),
         e.standardError(),
-        parameter.spinSensitive() && kick.afterDribbling());
+        parameter.spinSensitive() && kick.afterDribbling(),
+        parameter.speedSensitive() ? rollingSpeed(fit) : Double.NaN);
+  }
+
+  /** Mean of the speeds between which the ball was seen rolling; NaN when it was not. */
+  private static double rollingSpeed(KickFit fit) {
+    Observations seen = fit.kick().observations();
+    BallTrajectory path = fit.trajectory();
+    double end = Math.min(seen.time(seen.size() - 1), path.restTime());
+    double begin = path.kickTime();
+    while (begin < end && path.phaseAt(begin) != Phase.ROLLING) {
+      begin += ROLLING_STEP;
+    }
+    return begin < end
+        ? 0.5 * (path.stateAt(begin).groundSpeed() + path.stateAt(end).groundSpeed())
+        : Double.NaN;
   }
 
   private LiveKick kick(

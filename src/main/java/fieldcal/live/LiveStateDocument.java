@@ -11,7 +11,7 @@ import java.util.Map;
  * is the caller's.
  *
  * <p>Fields: {@code schema}; {@code samples} by the parameter's name ({@code acc_roll} …), each a list of objects with {@code t} (Unix time of the kick, s), {@code value} (SI), {@code
- * standard_error} and {@code possibly_spinning} (may be missing, then false).
+ * standard_error}, {@code possibly_spinning} (may be missing, then false) and {@code speed} (m/s, may be missing).
  */
 public final class LiveStateDocument {
   /** Name and version of the form. */
@@ -38,6 +38,9 @@ public final class LiveStateDocument {
         one.put("value", sample.value());
         one.put("standard_error", sample.standardError());
         one.put("possibly_spinning", sample.possiblySpinning());
+        if (!Double.isNaN(sample.speed())) {
+          one.put("speed", sample.speed());
+        }
         list.add(one);
       }
       byParameter.put(parameter.id(), list);
@@ -93,7 +96,8 @@ public final class LiveStateDocument {
           number(fields, "t"),
           number(fields, "value"),
           number(fields, "standard_error"),
-          flag(fields, "possibly_spinning"));
+          flag(fields, "possibly_spinning"),
+          fields.get("speed") == null ? Double.NaN : number(fields, "speed"));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(place + ": " + e.getMessage(), e);
     }

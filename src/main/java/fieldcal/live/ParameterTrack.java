@@ -25,6 +25,7 @@ final class ParameterTrack {
   private final SampleTree clean;
   private final SampleTree spinning;
   private SampleTree counted;
+  private final UsualSpeed usual = new UsualSpeed();
   private final List<MedianPoint> history = new ArrayList<>();
   private int stride = 1;
   private int skipped;
@@ -43,6 +44,7 @@ final class ParameterTrack {
   void add(BallSample sample) {
     (sample.possiblySpinning() ? spinning : clean).add(sample);
     counted = spinning.size() > 0 && (!comparable() || agree()) ? both() : clean;
+    usual.add(sample.speed());
     newest = sample.time();
     if (++skipped >= stride) {
       skipped = 0;
@@ -73,7 +75,9 @@ final class ParameterTrack {
         deviations[n++] = Math.abs(sample.value() - tree.median());
       }
     }
-    double error = WarningRule.errorOfDifference(deviations, clean.size(), spinning.size());
+    double error =
+        WarningRule.errorOfDifference(
+            WarningRule.scatter(deviations), clean.size(), spinning.size());
     double matters = MATTERS * Math.abs(clean.median());
     return Math.abs(clean.median() - spinning.median()) <= Math.max(matters, DIFFERENT * error);
   }
@@ -100,7 +104,8 @@ final class ParameterTrack {
   Optional<LiveWarning> compare(BallModels published) {
     double value = parameter.of(published).orElse(Double.NaN);
     boolean on = warning != null;
-    WarningRule.Verdict verdict = rule.judge(counted, maybeSpun() ? Double.NaN : value, on);
+    WarningRule.Verdict verdict =
+        rule.judge(counted, usual.square(), maybeSpun() ? Double.NaN : value, on);
     if (verdict.warn() == on) {
       return Optional.empty();
     }

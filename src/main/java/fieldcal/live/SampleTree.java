@@ -117,43 +117,6 @@ public final class SampleTree {
   }
 
   /**
-   * The median of the newest samples only.
-   *
-   * @param count of how many
-   * @return their median; NaN when there are not so many
-   * @throws IllegalArgumentException when the count is not positive
-   */
-  public double newestMedian(int count) {
-    return median(size - count, size);
-  }
-
-  /**
-   * The median of all but the newest samples.
-   *
-   * @param count how many are left out
-   * @return the others' median; NaN when there are none
-   * @throws IllegalArgumentException when the count is not positive
-   */
-  public double olderMedian(int count) {
-    return median(0, size - count);
-  }
-
-  private double median(int from, int to) {
-    if (to - from > size || from > size) {
-      throw new IllegalArgumentException("count must be positive");
-    }
-    if (from < 0 || to <= from) {
-      return Double.NaN;
-    }
-    double[] part = new double[to - from];
-    for (int i = from; i < to; i++) {
-      part[i - from] = byTime[i].value();
-    }
-    Arrays.sort(part);
-    return 0.5 * (part[(part.length - 1) / 2] + part[part.length / 2]);
-  }
-
-  /**
    * The samples.
    *
    * @return a copy, oldest first

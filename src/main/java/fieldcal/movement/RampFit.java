@@ -17,13 +17,22 @@ final class RampFit {
   private static final int ITERATIONS = 12;
   private static final double SETTLED = 2e-4;
 
-  // Functions of time and what is to be explained, in the order of the Gram matrix.
-  private static final int LINEAR = 4; // t, t²/2, (t−τ1)²/2, (t−τ2)²/2
-  private static final int R1 = 4; // (t−τ1), the derivative by the knot but for its factor
-  private static final int R2 = 5;
-  private static final int X = 6;
-  private static final int Y = 7;
+  // Functions of time and what is to be explained, in the order of the Gram matrix: what is zero
+  // before the first knot comes after what is not, and what is zero before the second comes last.
+  private static final int T = 0;
+  private static final int T2 = 1; // t²/2
+  private static final int X = 2;
+  private static final int Y = 3;
+  private static final int Q1 = 4; // (t−τ1)²/2
+  private static final int R1 = 5; // (t−τ1), the derivative by the knot but for its factor
+  private static final int Q2 = 6; // (t−τ2)²/2
+  private static final int R2 = 7;
   private static final int ALL = 8;
+
+  /** The functions whose factors are fitted. */
+  private static final int[] FITTED = {T, T2, Q1, Q2};
+
+  private static final int LINEAR = FITTED.length;
 
   private final double[][] gram = new double[ALL][ALL];
   private final double[][] cameraSums = new double[Stretch.CAMERAS][ALL];
@@ -110,29 +119,12 @@ final class RampFit {
       Arrays.fill(cameraSums[c], 0);
       cameraCounts[c] = 0;
     }
-    double origin = tau1;
     samples = last - first;
-    for (int i = first; i < last; i++) {
-      double t = s.t[i] - origin;
-      double r1 = Math.max(0, t);
-      double r2 = Math.max(0, s.t[i] - tau2);
-      f[0] = t;
-      f[1] = 0.5 * t * t;
-      f[2] = 0.5 * r1 * r1;
-      f[3] = 0.5 * r2 * r2;
-      f[R1] = r1;
-      f[R2] = r2;
-      f[X] = s.x[i];
-      f[Y] = s.y[i];
-      double[] sums = cameraSums[s.camera[i]];
-      cameraCounts[s.camera[i]]++;
-      for (int j = 0; j < ALL; j++) {
-        sums[j] += f[j];
-        for (int k = 0; k <= j; k++) {
-          gram[j][k] += f[j] * f[k];
-        }
-      }
-    }
+    int knot1 = Math.max(first, Math.min(last, s.indexAt(tau1)));
+    int knot2 = Math.max(knot1, Math.min(last, s.indexAt(tau2)));
+    add(s, first, knot1, Q1);
+    add(s, knot1, knot2, Q2);
+    add(s, knot2, last, ALL);
     freedom = 2 * samples - 2 * LINEAR - 2;
     for (int c = 0; c < s.cameras(); c++) {
       if (cameraCounts[c] > 0) {
@@ -152,11 +144,37 @@ final class RampFit {
     }
   }
 
+  /** Adds detections to the sums; only the first {@code active} functions are not zero there. */
+  private void add(Stretch s, int from, int to, int active) {
+    for (int i = from; i < to; i++) {
+      double t = s.t[i] - tau1;
+      f[T] = t;
+      f[T2] = 0.5 * t * t;
+      f[X] = s.x[i];
+      f[Y] = s.y[i];
+      f[Q1] = f[T2];
+      f[R1] = t;
+      double late = s.t[i] - tau2;
+      f[Q2] = 0.5 * late * late;
+      f[R2] = late;
+      double[] sums = cameraSums[s.camera[i]];
+      cameraCounts[s.camera[i]]++;
+      for (int j = 0; j < active; j++) {
+        double value = f[j];
+        double[] row = gram[j];
+        sums[j] += value;
+        for (int k = 0; k <= j; k++) {
+          row[k] += value * f[k];
+        }
+      }
+    }
+  }
+
   /** Sum over the linear functions of their product with function j, weighted. */
   private double dot(int j, double[] c) {
     double sum = 0;
     for (int k = 0; k < LINEAR; k++) {
-      sum += gram[j][k] * c[k];
+      sum += gram[j][FITTED[k]] * c[k];
     }
     return sum;
   }
@@ -164,12 +182,12 @@ final class RampFit {
   private boolean solveLinear() {
     for (int i = 0; i < LINEAR; i++) {
       for (int j = 0; j <= i; j++) {
-        double sum = gram[i][j];
+        double sum = gram[FITTED[i]][FITTED[j]];
         for (int k = 0; k < j; k++) {
           sum -= cholesky[i][k] * cholesky[j][k];
         }
         if (i == j) {
-          if (!(sum > 1e-9 * gram[i][i])) {
+          if (!(sum > 1e-9 * gram[FITTED[i]][FITTED[i]])) {
             return false;
           }
           cholesky[i][i] = Math.sqrt(sum);
@@ -179,10 +197,10 @@ final class RampFit {
       }
     }
     for (int k = 0; k < LINEAR; k++) {
-      cx[k] = gram[X][k];
-      cy[k] = gram[Y][k];
-      u1[k] = gram[R1][k];
-      u2[k] = gram[R2][k];
+      cx[k] = gram[X][FITTED[k]];
+      cy[k] = gram[Y][FITTED[k]];
+      u1[k] = gram[R1][FITTED[k]];
+      u2[k] = gram[R2][FITTED[k]];
     }
     solve(cx);
     solve(cy);

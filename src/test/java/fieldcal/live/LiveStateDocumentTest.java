@@ -26,7 +26,8 @@ class LiveStateDocumentTest {
                 1.7e9 + from + i + random.nextDouble(),
                 -random.nextDouble(),
                 0.001 + random.nextDouble(),
-                random.nextBoolean()));
+                random.nextBoolean(),
+                parameter.speedSensitive() ? 3 * random.nextDouble() : Double.NaN));
       }
       all.put(parameter, samples);
     }

@@ -3,19 +3,22 @@ package fieldcal.live;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.movement.PlayPhase;
+import fieldcal.simulation.Preset;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulatedRecording;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.physics.AirLaw;
 import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.physics.GroundLaw;
 import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.VisionFrame;
 import java.util.List;
 import java.util.Optional;
 
-/** Simulated matches of 6 against 6 on a field whose cameras disagree by 23 mm, as they do; and how they are given to a monitor. */
+/** Simulated matches on a field whose cameras disagree by 23 mm, as they do, or on one of the presets; and how they are given to a monitor. */
 public final class SimulatedMatch {
   /** What the ball does. */
   public static final BallModels TRUTH =
@@ -38,15 +41,58 @@ public final class SimulatedMatch {
    * @return the match in memory
    */
   public static SimulatedMatch play(long seed, double minutes, double accRoll) {
+    return play(seed, minutes, accRoll, 6);
+  }
+
+  /**
+   * Plays a match.
+   *
+   * @param seed of all luck
+   * @param minutes how long
+   * @param accRoll of the carpet, m/s²; the rest is as in {@link #TRUTH}
+   * @param size robots a side
+   * @return the match in memory
+   */
+  public static SimulatedMatch play(long seed, double minutes, double accRoll, int size) {
     SimulationSettings s =
-        SimulationSettings.DEFAULT
-            .withSeed(seed)
+        settings(seed, minutes, size)
             .withPublishedModels(TRUTH)
-            .withPhysics(BallPhysics.ideal(-3.1, accRoll, 0.65, 0.75, 0.95, 0.52))
-            .withScenario(ScenarioSettings.of(ScenarioKind.MATCH, 0).withMatch(6, minutes));
+            .withPhysics(BallPhysics.ideal(-3.1, accRoll, 0.65, 0.75, 0.95, 0.52));
     return new SimulatedMatch(
         Simulation.record(
             s.withCameras(s.cameras().withNoise(0.002, 0.0035).withRegistration(0.0215, 0.023))));
+  }
+
+  /**
+   * Plays a match of 6 against 6 on a field as it was found, where the ball is braked by rolling and by the air as it is there, or by a factor more at every speed.
+   *
+   * @param preset the field
+   * @param seed of all luck
+   * @param minutes how long
+   * @param brakes factor on what brakes a rolling ball
+   * @return the match in memory
+   */
+  public static SimulatedMatch on(Preset preset, long seed, double minutes, double brakes) {
+    SimulationSettings s = preset.applyTo(settings(seed, minutes, 6));
+    BallPhysics physics = s.physics();
+    GroundLaw g = physics.ground();
+    // Of the carpet's laws presets use these; sliding stays as it is.
+    GroundLaw ground =
+        GroundLaw.uniform(g.slidingFriction(), brakes * g.rollingDeceleration())
+            .withSpeedDependentRoll(
+                brakes * g.rollingPerSpeed(), brakes * g.rollingPerSpeedSquared())
+            .withNap(g.napAmplitude(), g.napDirection());
+    AirLaw air = physics.air();
+    return new SimulatedMatch(
+        Simulation.record(
+            s.withPhysics(
+                physics.withGround(ground).withAir(air.withDrag(brakes * air.dragCoefficient())))));
+  }
+
+  private static SimulationSettings settings(long seed, double minutes, int size) {
+    return SimulationSettings.DEFAULT
+        .withSeed(seed)
+        .withScenario(ScenarioSettings.of(ScenarioKind.MATCH, 0).withMatch(size, minutes));
   }
 
   /**

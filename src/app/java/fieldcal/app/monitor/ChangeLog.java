@@ -109,11 +109,13 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
     ObjectNode samples = node.putObject("samples");
     kick.samples()
         .forEach(
-            (parameter, sample) ->
-                samples
-                    .putObject(parameter.id())
-                    .put("value", sample.value())
-                    .put("standard_error", sample.standardError()));
+            (parameter, sample) -> {
+              ObjectNode one = samples.putObject(parameter.id());
+              one.put("value", sample.value()).put("standard_error", sample.standardError());
+              if (parameter.speedSensitive()) {
+                number(one, "speed", sample.speed());
+              }
+            });
     node.put("unused_because", kick.unused().orElse(null));
     write(node);
   }
