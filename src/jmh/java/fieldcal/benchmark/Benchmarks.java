@@ -25,7 +25,7 @@ public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
           + " [k-switch] [live] [live-carpets] [live-day] [sample-tree] [console]"
-          + " [play] [play-calibration] [play-adaptive]"
+          + " [play] [play-calibration] [play-adaptive] [play-causes]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
@@ -60,6 +60,7 @@ public final class Benchmarks {
     parts.put("play", PlayBenchmark::run);
     parts.put("play-calibration", PlayCalibrationBenchmark::run);
     parts.put("play-adaptive", AdaptiveBenchmark::run);
+    parts.put("play-causes", CausesBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

@@ -36,7 +36,7 @@ final class PlayCalibrationBenchmark {
 
   private PlayCalibrationBenchmark() {}
 
-  private static final CalibrationSession.Progress QUIET =
+  static final CalibrationSession.Progress QUIET =
       new CalibrationSession.Progress() {
         @Override
         public void fitting(int kicks) {
@@ -158,7 +158,7 @@ final class PlayCalibrationBenchmark {
         time.verdict(sorted[sorted.length - 1]));
   }
 
-  private static void delete(Path directory) throws IOException {
+  static void delete(Path directory) throws IOException {
     try (Stream<Path> files = Files.walk(directory)) {
       for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
         Files.delete(file);

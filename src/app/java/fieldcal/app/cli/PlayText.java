@@ -6,6 +6,7 @@ import fieldcal.app.play.KickResult;
 import fieldcal.app.play.KickStrength;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.SessionSnapshot;
+import fieldcal.app.play.SessionSnapshot.Undecided;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
@@ -23,6 +24,7 @@ import java.util.Optional;
 final class PlayText {
   private final PrintWriter out;
   private int told;
+  private Undecided undecided = new Undecided(List.of(), false, List.of());
 
   PlayText(PrintWriter out) {
     this.out = out;
@@ -39,6 +41,11 @@ final class PlayText {
       progress.say("");
       kick(s.kicks().get(told++));
     }
+    if (!s.undecided().equals(undecided)) {
+      progress.say("");
+      undecided = s.undecided();
+      undecided();
+    }
     PlayState state = s.state();
     progress.say(
         String.format(
@@ -49,6 +56,15 @@ final class PlayText {
             state.wanted(),
             state.phase().text(),
             state.waiting().map(w -> ": " + w).orElse("")));
+  }
+
+  private void undecided() {
+    String how =
+        undecided.inVain() ? "no kick of this play tells" : "the next kick is chosen to tell";
+    undecided.causes().forEach(causes -> line("     undecided: %s; %s", causes, how));
+    if (undecided.causes().isEmpty()) {
+      line("     nothing is undecided any more");
+    }
   }
 
   private void kick(KickResult k) {
@@ -86,6 +102,10 @@ final class PlayText {
       truth.ifPresent(t -> truth(outcome.calibration(), t));
     }
     strengths(result.strengths());
+    if (!last.undecided().causes().isEmpty()) {
+      line("%nUndecided: %s.", String.join("; ", last.undecided().causes()));
+      last.undecided().advice().forEach(advice -> line("  %s", advice));
+    }
     directory.ifPresent(d -> line("%nrecording: %s", result.session().log().orElse(d)));
   }
 

@@ -7,16 +7,26 @@ import fieldcal.play.KickChooser;
 import fieldcal.play.PlannedKick;
 import fieldcal.play.PlayLine;
 import fieldcal.play.PlayPlan;
+import fieldcal.play.SpreadKicks;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
- * Chooses the next kick for what it will tell: the speed and line after which the least certain parameter, by its relative standard error, is known best. Not thread-safe.
+ * Chooses the next kick for what it will tell: while causes are undecided, the speed and line that tell most of which it is; else those after which the least certain parameter, by its
+ * relative standard error, is known best. Once all are known well enough, speeds are spread: kicks that are best for the parameters are all alike, and show no cause. Not thread-safe.
  */
 final class AdaptiveKicks implements KickChooser {
   private static final int SPEEDS = 10;
+
+  /** Relative standard error from which on a parameter is known well enough, unless the operator wants another. */
+  private static final double KNOWN = 0.01;
 
   /** What is known of a parameter before the first kick, relative. */
   private static final double PRIOR = 0.5;
@@ -41,38 +51,107 @@ final class AdaptiveKicks implements KickChooser {
   private final SessionRequest request;
   private final PlayPlan plan;
   private final LiveFits fits;
+  private final Supplier<UndecidedCauses> undecided;
   private final List<Double> failed = new ArrayList<>();
+  private final SpreadKicks spread;
+  private final Set<PlannedKick> spreadOut = new HashSet<>();
   private boolean line;
+  private boolean inVain;
 
-  AdaptiveKicks(SessionRequest request, PlayPlan plan, LiveFits fits) {
+  AdaptiveKicks(
+      SessionRequest request, PlayPlan plan, LiveFits fits, Supplier<UndecidedCauses> undecided) {
     this.request = request;
     this.plan = plan;
     this.fits = fits;
+    this.undecided = undecided;
+    spread =
+        new SpreadKicks(
+            request.kicks(),
+            request.slowest(),
+            request.fastest(),
+            request.elevation(),
+            request.seed());
+  }
+
+  /** Whether causes are undecided that no kick of this play would tell apart. */
+  boolean isInVain() {
+    return inVain;
   }
 
   @Override
   public PlannedKick next(double ballX, double ballY) {
+    Optional<PlannedKick> telling = forCauses(undecided.get(), ballX, ballY);
+    PlannedKick best = telling.orElseGet(() -> forModel(ballX, ballY));
+    line = best.otherLine();
+    return best;
+  }
+
+  private PlannedKick forModel(double ballX, double ballY) {
+    if (!isKnown()) {
+      return forParameters(ballX, ballY);
+    }
+    PlannedKick kick = spread.next();
+    spreadOut.add(kick);
+    return kick;
+  }
+
+  /** By what the detections tell; what differs from kick to kick for another reason no choice of kicks makes smaller. */
+  private boolean isKnown() {
+    double[] values = fits.current();
+    double[] errors = relativeErrors(fits.information().add(prior(values)), values);
+    double enough = request.precision() > 0 ? request.precision() : KNOWN;
+    return Arrays.stream(errors).allMatch(e -> e < enough);
+  }
+
+  /** The kick that tells most of what is undecided; empty when none tells anything. */
+  private Optional<PlannedKick> forCauses(UndecidedCauses open, double ballX, double ballY) {
+    PlannedKick best = null;
+    double most = UndecidedCauses.LEAST;
+    if (!open.isEmpty()) {
+      for (PlannedKick kick : possible()) {
+        double change = kick.otherLine() == line ? 1 : 1 - CHANGE;
+        double told =
+            open.expected(ahead(kick, ballX, ballY).planned(kick, open.time()))
+                * promise(kick.speed())
+                * change;
+        if (told > most) {
+          most = told;
+          best = kick;
+        }
+      }
+    }
+    inVain = best == null && !open.isEmpty();
+    return Optional.ofNullable(best);
+  }
+
+  private List<PlannedKick> possible() {
+    List<PlannedKick> kicks = new ArrayList<>();
+    for (int i = 0; i < SPEEDS; i++) {
+      double speed =
+          request.slowest() + (request.fastest() - request.slowest()) * i / (SPEEDS - 1.0);
+      kicks.add(new PlannedKick(speed, request.elevation(), false));
+      kicks.add(new PlannedKick(speed, request.elevation(), true));
+    }
+    return kicks;
+  }
+
+  private PlannedKick forParameters(double ballX, double ballY) {
     double[] values = fits.current();
     RealMatrix known = fits.information().add(prior(values));
     KickInformation ahead =
         new KickInformation(fits.cameras(), fits.noise(), plan.limits().settle());
     PlannedKick best = null;
     double bestScore = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < SPEEDS; i++) {
-      double speed =
-          request.slowest() + (request.fastest() - request.slowest()) * i / (SPEEDS - 1.0);
-      for (boolean other : new boolean[] {false, true}) {
-        PlannedKick kick = new PlannedKick(speed, request.elevation(), other);
-        RealMatrix told =
-            predicted(ahead, kick, values, ballX, ballY).scalarMultiply(promise(speed));
-        double score = uncertainty(known.add(told), values) + (other == line ? 0 : CHANGE);
-        if (score < bestScore) {
-          bestScore = score;
-          best = kick;
-        }
+    for (PlannedKick kick : possible()) {
+      RealMatrix told =
+          predicted(ahead, kick, values, ballX, ballY).scalarMultiply(promise(kick.speed()));
+      double change = kick.otherLine() == line ? 0 : CHANGE;
+      double score = uncertainty(known.add(told), values) + change;
+      if (score < bestScore) {
+        bestScore = score;
+        best = kick;
       }
     }
-    line = best.otherLine();
     return best;
   }
 
@@ -84,9 +163,17 @@ final class AdaptiveKicks implements KickChooser {
     return promise;
   }
 
-  /** What a kick tells from where the ball lies towards the farther end, or, if that is too near, over the whole line. */
-  private RealMatrix predicted(
-      KickInformation ahead, PlannedKick kick, double[] v, double ballX, double ballY) {
+  /** Where a kick is made, and how far its ball comes. */
+  private record Way(
+      KickKind kind, double x, double y, double direction, double run, double settle) {
+    SeenKick.Plan planned(PlannedKick kick, double time) {
+      return new SeenKick.Plan(
+          kind, time, x, y, direction, kick.speed(), kick.elevation(), run, settle);
+    }
+  }
+
+  /** From where the ball lies towards the farther end, or, if that is too near, over the whole line. */
+  private Way ahead(PlannedKick kick, double ballX, double ballY) {
     PlayLine l = kick.otherLine() ? plan.otherLine() : plan.line();
     boolean toFirst =
         Math.hypot(l.x0() - ballX, l.y0() - ballY) > Math.hypot(l.x1() - ballX, l.y1() - ballY);
@@ -97,11 +184,18 @@ final class AdaptiveKicks implements KickChooser {
     double y = fromHere ? ballY : toFirst ? l.y1() : l.y0();
     double direction = Math.atan2(toY - y, toX - x);
     double run = RUN * Math.hypot(toX - x, toY - y);
+    return new Way(request.kind(), x, y, direction, run, plan.limits().settle());
+  }
+
+  private RealMatrix predicted(
+      KickInformation ahead, PlannedKick kick, double[] v, double ballX, double ballY) {
+    Way way = ahead(kick, ballX, ballY);
     if (request.kind() == KickKind.FLAT) {
-      return ahead.flat(new FlatModel(v[0], v[1], v[2]), x, y, direction, kick.speed(), run);
+      FlatModel model = new FlatModel(v[0], v[1], v[2]);
+      return ahead.flat(model, way.x, way.y, way.direction, kick.speed(), way.run);
     }
     ChipModel model = new ChipModel(v[0], v[1], v[2], ChipModel.typical().accRoll());
-    return ahead.chip(model, x, y, direction, kick.speed(), kick.elevation(), run);
+    return ahead.chip(model, way.x, way.y, way.direction, kick.speed(), kick.elevation(), way.run);
   }
 
   private static RealMatrix prior(double[] values) {
@@ -114,21 +208,31 @@ final class AdaptiveKicks implements KickChooser {
 
   /** Logarithm of the largest relative error, and a little of the others. */
   private static double uncertainty(RealMatrix information, double[] values) {
-    RealMatrix covariance = KickInformation.inverse(information);
     double worst = Double.NEGATIVE_INFINITY;
     double all = 0;
-    for (int i = 0; i < 3; i++) {
-      double relative = Math.log(Math.sqrt(covariance.getEntry(i, i)) / Math.abs(values[i]));
-      worst = Math.max(worst, relative);
-      all += relative;
+    for (double relative : relativeErrors(information, values)) {
+      worst = Math.max(worst, Math.log(relative));
+      all += Math.log(relative);
     }
     return worst + OTHERS * all / 3;
+  }
+
+  private static double[] relativeErrors(RealMatrix information, double[] values) {
+    RealMatrix covariance = KickInformation.inverse(information);
+    double[] errors = new double[3];
+    for (int i = 0; i < 3; i++) {
+      errors[i] = Math.sqrt(covariance.getEntry(i, i)) / Math.abs(values[i]);
+    }
+    return errors;
   }
 
   @Override
   public void done(PlannedKick kick, boolean good) {
     if (!good) {
       failed.add(kick.speed());
+    }
+    if (spreadOut.remove(kick)) {
+      spread.done(kick, good);
     }
   }
 }

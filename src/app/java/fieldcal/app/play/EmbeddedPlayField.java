@@ -116,6 +116,11 @@ public final class EmbeddedPlayField implements PlayField {
   }
 
   @Override
+  public boolean goesOnByItself() {
+    return false;
+  }
+
+  @Override
   public void close() {
     // Nothing to be closed.
   }

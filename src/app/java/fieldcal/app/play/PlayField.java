@@ -64,6 +64,15 @@ public interface PlayField extends Closeable {
   Permission permission();
 
   /**
+   * Whether time goes on while nobody asks for the next tick.
+   *
+   * @return false for a simulation that is stepped: then it may wait for whatever takes long, and does the same every time
+   */
+  default boolean goesOnByItself() {
+    return true;
+  }
+
+  /**
    * What the operator should know of the connection.
    *
    * @return one line each; empty when there is nothing to say

@@ -36,6 +36,8 @@ final class PlayJson {
     result.session().commands().ifPresent(f -> root.put("commands", f.getFileName().toString()));
     ArrayNode kicks = root.putArray("kicks");
     last.kicks().forEach(k -> kicks.add(kick(k)));
+    ArrayNode undecided = root.putArray("undecided");
+    last.undecided().causes().forEach(undecided::add);
     ArrayNode strengths = root.putArray("kick_strength");
     result.strengths().forEach(s -> strengths.add(strength(s)));
     return root;

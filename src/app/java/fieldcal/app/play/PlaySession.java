@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.app.play.SessionSnapshot.Undecided;
 import fieldcal.calibration.Average;
 import fieldcal.gamelog.MessageType;
 import fieldcal.kick.KickKind;
@@ -45,6 +46,7 @@ public final class PlaySession {
   private final Consumer<SessionSnapshot> listener;
   private final WorldModel model = new WorldModel();
   private final LiveFits fits;
+  private final CauseWatch causes;
   private final AtomicReference<SessionSnapshot> latest = new AtomicReference<>();
 
   private volatile boolean paused;
@@ -54,6 +56,8 @@ public final class PlaySession {
   private CalibrationPlay play;
   private FieldGeometry geometry;
   private Map<String, Average> averages = Map.of();
+  private AdaptiveKicks adaptive;
+  private boolean precise;
   private double started = Double.NaN;
   private double shown = Double.NEGATIVE_INFINITY;
 
@@ -69,6 +73,15 @@ public final class PlaySession {
     this.field = field;
     this.listener = listener;
     fits = new LiveFits(request.kind());
+    Optional<Path> watched = request.adaptive() ? request.directory() : Optional.empty();
+    causes =
+        new CauseWatch(watched, field.goesOnByItself() ? PlaySession::inBackground : Runnable::run);
+  }
+
+  private static void inBackground(Runnable task) {
+    Thread thread = new Thread(task, "diagnosis");
+    thread.setDaemon(true);
+    thread.start();
   }
 
   /**
@@ -106,6 +119,7 @@ public final class PlaySession {
         waitForGeometry();
         PlayPlan plan = checkedPlan();
         play = new CalibrationPlay(plan, chooser(plan), this::played);
+        recallCauses();
         while (!play.over()) {
           tick();
         }
@@ -169,7 +183,8 @@ public final class PlaySession {
 
   private KickChooser chooser(PlayPlan plan) {
     if (request.adaptive() && !fits.cameras().isEmpty()) {
-      return new AdaptiveKicks(request, plan, fits);
+      adaptive = new AdaptiveKicks(request, plan, fits, causes::undecided);
+      return adaptive;
     }
     return new SpreadKicks(
         request.kicks(), request.slowest(), request.fastest(), request.elevation(), request.seed());
@@ -183,10 +198,12 @@ public final class PlaySession {
     for (KickResult result : fits.judge(now)) {
       play.judge(result.played().number(), result.good());
       averages = fits.model();
-      if (fits.precision() <= request.precision()) {
-        play.conclude();
-      }
+      precise = fits.precision() <= request.precision();
       shown = Double.NEGATIVE_INFINITY;
+    }
+    lookForCauses();
+    if (precise && !causes.isBusy() && !undecided().mayBeTold()) {
+      play.conclude();
     }
     if (paused) {
       play.pause();
@@ -208,6 +225,28 @@ public final class PlaySession {
     }
   }
 
+  /** What earlier sessions left open is told apart from the first kick on. */
+  private void recallCauses() throws IOException {
+    if (request.directory().isPresent() && PlayRun.logs(request.directory().get()).size() > 1) {
+      recorder.flush();
+      causes.recall();
+    }
+  }
+
+  private void lookForCauses() throws IOException {
+    int good = play.state().good();
+    if (causes.isDue(good)) {
+      recorder.flush();
+      causes.look(good);
+    }
+  }
+
+  private Undecided undecided() {
+    UndecidedCauses open = causes.undecided();
+    boolean inVain = adaptive != null && adaptive.isInVain() && !open.isEmpty();
+    return new Undecided(open.words(), inVain, open.advice());
+  }
+
   private void show(PlayWorld world, PlayAnswer answer, double now) {
     shown = now;
     PlayState state = play.state();
@@ -221,7 +260,8 @@ public final class PlaySession {
             List.of(request.first(), request.second()),
             answer.request().map(r -> List.of(r.x(), r.y())).orElse(List.of()),
             fits.results(),
-            averages);
+            averages,
+            undecided());
     latest.set(snapshot);
     listener.accept(snapshot);
   }

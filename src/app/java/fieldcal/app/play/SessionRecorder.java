@@ -123,6 +123,19 @@ public final class SessionRecorder implements Closeable {
     flush(kick.ended());
   }
 
+  /**
+   * Gives the operating system all that was written, for somebody who reads it now.
+   *
+   * @throws IOException when it cannot be written
+   */
+  public void flush() throws IOException {
+    try {
+      writer.flush();
+    } catch (IOException e) {
+      throw named(log, e);
+    }
+  }
+
   private void flush(double now) throws IOException {
     writer.flush();
     flushed = now;

@@ -21,6 +21,7 @@ import java.util.Optional;
  * @param ballWanted where somebody should lay the ball, {x, y} in m; empty when nobody has to
  * @param kicks all that were made, in order
  * @param model what they say so far: average of each parameter by its name; those that no kick determines are missing
+ * @param undecided which causes the kicks so far do not tell apart; found out only by adaptive sessions that record
  */
 public record SessionSnapshot(
     double time,
@@ -31,7 +32,8 @@ public record SessionSnapshot(
     List<RobotId> robots,
     List<Double> ballWanted,
     List<KickResult> kicks,
-    Map<String, Average> model) {
+    Map<String, Average> model,
+    Undecided undecided) {
 
   /** Copies the collections. {@inheritDoc} */
   public SessionSnapshot {
@@ -39,5 +41,30 @@ public record SessionSnapshot(
     ballWanted = List.copyOf(ballWanted);
     kicks = List.copyOf(kicks);
     model = Map.copyOf(model);
+  }
+
+  /**
+   * Causes that a diagnosis could not tell from others.
+   *
+   * @param causes in words, one entry for each two of them
+   * @param inVain whether no kick of this play would tell them apart
+   * @param advice which kicks would, in words
+   */
+  public record Undecided(List<String> causes, boolean inVain, List<String> advice) {
+
+    /** Copies the lists. {@inheritDoc} */
+    public Undecided {
+      causes = List.copyOf(causes);
+      advice = List.copyOf(advice);
+    }
+
+    /**
+     * Whether more kicks of this play may tell.
+     *
+     * @return false also when nothing is undecided
+     */
+    public boolean mayBeTold() {
+      return !causes.isEmpty() && !inVain;
+    }
   }
 }

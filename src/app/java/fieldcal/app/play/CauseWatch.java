@@ -1,0 +1,101 @@
+package fieldcal.app.play;
+
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.diagnose.DiagnosisOutcome;
+import fieldcal.app.diagnose.DiagnosisSession;
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.diagnosis.Verdict;
+import fieldcal.fit.FitSettings;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+
+/** Diagnoses what a session's directory holds while the play goes on, and knows which causes are undecided. All methods are for the play's thread; a diagnosis runs where the executor has it run. */
+final class CauseWatch {
+  /** The more kicks there are, the longer a diagnosis takes and the less one kick more changes: it waits for this share of new ones. */
+  private static final double NEWS = 0.15;
+
+  private final Optional<Path> directory;
+  private final Executor executor;
+  private volatile boolean busy;
+  private volatile UndecidedCauses latest = UndecidedCauses.NONE;
+  private int lookedAt;
+
+  /**
+   * @param directory with the recordings of earlier sessions, and of this one; empty to watch nothing
+   * @param executor for diagnoses, which take seconds
+   */
+  CauseWatch(Optional<Path> directory, Executor executor) {
+    this.directory = directory;
+    this.executor = executor;
+  }
+
+  private static final CalibrationSession.Progress SILENT =
+      new CalibrationSession.Progress() {
+        @Override
+        public void fitting(int kicks) {
+          // The play has its own display.
+        }
+
+        @Override
+        public void fitted() {
+          // The play has its own display.
+        }
+
+        @Override
+        public void read(Path log, long bytesRead, long totalBytes) {
+          // The play has its own display.
+        }
+      };
+
+  /** Whether there are enough kicks, and enough new ones, for another diagnosis. */
+  boolean isDue(int good) {
+    boolean news =
+        good >= DiagnosisSession.MIN_KICKS && good - lookedAt >= Math.max(1, NEWS * good);
+    return directory.isPresent() && !busy && news;
+  }
+
+  /** Begins a diagnosis of what earlier sessions recorded. */
+  void recall() {
+    if (directory.isPresent()) {
+      look(0);
+    }
+  }
+
+  /** Begins a diagnosis of what is recorded, when it {@link #isDue}. */
+  void look(int good) {
+    lookedAt = good;
+    busy = true;
+    executor.execute(this::diagnose);
+  }
+
+  private void diagnose() {
+    try {
+      DiagnosisOutcome outcome =
+          new DiagnosisSession(FitSettings.defaults(), DiagnosisProblem.DEFAULT_MAX_CAUSES)
+              .diagnose(PlayRun.calibrate(directory.orElseThrow(), SILENT), said -> {});
+      // One that explains nothing decides nothing either: a single kick of a new sort often has
+      // that
+      // effect.
+      if (outcome.diagnosis().verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
+        latest = UndecidedCauses.of(outcome);
+      }
+    } catch (IOException | IllegalArgumentException e) {
+      // Too few kicks as yet: nothing is known to be undecided.
+      latest = UndecidedCauses.NONE;
+    } finally {
+      busy = false;
+    }
+  }
+
+  /** Whether a diagnosis is under way. */
+  boolean isBusy() {
+    return busy;
+  }
+
+  /** What the last diagnosis left open. */
+  UndecidedCauses undecided() {
+    return latest;
+  }
+}

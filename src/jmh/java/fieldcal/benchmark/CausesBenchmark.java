@@ -1,0 +1,153 @@
+package fieldcal.benchmark;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnoser;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import fieldcal.kick.KickKind;
+import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.physics.BallPhysics;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+
+/**
+ * A session ended after its kicks along one line, which leave two causes that look alike there. How many kicks more it takes until a diagnosis names the one that is there and no other: chosen for what
+ * they tell, against spread. 4 fields per run.
+ */
+final class CausesBenchmark {
+  private static final int FIELDS_PER_RUN = 4;
+  private static final int KICKS = 12;
+
+  /** The first half of a session's kicks goes to and fro on one line. */
+  private static final int ONE_LINE = KICKS / 2;
+
+  private static final double BETWEEN = 1800;
+
+  /** A solid ball, as the effects have it, so that nothing else is wrong. */
+  private static final BallPhysics SOLID =
+      BallPhysics.ideal(-3.1, -0.28, 5.0 / 7, 0.75, 0.95, 0.52);
+
+  /** Along the first diagonal of the play, where one brakes one way as the other does. */
+  private static final List<String> CAUSES =
+      List.of("field_slope:percent=0.04,direction=0.6", "carpet_nap:amplitude=0.015,direction=0.6");
+
+  private CausesBenchmark() {}
+
+  static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
+    int fields = FIELDS_PER_RUN * settings.runs();
+    out.printf(
+        "kicks of a second session until the cause that is there is named and no other can be, %d"
+            + " fields each; %d = never%n",
+        fields, KICKS + 1);
+    out.printf(
+        "%-44s %-9s %9s %6s %7s %5s%n", "cause", "plan", "undecided", "mean", "median", "most");
+    for (String cause : CAUSES) {
+      for (boolean adaptive : new boolean[] {false, true}) {
+        List<Integer> kicks = new ArrayList<>();
+        for (int i = 0; i < fields; i++) {
+          long seed = 41_000 + 1000 * settings.seed() + i;
+          kicks(cause, adaptive, seed).ifPresent(kicks::add);
+        }
+        double[] n = kicks.stream().mapToDouble(k -> k).sorted().toArray();
+        out.printf(
+            "%-44s %-9s %9d %6.2f %7.1f %5.0f%n",
+            cause,
+            adaptive ? "adaptive" : "spread",
+            n.length,
+            Arrays.stream(n).average().orElse(Double.NaN),
+            n.length == 0 ? Double.NaN : 0.5 * (n[(n.length - 1) / 2] + n[n.length / 2]),
+            n.length == 0 ? Double.NaN : n[n.length - 1]);
+      }
+    }
+  }
+
+  /** Empty when the first session left nothing undecided. */
+  private static OptionalInt kicks(String cause, boolean adaptive, long seed) throws IOException {
+    Path directory = Files.createTempDirectory("fieldcal-causes-benchmark");
+    try {
+      play(cause, false, seed, 0, directory, ONE_LINE);
+      Diagnosis one = first(KICKS, PlayRun.calibrate(directory, PlayCalibrationBenchmark.QUIET));
+      if (one.causes().stream().allMatch(c -> c.indistinguishableFrom().isEmpty())) {
+        return OptionalInt.empty();
+      }
+      int before = one.kicks().size();
+      play(cause, adaptive, seed, BETWEEN, directory, KICKS);
+      CalibrationOutcome both = PlayRun.calibrate(directory, PlayCalibrationBenchmark.QUIET);
+      for (int n = 1; n <= KICKS; n++) {
+        if (isNamed(cause.split(":")[0], first(before + n, both))) {
+          return OptionalInt.of(n);
+        }
+      }
+      return OptionalInt.of(KICKS + 1);
+    } finally {
+      PlayCalibrationBenchmark.delete(directory);
+    }
+  }
+
+  private static void play(
+      String cause, boolean adaptive, long seed, double later, Path directory, int enough)
+      throws IOException {
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, KICKS).withChoice(adaptive, seed).into(directory);
+    SimulationSettings world =
+        SimulationSettings.DEFAULT
+            .withSeed(seed)
+            .withPhysics(SOLID)
+            .withEffects(List.of(EffectSetting.parse(cause)));
+    InteractiveField field =
+        InteractiveField.later(world, request.first(), request.second(), List.of(), later);
+    PlaySession[] session = new PlaySession[1];
+    session[0] =
+        new PlaySession(
+            request,
+            new EmbeddedPlayField(field, Double.POSITIVE_INFINITY),
+            s -> {
+              if (s.state().good() >= enough) {
+                session[0].abort("enough");
+              }
+            });
+    session[0].run();
+  }
+
+  private static Diagnosis first(int n, CalibrationOutcome outcome) {
+    List<KickFit> fits =
+        outcome.calibration().fitted().stream()
+            .sorted(Comparator.comparingDouble(f -> f.kick().time()))
+            .limit(n)
+            .toList();
+    DiagnosisProblem problem =
+        new DiagnosisProblem(
+            fits,
+            outcome.calibration().cameras(),
+            outcome.data().observers(),
+            outcome.data().sessionStart(),
+            Map.of(),
+            DiagnosisProblem.DEFAULT_MAX_CAUSES,
+            FitSettings.defaults().seed());
+    return new Diagnoser().diagnose(problem, said -> {});
+  }
+
+  private static boolean isNamed(String id, Diagnosis diagnosis) {
+    List<Cause> causes = diagnosis.causes();
+    return causes.size() == 1
+        && causes.get(0).effect().id().equals(id)
+        && causes.get(0).indistinguishableFrom().isEmpty();
+  }
+}

@@ -1,0 +1,129 @@
+package fieldcal.app.play;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.diagnose.DiagnosisOutcome;
+import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnoser;
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.kick.KickKind;
+import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.physics.BallPhysics;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A floor that is 0.4 mm per metre lower at one end of the diagonal brakes one way along it; so would the carpet's nap. Kicks along the other diagonal tell which it is. */
+class UndecidedCausesTest {
+  private static final long SEED = 3;
+  private static final int KICKS = 12;
+
+  /** An operator ended the first session after so many, all along one diagonal. */
+  private static final int BEFORE = 6;
+
+  private static final CalibrationSession.Progress SILENT =
+      new CalibrationSession.Progress() {
+        @Override
+        public void fitting(int kicks) {
+          // Nobody looks.
+        }
+
+        @Override
+        public void fitted() {
+          // Nobody looks.
+        }
+
+        @Override
+        public void read(Path log, long bytesRead, long totalBytes) {
+          // Nobody looks.
+        }
+      };
+
+  @TempDir Path directory;
+
+  private PlaySession.Outcome play(boolean adaptive, double later, int enough) throws IOException {
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, KICKS).withChoice(adaptive, SEED).into(directory);
+    SimulationSettings world =
+        SimulationSettings.DEFAULT
+            .withSeed(SEED)
+            .withPhysics(BallPhysics.ideal(-3.1, -0.28, 5.0 / 7, 0.75, 0.95, 0.52))
+            .withEffects(List.of(EffectSetting.parse("field_slope:percent=0.04,direction=0.6")));
+    InteractiveField field =
+        InteractiveField.later(world, request.first(), request.second(), List.of(), later);
+    PlaySession[] session = new PlaySession[1];
+    session[0] =
+        new PlaySession(
+            request,
+            new EmbeddedPlayField(field, Double.POSITIVE_INFINITY),
+            s -> {
+              if (s.state().good() >= enough) {
+                session[0].abort("enough is seen");
+              }
+            });
+    return session[0].run();
+  }
+
+  private DiagnosisOutcome first(int kicks) throws IOException {
+    CalibrationOutcome c = PlayRun.calibrate(directory, SILENT);
+    DiagnosisProblem problem =
+        new DiagnosisProblem(
+            c.calibration().fitted().stream()
+                .sorted(Comparator.comparingDouble(f -> f.kick().time()))
+                .limit(kicks)
+                .toList(),
+            c.calibration().cameras(),
+            c.data().observers(),
+            c.data().sessionStart(),
+            Map.of(),
+            DiagnosisProblem.DEFAULT_MAX_CAUSES,
+            FitSettings.defaults().seed());
+    return new DiagnosisOutcome(c, problem, new Diagnoser().diagnose(problem, said -> {}));
+  }
+
+  private Cause only(int kicks) throws IOException {
+    List<Cause> causes = first(kicks).diagnosis().causes();
+    assertThat(causes).hasSize(1);
+    return causes.get(0);
+  }
+
+  @Test
+  void kicksAreChosenToTellCausesApart() throws Exception {
+    play(false, 0, BEFORE);
+    UndecidedCauses open = UndecidedCauses.of(first(BEFORE));
+    assertThat(open.words()).containsExactly("direction of the carpet or sloping field");
+    assertThat(open.advice().get(0)).contains("straight across the direction");
+    // Along the diagonal that was kicked along, and along the other.
+    double along = open.expected(plan(open, 0.59));
+    double across = open.expected(plan(open, -0.59));
+    assertThat(across).isGreaterThan(3 * along);
+
+    PlaySession.Outcome second = play(true, 1800, 2);
+    assertThat(second.last().kicks().get(0).played().planned().otherLine()).isTrue();
+    Cause cause = only(BEFORE + 2);
+    assertThat(cause.effect().id()).isEqualTo("field_slope");
+    assertThat(cause.indistinguishableFrom()).isEmpty();
+  }
+
+  @Test
+  void spreadKicksLeaveThemUndecidedForLonger() throws Exception {
+    play(false, 0, BEFORE);
+    play(false, 1800, 2);
+    assertThat(only(BEFORE + 2).indistinguishableFrom()).isNotEmpty();
+  }
+
+  private static SeenKick.Plan plan(UndecidedCauses open, double direction) {
+    double x = -4.5 * Math.cos(direction);
+    double y = -4.5 * Math.sin(direction);
+    return new SeenKick.Plan(KickKind.FLAT, open.time(), x, y, direction, 3, 0, 8, 0.6);
+  }
+}
