@@ -5,22 +5,18 @@ import fieldcal.play.RobotOrder.Pose;
 import java.util.Optional;
 
 /** A robot takes the ball with its dribbler. */
-final class FetchStep implements Step {
+final class FetchStep extends TaskStep {
   private static final int DIRECTIONS = 16;
   private static final double TIMEOUT = 15;
 
-  private final Ledger ledger;
-  private final Task task;
   private final double ballX;
   private final double ballY;
   private final double facing;
   private boolean grabbing;
-  private double since = Double.NaN;
   private double touching = Double.NaN;
 
   private FetchStep(Ledger ledger, Task task, double ballX, double ballY, double facing) {
-    this.ledger = ledger;
-    this.task = task;
+    super(PlayPhase.FETCH, ledger, task);
     this.ballX = ballX;
     this.ballY = ballY;
     this.facing = facing;
@@ -49,25 +45,10 @@ final class FetchStep implements Step {
   }
 
   @Override
-  public PlayPhase phase() {
-    return PlayPhase.FETCH;
-  }
-
-  @Override
-  public int kicker() {
-    return task.kicker();
-  }
-
-  @Override
-  public Step tick(Situation s) {
-    if (Double.isNaN(since)) {
-      since = s.time();
-    }
-    int i = task.kicker();
-    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), 0.35);
-    if (s.time() - since > TIMEOUT) {
-      ledger.failed(s.plan().robot(i) + " did not get hold of the ball");
-      return new CheckStep(ledger, -1);
+  Step tick(Situation s, int i) {
+    driveReceiver(s);
+    if (age(s) > TIMEOUT) {
+      return giveUp(s.plan().robot(i) + " did not get hold of the ball");
     }
     if (!grabbing) {
       return approach(s, i);
@@ -87,7 +68,7 @@ final class FetchStep implements Step {
       return new PlaceStep(ledger, task);
     }
     boolean gone = s.ball().distance(ballX, ballY) > 0.5 || passed(s.robot(i));
-    return gone ? new CheckStep(ledger, -1) : this;
+    return gone ? lookAgain() : this;
   }
 
   private boolean passed(Robot r) {
@@ -97,7 +78,7 @@ final class FetchStep implements Step {
 
   private Step approach(Situation s, int i) {
     if (s.ball().distance(ballX, ballY) > 0.08) {
-      return new CheckStep(ledger, -1);
+      return lookAgain();
     }
     Pose behind = Task.behind(ballX, ballY, facing, Task.BEHIND);
     s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);

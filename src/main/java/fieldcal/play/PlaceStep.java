@@ -4,41 +4,22 @@ import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
 
 /** A robot carries the ball to where it is to be kicked from, turns it into the direction of the kick, lets go and backs off. */
-final class PlaceStep implements Step {
+final class PlaceStep extends TaskStep {
   private static final double TIMEOUT = 20;
   private static final double LET_GO = 0.3;
 
-  private final Ledger ledger;
-  private final Task task;
-  private double since = Double.NaN;
   private double lost = Double.NaN;
   private double released = Double.NaN;
 
   PlaceStep(Ledger ledger, Task task) {
-    this.ledger = ledger;
-    this.task = task;
+    super(PlayPhase.PLACE, ledger, task);
   }
 
   @Override
-  public PlayPhase phase() {
-    return PlayPhase.PLACE;
-  }
-
-  @Override
-  public int kicker() {
-    return task.kicker();
-  }
-
-  @Override
-  public Step tick(Situation s) {
-    if (Double.isNaN(since)) {
-      since = s.time();
-    }
-    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), 0.35);
-    int i = task.kicker();
-    if (s.time() - since > TIMEOUT) {
-      ledger.failed(s.plan().robot(i) + " did not get the ball to its place");
-      return new CheckStep(ledger, -1);
+  Step tick(Situation s, int i) {
+    driveReceiver(s);
+    if (age(s) > TIMEOUT) {
+      return giveUp(s.plan().robot(i) + " did not get the ball to its place");
     }
     if (!Double.isNaN(released)) {
       return backOff(s, i);
@@ -55,7 +36,7 @@ final class PlaceStep implements Step {
     } else if (Double.isNaN(lost)) {
       lost = s.time();
     } else if (s.time() - lost > 0.3) {
-      return new CheckStep(ledger, -1);
+      return lookAgain();
     }
     double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);
     boolean there = Math.hypot(r.x() - target.x(), r.y() - target.y()) < 0.04;
@@ -72,6 +53,6 @@ final class PlaceStep implements Step {
     double orientation = s.robot(i).orientation();
     s.creep(i, -0.25 * Math.cos(orientation), -0.25 * Math.sin(orientation), orientation);
     boolean off = s.fromDribbler(i) > Task.BEHIND - PlayArea.AT_DRIBBLER - 0.015;
-    return off || s.time() - released > LET_GO + 1 ? new CheckStep(ledger, -1) : this;
+    return off || s.time() - released > LET_GO + 1 ? lookAgain() : this;
   }
 }

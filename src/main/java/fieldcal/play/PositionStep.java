@@ -4,47 +4,28 @@ import fieldcal.play.PlayWorld.Robot;
 import java.util.Optional;
 
 /** Kicker and receiver drive to their places; then everything has to be calm. */
-final class PositionStep implements Step {
+final class PositionStep extends TaskStep {
   private static final double TIMEOUT = 15;
 
   /** Somebody who stands in the way for longer is kicked past, in another direction, s. */
   private static final double BLOCKED = 3;
 
-  private final Ledger ledger;
-  private final Task task;
-  private double since = Double.NaN;
   private double blocked = Double.NaN;
 
   PositionStep(Ledger ledger, Task task) {
-    this.ledger = ledger;
-    this.task = task;
+    super(PlayPhase.POSITION, ledger, task);
   }
 
   @Override
-  public PlayPhase phase() {
-    return PlayPhase.POSITION;
-  }
-
-  @Override
-  public int kicker() {
-    return task.kicker();
-  }
-
-  @Override
-  public Step tick(Situation s) {
-    if (Double.isNaN(since)) {
-      since = s.time();
-    }
-    int i = task.kicker();
+  Step tick(Situation s, int i) {
     s.drive(i, task.behind(), s.limits().driveSpeed(), Task.AROUND);
-    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), 0.35);
+    driveReceiver(s);
     if (s.ball().distance(task.x(), task.y()) > 0.05 || s.ballUnseen() > 0.5) {
-      return new CheckStep(ledger, -1);
+      return lookAgain();
     }
     boolean ready = ready(s);
-    if (s.time() - since > TIMEOUT || s.time() - blocked > BLOCKED) {
-      ledger.failed(s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball"));
-      return new CheckStep(ledger, -1);
+    if (age(s) > TIMEOUT || s.time() - blocked > BLOCKED) {
+      return giveUp(s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball"));
     }
     return ready ? new KickStep(ledger, task) : this;
   }
@@ -70,7 +51,7 @@ final class PositionStep implements Step {
             && Math.abs(turn) < 0.02
             && kicker.speed() < 0.08;
     double off = Math.hypot(receiver.x() - task.receiver().x(), receiver.y() - task.receiver().y());
-    boolean late = s.time() - since > 8;
+    boolean late = age(s) > 8;
     boolean received = off < (late ? 0.6 : 0.15) && receiver.speed() < 0.3;
     if (placed && !received) {
       s.waitFor(s.plan().robot(task.other()) + " is not in its place yet");

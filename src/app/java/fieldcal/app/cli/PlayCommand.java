@@ -11,27 +11,23 @@ import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.simulation.TruthJson;
 import fieldcal.app.sslsim.NetworkPlayField;
-import fieldcal.app.sslsim.SimulatorPorts;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayLimits;
 import fieldcal.play.PlayLine.Half;
-import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.FieldTrouble;
 import fieldcal.simulation.InteractiveField;
-import fieldcal.simulation.Preset;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -84,8 +80,9 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--adaptive",
       description =
-          "each next kick is the one that tells most about the least certain parameter, instead of"
-              + " speeds spread evenly")
+          "each next kick is the one that tells most about the least certain parameter or, with"
+              + " --out, about causes that cannot be told apart yet, instead of speeds spread"
+              + " evenly")
   private boolean adaptive;
 
   @Option(
@@ -104,11 +101,7 @@ final class PlayCommand implements Callable<Integer> {
               + " with this one")
   private Path out;
 
-  @Option(
-      names = "--robots",
-      paramLabel = "A,B",
-      description = "the two robots, for example yellow3,blue5 (default yellow0,yellow1)")
-  private String robots = "yellow0,yellow1";
+  @Mixin private SimulatorOptions simulator;
 
   @Option(
       names = "--half",
@@ -158,17 +151,7 @@ final class PlayCommand implements Callable<Integer> {
       description = "of the kicks' order, and of the simulated field (default ${DEFAULT-VALUE})")
   private long seed = 1;
 
-  @Option(
-      names = "--preset",
-      paramLabel = "NAME",
-      description = "simulated field: lab, german-open-2026 or robocup-2026")
-  private String preset;
-
-  @Option(
-      names = "--effect",
-      paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
-      description = "simulated field: an effect as in simulate; may be repeated")
-  private final List<String> effects = new ArrayList<>();
+  @Mixin private SimulatedFieldOptions fieldOptions;
 
   @Option(
       names = "--troubles",
@@ -183,12 +166,6 @@ final class PlayCommand implements Callable<Integer> {
   private double pace = Double.POSITIVE_INFINITY;
 
   @Option(
-      names = "--vision",
-      paramLabel = "ADDR:PORT",
-      description = "simulator: where its vision sends to (default 224.5.23.2:10020)")
-  private String vision = "224.5.23.2:10020";
-
-  @Option(
       names = "--referee",
       paramLabel = "ADDR:PORT",
       description = "simulator: where a referee sends to, whose HALT and STOP are obeyed")
@@ -199,12 +176,6 @@ final class PlayCommand implements Callable<Integer> {
       paramLabel = "NAME",
       description = "simulator: network interface of both (default all)")
   private String networkInterface;
-
-  @Option(
-      names = "--port",
-      paramLabel = "PORT",
-      description = "simulator: its control port; blue and yellow follow (default 10300)")
-  private int port = SimulatorPorts.LEAGUE.control();
 
   PlayCommand() {}
 
@@ -241,8 +212,8 @@ final class PlayCommand implements Callable<Integer> {
     try {
       return new NetworkPlayField(
           sslSim,
-          new SimulatorPorts(port),
-          NetworkPlace.parse(vision, networkInterface),
+          simulator.ports(),
+          simulator.vision(networkInterface),
           Optional.ofNullable(referee).map(r -> NetworkPlace.parse(r, networkInterface)));
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
@@ -324,11 +295,9 @@ final class PlayCommand implements Callable<Integer> {
   }
 
   private InteractiveField simulated(SessionRequest request) {
-    SimulationSettings settings = SimulationSettings.DEFAULT.withSeed(seed);
-    if (preset != null) {
-      settings = Preset.of(preset).applyTo(settings);
-    }
-    settings = settings.withEffects(effects.stream().map(EffectSetting::parse).toList());
+    SimulationSettings settings =
+        fieldOptions.withEffects(
+            fieldOptions.withPreset(SimulationSettings.DEFAULT.withSeed(seed)));
     int earlier;
     try {
       earlier = out == null ? 0 : PlayRun.logs(out).size();
@@ -351,7 +320,7 @@ final class PlayCommand implements Callable<Integer> {
           default ->
               throw new IllegalArgumentException("--kind must be flat or chip, not '" + kind + "'");
         };
-    RobotId[] pair = RobotNames.pair(robots);
+    RobotId[] pair = simulator.robots();
     SessionRequest r = SessionRequest.of(wanted, kicks);
     PlayLimits limits = r.limits();
     if (driveSpeed != null) {

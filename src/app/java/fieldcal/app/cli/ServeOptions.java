@@ -13,6 +13,7 @@ import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicBoolean;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code simulate --serve}: the field as a simulator on the network. */
@@ -24,23 +25,7 @@ final class ServeOptions {
               + " play --ssl-sim, or a team's AI")
   private boolean serve;
 
-  @Option(
-      names = "--robots",
-      paramLabel = "A,B",
-      description = "served: the two robots (default yellow0,yellow1); two more stand about")
-  private String robots = "yellow0,yellow1";
-
-  @Option(
-      names = "--vision",
-      paramLabel = "ADDR:PORT",
-      description = "served: where vision goes to (default 224.5.23.2:10020)")
-  private String vision = "224.5.23.2:10020";
-
-  @Option(
-      names = "--port",
-      paramLabel = "PORT",
-      description = "served: simulator control; blue and yellow follow (default 10300)")
-  private int port = SimulatorPorts.LEAGUE.control();
+  @Mixin private SimulatorOptions simulator;
 
   @Option(
       names = "--loss",
@@ -60,9 +45,9 @@ final class ServeOptions {
 
   /** Serves until the program is told to end. */
   void serve(SimulationSettings settings, PrintWriter out) throws IOException {
-    RobotId[] pair = RobotNames.pair(robots);
-    SimulatorPorts ports = new SimulatorPorts(port);
-    NetworkPlace place = NetworkPlace.parse(vision, null);
+    RobotId[] pair = simulator.robots();
+    SimulatorPorts ports = simulator.ports();
+    NetworkPlace place = simulator.vision(null);
     Impairment impairment = new Impairment(loss / 100, delayMs / 1000);
     InteractiveField field =
         ServedField.now(

@@ -1,9 +1,7 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.simulation.RecordingFiles;
-import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.FieldSize;
-import fieldcal.simulation.Preset;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulationSettings;
@@ -68,12 +66,6 @@ final class SimulateCommand implements Callable<Integer> {
   private int kicks = 24;
 
   @Option(
-      names = "--effect",
-      paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
-      description = "switches an effect on; may be repeated")
-  private final List<String> effects = new ArrayList<>();
-
-  @Option(
       names = "--seed",
       paramLabel = "S",
       description = "of all luck; same seed, same bytes (default ${DEFAULT-VALUE})")
@@ -85,11 +77,7 @@ final class SimulateCommand implements Callable<Integer> {
       description = "NAME.log or NAME.log.gz; NAME.truth.json and NAME.commands.csv come beside it")
   private Path out;
 
-  @Option(
-      names = "--preset",
-      paramLabel = "NAME",
-      description = "a field as it was found: lab, german-open-2026 or robocup-2026")
-  private String preset;
+  @Mixin private SimulatedFieldOptions field;
 
   @Option(
       names = "--physics",
@@ -235,9 +223,7 @@ final class SimulateCommand implements Callable<Integer> {
   private SimulationSettings settings() {
     SimulationSettings s =
         SimulationSettings.DEFAULT.withSeed(seed).withField(field()).withScenario(scenario());
-    if (preset != null) {
-      s = Preset.of(preset).applyTo(s);
-    }
+    s = field.withPreset(s);
     if (physics != null || flatModel != null || chipModel != null) {
       s = s.withPhysics(physics());
     }
@@ -248,7 +234,7 @@ final class SimulateCommand implements Callable<Integer> {
     s =
         s.withNuisance(
             s.nuisance().withOutages(outages.stream().map(SimulateCommand::outage).toList()));
-    return s.withEffects(effects.stream().map(EffectSetting::parse).toList());
+    return field.withEffects(s);
   }
 
   private ScenarioSettings scenario() {

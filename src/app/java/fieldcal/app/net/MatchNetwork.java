@@ -24,6 +24,13 @@ public final class MatchNetwork implements AutoCloseable {
      * @param state what it says
      */
     void referee(RefereeState state);
+
+    /**
+     * The bytes of the message that {@link #referee} is told next, for whoever records it.
+     *
+     * @param message not to be changed
+     */
+    default void refereeMessage(byte[] message) {}
   }
 
   private final NetworkPlace visionPlace;
@@ -73,7 +80,7 @@ public final class MatchNetwork implements AutoCloseable {
       Optional<Packet> said = referee.get().take(0);
       while (said.isPresent()) {
         packets++;
-        refereeSource.accept(said.get()).ifPresent(sink::referee);
+        hear(said.get());
         said = referee.get().take(0);
       }
     }
@@ -83,6 +90,14 @@ public final class MatchNetwork implements AutoCloseable {
       visionSource.accept(seen.get());
     }
     return packets;
+  }
+
+  private void hear(Packet packet) {
+    Optional<RefereeState> state = refereeSource.accept(packet);
+    if (state.isPresent()) {
+      sink.refereeMessage(packet.data());
+      sink.referee(state.get());
+    }
   }
 
   /**

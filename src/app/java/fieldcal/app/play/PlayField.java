@@ -22,6 +22,14 @@ public interface PlayField extends Closeable {
      * @param payload its bytes
      */
     void vision(double receivedTime, VisionPacket packet, byte[] payload);
+
+    /**
+     * A message of the referee.
+     *
+     * @param receivedTime when it arrived, s since the epoch
+     * @param payload its bytes
+     */
+    default void referee(double receivedTime, byte[] payload) {}
   }
 
   /**

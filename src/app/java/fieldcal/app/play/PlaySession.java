@@ -17,6 +17,7 @@ import fieldcal.play.PlayedKick;
 import fieldcal.play.RobotOrder;
 import fieldcal.play.SpreadKicks;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -47,6 +48,7 @@ public final class PlaySession {
   private final WorldModel model = new WorldModel();
   private final LiveFits fits;
   private final CauseWatch causes;
+  private final PlayField.Receiver receiver = new Recording();
   private final AtomicReference<SessionSnapshot> latest = new AtomicReference<>();
 
   private volatile boolean paused;
@@ -142,7 +144,7 @@ public final class PlaySession {
   private void waitForGeometry() throws IOException {
     double first = Double.NaN;
     while (geometry == null) {
-      double now = field.next(receiver());
+      double now = field.next(receiver);
       first = Double.isNaN(first) ? now : first;
       if (abortReason != null) {
         throw new IOException("aborted before it began: " + abortReason);
@@ -191,7 +193,7 @@ public final class PlaySession {
   }
 
   private void tick() throws IOException {
-    double now = field.next(receiver());
+    double now = field.next(receiver);
     if (Double.isNaN(started)) {
       started = now;
     }
@@ -266,10 +268,11 @@ public final class PlaySession {
     listener.accept(snapshot);
   }
 
-  private PlayField.Receiver receiver() {
-    return (receivedTime, packet, payload) -> {
-      record(receivedTime, payload);
-      packet.geometry().ifPresent(this::geometry);
+  private final class Recording implements PlayField.Receiver {
+    @Override
+    public void vision(double receivedTime, VisionPacket packet, byte[] payload) {
+      record(receivedTime, MessageType.SSL_VISION_2014, payload);
+      packet.geometry().ifPresent(PlaySession.this::geometry);
       packet
           .frame()
           .ifPresent(
@@ -277,17 +280,22 @@ public final class PlaySession {
                 model.accept(frame);
                 fits.accept(frame);
               });
-    };
-  }
-
-  private void record(double receivedTime, byte[] payload) {
-    if (recorder == null) {
-      return;
     }
-    try {
-      recorder.message(receivedTime, MessageType.SSL_VISION_2014, payload);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+
+    @Override
+    public void referee(double receivedTime, byte[] payload) {
+      record(receivedTime, MessageType.SSL_REFBOX_2013, payload);
+    }
+
+    private void record(double receivedTime, MessageType type, byte[] payload) {
+      if (recorder == null) {
+        return;
+      }
+      try {
+        recorder.message(receivedTime, type, payload);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
     }
   }
 
@@ -313,7 +321,7 @@ public final class PlaySession {
   /** Some ticks more, so that the robots have heard that they are to stand. */
   private void settle() throws IOException {
     for (int i = 0; i < 20; i++) {
-      double now = field.next(receiver());
+      double now = field.next(receiver);
       PlayWorld world = model.at(now, field.permission());
       PlayAnswer answer = play.tick(world);
       field.order(answer.orders());

@@ -72,6 +72,11 @@ public final class NetworkPlayField implements PlayField {
     }
 
     @Override
+    public void refereeMessage(byte[] message) {
+      receiver.referee(wallClock(), message);
+    }
+
+    @Override
     public void referee(RefereeState state) {
       refereeHeard = wallClock();
       permission =

@@ -5,13 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.calibrate.CommandFile;
-import fieldcal.app.recording.CollectedKicks;
-import fieldcal.app.recording.KickCollector;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -127,16 +126,20 @@ class PlayCommandTest {
       play.waitFor(10, TimeUnit.SECONDS);
     }
 
+    // The last line may have been cut in the middle, as the recording may.
     List<CommandFile.Command> told = CommandFile.read(commands);
-    Path log = directory.resolve("session-flat.log");
-    CollectedKicks found = new KickCollector((file, read, total) -> {}).collect(List.of(log));
     assertThat(told).hasSizeGreaterThanOrEqualTo(3);
+    Path log = directory.resolve("session-flat.log");
+    Path json = directory.resolve("after.json");
+    assertThat(run("calibrate " + log + " --commands " + commands + " --json " + json))
+        .as(err.toString())
+        .isZero();
+    List<Double> times = new ArrayList<>();
+    JsonNode found = json("after.json").get("kicks");
+    found.forEach(kick -> times.add(kick.get("t").asDouble()));
     assertThat(told)
-        .allSatisfy(
-            t ->
-                assertThat(found.kicks())
-                    .anyMatch(
-                        k -> Math.abs(found.epoch().unixSeconds(k.time()) - t.unixTime()) < 0.3));
+        .allSatisfy(t -> assertThat(times).anyMatch(k -> Math.abs(k - t.unixTime()) < 0.3));
+    assertThat(found).filteredOn(k -> k.get("selected").asBoolean()).isNotEmpty();
   }
 
   private static long lines(Path file) throws IOException {

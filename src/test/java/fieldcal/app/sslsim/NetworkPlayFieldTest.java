@@ -5,16 +5,27 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
+import fieldcal.calibration.Average;
+import fieldcal.gamelog.RecordingListener;
+import fieldcal.gamelog.RecordingReader;
+import fieldcal.gamelog.RefereeState;
 import fieldcal.kick.KickKind;
+import fieldcal.proto.Referee;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import java.io.IOException;
+import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -25,6 +36,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The play over real sockets on loopback, against the served field. */
 class NetworkPlayFieldTest {
+  private static final int KICKS = 2;
+
   @TempDir Path directory;
 
   /** Three free ports in a row. */
@@ -54,7 +67,7 @@ class NetworkPlayFieldTest {
   @CsvSource({"0,0", "0.05,0.05"})
   void theServedFieldIsPlayedOnLikeTheEmbeddedOne(double loss, double delay) throws Exception {
     SessionRequest request =
-        SessionRequest.of(KickKind.FLAT, 1).withChoice(false, 6).into(directory);
+        SessionRequest.of(KickKind.FLAT, KICKS).withChoice(false, 6).into(directory);
     InteractiveField served =
         ServedField.now(
             SimulationSettings.DEFAULT.withSeed(6),
@@ -64,6 +77,7 @@ class NetworkPlayFieldTest {
             System.currentTimeMillis() * 1_000_000L);
     SimulatorPorts ports = freePorts();
     NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    NetworkPlace referee = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
     AtomicBoolean stop = new AtomicBoolean();
     try (SimulatorServer server =
         new SimulatorServer(served, ports, vision.address(), new Impairment(loss, delay), 1)) {
@@ -76,17 +90,97 @@ class NetworkPlayFieldTest {
                   throw new AssertionError(e);
                 }
               });
-      NetworkPlayField field = new NetworkPlayField("127.0.0.1", ports, vision, Optional.empty());
+      CompletableFuture<Void> refereeing = CompletableFuture.runAsync(() -> send(referee, stop));
+      NetworkPlayField field =
+          new NetworkPlayField("127.0.0.1", ports, vision, Optional.of(referee));
       PlaySession.Outcome outcome = new PlaySession(request, field, s -> {}).run();
       stop.set(true);
       serving.get(5, TimeUnit.SECONDS);
+      refereeing.get(5, TimeUnit.SECONDS);
 
       assertThat(outcome.last().state().waiting()).isEmpty();
       assertThat(outcome.complete()).isTrue();
-      assertThat(outcome.last().kicks().get(0).speed()).isCloseTo(4.25, within(0.4));
-      assertThat(outcome.last().model().get("kSwitch").mean()).isCloseTo(0.65, within(0.02));
+      assertSame(outcome.last().model(), inProcess().last().model());
+      assertThat(recordedCommands(outcome.log().orElseThrow()))
+          .contains(Referee.Command.NORMAL_START);
       assertThat(field.notes()).noneMatch(n -> n.startsWith("simulator:"));
     }
+  }
+
+  /** Every parameter is the same, as far as kicks can tell that do not roll in the same detections. */
+  private static void assertSame(Map<String, Average> network, Map<String, Average> inProcess) {
+    assertThat(network).hasSize(3).containsOnlyKeys(inProcess.keySet());
+    inProcess.forEach(
+        (name, here) -> {
+          Average there = network.get(name);
+          double error = Math.hypot(here.standardError(), there.standardError());
+          System.out.printf(
+              Locale.ROOT,
+              "%-9s in process %9.5f, over UDP %9.5f: %+.1f combined standard errors%n",
+              name,
+              here.mean(),
+              there.mean(),
+              (there.mean() - here.mean()) / error);
+          assertThat(there.mean()).as(name).isCloseTo(here.mean(), within(4 * error));
+        });
+  }
+
+  private static PlaySession.Outcome inProcess() throws IOException {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, KICKS).withChoice(false, 6);
+    InteractiveField field =
+        InteractiveField.of(
+            SimulationSettings.DEFAULT.withSeed(6), request.first(), request.second(), List.of());
+    return new PlaySession(request, new EmbeddedPlayField(field, Double.POSITIVE_INFINITY), s -> {})
+        .run();
+  }
+
+  /** A referee who lets everybody play, ten times a second. */
+  private static void send(NetworkPlace to, AtomicBoolean stop) {
+    byte[] message =
+        Referee.newBuilder()
+            .setPacketTimestamp(1)
+            .setStage(Referee.Stage.NORMAL_FIRST_HALF)
+            .setCommand(Referee.Command.NORMAL_START)
+            .setCommandCounter(1)
+            .setCommandTimestamp(1)
+            .setYellow(team())
+            .setBlue(team())
+            .build()
+            .toByteArray();
+    try (DatagramSocket socket = new DatagramSocket()) {
+      while (!stop.get()) {
+        socket.send(new DatagramPacket(message, message.length, to.address()));
+        Thread.sleep(100);
+      }
+    } catch (IOException | InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static Referee.TeamInfo team() {
+    return Referee.TeamInfo.newBuilder()
+        .setName("")
+        .setScore(0)
+        .setRedCards(0)
+        .setYellowCards(0)
+        .setTimeouts(0)
+        .setTimeoutTime(0)
+        .setGoalkeeper(0)
+        .build();
+  }
+
+  private static Set<Referee.Command> recordedCommands(Path log) throws IOException {
+    Set<Referee.Command> commands = EnumSet.noneOf(Referee.Command.class);
+    try (RecordingReader reader = RecordingReader.open(log)) {
+      reader.read(
+          new RecordingListener() {
+            @Override
+            public void onReferee(RefereeState state, double receivedTime) {
+              commands.add(state.command());
+            }
+          });
+    }
+    return commands;
   }
 
   @Test

@@ -1,0 +1,35 @@
+package fieldcal.app.cli;
+
+import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.Preset;
+import fieldcal.simulation.SimulationSettings;
+import java.util.ArrayList;
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** What all commands that simulate a field let the operator say of it. */
+final class SimulatedFieldOptions {
+  @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      description = "simulated field as it was found: lab, german-open-2026 or robocup-2026")
+  private String preset;
+
+  @Option(
+      names = "--effect",
+      paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
+      description =
+          "switches an effect of the simulated field on; may be repeated (simulate --help lists"
+              + " them)")
+  private final List<String> effects = new ArrayList<>();
+
+  /** The field of the preset, if there is one. */
+  SimulationSettings withPreset(SimulationSettings settings) {
+    return preset == null ? settings : Preset.of(preset).applyTo(settings);
+  }
+
+  /** With the effects, and no others. */
+  SimulationSettings withEffects(SimulationSettings settings) {
+    return settings.withEffects(effects.stream().map(EffectSetting::parse).toList());
+  }
+}

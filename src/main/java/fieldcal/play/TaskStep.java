@@ -1,0 +1,59 @@
+package fieldcal.play;
+
+/** A step of one kick: the kicker is at work, the other robot goes to where it receives. Remembers when it began. */
+abstract class TaskStep implements Step {
+  /** At which distance the receiver goes round the ball, m. */
+  private static final double ROUND = 0.35;
+
+  final Ledger ledger;
+  final Task task;
+  private final PlayPhase phase;
+  private double since = Double.NaN;
+
+  TaskStep(PlayPhase phase, Ledger ledger, Task task) {
+    this.phase = phase;
+    this.ledger = ledger;
+    this.task = task;
+  }
+
+  @Override
+  public final PlayPhase phase() {
+    return phase;
+  }
+
+  @Override
+  public final int kicker() {
+    return task.kicker();
+  }
+
+  @Override
+  public final Step tick(Situation s) {
+    if (Double.isNaN(since)) {
+      since = s.time();
+    }
+    return tick(s, task.kicker());
+  }
+
+  /** The step of the next tick, as {@link Step#tick}. */
+  abstract Step tick(Situation s, int kicker);
+
+  /** For how long it goes on, s. */
+  final double age(Situation s) {
+    return s.time() - since;
+  }
+
+  /** Sends the other robot to where it receives. */
+  final void driveReceiver(Situation s) {
+    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), ROUND);
+  }
+
+  /** It did not work: looks again what to do. */
+  final Step giveUp(String reason) {
+    ledger.failed(reason);
+    return lookAgain();
+  }
+
+  final Step lookAgain() {
+    return new CheckStep(ledger, -1);
+  }
+}
