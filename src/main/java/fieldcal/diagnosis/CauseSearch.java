@@ -36,6 +36,9 @@ final class CauseSearch {
   /** A search that has fitted so many hypotheses without an end will find none. */
   private static final int MOST_FITS = 40;
 
+  /** Where an error of the cameras leaves less than that share of the structure, nobody looks for wrong valleys of bounces. */
+  private static final double NEARLY_ALL = 0.1;
+
   /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
   private static final double NOTHING_LEFT = 3;
 
@@ -225,11 +228,23 @@ final class CauseSearch {
     }
     double[] start = start(next, from);
     FittedHypothesis f = fit(next, start, from, replaced == null ? score : null);
-    if (isBounce(score.chart())) {
+    if (isBounce(score.chart()) && !isTheCameras(from)) {
       f = fromOtherStarts(f, score.chart(), start, from);
     }
     fitted.add(f);
     return f;
+  }
+
+  /** Whether an error of the cameras alone, that no bounce resembles, is known to explain nearly all that a hypothesis leaves. */
+  private boolean isTheCameras(FittedHypothesis from) {
+    double left = NEARLY_ALL * Structure.of(fitter, from).systematic();
+    return fitted.stream()
+        .filter(f -> f.hypothesis().charts().stream().noneMatch(CauseSearch::isMotion))
+        .anyMatch(f -> Structure.of(fitter, f).systematic() < left);
+  }
+
+  private static boolean isMotion(Chart chart) {
+    return chart.template() instanceof MotionEffect;
   }
 
   /** The best fit from several starts; the first that leaves nothing to be explained is the best. */

@@ -33,6 +33,9 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
   /** Largest error of a prediction, m. */
   private static final double WORST = 10;
 
+  /** A kick explained that many times worse than those that were fitted may have gone astray. */
+  private static final double ASTRAY = 3;
+
   /** Share of a gain that kicks other than the best one must have. */
   private static final double OF_OTHERS = 0.15;
 
@@ -52,12 +55,13 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
       FittedHypothesis trained =
           training.fit(full.hypothesis(), full.shared(), pick(full, rest), false);
       SharedState state = SharedState.of(full.hypothesis(), trained.shared(), fitter.observers);
+      double limit = ASTRAY * Math.max(1, trained.chiSquare() / trained.residuals());
       List<Map<Double, List<Double>>> distances =
           part.parallelStream()
               .map(
                   k -> {
                     KickModel model = model(fitter, full, k);
-                    new OwnFit(model, state, trained.scatter()).minimize();
+                    settle(model, state, trained.scatter(), limit);
                     score(model, state, k, squares, counts);
                     return predict(fitter, full, k, state, trained.scatter());
                   })
@@ -113,6 +117,20 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
         new KickModel(fitter.kicks.get(k), full.hypothesis().random().size(), fitter.sessionStart);
     model.startFrom(full.own().get(k), full.flights()[k], new double[0]);
     return model;
+  }
+
+  /**
+   * Finds a kick's own unknowns under shared ones that it did not help to find. A chip that they explain far worse than those it helped to find may have been thrown into another valley, which would be no error
+   * of the hypothesis; so it is tried with other numbers of flights and from other rises.
+   */
+  private static void settle(KickModel model, SharedState state, double[] scatter, double limit) {
+    OwnFit fit = new OwnFit(model, state, scatter);
+    double cost = fit.minimize();
+    boolean astray = cost > limit * 2 * model.data.usedCount;
+    if (astray && model.data.kind == KickKind.CHIP) {
+      fit.chooseFlights();
+      fit.restart();
+    }
   }
 
   private static void score(

@@ -2,54 +2,15 @@ package fieldcal.diagnosis;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
-import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.kick.KickKind;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
-import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.CholeskyDecomposition;
-import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
-import org.apache.commons.math3.linear.RealMatrix;
 
-/**
- * Fits hypotheses to kicks: Levenberg–Marquardt on all unknowns at once, each kick's own ones eliminated. Start and time of a kick are free, tied by the ball's rest before it;
- * a chip's number of flights is tried one up and down; the scatter of random effects is found by expectation and maximisation (Dempster, Laird and Rubin 1977). Immutable;
- * kicks are worked on in parallel, with the same result as one by one.
- */
+/** The kicks, the cameras that saw them, and where the shared unknowns are expected: fits any hypothesis to them, from any start. Immutable. */
 final class HypothesisFitter {
-  private static final int MAX_ITERATIONS = 60;
-
-  /** A step that promises less decrease of chi-square is the last: an evidence is then right to that, far below what decides. */
-  private static final double ENOUGH = 0.02;
-
-  /** The same as a share of chi-square: where much is unexplained, less precision will do. */
-  private static final double ENOUGH_OF_ALL = 1e-6;
-
-  /** A step that raises chi-square by less than that share of it is a step on the spot. */
-  private static final double UNEVEN = 1e-5;
-
-  /** A kick whose cost a step raises by that factor went astray. */
-  private static final double ASTRAY = 1.5;
-
-  private static final double MOST_DAMPING = 1e10;
-
-  /** Rounds of trying other numbers of flights, and of finding the scatter. */
-  private static final int FLIGHT_ROUNDS = 4;
-
-  private static final int SCATTER_ROUNDS = 12;
-
-  /** A chip that is explained that many times worse than the median kick, and that much worse than noise, may be in a wrong valley. */
-  private static final double OUTLYING = 3;
-
-  private static final double LEAST_OUTLYING = 2;
-
-  /** Scatter before it is known, and the smallest, in the effect's scales. */
+  /** Scatter before it is known, in the effect's scales. */
   private static final double FIRST_SCATTER = 1;
-
-  private static final double LEAST_SCATTER = 0.02;
 
   final List<KickData> kicks;
   final List<ObservedCamera> observers;
@@ -102,7 +63,7 @@ final class HypothesisFitter {
   /** From where each kick's own fit ended. */
   FittedHypothesis fitSimple() {
     double[] shared = unknowns(Hypothesis.SIMPLE).expectedValue.clone();
-    Run run = new Run(Hypothesis.SIMPLE, shared, new double[0]);
+    JointFit run = new JointFit(this, Hypothesis.SIMPLE, shared, new double[0]);
     return run.fit(true);
   }
 
@@ -114,7 +75,7 @@ final class HypothesisFitter {
    */
   FittedHypothesis fit(
       Hypothesis hypothesis, double[] start, FittedHypothesis from, boolean flights) {
-    Run run = run(hypothesis, start, from);
+    JointFit run = run(hypothesis, start, from);
     if (!from.converged()) {
       run.settleKicks();
     }
@@ -130,25 +91,19 @@ final class HypothesisFitter {
    */
   FittedHypothesis fitHeldAtFirst(
       Hypothesis hypothesis, double[] start, FittedHypothesis from, int held, int count) {
-    Run run = run(hypothesis, start, from);
+    JointFit run = run(hypothesis, start, from);
     run.settleKicks();
-    boolean[] free = run.unknowns.free;
-    boolean[] before = free.clone();
-    Arrays.fill(free, held, held + count, false);
-    run.minimize();
-    run.settleFlights();
-    System.arraycopy(before, 0, free, 0, free.length);
+    run.settleOthers(held, count);
     return run.fit(true);
   }
 
   /** The cost of a hypothesis at given shared unknowns, each kick's own ones as they are. */
   double cost(Hypothesis hypothesis, double[] start, FittedHypothesis from) {
-    Run run = run(hypothesis, start, from);
-    List<double[]> owns = run.models.stream().map(m -> m.own).toList();
-    return run.costOf(SharedState.of(hypothesis, run.shared, observers), run.shared, owns);
+    JointFit run = run(hypothesis, start, from);
+    return run.costAtStart();
   }
 
-  private Run run(Hypothesis hypothesis, double[] start, FittedHypothesis from) {
+  private JointFit run(Hypothesis hypothesis, double[] start, FittedHypothesis from) {
     double[] scatter = new double[hypothesis.random().size()];
     for (int j = 0; j < scatter.length; j++) {
       Chart chart = hypothesis.random().get(j);
@@ -156,7 +111,7 @@ final class HypothesisFitter {
       // A scatter that is not known yet starts at a common one.
       scatter[j] = known < 0 ? FIRST_SCATTER * chart.scale(0) : from.scatter()[known];
     }
-    Run run = new Run(hypothesis, start, scatter);
+    JointFit run = new JointFit(this, hypothesis, start, scatter);
     double[] means = Arrays.copyOfRange(start, start.length - scatter.length, start.length);
     boolean sameRandom = hypothesis.random().equals(from.hypothesis().random());
     for (int i = 0; i < kicks.size(); i++) {
@@ -165,431 +120,5 @@ final class HypothesisFitter {
       run.models.get(i).startFrom(kept, from.flights()[i], means);
     }
     return run;
-  }
-
-  /** One fit; used once. */
-  private final class Run {
-    final Hypothesis hypothesis;
-    final SharedUnknowns unknowns;
-    final List<KickModel> models = new ArrayList<>();
-    final double[] shared;
-    final double[] scatter;
-    final int size;
-    private SharedState state;
-    private List<KickNormal> normals;
-    private double cost;
-    private boolean converged;
-
-    Run(Hypothesis hypothesis, double[] start, double[] scatter) {
-      this.hypothesis = hypothesis;
-      this.scatter = scatter;
-      unknowns = unknowns(hypothesis);
-      size = unknowns.size;
-      shared = start.clone();
-      for (int k = 0; k < size; k++) {
-        boolean held = !unknowns.free[k] && k < SharedUnknowns.MODEL;
-        shared[k] = held ? unknowns.expectedValue[k] : unknowns.clamp(k, shared[k]);
-      }
-      for (KickData kick : kicks) {
-        models.add(new KickModel(kick, hypothesis.random().size(), sessionStart));
-      }
-    }
-
-    /** Every kick's own unknowns under the shared ones as they are. */
-    void settleKicks() {
-      SharedState at = SharedState.of(hypothesis, shared, observers);
-      models.parallelStream().forEach(m -> new OwnFit(m, at, scatter).minimize());
-    }
-
-    FittedHypothesis fit(boolean flights) {
-      minimize();
-      if (flights) {
-        settleFlights();
-        followTheRule();
-      }
-      for (int round = 0; round < SCATTER_ROUNDS && scatter.length > 0; round++) {
-        if (!updateScatter()) {
-          break;
-        }
-        minimize();
-      }
-      return result();
-    }
-
-    private void minimize() {
-      state = SharedState.of(hypothesis, shared, observers);
-      linearize();
-      double lambda = 1e-4;
-      converged = false;
-      for (int i = 0; i < MAX_ITERATIONS && !converged; i++) {
-        double[][] a = new double[size][size];
-        double[] b = new double[size];
-        reduce(lambda, a, b);
-        double[] step = solve(a, b, lambda);
-        if (step == null || !OwnFit.isFinite(step)) {
-          lambda = Math.max(1e-6, lambda * 10);
-          if (lambda > MOST_DAMPING) {
-            return;
-          }
-          continue;
-        }
-        double[] next = shared.clone();
-        for (int k = 0; k < size; k++) {
-          next[k] = unknowns.clamp(k, shared[k] + step[k]);
-          step[k] = next[k] - shared[k];
-        }
-        List<double[]> owns = new ArrayList<>();
-        for (int k = 0; k < models.size(); k++) {
-          owns.add(moved(models.get(k), normals.get(k).ownStep(step)));
-        }
-        SharedState tried = SharedState.of(hypothesis, next, observers);
-        double nextCost = settledCost(tried, next, owns);
-        if (nextCost <= cost) {
-          double gained = cost - nextCost;
-          System.arraycopy(next, 0, shared, 0, size);
-          for (int k = 0; k < models.size(); k++) {
-            models.get(k).own = owns.get(k);
-          }
-          state = tried;
-          lambda = Math.max(1e-7, lambda / 8);
-          converged = gained < Math.max(ENOUGH, ENOUGH_OF_ALL * cost) && lambda < 1e-2;
-          linearize();
-        } else {
-          // Detections that pass from one hop to the next make the cost uneven.
-          converged = nextCost - cost < UNEVEN * cost;
-          lambda = Math.max(1e-5, lambda * 6);
-          if (lambda > MOST_DAMPING || Double.isNaN(nextCost) && lambda > 1e6) {
-            return;
-          }
-        }
-      }
-    }
-
-    private double[] moved(KickModel model, double[] step) {
-      double[] own = model.own.clone();
-      for (int k = 0; k < own.length; k++) {
-        own[k] += step[k];
-      }
-      if (model.data.kind == KickKind.CHIP) {
-        own[4] = Math.max(0.05, own[4]);
-      }
-      return own;
-    }
-
-    private double costOf(SharedState at, double[] values, List<double[]> owns) {
-      double[] costs = new double[models.size()];
-      IntStream.range(0, costs.length)
-          .parallel()
-          .forEach(
-              k -> {
-                KickModel model = models.get(k);
-                double[] own = owns.get(k);
-                double[] r = new double[2 * model.data.size];
-                costs[k] =
-                    model.residuals(at, model.path(at, own), r) + model.priorCost(at, own, scatter);
-              });
-      return Arrays.stream(costs).sum() + sharedPrior(values);
-    }
-
-    /**
-     * The cost at a trial point. A kick for which the common step went wrong finds its own unknowns anew: one kick, thrown into another valley, must not hold up all others.
-     *
-     * @param owns the kicks' own unknowns after the common step; replaced where they went wrong
-     */
-    private double settledCost(SharedState at, double[] values, List<double[]> owns) {
-      double[] costs = new double[models.size()];
-      IntStream.range(0, costs.length)
-          .parallel()
-          .forEach(
-              k -> {
-                KickModel model = models.get(k);
-                double[] before = model.own;
-                double[] r = new double[2 * model.data.size];
-                costs[k] =
-                    OwnFit.isFinite(owns.get(k))
-                        ? model.residuals(at, model.path(at, owns.get(k)), r)
-                            + model.priorCost(at, owns.get(k), scatter)
-                        : Double.POSITIVE_INFINITY;
-                if (!(costs[k] <= ASTRAY * normals.get(k).cost + r.length)) {
-                  double other = new OwnFit(model, at, scatter).minimize();
-                  if (!(costs[k] <= other)) {
-                    costs[k] = other;
-                    owns.set(k, model.own);
-                  }
-                  model.own = before;
-                }
-              });
-      return Arrays.stream(costs).sum() + sharedPrior(values);
-    }
-
-    private double sharedPrior(double[] values) {
-      double sum = 0;
-      for (int k = 0; k < size; k++) {
-        if (unknowns.free[k]) {
-          double d = (values[k] - unknowns.expectedValue[k]) / unknowns.expectedError[k];
-          sum += d * d;
-        }
-      }
-      return sum;
-    }
-
-    private void linearize() {
-      SharedState[] plus = new SharedState[size];
-      Perturbation.fill(hypothesis, unknowns, state, observers, plus);
-      KickNormal[] found = new KickNormal[models.size()];
-      IntStream.range(0, found.length)
-          .parallel()
-          .forEach(k -> found[k] = normal(models.get(k), plus));
-      normals = List.of(found);
-      cost = sharedPrior(shared);
-      for (KickNormal n : normals) {
-        cost += n.cost;
-      }
-    }
-
-    private KickNormal normal(KickModel model, SharedState[] plus) {
-      int n = 2 * model.data.size;
-      double[] residual = new double[n];
-      ExtendedTrajectory path = model.path(state, model.own);
-      double sum = model.residuals(state, path, residual);
-      double[][] own = new double[model.ownSize][n];
-      model.ownColumns(state, residual, own);
-      double[][] columns = new double[size][];
-      for (int k = 0; k < size; k++) {
-        if (plus[k] != null && Perturbation.concerns(k, model.data.kind)) {
-          columns[k] = new double[n];
-          model.column(state, path, residual, plus[k], unknowns.step[k], columns[k]);
-        }
-      }
-      double total = sum + model.priorCost(state, model.own, scatter);
-      double[] ownScale = new double[model.ownSize];
-      Arrays.setAll(ownScale, model::ownStep);
-      KickNormal normal = new KickNormal(own, columns, residual, total, ownScale);
-      tie(normal, model);
-      return normal;
-    }
-
-    private void tie(KickNormal normal, KickModel model) {
-      if (!model.data.kick.fromRest()) {
-        int t = model.data.timeIndex();
-        double weight = 1 / (KickData.TIME_PRIOR * KickData.TIME_PRIOR);
-        normal.tie(t, -1, model.own[t] - model.data.kick.time(), weight);
-      }
-      for (int j = model.kickSize; j < model.ownSize; j++) {
-        int mean = size - model.ownSize + j;
-        double s = scatter[j - model.kickSize];
-        normal.tie(j, mean, model.own[j] - shared[mean], 1 / (s * s));
-      }
-    }
-
-    private void reduce(double lambda, double[][] a, double[] b) {
-      for (KickNormal n : normals) {
-        n.reduce(lambda, a, b);
-      }
-      for (int k = 0; k < size; k++) {
-        if (unknowns.free[k]) {
-          double weight = 1 / (unknowns.expectedError[k] * unknowns.expectedError[k]);
-          a[k][k] += weight;
-          b[k] += weight * (unknowns.expectedValue[k] - shared[k]);
-        }
-      }
-    }
-
-    /** A damped step of the shared unknowns; null when the matrix is not positive definite. */
-    private double[] solve(double[][] a, double[] b, double lambda) {
-      int[] free = freeIndices();
-      double[] step = new double[size];
-      if (free.length == 0) {
-        return step;
-      }
-      RealMatrix m = scaled(a, free, lambda);
-      try {
-        double[] right = new double[free.length];
-        for (int i = 0; i < right.length; i++) {
-          right[i] = b[free[i]] * unknowns.step[free[i]];
-        }
-        double[] x =
-            new CholeskyDecomposition(m, 1e-7, 0)
-                .getSolver()
-                .solve(new org.apache.commons.math3.linear.ArrayRealVector(right))
-                .toArray();
-        for (int i = 0; i < x.length; i++) {
-          step[free[i]] = x[i] * unknowns.step[free[i]];
-        }
-        return step;
-      } catch (NonPositiveDefiniteMatrixException e) {
-        return null;
-      }
-    }
-
-    private RealMatrix scaled(double[][] a, int[] free, double lambda) {
-      RealMatrix m = new Array2DRowRealMatrix(free.length, free.length);
-      for (int i = 0; i < free.length; i++) {
-        for (int j = 0; j <= i; j++) {
-          double value =
-              0.5
-                  * (a[free[i]][free[j]] + a[free[j]][free[i]])
-                  * unknowns.step[free[i]]
-                  * unknowns.step[free[j]];
-          value *= i == j ? 1 + lambda : 1;
-          m.setEntry(i, j, value);
-          m.setEntry(j, i, value);
-        }
-      }
-      return m;
-    }
-
-    private int[] freeIndices() {
-      return IntStream.range(0, size).filter(k -> unknowns.free[k]).toArray();
-    }
-
-    private void settleFlights() {
-      for (int round = 0; round < FLIGHT_ROUNDS && tryFlights(); round++) {
-        minimize();
-      }
-    }
-
-    /**
-     * Where chips hop more or less often than the 10 mm rule says of them, starts once more with the rule's numbers. Wrong numbers of many kicks hold each other up: the shared unknowns make up for them, so that no
-     * single kick gains by the right one.
-     */
-    private void followTheRule() {
-      int[] rule = new int[models.size()];
-      IntStream.range(0, rule.length)
-          .parallel()
-          .filter(k -> models.get(k).data.kind == KickKind.CHIP)
-          .forEach(k -> rule[k] = models.get(k).flightsByRule(state, models.get(k).own));
-      double[] kept = shared.clone();
-      double keptCost = cost;
-      List<double[]> owns = models.stream().map(m -> m.own.clone()).toList();
-      int[] flights = models.stream().mapToInt(m -> m.flights).toArray();
-      boolean differs = false;
-      for (int k = 0; k < rule.length; k++) {
-        differs |= rule[k] > 0 && rule[k] != flights[k];
-        models.get(k).flights = rule[k] > 0 ? rule[k] : flights[k];
-      }
-      if (!differs) {
-        return;
-      }
-      minimize();
-      settleFlights();
-      if (cost > keptCost) {
-        System.arraycopy(kept, 0, shared, 0, kept.length);
-        for (int k = 0; k < rule.length; k++) {
-          models.get(k).startFrom(owns.get(k), flights[k], new double[0]);
-        }
-        minimize();
-      }
-    }
-
-    /** Tries one flight more and one less of each chip, and other rises of those that stand out, with the shared unknowns held; tells whether any changed. */
-    private boolean tryFlights() {
-      double[] misfits = new double[models.size()];
-      Arrays.setAll(misfits, this::misfit);
-      double[] sorted = misfits.clone();
-      Arrays.sort(sorted);
-      double outlying = Math.max(LEAST_OUTLYING, OUTLYING * sorted[sorted.length / 2]);
-      boolean[] changed = new boolean[models.size()];
-      IntStream.range(0, changed.length)
-          .parallel()
-          .forEach(
-              k -> {
-                KickModel model = models.get(k);
-                if (model.data.kind == KickKind.CHIP) {
-                  OwnFit fit = new OwnFit(model, state, scatter);
-                  changed[k] = fit.chooseFlights() | (misfits[k] > outlying && fit.restart());
-                }
-              });
-      boolean any = false;
-      for (boolean c : changed) {
-        any |= c;
-      }
-      return any;
-    }
-
-    private double misfit(int kick) {
-      return normals.get(kick).cost / Math.max(1, 2 * models.get(kick).data.usedCount);
-    }
-
-    /** Expectation and maximisation; tells whether a scatter changed by more than a hundredth. */
-    private boolean updateScatter() {
-      double[][] a = new double[size][size];
-      reduce(0, a, new double[size]);
-      boolean changed = false;
-      for (int j = 0; j < scatter.length; j++) {
-        double sum = 0;
-        double mean = shared[size - scatter.length + j];
-        for (int k = 0; k < models.size(); k++) {
-          KickModel model = models.get(k);
-          double away = model.own[model.kickSize + j] - mean;
-          sum += away * away + normals.get(k).ownVariance(model.kickSize + j);
-        }
-        double least = LEAST_SCATTER * hypothesis.random().get(j).scale(0);
-        double next = Math.max(least, Math.sqrt(sum / models.size()));
-        changed |= Math.abs(next - scatter[j]) > 0.01 * scatter[j];
-        scatter[j] = next;
-      }
-      return changed;
-    }
-
-    private FittedHypothesis result() {
-      double[][] a = new double[size][size];
-      double[] b = new double[size];
-      reduce(0, a, b);
-      int[] free = freeIndices();
-      double[][] covariance = new double[size][size];
-      double evidence = -0.5 * cost;
-      evidence -= hypothesis.hasEffect("worn_region") ? RegionSearch.PRICE : 0;
-      if (free.length > 0) {
-        RealMatrix m = scaled(a, free, 1e-12);
-        CholeskyDecomposition factor = new CholeskyDecomposition(m, 1e-6, -1e-6);
-        RealMatrix inverse = factor.getSolver().getInverse();
-        for (int i = 0; i < free.length; i++) {
-          double s = unknowns.step[free[i]];
-          evidence -= Math.log(factor.getL().getEntry(i, i) / s);
-          evidence -= Math.log(unknowns.expectedError[free[i]]);
-          for (int j = 0; j < free.length; j++) {
-            covariance[free[i]][free[j]] = inverse.getEntry(i, j) * s * unknowns.step[free[j]];
-          }
-        }
-      }
-      List<double[]> own = new ArrayList<>();
-      int[] flights = new int[models.size()];
-      double chiSquare = 0;
-      int residuals = 0;
-      for (int k = 0; k < models.size(); k++) {
-        KickModel model = models.get(k);
-        own.add(model.own.clone());
-        flights[k] = model.flights;
-        chiSquare += normals.get(k).cost - model.priorCost(state, model.own, scatter);
-        residuals += 2 * model.data.usedCount;
-        evidence += randomEvidence(model, normals.get(k));
-      }
-      return new FittedHypothesis(
-          hypothesis,
-          shared.clone(),
-          own,
-          flights,
-          scatter.clone(),
-          chiSquare,
-          cost,
-          residuals,
-          evidence,
-          covariance,
-          converged);
-    }
-
-    /** What the freedom of a kick's own magnitudes costs: −½ ln(1 + scatter²·information). */
-    private double randomEvidence(KickModel model, KickNormal normal) {
-      if (scatter.length == 0) {
-        return 0;
-      }
-      double evidence =
-          -0.5 * (normal.logDeterminant(model.ownSize) - normal.logDeterminant(model.kickSize));
-      for (int j = 0; j < scatter.length; j++) {
-        evidence -= Math.log(scatter[j] / model.ownStep(model.kickSize + j));
-      }
-      return evidence;
-    }
   }
 }

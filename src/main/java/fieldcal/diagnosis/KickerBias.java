@@ -21,7 +21,7 @@ final class KickerBias {
   private static final int FEWEST = 4;
 
   /** Chance of naming a sound robot. */
-  private static final double CHANCE = 2e-4;
+  private static final double CHANCE = 1e-3;
 
   /** How many standard errors a robot's bias must be from the others'. */
   private static final double FROM_OTHERS = 3;

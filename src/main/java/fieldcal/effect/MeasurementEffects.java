@@ -8,7 +8,14 @@ import java.util.List;
  * reports balls where they are, at the time of its stamp.
  */
 public final class MeasurementEffects {
+  /** Cameras with larger ids are searched for; the league counts from 0. */
+  private static final int TABLE = 64;
+
   private final View[] views;
+
+  /** The views by camera id as far as those are small: every residual of every fit asks for one. */
+  private final View[] byId;
+
   private final List<MeasurementEffect> effects;
 
   private MeasurementEffects(
@@ -18,6 +25,12 @@ public final class MeasurementEffects {
     int n = 0;
     for (ObservedCamera camera : cameras) {
       views[n++] = new View(camera, this.effects);
+    }
+    byId = new View[TABLE];
+    for (View view : views) {
+      if (view.id >= 0 && view.id < TABLE) {
+        byId[view.id] = view;
+      }
     }
   }
 
@@ -72,8 +85,11 @@ public final class MeasurementEffects {
     }
   }
 
-  /** A handful of cameras is searched faster than hashed. Of two with one id the later one counts. */
+  /** Of two with one id the later one counts. */
   private View find(int camera) {
+    if (camera >= 0 && camera < TABLE) {
+      return byId[camera];
+    }
     for (int i = views.length - 1; i >= 0; i--) {
       if (views[i].id == camera) {
         return views[i];
