@@ -45,6 +45,18 @@ final class CauseSearch {
   /** Evidence by which two fits of one hypothesis differ when they ended in different valleys. */
   private static final double OTHER_VALLEY = 1;
 
+  /** First and last step of an edge of a region, m; how often all edges are tried with one step, and how many steps one edge goes. */
+  private static final double FIRST_EDGE_STEP = 0.32;
+
+  private static final double LAST_EDGE_STEP = 0.015;
+  private static final int EDGE_ROUNDS = 4;
+  private static final int EDGE_STEPS = 8;
+
+  /** Decrease of chi-square that a step of an edge outwards must be worth, and increase that a step inwards may cost. */
+  private static final double BETTER_EDGE = 0.5;
+
+  private static final double COSTS_NOTHING = 0.1;
+
   /** Hypotheses carried on. */
   private static final int BEAM = 3;
 
@@ -92,7 +104,8 @@ final class CauseSearch {
       if (better.hypothesis().sameCauses(best.hypothesis())) {
         break;
       }
-      best = better;
+      // An edge in the wrong place looks like a second cause.
+      best = polishRegion(better);
       beam = beam(simple, best, next);
       progress.accept("best explanation so far: " + best.hypothesis());
     }
@@ -107,13 +120,17 @@ final class CauseSearch {
         FittedHypothesis f = extend(from, score);
         if (f != null) {
           next.add(f);
-          if (Structure.of(fitter, f).deviation() < NOTHING_LEFT) {
+          if (isExplained(f)) {
             return next;
           }
         }
       }
     }
     return next;
+  }
+
+  private boolean isExplained(FittedHypothesis f) {
+    return Structure.of(fitter, f).deviation() < NOTHING_LEFT;
   }
 
   /** Whether a step is worth its evidence even if what it leaves is an error of whole kicks, or explains a good part of what was left. */
@@ -254,7 +271,7 @@ final class CauseSearch {
     FittedHypothesis apart = fitter.withOwnFits(from);
     int end = offset(f.hypothesis(), chart) + chart.size();
     for (double[] other : bounceStarts(f.hypothesis(), chart, start)) {
-      if (Structure.of(fitter, best).deviation() < NOTHING_LEFT) {
+      if (isExplained(best)) {
         break;
       }
       FittedHypothesis tried =
@@ -379,30 +396,51 @@ final class CauseSearch {
     return start;
   }
 
-  /** The edges of a worn region moved until the fit no longer improves; nothing happens without a region. */
+  /**
+   * The edges of a worn region moved, one after the other: inwards as far as that costs nothing, outwards as far as it improves the fit. An edge that lies beyond what balls crossed would hold its neighbours where
+   * they are, since to move those would take in balls that never felt the region. Nothing happens without a region.
+   */
   FittedHypothesis polishRegion(FittedHypothesis f) {
     FittedHypothesis best = f;
-    for (double step = 0.16; step > 0.015; step /= 2) {
-      boolean improved = true;
-      for (int round = 0; round < 2 && improved; round++) {
-        improved = false;
-        Chart region = region(best.hypothesis());
-        if (region == null) {
-          return best;
+    if (region(f.hypothesis()) == null) {
+      return f;
+    }
+    for (double step = FIRST_EDGE_STEP; step > LAST_EDGE_STEP; step /= 2) {
+      for (int round = 0; round < EDGE_ROUNDS; round++) {
+        FittedHypothesis before = best;
+        for (int edge = 0; edge < RegionSearch.EDGES; edge++) {
+          double inwards = edge % 2 == 0 ? step : -step;
+          FittedHypothesis smaller = moveEdge(best, edge, inwards, COSTS_NOTHING);
+          best = smaller == best ? moveEdge(best, edge, -inwards, -BETTER_EDGE) : smaller;
         }
-        for (Chart moved : RegionSearch.moved(region, step)) {
-          Chart now = region(best.hypothesis());
-          Hypothesis h = best.hypothesis().without(now).with(moved, false);
-          double[] start = start(h, best);
-          start[offset(h, moved)] = best.shared()[best.offset(now)];
-          FittedHypothesis tried = fitter.fit(h, start, best, false);
-          if (tried.chiSquare() < best.chiSquare() - 0.5) {
-            best = tried;
-            improved = true;
-            break;
-          }
+        if (best == before) {
+          break;
         }
       }
+    }
+    if (best != f) {
+      know(best);
+    }
+    return best;
+  }
+
+  /** The fit after steps of one edge in one direction, each of which may raise chi-square by so much; the same object when the first does more. */
+  private FittedHypothesis moveEdge(FittedHypothesis f, int edge, double step, double atMost) {
+    FittedHypothesis best = f;
+    for (int i = 0; i < EDGE_STEPS; i++) {
+      Chart now = region(best.hypothesis());
+      Chart moved = RegionSearch.moved(now, edge, step).orElse(null);
+      if (moved == null) {
+        return best;
+      }
+      Hypothesis h = best.hypothesis().without(now).with(moved, false);
+      double[] start = start(h, best);
+      start[offset(h, moved)] = best.shared()[best.offset(now)];
+      FittedHypothesis tried = fitter.fit(h, start, best, false);
+      if (!(tried.chiSquare() < best.chiSquare() + atMost)) {
+        return best;
+      }
+      best = tried;
     }
     return best;
   }

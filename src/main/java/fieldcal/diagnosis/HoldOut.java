@@ -33,11 +33,10 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
   /** Largest error of a prediction, m. */
   private static final double WORST = 10;
 
-  /** A kick explained that many times worse than those that were fitted may have gone astray. */
-  private static final double ASTRAY = 3;
-
-  /** Share of a gain that kicks other than the best one must have. */
+  /** Share of a gain that kicks other than the best one must have, unless they gain that much of their own residual by themselves: one long kick may have most to gain by what is right for all. */
   private static final double OF_OTHERS = 0.15;
+
+  private static final double BY_THEMSELVES = 0.03;
 
   private static final int BOOTSTRAPS = 2000;
 
@@ -55,13 +54,12 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
       FittedHypothesis trained =
           training.fit(full.hypothesis(), full.shared(), pick(full, rest), false);
       SharedState state = SharedState.of(full.hypothesis(), trained.shared(), fitter.observers);
-      double limit = ASTRAY * Math.max(1, trained.chiSquare() / trained.residuals());
       List<Map<Double, List<Double>>> distances =
           part.parallelStream()
               .map(
                   k -> {
                     KickModel model = model(fitter, full, k);
-                    settle(model, state, trained.scatter(), limit);
+                    new OwnFit(model, state, trained.scatter()).minimize();
                     score(model, state, k, squares, counts);
                     return predict(fitter, full, k, state, trained.scatter());
                   })
@@ -117,20 +115,6 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
         new KickModel(fitter.kicks.get(k), full.hypothesis().random().size(), fitter.sessionStart);
     model.startFrom(full.own().get(k), full.flights()[k], new double[0]);
     return model;
-  }
-
-  /**
-   * Finds a kick's own unknowns under shared ones that it did not help to find. A chip that they explain far worse than those it helped to find may have been thrown into another valley, which would be no error
-   * of the hypothesis; so it is tried with other numbers of flights and from other rises.
-   */
-  private static void settle(KickModel model, SharedState state, double[] scatter, double limit) {
-    OwnFit fit = new OwnFit(model, state, scatter);
-    double cost = fit.minimize();
-    boolean astray = cost > limit * 2 * model.data.usedCount;
-    if (astray && model.data.kind == KickKind.CHIP) {
-      fit.chooseFlights();
-      fit.restart();
-    }
   }
 
   private static void score(
@@ -204,14 +188,21 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
 
   /** Whether a gain is that of one kick alone: without the kick that gains most, next to nothing of it is left. */
   boolean gainsByOneKick(HoldOut without) {
+    int best = 0;
     double sum = 0;
-    double most = 0;
+    double before = 0;
     for (int k = 0; k < squares.length; k++) {
-      double gained = without.squares[k] - squares[k];
-      sum += gained;
-      most = Math.max(most, gained);
+      sum += gained(without, k);
+      before += without.squares[k];
+      best = gained(without, k) > gained(without, best) ? k : best;
     }
-    return sum - most < OF_OTHERS * sum;
+    double ofOthers = sum - gained(without, best);
+    double left = Math.max(0, 1 - ofOthers / (before - without.squares[best]));
+    return ofOthers < OF_OTHERS * sum && Math.sqrt(left) > 1 - BY_THEMSELVES;
+  }
+
+  private double gained(HoldOut without, int kick) {
+    return without.squares[kick] - squares[kick];
   }
 
   /** What this gains on another hypothesis, with bounds from drawing the kicks anew (bootstrap, Efron 1979). */

@@ -4,6 +4,7 @@ import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.motion.WornRegion;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.RealMatrix;
 
@@ -23,6 +24,8 @@ final class RegionSearch {
 
   /** Smallest side of a region, m. */
   private static final double SMALLEST = 0.3;
+
+  static final int EDGES = 4;
 
   private final ScoreFrame frame;
 
@@ -214,23 +217,29 @@ final class RegionSearch {
     return priced(best);
   }
 
-  /** The same region with one edge moved. */
-  static List<Chart> moved(Chart region, double step) {
-    WornRegion r = (WornRegion) region.template();
+  /** The same region with one edge moved, in all ways. */
+  private static List<Chart> moved(Chart region, double step) {
     List<Chart> all = new ArrayList<>();
     for (double d : new double[] {-step, step}) {
-      add(all, r.x0() + d, r.x1(), r.y0(), r.y1());
-      add(all, r.x0(), r.x1() + d, r.y0(), r.y1());
-      add(all, r.x0(), r.x1(), r.y0() + d, r.y1());
-      add(all, r.x0(), r.x1(), r.y0(), r.y1() + d);
+      for (int edge = 0; edge < EDGES; edge++) {
+        moved(region, edge, d).ifPresent(all::add);
+      }
     }
     return all;
   }
 
-  private static void add(List<Chart> all, double x0, double x1, double y0, double y1) {
-    if (x1 - x0 >= SMALLEST && y1 - y0 >= SMALLEST) {
-      all.add(chart(x0, x1, y0, y1));
-    }
+  /**
+   * The same region with one edge moved.
+   *
+   * @param edge 0 to 3: least x, largest x, least y, largest y
+   * @return empty when it would be too small
+   */
+  static Optional<Chart> moved(Chart region, int edge, double step) {
+    WornRegion r = (WornRegion) region.template();
+    double[] e = {r.x0(), r.x1(), r.y0(), r.y1()};
+    e[edge] += step;
+    boolean large = e[1] - e[0] >= SMALLEST && e[3] - e[2] >= SMALLEST;
+    return large ? Optional.of(chart(e[0], e[1], e[2], e[3])) : Optional.empty();
   }
 
   private static Chart chart(double x0, double x1, double y0, double y1) {
