@@ -1,6 +1,7 @@
 package fieldcal.benchmark;
 
 import fieldcal.app.console.ConsoleBenchmark;
+import fieldcal.diagnosis.DiagnosisSpeed;
 import fieldcal.effect.ExtendedQueries;
 import fieldcal.fit.FitAccuracy;
 import fieldcal.fit.WrongMinima;
@@ -24,7 +25,7 @@ import java.util.Map;
 public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
-          + " [k-switch] [live] [live-carpets] [live-day] [sample-tree] [console]"
+          + " [k-switch] [diagnose] [live] [live-carpets] [live-day] [sample-tree] [console]"
           + " [play] [play-calibration] [play-adaptive] [play-causes]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
@@ -52,6 +53,7 @@ public final class Benchmarks {
     parts.put("limits", LimitsBenchmark::run);
     parts.put("match-kicks", MatchKicks::run);
     parts.put("k-switch", KSwitchCauses::run);
+    parts.put("diagnose", DiagnosisSpeed::run);
     parts.put("live", LiveBenchmark::run);
     parts.put("live-carpets", CarpetBenchmark::run);
     parts.put("live-day", LiveDay::run);

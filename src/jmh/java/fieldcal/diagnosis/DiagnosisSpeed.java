@@ -1,0 +1,181 @@
+package fieldcal.diagnosis;
+
+import fieldcal.app.diagnose.DiagnosisSession;
+import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.Goal;
+import fieldcal.calibration.HandSelection;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+
+/**
+ * Wall time and memory of {@code ./fieldcal diagnose} as the operator has it, a process of its own with its report, on recordings of 24 kicks with different causes in them; and time of the score tests alone, of all
+ * effects at all places, warm.
+ */
+public final class DiagnosisSpeed {
+  private static final Goal SECONDS = Goal.atMost(20, "%.0f s");
+  private static final Goal SCORES = Goal.atMost(1, "%.0f s");
+  private static final Goal MEGABYTES = Goal.atMost(512, "%.0f MB");
+  private static final String[] KICKS = {"--scenario", "mixed", "--kicks", "24"};
+
+  /** From nothing to what takes longest: bounces, and two at once. */
+  private static final List<List<String>> WORLDS =
+      List.of(
+          List.of(),
+          List.of("air_drag:cd=0.45"),
+          List.of("camera_offset:x_mm=20,y_mm=-8,camera=1"),
+          List.of("bounce_spin_coupling:coefficient=0.1"),
+          List.of("worn_region:change=0.2,region=[-3,0,-2,1]", "kick_spin:fraction=-0.3"));
+
+  private DiagnosisSpeed() {}
+
+  /**
+   * Measures.
+   *
+   * @param settings of which the seed counts
+   * @param out where to
+   * @throws Exception when a program cannot be run
+   */
+  public static void run(BenchmarkSettings settings, PrintStream out) throws Exception {
+    Path project = Path.of(System.getProperty("fieldcal.projectDir", ".")).toAbsolutePath();
+    Path directory = Files.createTempDirectory("diagnosis-benchmark");
+    try {
+      process(project, List.of("--help")); // builds, when something has changed
+      out.printf(
+          "%-50s %10s %9s %10s %9s%n", "", "detections", "diagnose", "resident", "all scores");
+      double slowest = 0;
+      double largest = 0;
+      double scores = 0;
+      for (int w = 0; w < WORLDS.size(); w++) {
+        Path log = directory.resolve("world" + w + ".log.gz");
+        process(project, simulation(WORLDS.get(w), settings.seed() + w, log));
+        List<String> words = new ArrayList<>(List.of("diagnose", log.toString()));
+        words.addAll(List.of("--out", directory.resolve("out").toString()));
+        Used used = process(project, words);
+        DiagnosisProblem problem = problem(log);
+        double scored = scores(problem);
+        int detections = problem.fits().stream().mapToInt(f -> f.statistics().used()).sum();
+        out.printf(
+            Locale.ROOT,
+            "%-50s %10d %7.1f s %7.0f MB %7.2f s%n",
+            WORLDS.get(w).isEmpty() ? "nothing" : String.join(" + ", WORLDS.get(w)),
+            detections,
+            used.seconds,
+            used.megabytes,
+            scored);
+        slowest = Math.max(slowest, used.seconds);
+        largest = Math.max(largest, used.megabytes);
+        scores = Math.max(scores, scored);
+      }
+      out.printf("diagnose %s: %s%n", SECONDS, SECONDS.verdict(slowest));
+      out.printf("resident memory %s: %s%n", MEGABYTES, MEGABYTES.verdict(largest));
+      out.printf("score tests %s: %s%n", SCORES, SCORES.verdict(scores));
+    } finally {
+      delete(directory);
+    }
+  }
+
+  private static List<String> simulation(List<String> effects, long seed, Path log) {
+    List<String> words = new ArrayList<>(List.of("simulate"));
+    words.addAll(List.of(KICKS));
+    effects.forEach(e -> words.addAll(List.of("--effect", e)));
+    words.addAll(List.of("--seed", Long.toString(seed), "--out", log.toString()));
+    return words;
+  }
+
+  private static DiagnosisProblem problem(Path log) throws IOException {
+    return new DiagnosisSession(FitSettings.defaults(), 1)
+        .run(List.of(log), HandSelection.none(), List.of(), new Unwatched())
+        .problem();
+  }
+
+  /** Fastest of three, s. */
+  private static double scores(DiagnosisProblem problem) {
+    List<KickFit> fits = problem.fits();
+    NoiseCalibration noise = NoiseCalibration.of(fits, problem.cameras());
+    HypothesisFitter fitter =
+        new HypothesisFitter(
+            fits.stream().map(f -> new KickData(f, noise.cameras(), noise.stampNoise())).toList(),
+            problem.observers(),
+            problem.sessionStart(),
+            Kinds.flat(fits),
+            Kinds.chip(fits, Kinds.flat(fits)));
+    FittedHypothesis simple = fitter.fitSimple();
+    double[] seconds = new double[3];
+    for (int i = 0; i < seconds.length; i++) {
+      long before = System.nanoTime();
+      new CauseSearch(fitter, what -> {}).scores(simple);
+      seconds[i] = (System.nanoTime() - before) * 1e-9;
+    }
+    return Arrays.stream(seconds).min().orElseThrow();
+  }
+
+  private record Used(double seconds, double megabytes) {}
+
+  private static Used process(Path project, List<String> arguments)
+      throws IOException, InterruptedException {
+    List<String> words = new ArrayList<>(List.of(project.resolve("fieldcal").toString()));
+    words.addAll(arguments);
+    long before = System.nanoTime();
+    Process process =
+        new ProcessBuilder(words)
+            .directory(project.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    double resident = 0;
+    while (process.isAlive()) {
+      resident = Math.max(resident, residentMegabytes(process.pid()));
+      Thread.sleep(20);
+    }
+    if (process.exitValue() != 0) {
+      throw new IOException(String.join(" ", words) + " ended with status " + process.exitValue());
+    }
+    return new Used((System.nanoTime() - before) * 1e-9, resident);
+  }
+
+  /** The most a process had in memory so far, as Linux tells it; NaN elsewhere and after its end. */
+  private static double residentMegabytes(long pid) {
+    try (Stream<String> lines = Files.lines(Path.of("/proc/" + pid + "/status"))) {
+      return lines
+          .filter(l -> l.startsWith("VmHWM:"))
+          .mapToDouble(l -> Double.parseDouble(l.replaceAll("\\D+", "")) / 1024)
+          .findFirst()
+          .orElse(0);
+    } catch (IOException | java.io.UncheckedIOException gone) {
+      return 0;
+    }
+  }
+
+  private static void delete(Path directory) throws IOException {
+    try (Stream<Path> files = Files.walk(directory)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+
+  /** Nobody watches. */
+  private static final class Unwatched implements DiagnosisSession.Progress {
+    @Override
+    public void read(Path log, long bytesRead, long totalBytes) {}
+
+    @Override
+    public void fitting(int kicks) {}
+
+    @Override
+    public void fitted() {}
+
+    @Override
+    public void diagnosing(String what) {}
+  }
+}
