@@ -103,7 +103,8 @@ function showNotices() {
   for (const text of state.unsaved || []) rows.push(notice('bad', text + '. Nothing is lost while the console runs.', button('Save again', () => run('save'))));
   if (state.failure && state.calibration) rows.push(notice('bad', state.failure, button('Read again', () => run('read'))));
   if (state.unread && state.unread.length && !busy()) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
-  $('notices').replaceChildren(...rows);
+  const said = rows.map(row => row.className + row.textContent);
+  renew($('notices'), said, () => rows);
 }
 
 const busy = () => Boolean(app.state && app.state.work && app.state.work.title);
@@ -147,9 +148,10 @@ function showEmpty() {
 }
 
 function showNavigation() {
-  $('pages').replaceChildren(...PAGES.map((page, i) => el('a', {
-    href: '#' + page.id, 'aria-current': page === current ? 'page' : null, title: 'key ' + (i + 1),
-  }, page.title, page.badge ? page.badge() : '')));
+  const titles = PAGES.map(page => page.title + (page.badge ? page.badge() : ''));
+  renew($('pages'), [current.id, titles], () => PAGES.map((page, i) => el('a', {
+    id: 'nav-' + page.id, href: '#' + page.id, 'aria-current': page === current ? 'page' : null, title: 'key ' + (i + 1),
+  }, titles[i])));
 }
 
 function showAll() {

@@ -1,6 +1,6 @@
 /* The page of the kicks: table, model, pictures of one kick, and the decisions about them. */
 import {ask} from './server.js';
-import {button, soon} from './parts.js';
+import {button, refill, renew, soon} from './parts.js';
 import {kickTable} from './kick-table.js';
 
 const {el, known, number, withError} = Charts;
@@ -59,13 +59,13 @@ export function kicksPage(app) {
     const words = rounds === null ? '2σ rule: until nothing leaves, ' + values(leftOut) + ' left out'
       : rounds === 0 ? '2σ rule: not applied' + (wouldLeave ? ', ' + values(wouldLeave) + ' beyond 2σ' : '')
       : '2σ rule: ' + rounds + (rounds === 1 ? ' round, ' : ' rounds, ') + values(leftOut) + ' left out' + (wouldLeave ? '' : ', nothing more beyond 2σ');
-    $('rules').replaceChildren(
+    refill($('rules'), 
       button('2σ' + (wouldLeave ? ' (' + wouldLeave + ' would leave)' : ''), twoSigma, {key: 's', id: 'two-sigma', title: 'One more round: what is more than 2σ from the mean leaves', disabled: wouldLeave === 0}),
       el('div', {class: 'choices', role: 'group', 'aria-label': '2σ rule'},
         button('until nothing leaves', () => app.decide('all_two_sigma'), {id: 'all-two-sigma', pressed: rounds === null}),
         button('without', () => app.decide('no_two_sigma'), {id: 'no-two-sigma', pressed: rounds === 0, title: 'Start again from all values; then press 2σ as often as you like'})),
       el('span', {id: 'rule-words'}, words));
-    $('steps').replaceChildren(
+    refill($('steps'),
       button('↶ Undo' + (undo ? ': ' + undo : ''), () => step('undo'), {key: 'u', id: 'undo', title: undo, disabled: !undo}),
       button('↷ Redo' + (redo ? ': ' + redo : ''), () => step('redo'), {key: 'U', id: 'redo', title: redo, disabled: !redo}));
   }
@@ -75,14 +75,20 @@ export function kicksPage(app) {
 
   function showMarked() {
     const ids = [...view.marks].sort((a, b) => a - b);
-    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'reason for dropping', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f)', oninput: event => { reason = event.target.value; }});
+    // What somebody is typing is not replaced under their hands.
+    renew($('marked'), ids, () => markedWords(ids));
+    if ($('reason').value !== reason) $('reason').value = reason;
+  }
+
+  function markedWords(ids) {
+    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'reason for dropping', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f; Enter drops)', onkeydown: reasoned, oninput: event => { reason = event.target.value; }});
     const list = el('datalist', {id: 'reasons'}, REASONS.map(value => el('option', {value})));
     const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'Several: drag over points, or tick them.')] : [
       el('b', {}, ids.length + (ids.length === 1 ? ' kick marked' : ' kicks marked')),
       button('Drop them', () => drop(ids), {id: 'drop-marked', strong: true}),
       button('Restore them', () => restore(ids), {id: 'restore-marked'}),
       button('Clear', () => setMarks([]), {key: 'Esc', id: 'clear-marks'})];
-    $('marked').replaceChildren(...marked, el('span', {class: 'spring'}), input, list);
+    return [...marked, el('span', {class: 'spring'}), input, list];
   }
 
   function drop(ids) {
@@ -228,7 +234,7 @@ export function kicksPage(app) {
     const id = view.selected, kick = kickOf(id);
     if (!kick) return;
     $('kick-title').textContent = kickTitle(kick);
-    $('kick-actions').replaceChildren(...actionsOf(kick));
+    refill($('kick-actions'), ...actionsOf(kick));
     let detail;
     try {
       detail = await detailOf(id);
@@ -273,6 +279,13 @@ export function kicksPage(app) {
     return why ? [dropIt, keep] : [dropIt];
   }
 
+  /** From the reason back to the kicks. */
+  function reasoned(event) {
+    if (event.key !== 'Enter' && event.key !== 'Escape') return;
+    event.target.blur();
+    if (event.key === 'Enter') page.keys.d();
+  }
+
   const press = (...ids) => () => { const found = ids.map(id => $(id)).find(node => node && !node.disabled); if (found) found.click(); };
   $('previous').addEventListener('click', () => table.step(-1));
   $('next').addEventListener('click', () => table.step(1));
@@ -281,6 +294,6 @@ export function kicksPage(app) {
     s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
   };
   page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick'], ['Esc', 'no marks'],
-    ['s', 'one more round of 2σ'], ['u, U', 'undo, redo'], ['f', 'write a reason']];
+    ['s', 'one more round of 2σ'], ['u, U', 'undo, redo'], ['f', 'write a reason; Enter drops with it']];
   return page;
 }

@@ -78,10 +78,20 @@ function drawNext() {
   if (box.isConnected) draw();
 }
 
+/** Replaces what is in a box; who had one of its buttons in focus has the one of the same name, or another one, afterwards. */
+export function refill(box, ...nodes) {
+  const had = box.contains(document.activeElement) ? document.activeElement.id : null;
+  box.replaceChildren(...nodes);
+  if (had === null) return;
+  const same = had && document.getElementById(had);
+  const next = same && !same.disabled ? same : box.querySelector('button:not(:disabled)');
+  if (next) next.focus({preventScroll: true});
+}
+
 /** Replaces what is in a box only when it would be something else: a button that is replaced while it is pressed is never pressed. */
 export function renew(box, key, make) {
   const text = JSON.stringify(key);
   if (box.dataset.shows === text) return;
   box.dataset.shows = text;
-  box.replaceChildren(...make());
+  refill(box, ...make());
 }

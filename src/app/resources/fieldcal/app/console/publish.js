@@ -4,7 +4,7 @@ import {button, confirmed, field, progress, renew, table} from './parts.js';
 const {el, known, number, signed} = Charts;
 const {$, content, choices, badge} = Frame;
 const FORMS = {text: 'protobuf text', properties: 'properties', java: 'Java'};
-const FORMATS = {wrapper: 'SSL_WrapperPacket with the geometry, as vision sends it', models: 'SSL_GeometryModels alone'};
+const FORMATS = {wrapper: "SSL_WrapperPacket with geometry, like vision's", models: 'SSL_GeometryModels alone'};
 const FILES = [
   ['report.html', 'Report', 'the whole calibration on one page: every kick, what was dropped and why'],
   ['calibration.json', 'calibration.json', 'all numbers, for scripts'],
@@ -15,7 +15,7 @@ const FILES = [
 
 export function publishPage(app) {
   const page = {id: 'publish', title: 'Publish', show, keys: {}, keyWords: []};
-  const view = {form: 'text', address: '', port: '', format: 'wrapper', built: null, vision: '224.5.23.2:10006', seconds: 10};
+  const view = {form: 'text', address: '', port: '', format: 'wrapper', built: null, vision: '224.5.23.2:10006', seconds: 10, written: ''};
 
   const state = () => app.state;
   const report = () => state().calibration.report;
@@ -124,9 +124,15 @@ export function publishPage(app) {
     const rows = FILES.filter(([name]) => complete() || !name.startsWith('geometry_models')).map(([name, title, what]) => el('tr', {},
       el('td', {class: 'text'}, name.endsWith('.html') ? el('a', {href: '/files/' + name, target: '_blank', rel: 'noopener'}, title) : el('a', {href: '/files/' + name, download: name}, title)),
       el('td', {class: 'text wrap'}, what)));
-    content('files').replaceChildren(el('table', {}, el('tbody', {}, rows)),
-      el('div', {class: 'bar'}, button('Write all files into the session', () => app.run('results'), {id: 'write-results', disabled: !state().settled})),
-      el('p', {class: 'note'}, state().directory));
+    renew(content('files'), [complete(), state().settled, state().directory, view.written], () => [el('table', {}, el('tbody', {}, rows)),
+      el('div', {class: 'bar'}, button('Write all files into the session', write, {id: 'write-results', disabled: !state().settled})),
+      el('p', {class: 'note'}, state().directory + (view.written ? ' · written at ' + view.written : ''))]);
+  }
+
+  async function write() {
+    if (!await app.run('results')) return;
+    view.written = new Date().toTimeString().slice(0, 8);
+    showFiles();
   }
 
   function showSnippet() {

@@ -39,8 +39,12 @@ const Frame = (() => {
   }
 
   function choices(group, values, current, choose) {
-    $(group).replaceChildren(...values.map(([key, label]) =>
+    const box = $(group), focused = box.contains(document.activeElement);
+    box.replaceChildren(...values.map(([key, label]) =>
       el('button', {type: 'button', 'aria-pressed': String(key === current), onclick: () => choose(key)}, label)));
+    // Who works with the keyboard stays where they are.
+    const pressed = focused && box.querySelector('[aria-pressed="true"]');
+    if (pressed) pressed.focus({preventScroll: true});
   }
 
   function badge(level, text) {

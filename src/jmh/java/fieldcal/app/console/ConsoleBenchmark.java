@@ -88,6 +88,9 @@ public final class ConsoleBenchmark {
         out.printf(Locale.ROOT, "%d kicks, %d observations%n", kicks.size(), observations);
         open(console, browser, settings.runs(), out);
         decide(browser, out);
+        // What the decisions brought about is not what is measured next.
+        browser.awaitGone("#refining");
+        console.settled();
         select(browser, out);
         memory(out);
       }

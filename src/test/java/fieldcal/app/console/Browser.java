@@ -14,7 +14,6 @@ import java.util.logging.Level;
 import java.util.stream.StreamSupport;
 import org.openqa.selenium.By;
 import org.openqa.selenium.JavascriptExecutor;
-import org.openqa.selenium.Keys;
 import org.openqa.selenium.OutputType;
 import org.openqa.selenium.StaleElementReferenceException;
 import org.openqa.selenium.WebElement;
@@ -134,8 +133,9 @@ final class Browser implements AutoCloseable {
     new Actions(driver).sendKeys(keys).perform();
   }
 
-  void pressHere(Keys key) {
-    new Actions(driver).sendKeys(key).perform();
+  /** Presses keys in what has the focus. */
+  void pressHere(CharSequence keys) {
+    new Actions(driver).sendKeys(keys).perform();
   }
 
   String text(String css) {

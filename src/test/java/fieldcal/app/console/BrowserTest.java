@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.Keys;
 
 /** A person's whole session in a browser. */
 class BrowserTest {
@@ -98,8 +99,9 @@ class BrowserTest {
     String all = browser.text("#parameters figure[data-parameter='accRoll'] .mean");
     assertThat(all).isNotEqualTo(before);
     browser.click("#kicks tr[data-kick='5']");
-    browser.type("#reason", "a foot");
-    browser.press("d");
+    browser.press("f");
+    browser.pressHere("a foot");
+    browser.pressHere(Keys.ENTER);
     browser.awaitText("#kicks", "by hand: a foot");
     assertThat(browser.text("#parameters figure[data-parameter='accRoll'] .mean"))
         .isNotEqualTo(all);
@@ -176,6 +178,7 @@ class BrowserTest {
     }
     assertThat(browser.text("#snippet")).contains("acc_slide");
     browser.click("#write-results");
+    browser.awaitText("#files", "written at");
     browser.awaitGone("#notices .notice.bad");
   }
 
