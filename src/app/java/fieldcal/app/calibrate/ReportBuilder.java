@@ -130,7 +130,8 @@ public final class ReportBuilder {
     Estimate e = roll.get();
     if (!e.parameter().estimated()) {
       return String.format(
-          Locale.ROOT, "Chips roll with accRoll %.4f m/s² of the flat kicks.", e.value());
+              Locale.ROOT, "Chips roll with accRoll %.4f m/s² of the flat kicks.", e.value())
+          .replace('-', '−');
     }
     String why =
         calibration.kicks(KickKind.FLAT).isEmpty()

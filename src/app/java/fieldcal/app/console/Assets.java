@@ -1,12 +1,15 @@
 package fieldcal.app.console;
 
 import fieldcal.app.report.ReportPage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.UUID;
+import java.util.zip.GZIPOutputStream;
 
 /** The page's own files, held in memory: what is not in the list is not there, whatever is asked for. Immutable. */
 final class Assets {
@@ -51,8 +54,19 @@ final class Assets {
    *
    * @param type for the browser
    * @param bytes its contents; not to be changed
+   * @param packed the same, compressed by gzip; not to be changed
+   * @param tag of these contents, so that a browser that has them need not be sent them again
    */
-  record Asset(String type, byte[] bytes) {}
+  record Asset(String type, byte[] bytes, byte[] packed, String tag) {
+    static Asset of(String type, byte[] bytes) throws IOException {
+      ByteArrayOutputStream packed = new ByteArrayOutputStream();
+      try (GZIPOutputStream gzip = new GZIPOutputStream(packed)) {
+        gzip.write(bytes);
+      }
+      String tag = UUID.nameUUIDFromBytes(bytes).toString();
+      return new Asset(type, bytes, packed.toByteArray(), '"' + tag + '"');
+    }
+  }
 
   Assets() throws IOException {
     for (String name : OWN) {
@@ -69,7 +83,7 @@ final class Assets {
       if (in == null) {
         throw new IOException("the program is incomplete: resource " + resource + " is missing");
       }
-      assets.put(name, new Asset(type(name), in.readAllBytes()));
+      assets.put(name, Asset.of(type(name), in.readAllBytes()));
     }
   }
 

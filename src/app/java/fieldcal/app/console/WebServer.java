@@ -169,12 +169,30 @@ final class WebServer {
   }
 
   private void asset(Context request) {
-    send(request, request.pathParam("name"));
+    Assets.Asset asset = find(request.pathParam("name"));
+    // Kept by the browser, which asks each time whether it is still the same.
+    request.header("Cache-Control", "no-cache").header("ETag", asset.tag());
+    request.header("Vary", "Accept-Encoding");
+    if (asset.tag().equals(request.header("If-None-Match"))) {
+      request.status(304);
+      return;
+    }
+    String understood = request.header("Accept-Encoding");
+    boolean packed = understood != null && understood.contains("gzip");
+    if (packed) {
+      request.header("Content-Encoding", "gzip");
+    }
+    request.contentType(asset.type()).result(packed ? asset.packed() : asset.bytes());
+  }
+
+  private Assets.Asset find(String name) {
+    return assets
+        .find(name)
+        .orElseThrow(() -> ApiException.notFound("the console has no such file"));
   }
 
   private void send(Context request, String name) {
-    Assets.Asset asset =
-        assets.find(name).orElseThrow(() -> ApiException.notFound("the console has no such file"));
+    Assets.Asset asset = find(name);
     request.contentType(asset.type()).result(asset.bytes());
   }
 

@@ -47,6 +47,7 @@ export function kicksPage(app) {
   }
 
   function resized() {
+    for (const box of content('parameters').querySelectorAll('.chart')) if (charts.has(box)) circle(box);
     view.pictured = '';
     showKick();
   }
@@ -164,12 +165,24 @@ export function kicksPage(app) {
 
   /** Draws what is not drawn as it should be, after everything that tells in words. */
   function drawModel() {
-    const shown = JSON.stringify([state().run, state().calibration.version, view.kind, view.axis, view.selected, [...view.marks], theme.text]);
+    const shown = JSON.stringify([state().run, state().calibration.version, view.kind, view.axis, [...view.marks], theme.text]);
     for (const box of content('parameters').querySelectorAll('.chart')) {
-      if (box.dataset.shows === shown) continue;
+      if (box.dataset.shows === shown) circle(box);
+      else soon(box, () => drawParameter(box));
       box.dataset.shows = shown;
-      soon(box, () => drawParameter(box));
     }
+  }
+
+  const points = new WeakMap();
+
+  /** The circle around the selected kick lies over the picture, which need not be drawn anew for it. */
+  function circle(box) {
+    const point = (points.get(box) || []).find(item => item.kick === view.selected);
+    const old = box.querySelector('.ring');
+    if (old) old.remove();
+    if (!point) return;
+    const [x, y] = charts.get(box).convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, point.value), [dx, dy] = point.symbolOffset;
+    box.append(el('div', {class: 'ring', style: 'left: ' + (x + dx) + 'px; top: ' + (y + dy) + 'px'}));
   }
 
   function drawParameter(box) {
@@ -177,13 +190,15 @@ export function kicksPage(app) {
     const parameter = model && model.parameters.find(p => p.name === box.parentNode.dataset.parameter);
     if (!parameter) return;
     const kicks = report().kicks.filter(kick => kick.kind === view.kind);
-    const option = Plots.parameter(theme, parameter, kicks, view.axis, view.selected);
+    const option = Plots.parameter(theme, parameter, kicks, view.axis, null);
     option.series.push(markedPoints(option));
+    points.set(box, items(option));
     option.grid.bottom = 38;
     const layout = view.kind + view.axis, made = charts.get(box);
     if (made && box.dataset.layout === layout) {
       // The same axes: only points and lines are others.
       made.setOption(option, {replaceMerge: ['series']});
+      circle(box);
       return;
     }
     box.dataset.layout = layout;
@@ -193,6 +208,7 @@ export function kicksPage(app) {
     const chart = charts.get(box);
     if (!made) chart.on('brushEnd', event => brushed(chart, event));
     chart.dispatchAction({type: 'takeGlobalCursor', key: 'brush', brushOption: {brushType: 'rect', brushMode: 'single'}});
+    circle(box);
   }
 
   const items = option => option.series.filter(series => series.type === 'scatter' && !series.silent).flatMap(series => series.data).filter(item => item && item.kick);

@@ -78,7 +78,7 @@ export function publishPage(app) {
   function changes(short) {
     const now = heard() && heard().geometry ? heard().values : null, before = state().model.compared;
     const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
-      ...(now ? [el('td', {}, known(now[p.name]) ? number(now[p.name], 5) : '–')] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
+      ...(now ? [el('td', {}, Plots.asPublished(now[p.name]))] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
     return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'Your file' : 'Recordings', false, 'what the new model was compared with']]), ...(now ? [['Vision now']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
   }
 

@@ -88,8 +88,8 @@ const CalibrationViews = (() => {
   function parameterLegend(theme) {
     return [
       el('span', {}, swatch('circle', theme.accent), 'kick ± s.e.'), el('span', {}, swatch('circle', theme.bad, true), 'dropped'),
-      el('span', {}, swatch('cross', theme.muted), 'undetermined'), el('span', {}, swatch('triangle', theme.muted, true), 'beyond the plot'),
-      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), 'mean ± 2σ of a typical kick'), el('span', {}, swatch('dashes', theme.text), 'published')];
+      el('span', {}, swatch('cross', theme.muted), 'undetermined'), el('span', {}, swatch('triangle', theme.muted, true), 'off the plot'),
+      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), '± 2σ of a typical kick'), el('span', {}, swatch('dashes', theme.text), 'published')];
   }
 
   // ---- kicks ----

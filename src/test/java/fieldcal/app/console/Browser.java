@@ -201,7 +201,9 @@ final class Browser implements AutoCloseable {
     assertThat(complaints).isEmpty();
   }
 
+  /** A picture of the page once it is drawn. */
   void screenshot(Path file) throws IOException {
+    awaitGone("[data-waiting]");
     Files.write(file, driver.getScreenshotAs(OutputType.BYTES));
   }
 

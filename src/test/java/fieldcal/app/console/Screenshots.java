@@ -1,13 +1,25 @@
 package fieldcal.app.console;
 
+import fieldcal.app.net.LoopbackSender;
+import fieldcal.app.recording.KickCollector;
+import fieldcal.ball.FlatModel;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionEncoder;
+import fieldcal.vision.VisionPacket;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Makes the pictures of the console in {@code docs/} anew, from a simulated session: {@code ./gradlew screenshots}. */
 public final class Screenshots {
+  private static final int PORT = 10006;
+
   private Screenshots() {}
 
   /**
@@ -25,7 +37,13 @@ public final class Screenshots {
       try (RunningConsole console = RunningConsole.start(session);
           Browser browser = new Browser()) {
         console.settled();
-        new Screenshots().take(browser, console, docs);
+        Path log = session.resolve("practice.log.gz");
+        FieldGeometry geometry =
+            new KickCollector((l, read, total) -> {})
+                .collect(List.of(log))
+                .geometry()
+                .orElseThrow();
+        new Screenshots().take(browser, console, geometry, docs);
       }
     } finally {
       try (Stream<Path> files = Files.walk(folder)) {
@@ -36,7 +54,30 @@ public final class Screenshots {
     }
   }
 
-  private void take(Browser browser, RunningConsole console, Path docs) throws IOException {
+  /** A vision whose model is not the one of the recordings, heard on the loopback interface. */
+  private static void hear(Browser browser, FieldGeometry geometry) throws IOException {
+    FlatModel theirs = new FlatModel(-3.2, -0.28, 0.66);
+    byte[] published =
+        new VisionEncoder(new Epoch(0))
+            .encode(VisionPacket.of(geometry.withModels(Optional.of(theirs), geometry.chip())));
+    try (LoopbackSender vision = new LoopbackSender(PORT)) {
+      browser.type("#vision-place", LoopbackSender.GROUP + ":" + PORT);
+      browser.click("#vision-listen");
+      browser.await(
+          "vision is heard",
+          d -> {
+            try {
+              vision.send(published);
+            } catch (IOException e) {
+              throw new UncheckedIOException(e);
+            }
+            return browser.count("#vision tr[data-parameter='accRoll']") == 1 ? true : null;
+          });
+    }
+  }
+
+  private void take(Browser browser, RunningConsole console, FieldGeometry geometry, Path docs)
+      throws IOException {
     browser.open(console.url() + "?theme=light#kicks/3");
     browser.find("#kick[data-shown]");
     browser.type("#reason", "touched by a foot");
@@ -67,6 +108,7 @@ public final class Screenshots {
     browser.screenshot(docs.resolve("console-diagnosis.png"));
     browser.press("4");
     browser.find("#verdict p");
+    hear(browser, geometry);
     browser.screenshot(docs.resolve("console-publish.png"));
     browser.press("5");
     browser.script(

@@ -67,6 +67,19 @@ class WebServerTest {
     }
   }
 
+  @Test
+  void whatTheBrowserHasIsNotSentAgain() throws IOException {
+    Answer first = console.get("/assets/app.js");
+    String tag = first.head().replaceFirst("(?s).*ETag: (\\S+).*", "$1");
+    Answer again = console.get("/assets/app.js", "If-None-Match: " + tag);
+    assertThat(again.status()).isEqualTo(304);
+    assertThat(again.body()).isEmpty();
+    assertThat(console.get("/assets/app.js", "If-None-Match: \"other\"").status()).isEqualTo(200);
+    Answer packed = console.get("/assets/app.js", "Accept-Encoding: gzip, br");
+    assertThat(packed.head()).contains("Content-Encoding: gzip");
+    assertThat(packed.body().length()).isLessThan(first.body().length());
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
