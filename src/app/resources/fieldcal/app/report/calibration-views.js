@@ -151,7 +151,7 @@ const CalibrationViews = (() => {
     return [
       el('p', {class: 'status'}, !kick.selected ? badge('bad', '✘ dropped') : whyDropped(kick) ? badge('warn', '✔ in the model, in part') : badge('good', '✔ in the model'), whyDropped(kick) ? ' ' + whyDropped(kick) : ''),
       el('div', {},
-        el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(Plots.prepare(kick).end, 1) + ' s.'),
+        el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(Plots.prepare(kick).end, 1) + '\u00a0s.'),
         el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' put aside as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
         el('p', {class: 'note', title: kick.source}, Charts.fileName(kick.source) + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
       el('table', {}, el('tbody', {}, kick.parameters.map(p => kickParameterRow(report, kick, p)))),

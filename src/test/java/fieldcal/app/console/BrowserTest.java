@@ -235,6 +235,7 @@ class BrowserTest {
       browser.awaitGone("#plan-failure");
       browser.type("#order-kicks", "3");
       browser.click("#play-start");
+      browser.find("#play-pause");
       browser.press("p");
       browser.awaitText("#play-phase", "paused");
       browser.click("#play-resume");
