@@ -25,6 +25,7 @@ import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderSettings;
 import fieldcal.live.BallParameter;
 import fieldcal.live.BallSamples;
+import fieldcal.live.ConfiguredLimits;
 import fieldcal.live.LiveListener;
 import fieldcal.live.LiveMonitor;
 import fieldcal.live.LiveSettings;
@@ -152,6 +153,7 @@ class ReadmeSnippetTest {
         Executors.newSingleThreadExecutor(); // or none: call monitor.poll() when you have time
     LiveMonitor monitor = new LiveMonitor(LiveSettings.defaults(), epoch, listener, fits);
     monitor.add(LiveStateDocument.read(earlier)); // earlier matches on this carpet, if you keep any
+    monitor.configured(Team.YELLOW, new ConfiguredLimits(3.0, 3.5, 5.0)); // your robots
 
     for (byte[] packet : packets) { // your vision thread
       VisionPacket vision = decoder.decode(packet);

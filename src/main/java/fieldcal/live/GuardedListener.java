@@ -43,6 +43,16 @@ final class GuardedListener implements LiveListener {
     pass(() -> host.limits(team, limits));
   }
 
+  @Override
+  public void limitWarningRaised(LimitWarning warning) {
+    pass(() -> host.limitWarningRaised(warning));
+  }
+
+  @Override
+  public void limitWarningCleared(LimitWarning warning) {
+    pass(() -> host.limitWarningCleared(warning));
+  }
+
   private void pass(Runnable call) {
     try {
       call.run();

@@ -48,4 +48,18 @@ public interface LiveListener {
    * @param limits the new estimate
    */
   default void limits(Team team, TeamLimits limits) {}
+
+  /**
+   * Robots move otherwise than they are configured to ({@link LiveMonitor#configured}). Told once, until it is cleared. Nothing is changed; whether to do so is the host's.
+   *
+   * @param warning which limit and by how much
+   */
+  default void limitWarningRaised(LimitWarning warning) {}
+
+  /**
+   * A limit that was warned about is near what is configured again, or something else is configured.
+   *
+   * @param warning as it is now
+   */
+  default void limitWarningCleared(LimitWarning warning) {}
 }

@@ -5,6 +5,7 @@ import fieldcal.camera.CameraCalibration;
 import fieldcal.movement.PlayPhase;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -180,6 +181,16 @@ public final class LiveMonitor {
    */
   public boolean poll() {
     return ball.poll() || movement.poll();
+  }
+
+  /**
+   * What the robots of a team are configured to do, usually the host's own: when they do otherwise, {@link LiveListener#limitWarningRaised} is told with the next estimate. May come again, from any thread.
+   *
+   * @param team which
+   * @param limits what is configured
+   */
+  public void configured(Team team, ConfiguredLimits limits) {
+    movement.configured(team, limits);
   }
 
   /**

@@ -8,7 +8,9 @@ import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
@@ -37,6 +39,7 @@ public final class MovementMonitor {
   private final Object shared = new Object();
   private final Map<Team, TeamLimits> limits = new EnumMap<>(Team.class);
   private final Map<Team, TeamLimits> beforeBreak = new EnumMap<>(Team.class);
+  private final Map<Team, LimitWatch> watches = new EnumMap<>(Team.class);
   private Request waiting;
   private Request waitingForBreak;
   private double countingSince = Double.NaN;
@@ -60,6 +63,9 @@ public final class MovementMonitor {
     this.settings = Objects.requireNonNull(settings, "settings");
     this.epoch = Objects.requireNonNull(epoch, "epoch");
     this.listener = Objects.requireNonNull(listener, "listener");
+    for (Team team : Team.values()) {
+      watches.put(team, new LimitWatch(team, settings));
+    }
   }
 
   /**
@@ -83,6 +89,18 @@ public final class MovementMonitor {
         breaks++;
         countingSince = epoch.unixSeconds(now);
       }
+    }
+  }
+
+  /**
+   * What the robots of a team are configured to do; compared from the next estimate on.
+   *
+   * @param team which
+   * @param configured what is configured
+   */
+  public void configured(Team team, ConfiguredLimits configured) {
+    synchronized (shared) {
+      watches.get(team).configure(configured);
     }
   }
 
@@ -188,9 +206,23 @@ public final class MovementMonitor {
           estimatedAt = epoch.unixSeconds(request.time());
         }
         listener.limits(team, next);
+        compare(team, next, epoch.unixSeconds(request.time()));
       }
       return true;
     }
+  }
+
+  private void compare(Team team, TeamLimits limits, double time) {
+    LimitWatch watch = watches.get(team);
+    List<LimitWarning> begun = new ArrayList<>();
+    List<LimitWarning> ended = new ArrayList<>();
+    synchronized (shared) {
+      for (LimitWarning change : watch.compare(limits, time)) {
+        (watch.isOn(change) ? begun : ended).add(change);
+      }
+    }
+    begun.forEach(listener::limitWarningRaised);
+    ended.forEach(listener::limitWarningCleared);
   }
 
   /**
@@ -201,7 +233,15 @@ public final class MovementMonitor {
   public MovementSnapshot snapshot() {
     synchronized (shared) {
       return new MovementSnapshot(
-          limits, beforeBreak, countingSince, estimatedAt, breaks, counted, refused, noise);
+          limits,
+          beforeBreak,
+          countingSince,
+          estimatedAt,
+          breaks,
+          counted,
+          refused,
+          watches.values().stream().flatMap(w -> w.warnings().stream()).toList(),
+          noise);
     }
   }
 }

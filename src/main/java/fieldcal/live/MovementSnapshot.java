@@ -2,6 +2,7 @@ package fieldcal.live;
 
 import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -14,6 +15,7 @@ import java.util.Map;
  * @param breaks how often counting began anew
  * @param counted detections since then while movements counted
  * @param refused detections since then that cannot have been the robot they name
+ * @param warnings limits that are not as configured, see {@link LiveMonitor#configured}
  * @param noiseMm noise of one coordinate of a driving robot's detections, mm; NaN when not measured yet
  */
 public record MovementSnapshot(
@@ -24,11 +26,13 @@ public record MovementSnapshot(
     int breaks,
     long counted,
     long refused,
+    List<LimitWarning> warnings,
     double noiseMm) {
 
-  /** Copies the maps. {@inheritDoc} */
+  /** Copies the collections. {@inheritDoc} */
   public MovementSnapshot {
     limits = Map.copyOf(limits);
     beforeBreak = Map.copyOf(beforeBreak);
+    warnings = List.copyOf(warnings);
   }
 }

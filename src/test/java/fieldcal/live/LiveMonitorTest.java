@@ -9,6 +9,7 @@ import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -114,6 +115,48 @@ class LiveMonitorTest {
     monitor.finish();
     assertThat(monitor.snapshot().movement().limits().get(Team.YELLOW).velocity().value())
         .isBetween(1.0, 1.6);
+  }
+
+  @Test
+  void robotsThatMoveOtherwiseThanConfiguredAreWarnedAboutOnce() {
+    List<String> told = new ArrayList<>();
+    LiveMonitor watching =
+        new LiveMonitor(
+            LiveSettings.defaults().withLimitsInterval(5),
+            EPOCH,
+            new LiveListener() {
+              @Override
+              public void limitWarningRaised(LimitWarning warning) {
+                told.add("raised: " + warning.text());
+              }
+
+              @Override
+              public void limitWarningCleared(LimitWarning warning) {
+                told.add("cleared: " + warning.text());
+              }
+            },
+            Runnable::run);
+    watching.configured(Team.YELLOW, new ConfiguredLimits(1.5, Double.NaN, Double.NaN));
+    watching.configured(Team.BLUE, new ConfiguredLimits(1.5, 3, 3));
+    Random random = new Random(3);
+    double t = 0;
+    for (int i = 0; i < 6000; i++, t += 0.0133) {
+      watching.accept(frame(t, 2 * Math.sin(1.3 * t) + 0.001 * random.nextGaussian()));
+    }
+    assertThat(told).hasSize(1);
+    assertThat(told.get(0))
+        .startsWith("raised: velocity of yellow is ")
+        .contains("more than the configured 1.50");
+    assertThat(watching.snapshot().movement().warnings())
+        .singleElement()
+        .satisfies(w -> assertThat(w.deviation()).isBetween(0.5, 1.0));
+    watching.configured(Team.YELLOW, new ConfiguredLimits(2.6, Double.NaN, Double.NaN));
+    for (int i = 0; i < 1000; i++, t += 0.0133) {
+      watching.accept(frame(t, 2 * Math.sin(1.3 * t) + 0.001 * random.nextGaussian()));
+    }
+    assertThat(told).hasSize(2);
+    assertThat(told.get(1)).startsWith("cleared: velocity of yellow");
+    assertThat(watching.snapshot().movement().warnings()).isEmpty();
   }
 
   @Test

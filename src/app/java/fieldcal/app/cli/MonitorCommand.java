@@ -10,11 +10,19 @@ import fieldcal.app.monitor.NetworkFeed;
 import fieldcal.app.monitor.ReplayFeed;
 import fieldcal.app.monitor.ScreenDisplay;
 import fieldcal.app.net.NetworkPlace;
+import fieldcal.live.ConfiguredLimits;
 import fieldcal.vision.BallModels;
+import fieldcal.vision.Team;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -79,6 +87,14 @@ final class MonitorCommand implements Callable<Integer> {
               + " and writes all of them there at the end")
   private Path state;
 
+  @Option(
+      names = "--robot-limits",
+      paramLabel = "TEAM:V,A,B",
+      description =
+          "what a team's robots are configured to do: velocity m/s, acceleration and braking m/s²,"
+              + " for example yellow:3,3.5,5; warns when they do otherwise. May be repeated")
+  private final List<String> robotLimits = new ArrayList<>();
+
   /** One of both. */
   private static final class Source {
     @ArgGroup(exclusive = false)
@@ -121,7 +137,8 @@ final class MonitorCommand implements Callable<Integer> {
     Optional<BallModels> given =
         models == null ? Optional.empty() : Optional.of(InitialModels.read(models));
     MonitorRequest request =
-        new MonitorRequest(given, Optional.ofNullable(json), Optional.ofNullable(state));
+        new MonitorRequest(
+            given, Optional.ofNullable(json), Optional.ofNullable(state), configured());
     PrintWriter out = spec.commandLine().getOut();
     try (MatchFeed feed = feed();
         MatchDisplay display =
@@ -131,6 +148,29 @@ final class MonitorCommand implements Callable<Integer> {
       run(new MonitorSession(request, feed, display));
     }
     return 0;
+  }
+
+  private Map<Team, ConfiguredLimits> configured() {
+    Map<Team, ConfiguredLimits> all = new EnumMap<>(Team.class);
+    for (String text : robotLimits) {
+      String[] parts = text.split("[:,]", -1);
+      try {
+        Team team = Team.valueOf(parts[0].toUpperCase(Locale.ROOT));
+        double[] v = Arrays.stream(parts).skip(1).mapToDouble(Double::parseDouble).toArray();
+        if (v.length == 3 && !Arrays.stream(v).anyMatch(Double::isNaN)) {
+          all.put(team, new ConfiguredLimits(v[0], v[1], v[2]));
+          continue;
+        }
+      } catch (IllegalArgumentException e) {
+        // The message below says what is expected.
+      }
+      throw new ParameterException(
+          spec.commandLine(),
+          "--robot-limits must be TEAM:V,A,B with positive numbers, like yellow:3,3.5,5, but is '"
+              + text
+              + "'");
+    }
+    return all;
   }
 
   private MatchFeed feed() throws IOException {
@@ -154,6 +194,11 @@ final class MonitorCommand implements Callable<Integer> {
           referee == null
               ? Optional.empty()
               : Optional.of(NetworkPlace.parse(referee, networkInterface));
+      if (vision.address().getPort() == 0
+          || whistle.map(w -> w.address().getPort() == 0).orElse(false)) {
+        throw new IllegalArgumentException(
+            "nobody sends to port 0; the league's vision uses 10006, its referee 10003");
+      }
       return new NetworkFeed(vision, whistle);
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
+import fieldcal.live.LimitWarning;
 import fieldcal.live.LiveKick;
 import fieldcal.live.LiveListener;
 import fieldcal.live.LiveSnapshot;
@@ -24,8 +25,8 @@ import java.nio.file.Path;
 import java.util.Locale;
 
 /**
- * A file with one line of JSON per change, written as it happens: {@code event} and {@code t} (Unix time, s) in each, SI units, null for what is not known. Events: {@code start}, {@code referee}, {@code kick},
- * {@code estimate}, {@code warning}, {@code warning_cleared}, {@code limits}, {@code summary}.
+ * A file with one line of JSON per change, written as it happens: {@code event} and {@code t} (Unix time, s) in each, SI units, null for what is not known. Events: {@code start}, {@code referee}, {@code referee_lost}, {@code kick},
+ * {@code estimate}, {@code warning}, {@code warning_cleared}, {@code limits}, {@code limit_warning}, {@code limit_warning_cleared}, {@code summary}.
  */
 public final class ChangeLog implements LiveListener, AutoCloseable {
   private static final String SCHEMA = "fieldcal.monitor/1";
@@ -94,6 +95,11 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
             .put("counts", phase.counts()));
   }
 
+  /** The referee fell silent: everything counts. */
+  void refereeLost() {
+    write(event("referee_lost", time()));
+  }
+
   @Override
   public void kick(LiveKick kick) {
     kickTime = kick.time();
@@ -151,6 +157,25 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
     number(node, "published", w.published());
     number(node, "deviation", w.deviation());
     write(node.put("samples", w.samples()).put("text", w.text()));
+  }
+
+  @Override
+  public void limitWarningRaised(LimitWarning warning) {
+    limitWarning("limit_warning", warning);
+  }
+
+  @Override
+  public void limitWarningCleared(LimitWarning warning) {
+    limitWarning("limit_warning_cleared", warning);
+  }
+
+  private void limitWarning(String name, LimitWarning w) {
+    ObjectNode node = event(name, w.time()).put("team", w.team().label());
+    node.put("limit", w.limit().label() + "_max");
+    number(node, "value", w.estimate().value());
+    number(node, "configured", w.configured());
+    number(node, "deviation", w.deviation());
+    write(node.put("text", w.text()));
   }
 
   @Override

@@ -8,8 +8,9 @@ import java.util.Objects;
  *
  * @param title where frames come from
  * @param notes lines for the operator: how far a recording is read, packets lost, sources that are not listened to
+ * @param silent whether frames should come and do not
  */
-public record FeedStatus(String title, List<String> notes) {
+public record FeedStatus(String title, List<String> notes, boolean silent) {
 
   /** Copies the list. {@inheritDoc} */
   public FeedStatus {

@@ -1,6 +1,7 @@
 package fieldcal.app.monitor;
 
 import fieldcal.gamelog.RefereeState;
+import fieldcal.live.LimitWarning;
 import fieldcal.live.LiveKick;
 import fieldcal.live.LiveWarning;
 import java.io.PrintWriter;
@@ -11,6 +12,7 @@ public final class LineDisplay implements MatchDisplay {
   private final PrintWriter out;
   private final MatchText text;
   private boolean begun;
+  private boolean silent;
 
   /**
    * A display.
@@ -34,11 +36,20 @@ public final class LineDisplay implements MatchDisplay {
       begun = true;
       line("watching " + status.feed().title());
     }
+    if (status.feed().silent() != silent) {
+      silent = !silent;
+      line(silent ? status.feed().notes().get(0) : "vision is back");
+    }
   }
 
   @Override
   public void referee(RefereeState state, double time) {
     line(text.clock(time) + "  referee: " + state.stage() + ", " + state.command());
+  }
+
+  @Override
+  public void refereeLost() {
+    line("the referee is silent: everything counts");
   }
 
   @Override
@@ -53,6 +64,16 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void warningCleared(LiveWarning warning) {
+    line(text.clock(warning.time()) + "  over: " + warning.text());
+  }
+
+  @Override
+  public void limitWarningRaised(LimitWarning warning) {
+    line(text.clock(warning.time()) + "  WARNING  " + warning.text());
+  }
+
+  @Override
+  public void limitWarningCleared(LimitWarning warning) {
     line(text.clock(warning.time()) + "  over: " + warning.text());
   }
 

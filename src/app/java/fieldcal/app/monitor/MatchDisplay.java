@@ -21,6 +21,9 @@ public interface MatchDisplay extends LiveListener, AutoCloseable {
    */
   default void referee(RefereeState state, double time) {}
 
+  /** The referee has been silent for so long that everything counts again. */
+  default void refereeLost() {}
+
   /**
    * The last state.
    *

@@ -5,6 +5,7 @@ import fieldcal.live.BallParameter;
 import fieldcal.live.BallSnapshot;
 import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
+import fieldcal.live.LimitWarning;
 import fieldcal.live.LiveKick;
 import fieldcal.live.LiveSnapshot;
 import fieldcal.live.LiveWarning;
@@ -89,11 +90,14 @@ final class MatchText {
 
   /** As it was when the warning began: a step of the newest kicks may not have moved the median of all yet. */
   private void warnings(List<String> lines, LiveSnapshot s) {
-    if (s.ball().warnings().isEmpty()) {
+    if (s.ball().warnings().isEmpty() && s.movement().warnings().isEmpty()) {
       return;
     }
     lines.add("");
     for (LiveWarning w : s.ball().warnings()) {
+      add(lines, "WARNING  since %s: %s", clock(w.time()), w.text());
+    }
+    for (LimitWarning w : s.movement().warnings()) {
       add(lines, "WARNING  since %s: %s", clock(w.time()), w.text());
     }
   }

@@ -3,6 +3,7 @@ package fieldcal.app.monitor;
 import fieldcal.app.limits.PlayPhases;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.BallSamples;
+import fieldcal.live.LimitWarning;
 import fieldcal.live.LiveKick;
 import fieldcal.live.LiveListener;
 import fieldcal.live.LiveMonitor;
@@ -60,6 +61,7 @@ public final class MonitorSession {
     LiveSettings settings = feed.suited(request.models().map(usual::withPublished).orElse(usual));
     monitor = new LiveMonitor(settings, feed.epoch(), new Everybody(), feed.executor());
     monitor.add(earlier);
+    request.robots().forEach(monitor::configured);
   }
 
   /** Ends {@link #run} soon; from any thread. */
@@ -129,6 +131,8 @@ public final class MonitorSession {
     public void refereeLost() {
       referee = Optional.empty();
       monitor.phase(PlayPhase.UNKNOWN);
+      display.refereeLost();
+      changes.ifPresent(ChangeLog::refereeLost);
     }
 
     @Override
@@ -169,6 +173,16 @@ public final class MonitorSession {
     @Override
     public void estimate(ParameterEstimate estimate) {
       tell(l -> l.estimate(estimate));
+    }
+
+    @Override
+    public void limitWarningRaised(LimitWarning warning) {
+      tell(l -> l.limitWarningRaised(warning));
+    }
+
+    @Override
+    public void limitWarningCleared(LimitWarning warning) {
+      tell(l -> l.limitWarningCleared(warning));
     }
 
     @Override

@@ -23,6 +23,9 @@ public final class NetworkFeed implements MatchFeed {
   /** A referee that said nothing for so long is gone: what it said last may no longer be true, ns. */
   private static final long REFEREE_GONE = 10_000_000_000L;
 
+  /** Vision sends 70 times a second; after so long it is worth a line, s. */
+  private static final double SILENT = 3;
+
   private static final long LAST_WORK = 3;
 
   private final NetworkPlace vision;
@@ -95,7 +98,7 @@ public final class NetworkFeed implements MatchFeed {
   @Override
   public FeedStatus status() {
     String title = vision + referee.map(r -> ", referee " + r).orElse("");
-    return new FeedStatus(title, network.notes());
+    return new FeedStatus(title, network.notes(), network.vision().silentFor() > SILENT);
   }
 
   @Override

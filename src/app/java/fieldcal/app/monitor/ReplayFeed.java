@@ -115,7 +115,7 @@ public final class ReplayFeed implements MatchFeed {
             : String.format(Locale.ROOT, "at %s times its speed", trimmed(speed));
     notes.add(String.format(Locale.ROOT, "%.0f %% read, %s", 100 * share, pace));
     notes.addAll(problems);
-    return new FeedStatus(log.toString(), notes);
+    return new FeedStatus(log.toString(), notes, false);
   }
 
   private static String trimmed(double value) {

@@ -152,6 +152,9 @@ public final class MatchNetwork implements AutoCloseable {
     if (counts.silentFor() > PATIENCE) {
       line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
       line.append(", joined anew ").append(counts.rejoined()).append(" times");
+      if (counts.received() == 0) {
+        line.append("; address, port, --interface right?");
+      }
     }
     counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));
     lines.add(line.toString());

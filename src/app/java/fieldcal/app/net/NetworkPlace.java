@@ -92,6 +92,18 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
     return able;
   }
 
+  /** Whether anything can be received there at all. */
+  boolean isOwnOrGroup() {
+    InetAddress here = address.getAddress();
+    try {
+      return here.isMulticastAddress()
+          || here.isAnyLocalAddress()
+          || NetworkInterface.getByInetAddress(here) != null;
+    } catch (SocketException e) {
+      return true; // nobody can tell
+    }
+  }
+
   private static NetworkInterface find(String wanted) throws SocketException {
     List<String> names = new ArrayList<>();
     for (NetworkInterface one : Collections.list(NetworkInterface.getNetworkInterfaces())) {

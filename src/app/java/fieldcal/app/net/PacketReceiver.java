@@ -1,6 +1,7 @@
 package fieldcal.app.net;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
@@ -62,7 +63,10 @@ public final class PacketReceiver implements AutoCloseable {
     try {
       open();
     } catch (IOException e) {
-      throw new IOException(place + ": cannot be listened to: " + e.getMessage(), e);
+      boolean foreign = e instanceof BindException && !place.isOwnOrGroup();
+      String why =
+          foreign ? "is neither a multicast group nor an address of this machine" : e.getMessage();
+      throw new IOException(place + ": cannot be listened to: " + why, e);
     }
     port = ((InetSocketAddress) channel.getLocalAddress()).getPort();
     thread = new Thread(this::receive, "fieldcal-receiver-" + port);

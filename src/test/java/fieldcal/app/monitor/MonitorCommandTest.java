@@ -128,7 +128,27 @@ class MonitorCommandTest {
   }
 
   @Test
+  void robotsAreComparedWithWhatIsConfigured() throws IOException {
+    Path changes = folder.resolve("limits.jsonl");
+    Outcome done =
+        run("monitor", "--log", "" + log, "--robot-limits", "blue:1,9,9", "--json", "" + changes);
+    assertThat(done.status()).as(done.err()).isZero();
+    assertThat(done.out())
+        .containsPattern("WARNING +velocity of blue is .* than the configured 1.00");
+    assertThat(changes).content().contains("\"event\":\"limit_warning\"");
+    Outcome wrong = run("monitor", "--log", "" + log, "--robot-limits", "green:1,2,3");
+    assertThat(wrong.status()).isEqualTo(2);
+    assertThat(wrong.err()).contains("but is 'green:1,2,3'");
+    assertThat(run("monitor", "--log", "" + log, "--robot-limits", "blue:1,2").status())
+        .isEqualTo(2);
+  }
+
+  @Test
   void whatCannotBeIsRefused() {
+    assertThat(run("monitor", "--multicast", "224.5.23.2:0").err()).contains("port 0");
+    Outcome foreign = run("monitor", "--multicast", "192.0.2.7:10006");
+    assertThat(foreign.status()).isEqualTo(1);
+    assertThat(foreign.err()).contains("neither a multicast group nor an address of this machine");
     assertThat(run("monitor").status()).isEqualTo(2);
     assertThat(run("monitor", "--log", "" + log, "--speed", "-1").status()).isEqualTo(2);
     assertThat(run("monitor", "--log", "" + log, "--multicast", "224.5.23.2:10006").status())

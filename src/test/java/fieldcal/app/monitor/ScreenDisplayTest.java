@@ -20,7 +20,7 @@ class ScreenDisplayTest {
     MatchStatus status =
         new MatchStatus(
             new LiveMonitor(LiveSettings.defaults(), new Epoch(0), LiveListener.NONE).snapshot(),
-            new FeedStatus("a match", List.of("a note")),
+            new FeedStatus("a match", List.of("a note"), false),
             Optional.empty());
     try (ScreenDisplay display = new ScreenDisplay(new PrintWriter(text, true), ZoneOffset.UTC)) {
       display.show(status);
