@@ -150,10 +150,14 @@ final class PlayCalibrationBenchmark {
     Arrays.sort(sorted);
     Goal time = Goal.atMost(360, "%.0f s");
     out.printf(
-        "field time of both: %.0f to %.0f s, median %.0f s, goal %s: %s%n",
+        "field time of both: %.0f to %.0f s, quartiles %.0f, %.0f, %.0f s, 95 %% within %.0f s,"
+            + " goal %s: %s%n",
         sorted[0],
         sorted[sorted.length - 1],
+        sorted[sorted.length / 4],
         sorted[sorted.length / 2],
+        sorted[3 * sorted.length / 4],
+        sorted[(int) (0.95 * (sorted.length - 1))],
         time,
         time.verdict(sorted[sorted.length - 1]));
   }

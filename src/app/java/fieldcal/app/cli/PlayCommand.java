@@ -118,7 +118,10 @@ final class PlayCommand implements Callable<Integer> {
   @Option(names = "--speed-min", paramLabel = "M/S", description = "slowest kick (flat 2, chip 3)")
   private Double speedMin;
 
-  @Option(names = "--speed-max", paramLabel = "M/S", description = "fastest kick (default 6.5)")
+  @Option(
+      names = "--speed-max",
+      paramLabel = "M/S",
+      description = "fastest kick (flat 6.5, chip 5.5)")
   private Double speedMax;
 
   @Option(names = "--elevation", paramLabel = "DEG", description = "of chips (default 45)")

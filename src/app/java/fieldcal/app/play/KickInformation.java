@@ -5,6 +5,7 @@ import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.camera.Camera;
+import fieldcal.kick.KickFinderSettings;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -30,7 +31,9 @@ final class KickInformation {
 
   private static final double TINY = 1e-9;
 
-  private final List<Camera> cameras;
+  private static final double LOST = KickFinderSettings.defaults().lostAfter();
+
+  private final List<SeeingCamera> cameras;
   private final double noise;
   private final double settle;
 
@@ -41,7 +44,7 @@ final class KickInformation {
    * @param noise of a detection, m
    * @param settle how long the ball rests before the kick, s
    */
-  KickInformation(Collection<Camera> cameras, double noise, double settle) {
+  KickInformation(Collection<SeeingCamera> cameras, double noise, double settle) {
     this.cameras = List.copyOf(cameras);
     this.noise = noise;
     this.settle = settle;
@@ -57,9 +60,9 @@ final class KickInformation {
     double end =
         Math.min(LONGEST, Math.min(path.restTime(), path.timeAtDistance(run).orElse(LONGEST)));
     double[] dz = new double[FlatTrajectory.SENSITIVITIES];
-    for (double t = 0.5 / RATE; t < end; t += 1 / RATE) {
+    for (double t = 0.5 / RATE; t < end && !sum.isLost(t); t += 1 / RATE) {
       path.sensitivitiesAt(t, sum.xyz, sum.dx, sum.dy);
-      sum.observe(dz);
+      sum.observe(t, dz);
     }
     return sum.information(FlatTrajectory.ACC_SLIDE);
   }
@@ -88,9 +91,9 @@ final class KickInformation {
     double end =
         Math.min(LONGEST, Math.min(path.restTime(), path.timeAtDistance(run).orElse(LONGEST)));
     double[] dz = new double[ChipTrajectory.SENSITIVITIES];
-    for (double t = 0.5 / RATE; t < end; t += 1 / RATE) {
+    for (double t = 0.5 / RATE; t < end && !sum.isLost(t); t += 1 / RATE) {
       path.sensitivitiesAt(t, sum.xyz, sum.dx, sum.dy, dz);
-      sum.observe(dz);
+      sum.observe(t, dz);
     }
     sum.known(ChipTrajectory.ACC_ROLL, ROLL_KNOWN);
     return sum.information(ChipTrajectory.DAMPING_XY_FIRST_HOP);
@@ -104,6 +107,7 @@ final class KickInformation {
     private final double[] dy;
     private final double[][] normal;
     private final double[] jacobian = new double[6];
+    private double seen;
 
     Sum(int size) {
       this.size = size;
@@ -117,7 +121,7 @@ final class KickInformation {
 
     /** The resting ball pins its place. */
     void rest(double x, double y) {
-      double n = settle * RATE * near(x, y).size();
+      double n = settle * RATE * seeing(x, y, 0).size();
       normal[FlatTrajectory.X0][FlatTrajectory.X0] += n / (noise * noise);
       normal[FlatTrajectory.Y0][FlatTrajectory.Y0] += n / (noise * noise);
     }
@@ -126,13 +130,20 @@ final class KickInformation {
       normal[index][index] += 1 / (error * error);
     }
 
-    void observe(double[] dz) {
-      for (Camera camera : near(xyz[0], xyz[1])) {
+    /** A chip that leaves all images is lost, and what comes after is no part of the kick. */
+    boolean isLost(double t) {
+      return t - seen > LOST;
+    }
+
+    void observe(double t, double[] dz) {
+      for (SeeingCamera one : seeing(xyz[0], xyz[1], xyz[2])) {
+        Camera camera = one.camera();
+        seen = t;
         camera.groundJacobian(xyz[0], xyz[1], xyz[2], jacobian);
         for (int row = 0; row < 2; row++) {
-          double[] seen = new double[size];
+          double[] column = new double[size];
           for (int i = 0; i < size; i++) {
-            seen[i] =
+            column[i] =
                 (jacobian[3 * row] * dx[i]
                         + jacobian[3 * row + 1] * dy[i]
                         + jacobian[3 * row + 2] * dz[i])
@@ -140,7 +151,7 @@ final class KickInformation {
           }
           for (int i = 0; i < size; i++) {
             for (int j = 0; j < size; j++) {
-              normal[i][j] += seen[i] * seen[j];
+              normal[i][j] += column[i] * column[j];
             }
           }
         }
@@ -153,18 +164,19 @@ final class KickInformation {
     }
   }
 
-  private List<Camera> near(double x, double y) {
+  /** Cameras with the ball in their image; of those whose image is not known, the near ones. */
+  private List<SeeingCamera> seeing(double x, double y, double z) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (Camera c : cameras) {
-      nearest = Math.min(nearest, Math.hypot(c.positionX() - x, c.positionY() - y));
+    for (SeeingCamera c : cameras) {
+      nearest = Math.min(nearest, c.distance(x, y));
     }
-    List<Camera> near = new ArrayList<>();
-    for (Camera c : cameras) {
-      if (Math.hypot(c.positionX() - x, c.positionY() - y) < nearest + OVERLAP) {
-        near.add(c);
+    List<SeeingCamera> seeing = new ArrayList<>();
+    for (SeeingCamera c : cameras) {
+      if (c.hasImage() ? c.sees(x, y, z) : c.distance(x, y) < nearest + OVERLAP) {
+        seeing.add(c);
       }
     }
-    return near;
+    return seeing;
   }
 
   static RealMatrix inverse(RealMatrix matrix) {

@@ -58,6 +58,7 @@ final class LiveFits {
   private final List<Kick> kicks = new ArrayList<>();
   private final List<KickResult> results = new ArrayList<>();
   private final Map<Integer, Camera> cameras = new TreeMap<>();
+  private final Map<Integer, SeeingCamera> seeing = new TreeMap<>();
   private final Map<Integer, Boolean> seen = new TreeMap<>();
   private FlatModel flat = FlatModel.typical();
   private ChipModel chip = ChipModel.typical();
@@ -70,10 +71,13 @@ final class LiveFits {
     Map<Integer, Camera> now = new HashMap<>();
     for (CameraCalibration c : geometry.cameras()) {
       try {
-        now.put(c.id(), Camera.of(c));
+        Camera camera = Camera.of(c);
+        now.put(c.id(), camera);
+        seeing.put(c.id(), new SeeingCamera(camera, c.imageWidth(), c.imageHeight()));
       } catch (IllegalArgumentException unusable) {
         // The calibration at the end names it; chips seen by it alone will not count.
         cameras.remove(c.id());
+        seeing.remove(c.id());
       }
     }
     cameras.putAll(now);
@@ -208,8 +212,8 @@ final class LiveFits {
   }
 
   /** Cameras whose place is known. */
-  Collection<Camera> cameras() {
-    return List.copyOf(cameras.values());
+  Collection<SeeingCamera> cameras() {
+    return List.copyOf(seeing.values());
   }
 
   /** Noise of a detection, from the kicks so far, m. */

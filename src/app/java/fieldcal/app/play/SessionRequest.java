@@ -75,7 +75,7 @@ public record SessionRequest(
   /**
    * Usual kicks by yellow 0 and yellow 1.
    *
-   * @param kind flat kicks of 2 to 6.5 m/s over the whole field, or chips of 3 to 6.5 m/s at 45° along the half-way line
+   * @param kind flat kicks of 2 to 6.5 m/s over the whole field, or chips of 3 to 5.5 m/s at 45° along the half-way line: higher ones leave the images where cameras overlap by little
    * @param kicks how many good ones
    * @return the request, without a directory
    */
@@ -89,7 +89,7 @@ public record SessionRequest(
         Half.WHOLE,
         0,
         chip ? 3 : 2,
-        6.5,
+        chip ? 5.5 : 6.5,
         chip ? Math.PI / 4 : 0,
         false,
         0,

@@ -54,7 +54,10 @@ class AdaptiveKicksTest {
     InteractiveField field =
         InteractiveField.of(
             SimulationSettings.DEFAULT.withSeed(9), request.first(), request.second(), List.of());
-    List<Camera> cameras = field.geometry().cameras().stream().map(Camera::of).toList();
+    List<SeeingCamera> cameras =
+        field.geometry().cameras().stream()
+            .map(c -> new SeeingCamera(Camera.of(c), c.imageWidth(), c.imageHeight()))
+            .toList();
     PlaySession.Outcome outcome =
         new PlaySession(
                 request, new EmbeddedPlayField(field, Double.POSITIVE_INFINITY), snapshot -> {})
@@ -83,10 +86,31 @@ class AdaptiveKicksTest {
     }
   }
 
+  /** Over the half-way line, half a metre beside the images of all cameras, a high chip is out of sight for too long. */
+  @Test
+  void chipsThatLeaveTheImagesTellLittle() {
+    SessionRequest request = SessionRequest.of(KickKind.CHIP, 1);
+    InteractiveField field =
+        InteractiveField.of(
+            SimulationSettings.DEFAULT, request.first(), request.second(), List.of());
+    List<SeeingCamera> cameras =
+        field.geometry().cameras().stream()
+            .map(c -> new SeeingCamera(Camera.of(c), c.imageWidth(), c.imageHeight()))
+            .toList();
+    KickInformation information = new KickInformation(cameras, 0.002, 0.6);
+    ChipModel model = ChipModel.typical();
+    double angle = Math.PI / 4;
+    RealMatrix low = information.chip(model, 0, 3.4, -Math.PI / 2, 5, angle, 6.5);
+    RealMatrix high = information.chip(model, 0, 3.4, -Math.PI / 2, 6.5, angle, 6.5);
+    assertThat(KickInformation.inverse(low).getEntry(2, 2)).isLessThan(1e-4);
+    assertThat(high.getEntry(2, 2)).isLessThan(0.01 * low.getEntry(2, 2));
+  }
+
   @Test
   void turningTheFieldDoesNotChangeWhatAChipTells() {
     Camera above = Camera.ofPosition(0, 0, 0, 5);
-    KickInformation information = new KickInformation(List.of(above), 0.001, 0.6);
+    KickInformation information =
+        new KickInformation(List.of(new SeeingCamera(above, 0, 0)), 0.001, 0.6);
     ChipModel model = ChipModel.typical();
     RealMatrix along = information.chip(model, -3, 0, 0, 5, 0.8, 6);
     RealMatrix across = information.chip(model, 0, -3, Math.PI / 2, 5, 0.8, 6);
