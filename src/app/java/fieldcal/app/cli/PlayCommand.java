@@ -231,7 +231,7 @@ final class PlayCommand implements Callable<Integer> {
     try (TerminalProgress progress = TerminalProgress.ofWords();
         WorkProgress fitting = new WorkProgress()) {
       PlaySession session = new PlaySession(request, field, s -> text.follow(s, progress));
-      Thread stop = stopOnExit(session);
+      Thread stop = stopOnExit(session, directory);
       result = PlayRun.run(session, directory, fitting);
       forget(stop);
     }
@@ -264,7 +264,7 @@ final class PlayCommand implements Callable<Integer> {
   }
 
   /** Robots must not drive on when somebody presses Ctrl-C. */
-  private static Thread stopOnExit(PlaySession session) {
+  private Thread stopOnExit(PlaySession session, Path directory) {
     Thread runner = Thread.currentThread();
     Thread hook =
         new Thread(
@@ -275,6 +275,11 @@ final class PlayCommand implements Callable<Integer> {
               } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
               }
+              String kept = out == null ? "" : "; what was recorded is in " + directory;
+              spec.commandLine()
+                  .getErr()
+                  .println("\nfieldcal: interrupted, both robots stand" + kept);
+              spec.commandLine().getErr().flush();
             });
     Runtime.getRuntime().addShutdownHook(hook);
     return hook;

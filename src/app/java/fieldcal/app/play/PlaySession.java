@@ -130,15 +130,21 @@ public final class PlaySession {
         throw e.getCause();
       } finally {
         stopRobots();
-        if (recorder != null) {
-          recorder.close();
-        }
+        endRecording();
       }
     }
     return new Outcome(
         latest.get(),
         Optional.ofNullable(recorder).map(SessionRecorder::log),
         Optional.ofNullable(recorder).map(SessionRecorder::commands));
+  }
+
+  private void endRecording() throws IOException {
+    if (recorder != null && play == null) {
+      recorder.discard();
+    } else if (recorder != null) {
+      recorder.close();
+    }
   }
 
   private void waitForGeometry() throws IOException {

@@ -146,6 +146,17 @@ public final class SessionRecorder implements Closeable {
     return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
   }
 
+  /**
+   * Ends a recording in which nothing happened, and takes its files away: it would only be in the way of the next session.
+   *
+   * @throws IOException when they cannot be deleted
+   */
+  void discard() throws IOException {
+    close();
+    Files.deleteIfExists(log);
+    Files.deleteIfExists(commands);
+  }
+
   @Override
   public void close() throws IOException {
     try {

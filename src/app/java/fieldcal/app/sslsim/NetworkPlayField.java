@@ -195,6 +195,9 @@ public final class NetworkPlayField implements PlayField {
   @Override
   public List<String> notes() {
     List<String> notes = new ArrayList<>(network.notes());
+    if (Double.isNaN(newestFrame)) {
+      notes.add("does the simulator run, and send its vision to " + network + "?");
+    }
     notes.addAll(client.notes());
     return notes;
   }

@@ -69,9 +69,11 @@ class PlayCommandTest {
 
   @Test
   void aLineOffTheFieldIsRefused() {
-    assertThat(run("play --sim --kind chip --kicks 3 --across 40")).isEqualTo(1);
+    assertThat(run("play --sim --kind chip --kicks 3 --across 40 --out DIR")).isEqualTo(1);
     assertThat(err.toString().lines()).hasSize(1);
     assertThat(err.toString()).contains("leaves the field");
+    // No empty recording is left in the way of the next session.
+    assertThat(directory).isEmptyDirectory();
   }
 
   @ParameterizedTest
