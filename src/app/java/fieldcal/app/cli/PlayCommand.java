@@ -232,8 +232,11 @@ final class PlayCommand implements Callable<Integer> {
         WorkProgress fitting = new WorkProgress()) {
       PlaySession session = new PlaySession(request, field, s -> text.follow(s, progress));
       Thread stop = stopOnExit(session, directory);
-      result = PlayRun.run(session, directory, fitting);
-      forget(stop);
+      try {
+        result = PlayRun.run(session, directory, fitting);
+      } finally {
+        forget(stop);
+      }
     }
     Optional<ObjectNode> truth = simulated.map(f -> TruthJson.of(f.finish(packet -> {})));
     if (out != null) {

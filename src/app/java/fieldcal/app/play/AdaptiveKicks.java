@@ -28,6 +28,9 @@ final class AdaptiveKicks implements KickChooser {
   /** Relative standard error from which on a parameter is known well enough, unless the operator wants another. */
   private static final double KNOWN = 0.01;
 
+  /** The error that the operator asks for also holds what differs from kick to kick: the detections have to tell more. */
+  private static final double RESERVE = 0.5;
+
   /** What is known of a parameter before the first kick, relative. */
   private static final double PRIOR = 0.5;
 
@@ -99,7 +102,7 @@ final class AdaptiveKicks implements KickChooser {
   private boolean isKnown() {
     double[] values = fits.current();
     double[] errors = relativeErrors(fits.information().add(prior(values)), values);
-    double enough = request.precision() > 0 ? request.precision() : KNOWN;
+    double enough = request.precision() > 0 ? RESERVE * request.precision() : KNOWN;
     return Arrays.stream(errors).allMatch(e -> e < enough);
   }
 
