@@ -8,14 +8,13 @@ import fieldcal.diagnosis.hidden.Judgement.Found;
 import fieldcal.diagnosis.hidden.Judgement.How;
 import fieldcal.diagnosis.hidden.Judgement.Outcome;
 import fieldcal.diagnosis.hidden.Judgement.Strength;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The diagnosis must find what is hidden: name, strength, gain. The seeds were chosen for time's sake, with at most 14 kicks and 4 cameras (but for one), and such that every effect is there and clear
- * (Magnus, which never is, marginal). Some that failed were replaced by others after that was seen, and are below or in the history: so these say that what works keeps working, and no rate may be
- * taken from them. {@code ./gradlew hiddenEffectStudy} has no such choice.
+ * The diagnosis must find what is hidden: name, strength, gain. The seeds were chosen for time's sake, with at most 14 kicks and 4 cameras (but for two), and such that every effect is there and clear
+ * (Magnus, which never is, and the strongest bounces marginal). Some failed once and were mended or replaced after that was seen: so these say that what works keeps working, and no rate may be taken from
+ * them. {@code ./gradlew hiddenEffectStudy} has no such choice.
  */
 class HiddenEffectTest {
   /** Of some sixty numbers one may be three standard errors off. */
@@ -45,7 +44,7 @@ class HiddenEffectTest {
         7000030, 7000146, 7000192, 7000599, 7007925, 7000541, 7000917, 7000491, 7000627, 7000224,
         7000329, 7000791, 7000993, 7001549, 7000233, 7000074, 7000821, 7000973, 7001206, 7000844,
         7001176, 7000120, 7000870, 7000067, 3000015, 7000789, 7000854, 7000068, 7000799, 7000064,
-        7000257, 41000269, 41000112
+        7000257, 41000269, 41000112, 7000162, 7000434, 7001218, 71000047
       })
   void aSingleEffectIsNamedSizedAndPays(long seed) {
     StudiedCase studied = study(seed);
@@ -92,13 +91,5 @@ class HiddenEffectTest {
     assertThat(studied.outcome().orElseThrow()).as("%s", studied).isEqualTo(Outcome.RIGHT);
     assertThat(studied.judgement().orElseThrow().verdict())
         .isEqualTo(Verdict.UNEXPLAINED_STRUCTURE);
-  }
-
-  /** Known defects: 7000162 and 7001218 are said to be unexplained, in 7000434 a chip that was taken for a flat kick is explained by causes that are not there. */
-  @Disabled("hops and kinds of single chips are not settled yet when few kicks tell what is usual")
-  @ParameterizedTest
-  @ValueSource(longs = {7000162, 7000434, 7001218})
-  void aSingleEffectBehindDoubtfulChipsIsFound(long seed) {
-    aSingleEffectIsNamedSizedAndPays(seed);
   }
 }
