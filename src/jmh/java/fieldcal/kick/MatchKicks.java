@@ -14,6 +14,7 @@ import fieldcal.fit.KickFitter;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.truth.KickTruth;
 import java.io.PrintStream;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -34,6 +35,8 @@ public final class MatchKicks {
   /** A fit of fewer detections says little about the kind. */
   private static final int ENOUGH = 20;
 
+  private static final int LARGE_TEAM = 11;
+
   private MatchKicks() {}
 
   /**
@@ -47,23 +50,42 @@ public final class MatchKicks {
     Map<String, Integer> kinds = new TreeMap<>();
     double seconds = 0;
     double covered = 0;
+    int[] large = new int[counts(judge).length];
     for (int i = 0; i < settings.runs(); i++) {
       DrawnMatch match = DrawnMatch.of(settings.seed() + i, settings.minutes());
       out.println(match);
       int cases = judge.cases().size();
       int pairs = judge.pairs().size();
+      int[] before = counts(judge);
       seconds += judge.judge(match);
+      if (match.settings().scenario().teamSize() == LARGE_TEAM) {
+        int[] after = counts(judge);
+        Arrays.setAll(large, k -> large[k] + after[k] - before[k]);
+      }
       covered += 60.0 * settings.minutes();
       judge.cases().subList(cases, judge.cases().size()).forEach(c -> out.println("  " + c));
       kinds(match, judge.pairs().subList(pairs, judge.pairs().size()), kinds);
     }
     out.println(judge.summary());
     out.println("kinds, told by the fit of each kick alone: " + kinds);
+    out.printf(
+        Locale.ROOT,
+        "11 against 11: %d kicks, %.1f %% found, %.1f %% invented, %.1f %% of the ends right%n",
+        large[0],
+        100.0 * large[1] / large[0],
+        100.0 * large[2] / large[0],
+        100.0 * large[4] / large[3]);
     goal(out, "found", 100.0 * judge.found() / judge.counted(), FOUND);
     goal(out, "invented", 100.0 * judge.invented() / judge.counted(), INVENTED);
     goal(out, "ends right", 100.0 * judge.rightEnds() / judge.judgedEnds(), ENDS);
     goal(out, "kinds right", rightKinds(kinds), KINDS);
     goal(out, "times real time", covered / seconds, SPEED);
+  }
+
+  private static int[] counts(KickJudge judge) {
+    return new int[] {
+      judge.counted(), judge.found(), judge.invented(), judge.judgedEnds(), judge.rightEnds()
+    };
   }
 
   private static void goal(PrintStream out, String what, double value, Goal goal) {

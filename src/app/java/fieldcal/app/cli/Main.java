@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.files.FileFailure;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
@@ -49,10 +50,8 @@ public final class Main {
 
   private static int explain(Exception exception, CommandLine command, ParseResult parsed) {
     PrintWriter err = command.getErr();
-    if (exception instanceof FileSystemException failure && failure.getReason() == null) {
-      // The name alone: the reason is in the type.
-      String reason = failure.getClass().getSimpleName().replace("Exception", "");
-      err.println("fieldcal: " + failure.getFile() + ": " + reason);
+    if (exception instanceof FileSystemException failure) {
+      err.println("fieldcal: " + FileFailure.words(failure));
     } else if (exception instanceof IOException) {
       err.println("fieldcal: " + exception.getMessage());
     } else {

@@ -20,7 +20,7 @@ final class KicksToRecord {
   private static final Wish FAST_FLAT = new Wish("flat", KICKS, 4, 6.5, "");
   private static final Wish SLOW_FLAT = new Wish("flat", KICKS, 1.5, 3, "");
   private static final Wish ALL_FLAT = new Wish("flat", KICKS, 2, 6.5, "");
-  private static final Wish CHIPS = new Wish("chip", KICKS, 3, 6, "");
+  private static final Wish CHIPS = new Wish("chip", KICKS, 3, 5.5, "");
 
   /** In which kicks each cause shows. */
   private static final Map<String, List<Wish>> SHOWS_IN =

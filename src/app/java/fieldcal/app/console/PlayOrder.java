@@ -32,6 +32,14 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
     SIMULATOR
   }
 
+  /** How the next kick is chosen. */
+  enum Choice {
+    /** Speeds spread evenly. */
+    SPREAD,
+    /** For what it tells of the least certain parameter, or of causes that the session's kicks cannot tell apart. */
+    ADAPTIVE
+  }
+
   /**
    * A simulator on the network.
    *
@@ -66,6 +74,8 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
   static PlayOrder of(JsonNode body) {
     KickKind kind = Requests.oneOf(body, "kind", KickKind.values());
     Half half = Requests.oneOf(body, "half", Half.values());
+    Choice choice =
+        body.has("choice") ? Requests.oneOf(body, "choice", Choice.values()) : Choice.SPREAD;
     try {
       SessionRequest usual =
           SessionRequest.of(kind, (int) Requests.number(body, "kicks").orElse(12));
@@ -77,7 +87,7 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
                   value(body, "slowest", usual.slowest()),
                   value(body, "fastest", usual.fastest()),
                   Math.toRadians(value(body, "elevation", 45)))
-              .withChoice(false, Requests.number(body, "seed").orElse(1));
+              .withChoice(choice == Choice.ADAPTIVE, Requests.number(body, "seed").orElse(1));
       double pace = value(body, "pace", 0);
       if (!(pace >= 0 && pace <= 100)) {
         throw ApiException.badRequest("pace must be 0 (as fast as possible) to 100");

@@ -5,10 +5,11 @@ import {button, confirmed, field, renew, select, table} from './parts.js';
 const {el, known, number, withError, fieldView, extent} = Charts;
 const {$, content, draw, charts, badge, swatch} = Frame;
 const PACES = [['1', 'real time'], ['4', '4 × real time'], ['0', 'as fast as it can']];
+const CHOICES = [['spread', 'spread'], ['adaptive', 'where they tell most']];
 
 export function playPage(app) {
   const page = {id: 'play', title: 'Play', always: true, show, told: showStatus, resized: () => showField(true), keys: {}, keyWords: [['p', 'pause the play, or let it go on']], badge: () => app.state && app.state.play && play().running ? ' ●' : ''};
-  const order = {field: 'simulated', host: 'localhost', port: 10300, vision: '224.5.23.2:10020', referee: '', kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, seed: 1, pace: '4'};
+  const order = {field: 'simulated', host: 'localhost', port: 10300, vision: '224.5.23.2:10020', referee: '', kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, choice: 'spread', seed: 1, pace: '4'};
   let theme, built = '', plan = null, planFailure = null, shape = '', planning = 0;
 
   const play = () => app.state.play;
@@ -34,13 +35,13 @@ export function playPage(app) {
     const text = (name, placeholder) => el('input', {id: 'order-' + name, value: order[name], size: 8, maxlength: 100, placeholder, oninput: keep(name)});
     const network = order.field === 'simulator';
     const chip = order.kind === 'chip';
-    const choose = name => value => { order[name] = value; if (name === 'kind') Object.assign(order, value === 'chip' ? {slowest: 3, fastest: 6.5} : {slowest: 2, fastest: 6.5}); built = ''; buildForm(); ask(); };
+    const choose = name => value => { order[name] = value; if (name === 'kind') Object.assign(order, value === 'chip' ? {slowest: 3, fastest: 5.5} : {slowest: 2, fastest: 6.5}); built = ''; buildForm(); ask(); };
     $('order-form').onsubmit = event => { event.preventDefault(); start(); };
     $('order-form').replaceChildren(el('fieldset', {disabled: play().running ? '' : null},
       field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator']], order.field, choose('field'))),
       field('Kicks', select('order-kind', [['flat', 'flat'], ['chip', 'chips']], order.kind, choose('kind'))),
       field('How many good ones', figure('kicks', 1, 200, 1, 5)),
-      field('Slowest m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest m/s', figure('fastest', 0.7, 8, 0.1, 5)),
+      field('Slowest m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest m/s', figure('fastest', 0.7, 8, 0.1, 5)), field('Speeds', select('order-choice', CHOICES, order.choice, value => { order.choice = value; })),
       ...(chip ? [field('Elevation °', figure('elevation', 15, 75, 1, 5)), field('Line at x m', figure('across', -6, 6, 0.1, 5))] : [field('Part of the field', select('order-half', [['whole', 'all of it'], ['negative', 'half at −x'], ['positive', 'half at +x']], order.half, choose('half')))]),
       field('Robot', text('first')), field('Robot', text('second')),
       field('Seed', figure('seed', 0, 999999, 1, 6)),
@@ -78,9 +79,9 @@ export function playPage(app) {
     $('next-kicks').replaceChildren(...(wishes.length === 0 ? [] : [el('p', {class: 'note'}, 'The diagnosis asks for:'), el('div', {class: 'choices'}, wishes.map(w => button(w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s', () => take(w), {title: w.why})))]));
   }
 
-  /** A wish of the diagnosis becomes the order. */
+  /** A wish of the diagnosis becomes the order; while it is played, the kicks are chosen that tell the causes apart. */
   function take(wish) {
-    Object.assign(order, {kind: wish.kind, kicks: wish.kicks, slowest: wish.slowest, fastest: wish.fastest});
+    Object.assign(order, {kind: wish.kind, kicks: wish.kicks, slowest: wish.slowest, fastest: wish.fastest, choice: 'adaptive'});
     built = '';
     buildForm();
     ask();

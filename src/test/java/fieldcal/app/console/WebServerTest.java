@@ -251,6 +251,7 @@ class WebServerTest {
       ",\"second\":\"yellow0\"",
       ",\"second\":\"robot\"",
       ",\"half\":\"both\"",
+      ",\"choice\":\"lucky\"",
       ",\"kind\":\"chip\",\"across\":50",
       ",\"pace\":-1",
       ",\"field\":\"moon\"",
@@ -264,7 +265,8 @@ class WebServerTest {
     }
     assertRefused(console.post("/api/play/word", "{\"word\":\"pause\"}"), 409);
     assertRefused(console.post("/api/play/word", "{\"word\":\"dance\"}"), 400);
-    Answer plan = console.post("/api/play/plan", order.formatted(",\"kicks\":5"));
+    Answer plan =
+        console.post("/api/play/plan", order.formatted(",\"kicks\":5,\"choice\":\"adaptive\""));
     assertThat(plan.status()).isEqualTo(200);
     assertThat(plan.json().path("kicks")).hasSize(5);
     assertThat(plan.json().path("lines")).hasSize(2);
