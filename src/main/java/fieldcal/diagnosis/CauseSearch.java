@@ -49,6 +49,10 @@ final class CauseSearch {
   private static final double FIRST_EDGE_STEP = 0.32;
 
   private static final double LAST_EDGE_STEP = 0.015;
+
+  /** The standard error of an edge, m: that of a value known to one last step. */
+  private static final double EDGE_ERROR = 0.02 / Math.sqrt(3);
+
   private static final int EDGE_ROUNDS = 4;
   private static final int EDGE_STEPS = 8;
 
@@ -428,21 +432,45 @@ final class CauseSearch {
   private FittedHypothesis moveEdge(FittedHypothesis f, int edge, double step, double atMost) {
     FittedHypothesis best = f;
     for (int i = 0; i < EDGE_STEPS; i++) {
-      Chart now = region(best.hypothesis());
-      Chart moved = RegionSearch.moved(now, edge, step).orElse(null);
-      if (moved == null) {
-        return best;
-      }
-      Hypothesis h = best.hypothesis().without(now).with(moved, false);
-      double[] start = start(h, best);
-      start[offset(h, moved)] = best.shared()[best.offset(now)];
-      FittedHypothesis tried = fitter.fit(h, start, best, false);
-      if (!(tried.chiSquare() < best.chiSquare() + atMost)) {
+      FittedHypothesis tried = withEdge(best, edge, step);
+      if (tried == null || !(tried.chiSquare() < best.chiSquare() + atMost)) {
         return best;
       }
       best = tried;
     }
     return best;
+  }
+
+  /** The fit with one edge moved; null when the region would be too small. */
+  private FittedHypothesis withEdge(FittedHypothesis f, int edge, double step) {
+    Chart now = region(f.hypothesis());
+    Chart moved = RegionSearch.moved(now, edge, step).orElse(null);
+    if (moved == null) {
+      return null;
+    }
+    Hypothesis h = f.hypothesis().without(now).with(moved, false);
+    double[] start = start(h, f);
+    start[offset(h, moved)] = f.shared()[f.offset(now)];
+    return fitter.fit(h, start, f, false);
+  }
+
+  /**
+   * What the edges of a region leave open of its change: they are known to the last step only, and a region that is a little too large is a little less worn. Zero without a region.
+   */
+  double edgeError(FittedHypothesis f) {
+    Chart now = region(f.hypothesis());
+    double sum = 0;
+    for (int edge = 0; edge < RegionSearch.EDGES && now != null; edge++) {
+      double[] change = {f.shared()[f.offset(now)], f.shared()[f.offset(now)]};
+      for (int side = 0; side < 2; side++) {
+        FittedHypothesis moved = withEdge(f, edge, side == 0 ? -EDGE_ERROR : EDGE_ERROR);
+        change[side] =
+            moved == null ? change[side] : moved.shared()[moved.offset(region(moved.hypothesis()))];
+      }
+      double difference = (change[1] - change[0]) / 2;
+      sum += difference * difference;
+    }
+    return Math.sqrt(sum);
   }
 
   private static Chart region(Hypothesis h) {

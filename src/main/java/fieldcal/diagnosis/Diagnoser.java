@@ -308,6 +308,9 @@ public final class Diagnoser {
       for (Chart chart : best.hypothesis().charts()) {
         Map<String, Double> errors =
             chart.errors(best.shared(), best.covariance(), best.offset(chart));
+        if (chart.id().equals("worn_region")) {
+          errors.replaceAll((name, error) -> Math.hypot(error, search.edgeError(best)));
+        }
         causes.add(
             new Cause(
                 best.effect(chart),

@@ -102,7 +102,9 @@ final class Kinds {
       return fit;
     }
     KickFit changed = fitter.fit(free, toChip ? KickKind.CHIP : KickKind.FLAT);
-    return changed.failure().isPresent() ? fit : changed;
+    // With parameters of its own, a flat kick that spins is a chip of many low hops.
+    boolean possible = changed.failure().isEmpty() && (!toChip || isSteep(changed));
+    return possible ? changed : fit;
   }
 
   private static boolean isSteep(KickFit chip) {

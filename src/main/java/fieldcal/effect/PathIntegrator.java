@@ -306,8 +306,9 @@ final class PathIntegrator {
     state[4] -= lostY;
     state[6] += lostX / effects.ball.inertiaFactor();
     state[7] += lostY / effects.ball.inertiaFactor();
-    if ((state[3] - state[6]) * slipX + (state[4] - state[7]) * slipY < 0) {
-      // Friction can stop the slip, not turn it round.
+    boolean turned = (state[3] - state[6]) * slipX + (state[4] - state[7]) * slipY < 0;
+    if (turned || slipX * slipX + slipY * slipY < TINY * TINY) {
+      // Friction can stop the slip, not turn it round, and does nothing to a ball that rolls.
       state[6] = state[3];
       state[7] = state[4];
     }

@@ -13,6 +13,9 @@ public final class BallIntegrator {
 
   private static final double TIME_RESOLUTION = 1e-12;
 
+  /** Slower slip is rounding, m/s. */
+  private static final double ROLLING_SLIP = 1e-9;
+
   private final BallPhysics physics;
   private final Forces forces;
   private final double[] trial = new double[9];
@@ -229,8 +232,10 @@ public final class BallIntegrator {
     s[3] -= lostX;
     s[4] -= lostY;
     forces.addSpinOfImpulse(s, -lostX, -lostY);
-    // Friction can stop the slip, not turn it round.
-    if (forces.slipX(s) * beforeX + forces.slipY(s) * beforeY < 0) {
+    // Friction can stop the slip, not turn it round; of a ball that rolled already rounding would
+    // say which of both it is.
+    boolean rolled = Math.hypot(beforeX, beforeY) < ROLLING_SLIP;
+    if (rolled || forces.slipX(s) * beforeX + forces.slipY(s) * beforeY < 0) {
       forces.makeRolling(s);
     }
   }
