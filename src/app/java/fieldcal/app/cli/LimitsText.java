@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.limits.LimitWords;
 import fieldcal.app.limits.LimitsOutcome;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.movement.LimitDeviation;
@@ -76,11 +77,11 @@ final class LimitsText {
     }
     for (LimitDeviation d : limits.deviations()) {
       line(
-          "%s: %s, it %s: coefficient %.3f ± %.3f (seen in %s; %.0f %% of the manoeuvres are at the"
-              + " limit with it, %.0f %% without).",
+          "%s: it %s%n  (%s, coefficient %.3f ± %.3f; seen in %s: %.0f %% of the manoeuvres are at"
+              + " the limit with it, %.0f %% without).",
           team,
+          LimitWords.sentence(limits, d),
           d.effect().id(),
-          d.effect().sentence(),
           d.coefficient(),
           d.standardError(),
           d.seenIn(),

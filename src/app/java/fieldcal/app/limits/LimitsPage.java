@@ -70,10 +70,10 @@ final class LimitsPage {
       String seenIn,
       @Rounded(3) double shareWithout,
       @Rounded(3) double shareWith) {
-    static EffectView of(LimitDeviation d) {
+    static EffectView of(TeamLimits limits, LimitDeviation d) {
       return new EffectView(
           d.effect().id(),
-          d.effect().sentence(),
+          LimitWords.sentence(limits, d),
           d.coefficient(),
           d.standardError(),
           d.seenIn(),
@@ -163,7 +163,7 @@ final class LimitsPage {
         Estimate.of(limits.leagueVelocity()),
         Estimate.of(limits.leagueAcceleration()),
         Estimate.of(limits.leagueBraking()),
-        limits.deviations().stream().map(EffectView::of).toList(),
+        limits.deviations().stream().map(d -> EffectView.of(limits, d)).toList(),
         limits.speedCaps().stream().map(CapView::of).toList(),
         limits.manoeuvres(),
         Picture.of(statistics.ownFrame()),

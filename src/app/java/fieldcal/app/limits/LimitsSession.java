@@ -2,6 +2,7 @@ package fieldcal.app.limits;
 
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.gamelog.RecordingReader;
 import fieldcal.movement.MovementStatistics;
 import fieldcal.vision.Team;
 import java.io.IOException;
@@ -59,6 +60,10 @@ public final class LimitsSession {
   public LimitsOutcome run(List<Path> logs, Progress progress) throws IOException {
     List<DataProblem> problems = new ArrayList<>();
     List<Path> different = different(logs, problems);
+    for (Path log : different) {
+      // What cannot be read at all is told at once, not after minutes of reading the others.
+      RecordingReader.open(log).close();
+    }
     List<RecordedMovement> read = readAll(different, progress);
     MovementStatistics all = new MovementStatistics();
     List<Double> noises = new ArrayList<>();

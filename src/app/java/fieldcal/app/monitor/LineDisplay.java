@@ -80,6 +80,6 @@ public final class LineDisplay implements MatchDisplay {
   @Override
   public void summary(MatchStatus status) {
     line("");
-    text.lines(status).forEach(this::line);
+    text.summary(status, MatchText.UNBROKEN).forEach(this::line);
   }
 }

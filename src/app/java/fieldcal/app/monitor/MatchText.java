@@ -12,6 +12,7 @@ import fieldcal.live.LiveWarning;
 import fieldcal.live.MovementSnapshot;
 import fieldcal.live.ParameterEstimate;
 import fieldcal.live.SampleTree;
+import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
@@ -21,10 +22,15 @@ import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
-/** A match in lines of at most 100 characters, for a terminal. */
+/** A match in lines: what matters most first, tables of at most 80 characters, sentences as wide as wanted. */
 final class MatchText {
+  /** Sentences stay in one line, however long. */
+  static final int UNBROKEN = Integer.MAX_VALUE;
+
   private static final int NEWEST_KICKS = 3;
+  private static final String CONTINUED = " ".repeat(9);
   private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
 
   private final ZoneId zone;
@@ -34,20 +40,49 @@ final class MatchText {
     this.zone = zone;
   }
 
-  /** The whole state. */
-  List<String> lines(MatchStatus status) {
+  /** The whole state, sentences broken at a number of characters. */
+  List<String> lines(MatchStatus status, int width) {
     LiveSnapshot s = status.snapshot();
     List<String> lines = new ArrayList<>();
-    add(lines, "%-70s %s", status.feed().title(), clock(s.time()));
-    lines.add(referee(status));
-    warnings(lines, s);
+    add(lines, "%s  %s", clock(s.time()), status.feed().title());
+    sentence(lines, referee(status), width);
+    warnings(lines, s, width);
+    status.feed().notes().forEach(note -> sentence(lines, note, width));
     ball(lines, s.ball());
-    robots(lines, s.movement(), status);
+    robots(lines, s.movement(), width);
     cameras(lines, s);
     kicks(lines, s.ball());
-    lines.add("");
-    status.feed().notes().forEach(note -> lines.add(note));
     return lines;
+  }
+
+  /** The whole state at the end, and what to do where a match was too short. */
+  List<String> summary(MatchStatus status, int width) {
+    List<String> lines = lines(status, width);
+    String few =
+        status.snapshot().ball().parameters().stream()
+            .filter(e -> !e.enough())
+            .map(e -> e.parameter().id() + " (" + e.samples() + ")")
+            .collect(Collectors.joining(", "));
+    if (!few.isEmpty()) {
+      lines.add("");
+      String pool =
+          "fewer than %d kicks for %s: --state FILE keeps them for the next match on this carpet";
+      sentence(lines, String.format(Locale.ROOT, pool, SampleTree.ENOUGH, few), width);
+    }
+    return lines;
+  }
+
+  private static void sentence(List<String> lines, String text, int width) {
+    String rest = text;
+    while (rest.length() > width) {
+      int space = rest.lastIndexOf(' ', width);
+      if (space <= CONTINUED.length()) {
+        break;
+      }
+      lines.add(rest.substring(0, space).stripTrailing());
+      rest = CONTINUED + rest.substring(space).strip();
+    }
+    lines.add(rest);
   }
 
   /** A point in time for people. */
@@ -89,16 +124,13 @@ final class MatchText {
   }
 
   /** As it was when the warning began: a step of the newest kicks may not have moved the median of all yet. */
-  private void warnings(List<String> lines, LiveSnapshot s) {
-    if (s.ball().warnings().isEmpty() && s.movement().warnings().isEmpty()) {
-      return;
-    }
+  private void warnings(List<String> lines, LiveSnapshot s, int width) {
     lines.add("");
     for (LiveWarning w : s.ball().warnings()) {
-      add(lines, "WARNING  since %s: %s", clock(w.time()), w.text());
+      sentence(lines, "WARNING  since " + clock(w.time()) + ": " + w.text(), width);
     }
     for (LimitWarning w : s.movement().warnings()) {
-      add(lines, "WARNING  since %s: %s", clock(w.time()), w.text());
+      sentence(lines, "WARNING  since " + clock(w.time()) + ": " + w.text(), width);
     }
   }
 
@@ -118,12 +150,13 @@ final class MatchText {
         dropped);
     add(
         lines,
-        "  %-29s %9s   %-19s %5s %10s",
+        "  %-21s %8s %9s  %-12s %5s  %s",
         "",
         "median",
-        "half of them within",
+        "published",
+        "ball does",
         "kicks",
-        "published");
+        "half are within");
     for (ParameterEstimate e : ball.parameters()) {
       lines.add(parameter(e));
     }
@@ -133,19 +166,16 @@ final class MatchText {
     BallParameter p = e.parameter();
     String within =
         e.samples() < 2 ? "" : value(e.lowerQuartile()) + " … " + value(e.upperQuartile());
-    String count = e.enough() ? "" + e.samples() : e.samples() + "/" + SampleTree.ENOUGH;
-    String spin = e.maybeSpun() ? ", after dribbling only: spin?" : "";
-    String note = e.published().isEmpty() ? "not published" : e.enough() ? deviation(e) + spin : "";
     return String.format(
-        Locale.ROOT,
-        "  %-22s %-6s %9s   %-19s %5s %10s   %s",
-        p.id(),
-        p.unit(),
-        e.samples() == 0 ? "–" : value(e.median()),
-        within,
-        count,
-        e.published().map(MatchText::value).orElse("–"),
-        note);
+            Locale.ROOT,
+            "  %-21s %8s %9s  %-12s %5s  %s",
+            p.id() + (p.unit().isEmpty() ? "" : ", " + p.unit()),
+            e.samples() == 0 ? "–" : value(e.median()),
+            e.published().map(MatchText::value).orElse("–"),
+            e.enough() ? deviation(e) : e.samples() == 0 ? "" : "too few yet",
+            e.enough() ? "" + e.samples() : e.samples() + "/" + SampleTree.ENOUGH,
+            e.maybeSpun() ? "dribbled: spin?" : within)
+        .stripTrailing();
   }
 
   private static String value(double v) {
@@ -162,14 +192,14 @@ final class MatchText {
       return "as published";
     }
     return String.format(
-        Locale.ROOT, "%.0f %% %s than published", Math.abs(percent), percent > 0 ? "more" : "less");
+        Locale.ROOT, "%.0f %% %s", Math.abs(percent), percent > 0 ? "more" : "less");
   }
 
-  private void robots(List<String> lines, MovementSnapshot movement, MatchStatus status) {
+  private void robots(List<String> lines, MovementSnapshot movement, int width) {
     lines.add("");
     add(
         lines,
-        "%-11s %-21s %-21s %-21s",
+        "%-9s %-20s %-20s %s",
         "ROBOTS",
         "velocity, m/s",
         "acceleration, m/s²",
@@ -178,37 +208,36 @@ final class MatchText {
       TeamLimits now = movement.limits().get(team);
       TeamLimits before = movement.beforeBreak().get(team);
       TeamLimits shown = now != null && now.acceleration().known() || before == null ? now : before;
-      String since = shown != null && shown == before ? "before the break" : "";
+      String since = shown != null && shown == before ? "earlier" : "";
       if (shown == null) {
-        add(lines, "  %-9s nothing yet", team.label());
+        add(lines, "  %-7s nothing yet", team.label());
         continue;
       }
       add(
           lines,
-          "  %-9s %-21s %-21s %-21s %s",
+          "  %-7s %-20s %-20s %-20s %s",
           team.label(),
           limit(shown.velocity(), shown.leagueVelocity()),
           limit(shown.acceleration(), shown.leagueAcceleration()),
           limit(shown.braking(), shown.leagueBraking()),
           since);
-      shown
-          .deviations()
-          .forEach(
-              d ->
-                  add(
-                      lines,
-                      "            %s: %s (%.2f ± %.2f)",
-                      d.effect().id(),
-                      d.effect().sentence(),
-                      d.coefficient(),
-                      d.standardError()));
+      for (LimitDeviation d : shown.deviations()) {
+        String named =
+            String.format(
+                Locale.ROOT,
+                "          %s: %s (%.2f ± %.2f)",
+                d.effect().id(),
+                d.effect().sentence(),
+                d.coefficient(),
+                d.standardError());
+        sentence(lines, named, width);
+      }
     }
-    String breaks = movement.breaks() > 0 ? ", anew after a break" : "";
     add(
         lines,
-        "  counted since %s%s; in brackets the league's estimate, noise included",
+        "  since %s%s; in brackets the league's, with the noise",
         clock(movement.countingSince()),
-        breaks);
+        movement.breaks() > 0 ? ", anew after a break" : "");
   }
 
   private static String limit(LimitEstimate own, LimitEstimate league) {

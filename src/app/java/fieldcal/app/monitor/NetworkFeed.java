@@ -98,7 +98,7 @@ public final class NetworkFeed implements MatchFeed {
   @Override
   public FeedStatus status() {
     String title = vision + referee.map(r -> ", referee " + r).orElse("");
-    return new FeedStatus(title, network.notes(), network.vision().silentFor() > SILENT);
+    return new FeedStatus(title, network.notes(), network.withoutFrames() > SILENT);
   }
 
   @Override

@@ -21,15 +21,18 @@ public final class ScreenDisplay implements MatchDisplay {
   /** How often a terminal's size is asked for. */
   private static final int SHOWS_PER_SIZE = 10;
 
-  private static final int USUAL_ROWS = 40;
-  private static final int FEWEST_ROWS = 10;
+  private static final Size USUAL = new Size(40, 100);
+  private static final Size SMALLEST = new Size(10, 40);
 
   private final PrintWriter out;
   private final MatchText text;
   private boolean entered;
   private long last;
-  private int rows;
+  private Size size;
   private int shows;
+
+  /** Of a terminal, in characters. */
+  private record Size(int rows, int columns) {}
 
   /**
    * A display.
@@ -52,7 +55,7 @@ public final class ScreenDisplay implements MatchDisplay {
     StringBuilder page = new StringBuilder();
     page.append(entered ? HOME : ENTER + HOME);
     entered = true;
-    for (String line : fitting(text.lines(status))) {
+    for (String line : fitting(status)) {
       page.append(line).append(CLEAR_LINE).append('\n');
     }
     page.append("Ctrl-C ends").append(CLEAR_LINE).append(CLEAR_REST);
@@ -61,36 +64,48 @@ public final class ScreenDisplay implements MatchDisplay {
   }
 
   /** A line more than the terminal has would push the first ones out, and the first ones are warnings. */
-  private List<String> fitting(List<String> lines) {
-    if (rows == 0 || ++shows % SHOWS_PER_SIZE == 0) {
-      rows = rows();
+  private List<String> fitting(MatchStatus status) {
+    if (size == null || ++shows % SHOWS_PER_SIZE == 0) {
+      size = size();
     }
-    List<String> kept = lines;
-    if (kept.size() >= rows) {
+    List<String> kept = text.lines(status, size.columns() - 1);
+    if (kept.size() >= size.rows()) {
       kept = kept.stream().filter(line -> !line.isBlank()).toList();
     }
-    return kept.subList(0, Math.min(kept.size(), rows - 1));
+    return kept.subList(0, Math.min(kept.size(), size.rows() - 1)).stream().map(this::cut).toList();
+  }
+
+  /** One column stays free: in the last one, the end of the line would be wiped with what stood there before. */
+  private String cut(String line) {
+    int most = size.columns() - 1;
+    return line.length() <= most ? line : line.substring(0, most - 1) + "…";
   }
 
   /** As the terminal itself says; Java does not know. */
-  private static int rows() {
+  private static Size size() {
     try {
       Process stty =
           new ProcessBuilder("stty", "size")
               .redirectInput(new File("/dev/tty"))
               .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
-      String size = new String(stty.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
-      return Math.max(FEWEST_ROWS, Integer.parseInt(size.strip().split(" ")[0]));
-    } catch (IOException | NumberFormatException e) {
-      return USUAL_ROWS;
+      String said = new String(stty.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+      String[] numbers = said.strip().split(" ");
+      int rows = Integer.parseInt(numbers[0]);
+      int columns = Integer.parseInt(numbers[1]);
+      // Some terminals do not know their size and say 0.
+      return rows == 0 || columns == 0
+          ? USUAL
+          : new Size(Math.max(SMALLEST.rows(), rows), Math.max(SMALLEST.columns(), columns));
+    } catch (IOException | NumberFormatException | ArrayIndexOutOfBoundsException e) {
+      return USUAL;
     }
   }
 
   @Override
   public void summary(MatchStatus status) {
     close();
-    text.lines(status).forEach(out::println);
+    text.summary(status, size == null ? USUAL.columns() : size.columns()).forEach(out::println);
     out.flush();
   }
 

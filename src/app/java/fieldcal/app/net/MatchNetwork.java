@@ -16,6 +16,9 @@ public final class MatchNetwork implements AutoCloseable {
   /** After a silence of that many seconds the group is joined anew; vision sends 70 times a second, the referee 10 times. */
   private static final double PATIENCE = 2;
 
+  /** A sender that was silent for longer than the others is no longer told of, s. */
+  private static final double REMEMBERED = 60;
+
   /** Is told what came. */
   public interface Sink extends VisionSource.Sink {
     /**
@@ -39,6 +42,7 @@ public final class MatchNetwork implements AutoCloseable {
   private final Optional<PacketReceiver> referee;
   private final RefereeSource refereeSource;
   private final Sink sink;
+  private final long begin = System.nanoTime();
 
   /**
    * Begins to receive.
@@ -128,19 +132,37 @@ public final class MatchNetwork implements AutoCloseable {
   }
 
   /**
+   * For how long no frame came that counts, whatever else may have come.
+   *
+   * @return time since the last one, or since the beginning when there was none, s
+   */
+  public double withoutFrames() {
+    long last = visionSource.frames() == 0 ? begin : visionSource.lastFrame();
+    return 1e-9 * (System.nanoTime() - last);
+  }
+
+  /**
    * How it does, for the operator.
    *
    * @return one line for each thing worth knowing
    */
   public List<String> notes() {
     List<String> lines = new ArrayList<>();
-    describe(lines, "vision", vision.counts(), visionSource.counts());
-    referee.ifPresent(r -> describe(lines, "referee", r.counts(), refereeSource.counts()));
+    ReceiverCounts seen = vision.counts();
+    String line = line("vision", seen);
+    if (seen.received() > 0 && seen.silentFor() <= PATIENCE && withoutFrames() > PATIENCE) {
+      line += String.format(Locale.ROOT, ", NO FRAME among them for %.0f s", withoutFrames());
+    }
+    lines.add(line);
+    senders(lines, visionSource.counts(), visionSource.tooMany());
+    if (referee.isPresent()) {
+      lines.add(line("referee", referee.get().counts()));
+      senders(lines, refereeSource.counts(), refereeSource.tooMany());
+    }
     return lines;
   }
 
-  private static void describe(
-      List<String> lines, String name, ReceiverCounts counts, List<SourceCounts> sources) {
+  private static String line(String name, ReceiverCounts counts) {
     StringBuilder line = new StringBuilder();
     line.append(name).append(": ");
     if (counts.received() == 0) {
@@ -157,12 +179,19 @@ public final class MatchNetwork implements AutoCloseable {
       }
     }
     counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));
-    lines.add(line.toString());
-    boolean telling = sources.size() > 1;
-    for (SourceCounts s : sources) {
-      if (telling || s.wrong() > 0) {
+    return line.toString();
+  }
+
+  /** Those who send, when there are several or something is wrong with one; who left long ago is of no interest any more. */
+  private static void senders(List<String> lines, List<SourceCounts> all, long tooMany) {
+    List<SourceCounts> here = all.stream().filter(s -> s.silentFor() < REMEMBERED).toList();
+    for (SourceCounts s : here) {
+      if (here.size() > 1 || s.wrong() > 0) {
         lines.add(source(s));
       }
+    }
+    if (tooMany > 0) {
+      lines.add("  too many senders: " + tooMany + " packets of others ignored");
     }
   }
 
@@ -180,6 +209,9 @@ public final class MatchNetwork implements AutoCloseable {
     }
     if (s.wrong() > 0) {
       line.append(", ").append(s.wrong()).append(" are no message that belongs here");
+    }
+    if (s.silentFor() > PATIENCE) {
+      line.append(String.format(Locale.ROOT, ", silent for %.0f s", s.silentFor()));
     }
     return line.toString();
   }

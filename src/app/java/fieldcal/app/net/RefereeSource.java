@@ -24,7 +24,7 @@ public final class RefereeSource {
 
   /** What a packet says; nothing if it is no referee's message or another one's. */
   Optional<RefereeState> accept(Packet packet) {
-    Sources.Source<RefereeDecoder> source = sources.of(packet.source());
+    Sources.Source<RefereeDecoder> source = sources.of(packet.source(), packet.received());
     if (source == null) {
       return Optional.empty();
     }
@@ -35,10 +35,15 @@ public final class RefereeSource {
     return state.filter(s -> sources.owns(source, REFEREE, packet.received()));
   }
 
+  /** Packets of senders that were too many; from any thread. */
+  long tooMany() {
+    return sources.tooMany();
+  }
+
   /**
    * What came from whom; from any thread.
    *
-   * @return one entry per sender, in the order of their first packet
+   * @return one entry per sender that is remembered, in the order of their first packet
    */
   public List<SourceCounts> counts() {
     return sources.counts();

@@ -2,6 +2,8 @@ package fieldcal.app.net;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,13 +14,19 @@ final class Sources<D> {
   /** A sender that was silent for so long has gone; another one may take its place, ns. */
   static final long SILENCE = 2_000_000_000L;
 
-  /** More senders than that are no network of the league's but an attack or a broken router. */
+  /**
+   * So many senders are remembered. Vision that is started anew sends from another port, so it is a sender of its own each time; whoever has been silent the longest makes room for it. More than that at once
+   * are no network of the league's but an attack or a broken router.
+   */
   private static final int MOST = 16;
+
+  private static final double SECOND = 1e9;
 
   /** One sender. */
   static final class Source<D> {
     private final InetSocketAddress address;
     private final D decoder;
+    private long last;
     private long packets;
     private long wrong;
     private long ignored;
@@ -42,6 +50,7 @@ final class Sources<D> {
   private final Function<InetSocketAddress, D> decoders;
   private final Map<InetSocketAddress, Source<D>> sources = new LinkedHashMap<>();
   private final Map<Object, Owner> owners = new LinkedHashMap<>();
+  private long newest = Long.MIN_VALUE;
   private long tooMany;
 
   Sources(Function<InetSocketAddress, D> decoders) {
@@ -49,10 +58,11 @@ final class Sources<D> {
   }
 
   /** The sender of a packet, which is counted; null when there are too many. */
-  synchronized Source<D> of(InetSocketAddress address) {
+  synchronized Source<D> of(InetSocketAddress address, long now) {
+    newest = Math.max(newest, now);
     Source<D> source = sources.get(address);
     if (source == null) {
-      if (sources.size() == MOST) {
+      if (sources.size() == MOST && !forgotSilent(now)) {
         tooMany++;
         return null;
       }
@@ -60,7 +70,14 @@ final class Sources<D> {
       sources.put(address, source);
     }
     source.packets++;
+    source.last = now;
     return source;
+  }
+
+  private boolean forgotSilent(long now) {
+    Source<D> oldest =
+        Collections.min(sources.values(), Comparator.comparingLong((Source<D> s) -> s.last));
+    return now - oldest.last > SILENCE && sources.remove(oldest.address) != null;
   }
 
   synchronized void wrong(Source<D> source) {
@@ -81,6 +98,7 @@ final class Sources<D> {
     return true;
   }
 
+  /** Packets of senders that were too many. */
   synchronized long tooMany() {
     return tooMany;
   }
@@ -94,7 +112,8 @@ final class Sources<D> {
               .map(e -> (Integer) e.getKey())
               .sorted()
               .toList();
-      all.add(new SourceCounts(s.address, s.packets, s.wrong, s.ignored, cameras));
+      double silent = (newest - s.last) / SECOND;
+      all.add(new SourceCounts(s.address, s.packets, s.wrong, s.ignored, silent, cameras));
     }
     return all;
   }

@@ -6,6 +6,7 @@ import fieldcal.vision.VisionDecoder;
 import fieldcal.vision.VisionFrame;
 import fieldcal.vision.VisionPacket;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * From packets of vision to frames and geometry.
@@ -35,6 +36,8 @@ public final class VisionSource {
 
   private final Sources<VisionDecoder> sources;
   private final Sink sink;
+  private volatile long frames;
+  private volatile long lastFrame;
 
   /**
    * A source.
@@ -49,7 +52,8 @@ public final class VisionSource {
 
   /** Takes a packet. */
   void accept(Packet packet) {
-    Sources.Source<VisionDecoder> source = sources.of(packet.source());
+    long now = packet.received();
+    Sources.Source<VisionDecoder> source = sources.of(packet.source(), now);
     if (source == null) {
       return;
     }
@@ -58,15 +62,39 @@ public final class VisionSource {
       sources.wrong(source);
       return;
     }
-    long now = packet.received();
     content.geometry().filter(g -> sources.owns(source, GEOMETRY, now)).ifPresent(sink::geometry);
-    content.frame().filter(f -> sources.owns(source, f.cameraId(), now)).ifPresent(sink::frame);
+    Optional<VisionFrame> frame =
+        content.frame().filter(f -> sources.owns(source, f.cameraId(), now));
+    if (frame.isPresent()) {
+      frames++;
+      lastFrame = now;
+      sink.frame(frame.get());
+    }
+  }
+
+  /**
+   * How many frames the sink was told; from any thread.
+   *
+   * @return those of senders that are listened to
+   */
+  public long frames() {
+    return frames;
+  }
+
+  /** When the newest of these frames came, ns; from any thread. */
+  long lastFrame() {
+    return lastFrame;
+  }
+
+  /** Packets of senders that were too many; from any thread. */
+  long tooMany() {
+    return sources.tooMany();
   }
 
   /**
    * What came from whom; from any thread.
    *
-   * @return one entry per sender, in the order of their first packet
+   * @return one entry per sender that is remembered, in the order of their first packet
    */
   public List<SourceCounts> counts() {
     return sources.counts();

@@ -34,7 +34,8 @@
       }
       const numbers = KINDS.map(([key, label, unit]) => label.toLowerCase() + (team[key].reached || !known(team[key].value) ? ' ' : ' at least ') + withError(team[key].value, team[key].standardError, unit));
       const what = team.effects.length === 0 ? 'one limit for all speeds and directions describes it.'
-        : team.effects.map(e => 'it ' + e.sentence + ' (' + e.effect + ', coefficient ' + withError(e.coefficient, e.standardError) + ', seen in ' + e.seenIn + ')').join('; ') + '.';
+        : team.effects.map(e => 'it ' + e.sentence + ' (' + e.effect + ', coefficient ' + withError(e.coefficient, e.standardError) + '; seen in ' + e.seenIn + ': '
+          + number(100 * e.shareWith, 0) + ' % of the manoeuvres are at the limit with it, ' + number(100 * e.shareWithout, 0) + ' % without)').join('; ') + '.';
       lines.push(el('p', {}, el('b', {}, name), ': ' + numbers.join(', ') + '; ' + what));
       for (const cap of team.caps) lines.push(el('p', {}, name + ' ' + cap.robot + ' never drives faster than ' + withError(cap.speed, cap.standardError, 'm/s') + '.'));
     }

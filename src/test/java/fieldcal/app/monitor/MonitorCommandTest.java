@@ -54,7 +54,7 @@ class MonitorCommandTest {
         .contains("referee: NORMAL_FIRST_HALF, NORMAL_START")
         .containsPattern("#\\d+ +flat +\\d\\.\\d m/s (yellow|blue) \\d+")
         .contains("BALL     ")
-        .containsPattern("acc_roll +m/s² +-0\\.\\d\\d\\d")
+        .containsPattern("acc_roll, m/s² +-0\\.\\d\\d\\d")
         .contains("ROBOTS")
         .contains("CAMERAS")
         .contains("100 % read");

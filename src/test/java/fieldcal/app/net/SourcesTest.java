@@ -1,6 +1,7 @@
 package fieldcal.app.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.proto.Referee;
 import fieldcal.vision.Epoch;
@@ -115,6 +116,28 @@ class SourcesTest {
       send(new InetSocketAddress("10.1.0.1", 1 + i), frame(i % 4, i), i);
     }
     assertThat(vision.counts()).hasSize(16);
+  }
+
+  @Test
+  void visionThatIsStartedAnewOverAndOverIsHeardEachTime() {
+    for (int start = 0; start < 40; start++) {
+      for (int i = 0; i < 3; i++) {
+        send(new InetSocketAddress("10.0.0.1", 40_000 + start), frame(0, i), 3 * start + 0.1 * i);
+      }
+    }
+    assertThat(frames).hasSize(120);
+    assertThat(vision.tooMany()).isZero();
+    assertThat(vision.counts()).last().satisfies(s -> assertThat(s.silentFor()).isZero());
+    assertThat(vision.counts().get(0).silentFor()).isEqualTo(45.2 - 0.2, within(1e-6));
+  }
+
+  @Test
+  void moreSendersAtOnceThanCanBeAreCounted() {
+    for (int i = 0; i < 30; i++) {
+      send(new InetSocketAddress("10.0.0.1", 40_000 + i), frame(i, i), 0.01 * i);
+    }
+    assertThat(frames).hasSize(16);
+    assertThat(vision.tooMany()).isEqualTo(14);
   }
 
   @Test
