@@ -11,6 +11,9 @@ final class CheckStep implements Step {
   /** After a kick in vain the kicker may have to charge, s. */
   private static final double BREATH = 1;
 
+  /** After so many attempts in vain to take the ball somebody has to lay it down elsewhere. */
+  private static final int FETCHES = 3;
+
   private final Ledger ledger;
   private final int holder;
   private double since = Double.NaN;
@@ -56,6 +59,9 @@ final class CheckStep implements Step {
       return s.time() - since > s.limits().flightTimeout()
           ? new HelpStep(ledger, "the ball does not come to rest")
           : this;
+    }
+    if (ledger.timesNotFetched() >= FETCHES) {
+      return new HelpStep(ledger, ledger.lastFailure());
     }
     return next(s, ledger.next(ball));
   }

@@ -2,6 +2,7 @@ package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
+import java.util.List;
 import java.util.Optional;
 
 /** A robot takes the ball with its dribbler. */
@@ -9,11 +10,21 @@ final class FetchStep extends TaskStep {
   private static final int DIRECTIONS = 16;
   private static final double TIMEOUT = 15;
 
+  /** Between the centres of a robot that takes the ball and of any other, m. */
+  private static final double APART = 0.26;
+
+  /** A robot whose centre is nearer to the ball touches it, m. */
+  private static final double TOUCHES = 0.125;
+
+  /** Somebody who stands too close for longer is gone round, in another direction, s. */
+  private static final double BLOCKED = 3;
+
   private final double ballX;
   private final double ballY;
   private final double facing;
   private boolean grabbing;
   private double touching = Double.NaN;
+  private double blocked = Double.NaN;
 
   private FetchStep(Ledger ledger, Task task, double ballX, double ballY, double facing) {
     super(PlayPhase.FETCH, ledger, task);
@@ -30,14 +41,25 @@ final class FetchStep extends TaskStep {
       double offset = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1) * 2 * Math.PI / DIRECTIONS;
       double facing = task.aim() + offset;
       Pose behind = Task.behind(ball.x(), ball.y(), facing, Task.BEHIND);
-      boolean free =
-          s.area().free(behind.x(), behind.y())
-              && s.others().stream().noneMatch(r -> distance(r, behind) < 0.26);
-      if (free) {
+      boolean room = s.area().free(behind.x(), behind.y());
+      if (room && inTheWay(s.others(), ball.x(), ball.y(), facing).isEmpty()) {
         return Optional.of(new FetchStep(ledger, task, ball.x(), ball.y(), facing));
       }
     }
     return Optional.empty();
+  }
+
+  /** Somebody without whom there would be room to drive up to the ball and take it. Who is beyond the ball may be near it. */
+  private static Optional<Robot> inTheWay(List<Robot> robots, double x, double y, double facing) {
+    Pose behind = Task.behind(x, y, facing, Task.BEHIND);
+    Pose taking = Task.behind(x, y, facing, PlayArea.AT_DRIBBLER);
+    return robots.stream()
+        .filter(
+            r ->
+                distance(r, behind) < APART
+                    || distance(r, taking) < APART
+                    || Math.hypot(r.x() - x, r.y() - y) < TOUCHES)
+        .findFirst();
   }
 
   private static double distance(Robot robot, Pose pose) {
@@ -48,7 +70,7 @@ final class FetchStep extends TaskStep {
   Step tick(Situation s, int i) {
     driveReceiver(s);
     if (age(s) > TIMEOUT) {
-      return giveUp(s.plan().robot(i) + " did not get hold of the ball");
+      return notFetched(s.plan().robot(i) + " did not get hold of the ball");
     }
     if (!grabbing) {
       return approach(s, i);
@@ -71,6 +93,11 @@ final class FetchStep extends TaskStep {
     return gone ? lookAgain() : this;
   }
 
+  private Step notFetched(String reason) {
+    ledger.notFetched();
+    return giveUp(reason);
+  }
+
   private boolean passed(Robot r) {
     double ahead = (ballX - r.x()) * Math.cos(facing) + (ballY - r.y()) * Math.sin(facing);
     return ahead < -0.05;
@@ -84,11 +111,19 @@ final class FetchStep extends TaskStep {
     s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);
     Robot r = s.robot(i);
     double turn = Math.IEEEremainder(facing - r.orientation(), 2 * Math.PI);
-    boolean clear = s.near(ballX, ballY, 0.22, i).isEmpty();
-    if (!clear) {
-      s.waitFor("a robot is too close to the ball");
+    Optional<Robot> close = inTheWay(s.except(i), ballX, ballY, facing);
+    if (close.isPresent()) {
+      String reason = close.get().id() + " is too close to the ball";
+      s.waitFor(reason);
+      blocked = Double.isNaN(blocked) ? s.time() : blocked;
+      if (s.time() - blocked > BLOCKED) {
+        return notFetched(reason);
+      }
+    } else {
+      blocked = Double.NaN;
     }
-    grabbing = clear && distance(r, behind) < 0.03 && Math.abs(turn) < 0.1 && r.speed() < 0.2;
+    grabbing =
+        close.isEmpty() && distance(r, behind) < 0.03 && Math.abs(turn) < 0.1 && r.speed() < 0.2;
     return this;
   }
 }

@@ -4,8 +4,18 @@ package fieldcal.play;
 final class HelpStep implements Step {
   private static final double[] PLACES = {0.05, 0.3, 0.5, 0.7, 0.95, 0.15, 0.85};
 
+  /** A ball that lies so much farther was laid down elsewhere, m. */
+  private static final double ELSEWHERE = 0.3;
+
+  /** Robots that near to the ball may be why nobody gets at it, m. */
+  private static final double CROWD = 1;
+
   private final Ledger ledger;
   private final String reason;
+  private boolean reachable;
+  private boolean crowded;
+  private double ballX;
+  private double ballY;
   private double since = Double.NaN;
   private double x = Double.NaN;
   private double y;
@@ -23,14 +33,17 @@ final class HelpStep implements Step {
   @Override
   public Step tick(Situation s) {
     if (Double.isNaN(since)) {
-      since = s.time();
-    }
-    if (Double.isNaN(x)) {
-      choosePlace(s);
+      begin(s);
     }
     BallMemory ball = s.ball();
     boolean back = ball.known() && s.ballUnseen() < 0.2 && ball.resting() > 0.3;
-    if (back && s.area().reachable(ball.x(), ball.y()) && s.time() - since > 0.5) {
+    boolean well = back && s.area().reachable(ball.x(), ball.y()) && s.time() - since > 0.5;
+    // A ball that could be reached and yet was not got hold of must not be found where it was,
+    // unless those who stood about it
+    // are gone.
+    boolean helped = !reachable || ball.distance(ballX, ballY) > ELSEWHERE;
+    if (well && (helped || crowded && !isCrowded(s))) {
+      ledger.helped();
       return new CheckStep(ledger, -1);
     }
     if (s.time() - since > s.limits().patience()) {
@@ -40,16 +53,35 @@ final class HelpStep implements Step {
     return this;
   }
 
-  /** On the line of the next kick, away from all robots. */
+  private void begin(Situation s) {
+    since = s.time();
+    BallMemory ball = s.ball();
+    ballX = ball.x();
+    ballY = ball.y();
+    reachable = ball.known() && s.ballUnseen() < 0.5 && s.area().reachable(ballX, ballY);
+    crowded = isCrowded(s);
+    choosePlace(s);
+  }
+
+  private boolean isCrowded(Situation s) {
+    return s.others().stream().anyMatch(r -> Math.hypot(r.x() - ballX, r.y() - ballY) < CROWD);
+  }
+
+  /** On the line of the next kick, away from all robots and from where the ball was of no use. */
   private void choosePlace(Situation s) {
     PlayLine line = s.plan().lineOf(ledger.next(s.ball()));
     for (double share : PLACES) {
       double px = line.x0() + share * (line.x1() - line.x0());
       double py = line.y0() + share * (line.y1() - line.y0());
-      if (Double.isNaN(x) || s.near(x, y, 0.6, 0).isPresent() || s.near(x, y, 0.6, 1).isPresent()) {
+      if (Double.isNaN(x) || !isFree(s, x, y)) {
         x = px;
         y = py;
       }
     }
+  }
+
+  private boolean isFree(Situation s, double px, double py) {
+    boolean elsewhere = !reachable || Math.hypot(px - ballX, py - ballY) > 2 * ELSEWHERE;
+    return elsewhere && s.near(px, py, 0.6, 0).isEmpty() && s.near(px, py, 0.6, 1).isEmpty();
   }
 }

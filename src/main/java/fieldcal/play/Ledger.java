@@ -17,6 +17,7 @@ final class Ledger {
   private int good;
   private int bad;
   private int failures;
+  private int notFetched;
   private String lastFailure = "";
 
   Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
@@ -54,6 +55,7 @@ final class Ledger {
   int takeNumber() {
     made++;
     failures = 0;
+    notFetched = 0;
     return made;
   }
 
@@ -76,6 +78,21 @@ final class Ledger {
   void failed(String reason) {
     failures++;
     lastFailure = reason;
+  }
+
+  /** A robot tried to take the ball in vain. */
+  void notFetched() {
+    notFetched++;
+  }
+
+  /** The ball was laid down somewhere else. */
+  void helped() {
+    notFetched = 0;
+  }
+
+  /** How often the ball was not got hold of since the last kick, or since somebody laid it down. */
+  int timesNotFetched() {
+    return notFetched;
   }
 
   /** Why it makes no sense to go on, if so. */

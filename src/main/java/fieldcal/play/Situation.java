@@ -92,10 +92,15 @@ final class Situation {
     return seen.stream().filter(r -> r != ours[0] && r != ours[1]).toList();
   }
 
+  /** All robots but one of ours. */
+  List<Robot> except(int index) {
+    return seen.stream().filter(r -> r != ours[index]).toList();
+  }
+
   /** Another robot than the given one of ours near a place. */
   Optional<Robot> near(double x, double y, double distance, int except) {
-    return seen.stream()
-        .filter(r -> r != ours[except] && Math.hypot(r.x() - x, r.y() - y) < distance)
+    return except(except).stream()
+        .filter(r -> Math.hypot(r.x() - x, r.y() - y) < distance)
         .findFirst();
   }
 

@@ -252,6 +252,36 @@ class CalibrationPlayTest {
   }
 
   @Test
+  void aBallBesideAThirdRobotThatStaysIsTakenFromTheOtherSide() {
+    flat(1);
+    field.ball(5.8, 4.3);
+    field.put(THIRD, 5.94, 4.16, 2);
+    assertFinishes();
+    assertThat(field.requests).isZero();
+  }
+
+  @Test
+  void aBallThatAThirdRobotHoldsIsAskedForElsewhere() {
+    flat(1);
+    field.ball(5.8, 4.3);
+    field.put(THIRD, 5.8 + 0.08, 4.3 + 0.08, -2.4);
+    assertFinishes();
+    assertThat(field.requests).isEqualTo(1);
+  }
+
+  @Test
+  void aBallThatAThirdRobotHoldsForGoodEndsThePlayWithItsName() {
+    flat(1);
+    field.ball(5.8, 4.3);
+    field.put(THIRD, 5.8 + 0.08, 4.3 + 0.08, -2.4);
+    field.somebodyHelps = false;
+    field.run(play, 300);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting().orElseThrow()).contains(THIRD + " ");
+    assertNobodyHurt();
+  }
+
+  @Test
   void aThirdRobotThatDrivesAtOursIsGivenWayTo() {
     flat(1);
     FakeField.Body third = field.put(THIRD, -5, -2, 0);
