@@ -26,7 +26,7 @@ public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
           + " [k-switch] [diagnose] [live] [live-carpets] [live-day] [sample-tree] [console]"
-          + " [play] [play-calibration] [play-adaptive] [play-causes]"
+          + " [play] [play-calibration] [play-adaptive] [play-causes] [play-udp]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
@@ -63,6 +63,7 @@ public final class Benchmarks {
     parts.put("play-calibration", PlayCalibrationBenchmark::run);
     parts.put("play-adaptive", AdaptiveBenchmark::run);
     parts.put("play-causes", CausesBenchmark::run);
+    parts.put("play-udp", NetworkPlayBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

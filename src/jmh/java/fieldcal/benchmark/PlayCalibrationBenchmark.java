@@ -6,13 +6,10 @@ import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
-import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
-import fieldcal.simulation.imaging.CameraSettings;
-import fieldcal.simulation.physics.BallPhysics;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -22,8 +19,6 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 
 /**
@@ -61,26 +56,15 @@ final class PlayCalibrationBenchmark {
     int incomplete = 0;
     for (int i = 0; i < fields; i++) {
       long seed = 7000 + 1000 * settings.seed() + i;
-      SplittableRandom random = new SplittableRandom(seed);
-      double[] truth = {
-        -random.nextDouble(2.6, 4), -random.nextDouble(0.2, 0.36), random.nextDouble(0.58, 0.71),
-        random.nextDouble(0.65, 0.85), random.nextDouble(0.85, 0.97), random.nextDouble(0.4, 0.55)
-      };
-      SimulationSettings world =
-          SimulationSettings.DEFAULT
-              .withSeed(seed)
-              .withPhysics(
-                  BallPhysics.ideal(truth[0], truth[1], truth[2], truth[3], truth[4], truth[5]))
-              .withCameras(
-                  CameraSettings.DEFAULT.withNoise(0.0015, 0.003).withRegistration(0.0215, 0.02));
+      DrawnField drawn = DrawnField.of(seed);
       Path directory = Files.createTempDirectory("fieldcal-play-benchmark");
       try {
         for (KickKind kind : KickKind.values()) {
-          PlaySession.Outcome outcome = play(world, kind, seed, directory);
+          PlaySession.Outcome outcome = play(drawn.settings(), kind, seed, directory);
           times[i] += outcome.last().time();
           incomplete += outcome.complete() ? 0 : 1;
         }
-        judge(PlayRun.calibrate(directory, QUIET), truth, i, fields, sigmas);
+        judge(PlayRun.calibrate(directory, QUIET), drawn.truth(), i, fields, sigmas);
       } finally {
         delete(directory);
       }
@@ -100,24 +84,18 @@ final class PlayCalibrationBenchmark {
   }
 
   private static void judge(
-      CalibrationOutcome outcome, double[] truth, int i, int n, Map<String, double[]> sigmas) {
+      CalibrationOutcome outcome,
+      Map<String, Double> truth,
+      int i,
+      int n,
+      Map<String, double[]> sigmas) {
     JointFit joint = outcome.calibration().joint().orElseThrow();
-    List<String> flat = List.of("accSlide", "accRoll", "kSwitch");
-    List<String> chip = List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
-    for (int k = 0; k < 6; k++) {
-      String name = k < 3 ? flat.get(k) : chip.get(k - 3);
-      Optional<Estimate> e = k < 3 ? joint.flat(name) : joint.chip(name);
-      double off =
-          e.filter(Estimate::usable)
-              .map(x -> x.value() - truth(truth, name, flat, chip))
-              .orElse(Double.NaN);
-      double error = e.map(Estimate::standardError).orElse(Double.NaN);
-      sigmas.computeIfAbsent(name, x -> new double[n])[i] = off / error;
-    }
-  }
-
-  private static double truth(double[] truth, String name, List<String> flat, List<String> chip) {
-    return flat.contains(name) ? truth[flat.indexOf(name)] : truth[3 + chip.indexOf(name)];
+    truth.forEach(
+        (name, value) ->
+            sigmas.computeIfAbsent(name, x -> new double[n])[i] =
+                DrawnField.estimate(joint, name)
+                    .map(e -> (e.value() - value) / e.standardError())
+                    .orElse(Double.NaN));
   }
 
   private static void print(

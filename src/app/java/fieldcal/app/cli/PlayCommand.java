@@ -9,6 +9,7 @@ import fieldcal.app.play.PlayField;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
+import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.simulation.TruthJson;
 import fieldcal.app.sslsim.NetworkPlayField;
 import fieldcal.kick.KickKind;
@@ -19,6 +20,8 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -49,6 +52,9 @@ import picocli.CommandLine.Spec;
 final class PlayCommand implements Callable<Integer> {
   /** Sessions of one simulated field begin that far apart, s. */
   private static final double BETWEEN_SESSIONS = 1800;
+
+  /** As a shell has it for a program that Ctrl-C has ended. */
+  private static final int INTERRUPTED = 130;
 
   @Spec private CommandSpec spec;
 
@@ -201,9 +207,7 @@ final class PlayCommand implements Callable<Integer> {
     try {
       return play(request.into(directory), field, simulated, directory);
     } finally {
-      if (out == null) {
-        delete(directory);
-      }
+      forgetUnlessKept(directory);
     }
   }
 
@@ -230,12 +234,18 @@ final class PlayCommand implements Callable<Integer> {
     PlayRun.Result result;
     try (TerminalProgress progress = TerminalProgress.ofWords();
         WorkProgress fitting = new WorkProgress()) {
-      PlaySession session = new PlaySession(request, field, s -> text.follow(s, progress));
-      Thread stop = stopOnExit(session, directory);
-      try {
-        result = PlayRun.run(session, directory, fitting);
-      } finally {
-        forget(stop);
+      PlaySession session = new PlaySession(request, field, s -> follow(s, field, text, progress));
+      PrintWriter err = spec.commandLine().getErr();
+      Runnable cleanUp = () -> forgetUnlessKept(directory);
+      try (StopOnExit stop = new StopOnExit(session, Optional.ofNullable(out), cleanUp, err)) {
+        try {
+          result = PlayRun.run(session, directory, fitting);
+        } catch (IOException e) {
+          if (stop.happened()) {
+            return INTERRUPTED;
+          }
+          throw e;
+        }
       }
     }
     Optional<ObjectNode> truth = simulated.map(f -> TruthJson.of(f.finish(packet -> {})));
@@ -261,47 +271,28 @@ final class PlayCommand implements Callable<Integer> {
     return 0;
   }
 
+  private static void follow(
+      SessionSnapshot s, PlayField field, PlayText text, TerminalProgress progress) {
+    text.complaints(field.complaints(), progress);
+    text.follow(s, progress);
+  }
+
   private void simulatorNotes(PlayField field) {
     field.notes().forEach(spec.commandLine().getOut()::println);
     spec.commandLine().getOut().flush();
   }
 
-  /** Robots must not drive on when somebody presses Ctrl-C. */
-  private Thread stopOnExit(PlaySession session, Path directory) {
-    Thread runner = Thread.currentThread();
-    Thread hook =
-        new Thread(
-            () -> {
-              session.abort("interrupted");
-              try {
-                runner.join(1000);
-              } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-              }
-              String kept = out == null ? "" : "; what was recorded is in " + directory;
-              spec.commandLine()
-                  .getErr()
-                  .println("\nfieldcal: interrupted, both robots stand" + kept);
-              spec.commandLine().getErr().flush();
-            });
-    Runtime.getRuntime().addShutdownHook(hook);
-    return hook;
-  }
-
-  private static void forget(Thread hook) {
-    try {
-      Runtime.getRuntime().removeShutdownHook(hook);
-    } catch (IllegalStateException e) {
-      // The machine is going down already; that is what the hook was for.
+  /** Best effort: it lies where the machine cleans up by itself. */
+  private void forgetUnlessKept(Path directory) {
+    if (out != null || !Files.exists(directory)) {
       return;
     }
-  }
-
-  private static void delete(Path directory) throws IOException {
     try (Stream<Path> files = Files.walk(directory)) {
       for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
+        Files.deleteIfExists(file);
       }
+    } catch (IOException | UncheckedIOException e) {
+      spec.commandLine().getErr().println("fieldcal: " + directory + " could not be deleted");
     }
   }
 

@@ -16,13 +16,16 @@ import fieldcal.kick.KickKind;
 import fieldcal.play.PlayState;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /** Tells the operator how the play is going, kick by kick, and what came out. */
 final class PlayText {
   private final PrintWriter out;
+  private final Set<String> complaints = new HashSet<>();
   private int told;
   private Undecided undecided = new Undecided(List.of(), false, List.of());
 
@@ -56,6 +59,16 @@ final class PlayText {
             state.wanted(),
             state.phase().text(),
             state.waiting().map(w -> ": " + w).orElse("")));
+  }
+
+  /** What the other side complains of is said once, when it comes up. */
+  void complaints(List<String> all, TerminalProgress progress) {
+    for (String complaint : all) {
+      if (complaints.add(complaint)) {
+        progress.say("");
+        line("     %s", complaint);
+      }
+    }
   }
 
   private void undecided() {

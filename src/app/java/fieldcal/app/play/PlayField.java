@@ -88,4 +88,13 @@ public interface PlayField extends Closeable {
   default List<String> notes() {
     return List.of();
   }
+
+  /**
+   * What is wrong with the other side, as soon as it is known.
+   *
+   * @return one line each, in the order in which they came up; none ever changes or goes away
+   */
+  default List<String> complaints() {
+    return List.of();
+  }
 }

@@ -17,6 +17,7 @@ import fieldcal.play.PlayedKick;
 import fieldcal.play.RobotOrder;
 import fieldcal.play.SpreadKicks;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -24,6 +25,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 
@@ -42,6 +45,16 @@ public final class PlaySession {
   /** Vision must send the geometry within that time, s; SSL-Vision does every three seconds. */
   private static final double GEOMETRY = 10;
 
+  /** At the end robots are told to stand for at least, and at most, so many ticks: more than one, since one may get lost. */
+  private static final int FEWEST_LAST_TICKS = 20;
+
+  private static final int MOST_LAST_TICKS = 150;
+
+  private static final double UNSEEN = 0.25;
+
+  /** A robot that is slower stands, as far as vision can tell, m/s. */
+  private static final double STANDS = 0.1;
+
   private final SessionRequest request;
   private final PlayField field;
   private final Consumer<SessionSnapshot> listener;
@@ -53,6 +66,7 @@ public final class PlaySession {
 
   private volatile boolean paused;
   private volatile String abortReason;
+  private final CountDownLatch ended = new CountDownLatch(1);
 
   private SessionRecorder recorder;
   private CalibrationPlay play;
@@ -106,7 +120,7 @@ public final class PlaySession {
   }
 
   /**
-   * Plays until all kicks are made, or something ends it. Both robots are told to stand at the end, whatever happened.
+   * Plays until all kicks are made, or something ends it. Both robots are told to stand at the end, whatever happened, and waited for until they do.
    *
    * @return how it ended
    * @throws IOException when the field is gone or the recording cannot be written; one line for the operator
@@ -132,6 +146,8 @@ public final class PlaySession {
         stopRobots();
         endRecording();
       }
+    } finally {
+      ended.countDown();
     }
     return new Outcome(
         latest.get(),
@@ -324,17 +340,27 @@ public final class PlaySession {
     }
   }
 
-  /** Some ticks more, so that the robots have heard that they are to stand. */
+  /** Some ticks more, until the robots stand. */
   private void settle() throws IOException {
-    for (int i = 0; i < 20; i++) {
+    boolean stand = false;
+    for (int i = 0; i < FEWEST_LAST_TICKS || !stand && i < MOST_LAST_TICKS; i++) {
       double now = field.next(receiver);
       PlayWorld world = model.at(now, field.permission());
       PlayAnswer answer = play.tick(world);
       field.order(answer.orders());
+      stand = stands(world, request.first()) && stands(world, request.second());
       if (i == 0) {
         show(world, answer, now);
       }
     }
+  }
+
+  /** Who is not seen cannot be waited for. */
+  private static boolean stands(PlayWorld world, RobotId id) {
+    return world
+        .robot(id)
+        .map(robot -> world.time() - robot.seen() > UNSEEN || robot.speed() < STANDS)
+        .orElse(true);
   }
 
   private void stopRobots() throws IOException {
@@ -358,6 +384,17 @@ public final class PlaySession {
    */
   public void abort(String reason) {
     abortReason = reason;
+  }
+
+  /**
+   * Waits until both robots stand and the recording is complete; for another thread than that of {@link #run}.
+   *
+   * @param millis at most so long, ms
+   * @return false when it still goes on then
+   * @throws InterruptedException when the thread is interrupted
+   */
+  public boolean awaitEnd(long millis) throws InterruptedException {
+    return ended.await(millis, TimeUnit.MILLISECONDS);
   }
 
   /**

@@ -203,6 +203,11 @@ public final class NetworkPlayField implements PlayField {
   }
 
   @Override
+  public List<String> complaints() {
+    return client.complaints();
+  }
+
+  @Override
   public void close() throws IOException {
     network.close();
     client.close();

@@ -31,17 +31,22 @@ final class SimulatorClient implements Closeable {
   private static final int LARGEST = 65_536;
   private static final int MOST_COMPLAINTS = 20;
 
+  /** Two seconds of commands. Simulators answer each. */
+  private static final int ENOUGH_TO_ANSWER = 200;
+
   /** Turns per minute that hold a ball in all simulators. */
   private static final float DRIBBLER = 3000;
 
-  private final String name;
   private final DatagramChannel control;
   private final DatagramChannel blue;
   private final DatagramChannel yellow;
   private final ByteBuffer buffer = ByteBuffer.allocate(LARGEST);
   private final Map<String, Integer> complaints = new LinkedHashMap<>();
+  private final String silence;
+  private int sent;
   private int unreachable;
   private int answers;
+  private boolean silent;
 
   SimulatorClient(String host, SimulatorPorts ports) throws IOException {
     InetAddress address;
@@ -50,7 +55,8 @@ final class SimulatorClient implements Closeable {
     } catch (UnknownHostException e) {
       throw new IOException("'" + host + "' is no host that can be found", e);
     }
-    name = host + ", ports " + ports.control() + " to " + ports.yellow();
+    String name = host + ", ports " + ports.control() + " to " + ports.yellow();
+    silence = "no simulator answers at " + name + ": right host, right --port?";
     control = open(address, ports.control());
     blue = open(address, ports.blue());
     yellow = open(address, ports.yellow());
@@ -110,6 +116,7 @@ final class SimulatorClient implements Closeable {
   }
 
   private void send(DatagramChannel channel, byte[] message) throws IOException {
+    sent++;
     try {
       channel.write(ByteBuffer.wrap(message));
     } catch (PortUnreachableException e) {
@@ -163,12 +170,27 @@ final class SimulatorClient implements Closeable {
   /** For the operator; empty when all is well. */
   List<String> notes() {
     List<String> notes = new ArrayList<>();
-    if (answers == 0 && unreachable > 0) {
-      notes.add("no simulator answers at " + name);
+    if (answers == 0 && isSilent()) {
+      notes.add(silence);
     }
     complaints.forEach(
         (text, n) -> notes.add("simulator: " + text + (n > 1 ? ", " + n + " times" : "")));
     return notes;
+  }
+
+  private boolean isSilent() {
+    silent |= answers == 0 && (unreachable > 0 || sent > ENOUGH_TO_ANSWER);
+    return silent;
+  }
+
+  /** What the operator should hear of at once, each in the same words every time. */
+  List<String> complaints() {
+    List<String> all = new ArrayList<>();
+    if (isSilent()) {
+      all.add(silence);
+    }
+    complaints.keySet().forEach(text -> all.add("simulator: " + text));
+    return all;
   }
 
   @Override

@@ -98,31 +98,10 @@ class PlayCommandTest {
 
   @Test
   void whatWasFinishedSurvivesAKill() throws Exception {
-    Process play =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "fieldcal.app.cli.Main",
-                "play",
-                "--sim",
-                "--kind",
-                "flat",
-                "--kicks",
-                "200",
-                "--pace",
-                "25",
-                "--out",
-                directory.toString())
-            .redirectErrorStream(true)
-            .redirectOutput(directory.resolve("output.txt").toFile())
-            .start();
+    Process play = startedInAProcessOfItsOwn();
     Path commands = directory.resolve("session-flat.commands.csv");
     try {
-      for (int i = 0; i < 600 && lines(commands) < 4; i++) {
-        assertThat(play.isAlive()).as(Files.readString(directory.resolve("output.txt"))).isTrue();
-        Thread.sleep(50);
-      }
+      awaitKicks(play, commands, 3);
     } finally {
       play.destroyForcibly();
       play.waitFor(10, TimeUnit.SECONDS);
@@ -142,6 +121,54 @@ class PlayCommandTest {
     assertThat(told)
         .allSatisfy(t -> assertThat(times).anyMatch(k -> Math.abs(k - t.unixTime()) < 0.3));
     assertThat(found).filteredOn(k -> k.get("selected").asBoolean()).isNotEmpty();
+  }
+
+  @Test
+  void whoEndsItIsToldThatTheRobotsStandAndWhatIsKept() throws Exception {
+    Process play = startedInAProcessOfItsOwn();
+    try {
+      awaitKicks(play, directory.resolve("session-flat.commands.csv"), 2);
+      play.destroy(); // as Ctrl-C does
+      assertThat(play.waitFor(10, TimeUnit.SECONDS)).isTrue();
+    } finally {
+      play.destroyForcibly();
+    }
+    List<String> said = Files.readAllLines(directory.resolve("output.txt"));
+    String last = said.get(said.size() - 1);
+    assertThat(last)
+        .matches(
+            "fieldcal: interrupted, both robots stand; \\d+ kicks were made; to calibrate: .*");
+    String command = last.substring(last.indexOf("fieldcal calibrate ") + 9);
+    assertThat(run(command.replace("session-*.log", "session-flat.log"))).as(command).isZero();
+    assertThat(json("calibration.json").get("kicks").size()).isGreaterThanOrEqualTo(2);
+  }
+
+  private Process startedInAProcessOfItsOwn() throws IOException {
+    return new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-cp",
+            System.getProperty("java.class.path"),
+            "fieldcal.app.cli.Main",
+            "play",
+            "--sim",
+            "--kind",
+            "flat",
+            "--kicks",
+            "200",
+            "--pace",
+            "25",
+            "--out",
+            directory.toString())
+        .redirectErrorStream(true)
+        .redirectOutput(directory.resolve("output.txt").toFile())
+        .start();
+  }
+
+  private void awaitKicks(Process play, Path commands, int kicks) throws Exception {
+    for (int i = 0; i < 600 && lines(commands) < kicks + 1; i++) {
+      assertThat(play.isAlive()).as(Files.readString(directory.resolve("output.txt"))).isTrue();
+      Thread.sleep(50);
+    }
   }
 
   private static long lines(Path file) throws IOException {

@@ -13,13 +13,18 @@ import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.kick.KickKind;
+import fieldcal.play.PlayLimits;
+import fieldcal.play.PlayWorld.Robot;
 import fieldcal.proto.Referee;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
@@ -29,6 +34,8 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -63,16 +70,19 @@ class NetworkPlayFieldTest {
     }
   }
 
-  @ParameterizedTest
-  @CsvSource({"0,0", "0.05,0.05"})
-  void theServedFieldIsPlayedOnLikeTheEmbeddedOne(double loss, double delay) throws Exception {
-    SessionRequest request =
-        SessionRequest.of(KickKind.FLAT, KICKS).withChoice(false, 6).into(directory);
+  /** What is done while a field is served. */
+  private interface Guest {
+    void visit(NetworkPlayField field) throws Exception;
+  }
+
+  /** Serves a field, with a referee beside it who says in turn what he is told to say. */
+  private static InteractiveField serve(
+      Impairment impairment, Supplier<Referee.Command> says, Guest guest) throws Exception {
     InteractiveField served =
         ServedField.now(
             SimulationSettings.DEFAULT.withSeed(6),
-            request.first(),
-            request.second(),
+            new RobotId(Team.YELLOW, 0),
+            new RobotId(Team.YELLOW, 1),
             List.of(),
             System.currentTimeMillis() * 1_000_000L);
     SimulatorPorts ports = freePorts();
@@ -80,7 +90,7 @@ class NetworkPlayFieldTest {
     NetworkPlace referee = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
     AtomicBoolean stop = new AtomicBoolean();
     try (SimulatorServer server =
-        new SimulatorServer(served, ports, vision.address(), new Impairment(loss, delay), 1)) {
+        new SimulatorServer(served, ports, vision.address(), impairment, 1)) {
       CompletableFuture<Void> serving =
           CompletableFuture.runAsync(
               () -> {
@@ -90,21 +100,95 @@ class NetworkPlayFieldTest {
                   throw new AssertionError(e);
                 }
               });
-      CompletableFuture<Void> refereeing = CompletableFuture.runAsync(() -> send(referee, stop));
-      NetworkPlayField field =
-          new NetworkPlayField("127.0.0.1", ports, vision, Optional.of(referee));
-      PlaySession.Outcome outcome = new PlaySession(request, field, s -> {}).run();
-      stop.set(true);
-      serving.get(5, TimeUnit.SECONDS);
-      refereeing.get(5, TimeUnit.SECONDS);
-
-      assertThat(outcome.last().state().waiting()).isEmpty();
-      assertThat(outcome.complete()).isTrue();
-      assertSame(outcome.last().model(), inProcess().last().model());
-      assertThat(recordedCommands(outcome.log().orElseThrow()))
-          .contains(Referee.Command.NORMAL_START);
-      assertThat(field.notes()).noneMatch(n -> n.startsWith("simulator:"));
+      CompletableFuture<Void> refereeing =
+          CompletableFuture.runAsync(() -> send(referee, says, stop));
+      try {
+        guest.visit(new NetworkPlayField("127.0.0.1", ports, vision, Optional.of(referee)));
+      } finally {
+        stop.set(true);
+        serving.get(5, TimeUnit.SECONDS);
+        refereeing.get(5, TimeUnit.SECONDS);
+      }
     }
+    return served;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0,0", "0.05,0.05"})
+  void theServedFieldIsPlayedOnLikeTheEmbeddedOne(double loss, double delay) throws Exception {
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, KICKS).withChoice(false, 6).into(directory);
+    serve(
+        new Impairment(loss, delay),
+        () -> Referee.Command.NORMAL_START,
+        field -> {
+          PlaySession.Outcome outcome = new PlaySession(request, field, s -> {}).run();
+          assertThat(outcome.last().state().waiting()).isEmpty();
+          assertThat(outcome.complete()).isTrue();
+          assertSame(outcome.last().model(), inProcess().last().model());
+          assertThat(recordedCommands(outcome.log().orElseThrow()))
+              .contains(Referee.Command.NORMAL_START);
+          assertThat(field.complaints()).isEmpty();
+        });
+  }
+
+  @Test
+  void aHaltIsObeyedAndAnAbortLeavesStandingRobotsAndAWholeRecording() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 12).into(directory);
+    AtomicReference<Referee.Command> said = new AtomicReference<>(Referee.Command.HALT);
+    List<Double> speedsInHalt = new ArrayList<>();
+    PlaySession[] session = new PlaySession[1];
+    InteractiveField served =
+        serve(
+            Impairment.NONE,
+            said::get,
+            field -> {
+              session[0] =
+                  new PlaySession(
+                      request,
+                      field,
+                      s -> {
+                        double fastest =
+                            s.world().robots().stream().mapToDouble(Robot::speed).max().orElse(0);
+                        if (s.state().waiting().equals(Optional.of("referee: HALT"))) {
+                          speedsInHalt.add(fastest);
+                        }
+                        if (s.time() > 1) {
+                          said.set(Referee.Command.NORMAL_START);
+                        }
+                        if (fastest > 1) {
+                          session[0].abort("enough");
+                        }
+                      });
+              PlaySession.Outcome outcome = session[0].run();
+              assertThat(outcome.last().state().waiting()).contains("enough");
+              assertThat(recordedCommands(outcome.log().orElseThrow()))
+                  .contains(Referee.Command.HALT, Referee.Command.NORMAL_START);
+            });
+    assertThat(session[0].awaitEnd(0)).isTrue();
+    assertThat(speedsInHalt).isNotEmpty().allMatch(speed -> speed < 0.2);
+    // It is served no longer than they took to brake: nobody else has stopped them.
+    assertThat(served.world().robots()).allMatch(robot -> robot.speed() < 0.3);
+  }
+
+  @Test
+  void whatTheSimulatorComplainsOfIsToldAtOnce() throws Exception {
+    RobotId missing = new RobotId(Team.BLUE, 9);
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, 1)
+            .withRobots(new RobotId(Team.YELLOW, 0), missing)
+            .withLimits(PlayLimits.DEFAULT.withPatience(1, 1), Optional.empty());
+    List<String> toldMeanwhile = new ArrayList<>();
+    serve(
+        Impairment.NONE,
+        () -> Referee.Command.NORMAL_START,
+        field -> {
+          PlaySession.Outcome outcome =
+              new PlaySession(request, field, s -> toldMeanwhile.addAll(field.complaints())).run();
+          assertThat(outcome.complete()).isFalse();
+          assertThat(outcome.last().state().waiting().orElseThrow()).contains(missing + " is not");
+        });
+    assertThat(toldMeanwhile).containsOnly("simulator: there is no robot blue 9 (NO_ROBOT)");
   }
 
   /** Every parameter is the same, as far as kicks can tell that do not roll in the same detections. */
@@ -134,27 +218,30 @@ class NetworkPlayFieldTest {
         .run();
   }
 
-  /** A referee who lets everybody play, ten times a second. */
-  private static void send(NetworkPlace to, AtomicBoolean stop) {
-    byte[] message =
-        Referee.newBuilder()
-            .setPacketTimestamp(1)
-            .setStage(Referee.Stage.NORMAL_FIRST_HALF)
-            .setCommand(Referee.Command.NORMAL_START)
-            .setCommandCounter(1)
-            .setCommandTimestamp(1)
-            .setYellow(team())
-            .setBlue(team())
-            .build()
-            .toByteArray();
+  /** A referee, ten times a second. */
+  private static void send(NetworkPlace to, Supplier<Referee.Command> says, AtomicBoolean stop) {
     try (DatagramSocket socket = new DatagramSocket()) {
       while (!stop.get()) {
+        byte[] message = message(says.get());
         socket.send(new DatagramPacket(message, message.length, to.address()));
         Thread.sleep(100);
       }
     } catch (IOException | InterruptedException e) {
       throw new AssertionError(e);
     }
+  }
+
+  private static byte[] message(Referee.Command command) {
+    return Referee.newBuilder()
+        .setPacketTimestamp(1)
+        .setStage(Referee.Stage.NORMAL_FIRST_HALF)
+        .setCommand(command)
+        .setCommandCounter(1)
+        .setCommandTimestamp(1)
+        .setYellow(team())
+        .setBlue(team())
+        .build()
+        .toByteArray();
   }
 
   private static Referee.TeamInfo team() {
