@@ -23,6 +23,7 @@ class HostAdapterTest {
       long timestamp,
       long lastVision,
       double[] ball,
+      long ballSeen,
       Map<RobotId, double[]> bots,
       String command) {}
 
@@ -61,10 +62,19 @@ class HostAdapterTest {
                           id, b[0] / 1000, b[1] / 1000, b[2], b[3] / 1000, b[4] / 1000, now)));
       double[] b = frame.ball();
       Optional<Ball> ball =
-          Optional.of(new Ball(b[0] / 1000, b[1] / 1000, b[2] / 1000, b[3] / 1000, now));
-      boolean halt = frame.command().equals("HALT");
+          Optional.of(
+              new Ball(
+                  b[0] / 1000, b[1] / 1000, b[2] / 1000, b[3] / 1000, 1e-9 * frame.ballSeen()));
       return new PlayWorld(
-          now, 1e-9 * frame.lastVision(), ball, robots, halt ? Permission.HALT : Permission.RUN);
+          now, 1e-9 * frame.lastVision(), ball, robots, permission(frame.command()));
+    }
+
+    static Permission permission(String command) {
+      return switch (command) {
+        case "HALT" -> Permission.HALT;
+        case "STOP" -> Permission.STOP;
+        default -> Permission.RUN;
+      };
     }
 
     static BotCommand command(RobotOrder order, double orientation) {
@@ -89,10 +99,12 @@ class HostAdapterTest {
                 id,
                 new double[] {1000 * b.x, 1000 * b.y, b.orientation, 1000 * b.vx, 1000 * b.vy}));
     long now = Math.round(field.time * 1e9);
+    field.ballSeen = field.ballVisible ? field.time : field.ballSeen;
+    long ballSeen = Math.round(field.ballSeen * 1e9);
     double[] ball = {
       1000 * field.ballX, 1000 * field.ballY, 1000 * field.ballVx, 1000 * field.ballVy
     };
-    return new WorldFrame(now, now, ball, bots, field.permission.name());
+    return new WorldFrame(now, now, ball, ballSeen, bots, field.permission.name());
   }
 
   @Test
@@ -121,6 +133,33 @@ class HostAdapterTest {
     assertThat(play.state().phase()).isEqualTo(PlayPhase.FINISHED);
     assertThat(play.state().good()).isEqualTo(12);
     assertThat(field.hardestContact).isLessThan(0.1);
+  }
+
+  @Test
+  void whatTheAiKnowsOfRefereeAndBallReachesThePlay() {
+    FakeField field = new FakeField();
+    PlayPlan plan =
+        PlayPlan.flat(
+            FakeField.YELLOW, FakeField.BLUE, FakeField.GEOMETRY, PlayLine.Half.WHOLE, 12);
+    CalibrationPlay play = new CalibrationPlay(plan, new SpreadKicks(12, 2.0, 6.5, 0, 1), k -> {});
+    CalibrationRole role = new CalibrationRole(play);
+    role.update(frame(field));
+
+    field.permission = Permission.STOP;
+    field.time += FakeField.TICK;
+    assertThat(role.update(frame(field)).values())
+        .hasSize(2)
+        .allMatch(c -> c.forward() == 0 && c.left() == 0 && c.angular() == 0)
+        .allMatch(c -> c.kick() == 0 && c.rpm() == 0);
+    assertThat(play.state().waiting()).contains("referee: STOP");
+
+    field.permission = Permission.RUN;
+    field.ballVisible = false;
+    for (int i = 0; i < 200; i++) {
+      role.update(frame(field)).forEach((id, c) -> send(field, id, c));
+      field.step();
+    }
+    assertThat(play.state().waiting()).contains("the ball is not seen");
   }
 
   /** The radio, and the robot's own turn from its frame into the field's. */
