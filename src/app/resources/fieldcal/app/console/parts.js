@@ -54,6 +54,9 @@ export function select(id, options, current, chosen) {
   return node;
 }
 
+/** So long is drawn before the browser may show it, ms. */
+const AT_A_TIME = 30;
+
 const waiting = new Map();
 let drawing = false;
 
@@ -67,15 +70,17 @@ export function soon(box, draw) {
 }
 
 function drawNext() {
-  const next = waiting.entries().next();
-  drawing = !next.done;
-  if (next.done) return;
-  const [box, draw] = next.value;
-  waiting.delete(box);
-  delete box.dataset.waiting;
-  // The next one even if this one fails; and the browser may show this one, or hear of a key, in between.
+  drawing = waiting.size > 0;
+  if (!drawing) return;
+  // The next ones even if one fails; and the browser may show what there is, or hear of a key, in between. Each time it shows something costs as much as a picture.
   setTimeout(drawNext);
-  if (box.isConnected) draw();
+  const end = performance.now() + AT_A_TIME;
+  do {
+    const [box, draw] = waiting.entries().next().value;
+    waiting.delete(box);
+    delete box.dataset.waiting;
+    if (box.isConnected) draw();
+  } while (waiting.size > 0 && performance.now() < end);
 }
 
 /** Replaces what is in a box; who had one of its buttons in focus has the one of the same name, or another one, afterwards. */

@@ -92,7 +92,7 @@ const Plots = (() => {
       const y = p.undetermined ? low : Math.max(low, Math.min(high, p.value));
       const outside = !p.undetermined && y !== p.value;
       return {
-        value: [p.x, y], kick: p.kick.id, point: p,
+        value: [p.x, y], kick: p.kick.id,
         symbol: p.undetermined ? 'path://M-5,-4L5,4M-5,4L5,-4' : outside ? 'triangle' : 'circle',
         symbolRotate: outside && p.value < low ? 180 : 0,
         symbolOffset: p.undetermined ? [0, -6] : outside ? [0, p.value < low ? -7 : 7] : [0, 0],
@@ -114,7 +114,10 @@ const Plots = (() => {
       });
     }
     const circled = points.filter(p => p.kick.id === selectedId);
-    option.tooltip.formatter = item => item.data.point ? parameterTip(parameter, item.data.point) : '';
+    option.tooltip.formatter = item => {
+      const point = item.data && points.find(p => p.kick.id === item.data.kick);
+      return point ? parameterTip(parameter, point) : '';
+    };
     option.series = [
       reference,
       line(bars(selected), theme.accent),
@@ -265,13 +268,27 @@ const Plots = (() => {
 
   const seconds = row => number(row.t, 3) + ' s after the kick';
 
+  /** Pairs of numbers as ECharts copies them fastest; null becomes a gap. */
+  function packed(pairs) {
+    const data = new Float64Array(2 * pairs.length);
+    pairs.forEach(([x, y], i) => {
+      data[2 * i] = x === null ? NaN : x;
+      data[2 * i + 1] = y === null ? NaN : y;
+    });
+    return {data, dimensions: ['x', 'y']};
+  }
+
   /**
-   * Observations of one camera as points: at(row) says where, hints are told by tipOf(). The points are plain pairs; with an object for each, ECharts takes several
-   * times as long.
+   * Observations of one camera as points: at(row) says where, hints are told by tipOf(). Hundreds are drawn as one shape; with an element for each, ECharts takes several
+   * times as long. What ECharts need not know it shall not copy either.
    */
-  const points = (style, camera, rows, at, more) => Object.assign({
-    type: 'scatter', symbol: style.symbol, symbolSize: 5, itemStyle: {color: style.colour, opacity: 0.75}, data: rows.map(at), z: 3, seen: {camera, rows},
-  }, more);
+  function points(style, camera, rows, at, more) {
+    const series = Object.assign({
+      type: 'scatter', symbol: style.symbol, symbolSize: 5, itemStyle: {color: style.colour, opacity: 0.75}, z: 3, large: true, largeThreshold: 50,
+    }, packed(rows.map(at)), more);
+    Object.defineProperty(series, 'seen', {value: {camera, rows}});
+    return series;
+  }
 
   /** What is told of the point under the mouse; words(row, camera) for an observation, other(data) for anything else. */
   const tipOf = (option, words, other = () => '') => ({seriesIndex, dataIndex, data}) => {
@@ -292,7 +309,7 @@ const Plots = (() => {
     const prepared = prepare(kick);
     const box = extent(field, [kick.x, ...kick.fitted.x, ...kick.seen.flatMap(seen => seen.x)], [kick.y, ...kick.fitted.y, ...kick.seen.flatMap(seen => seen.y)]);
     const option = fieldView(theme, field, box, size);
-    const line = (data, colour, lineWidth, z, more) => Object.assign({type: 'line', data, symbol: 'none', silent: true, lineStyle: {color: colour, width: lineWidth}, z}, more);
+    const line = (data, colour, lineWidth, z, more) => Object.assign({type: 'line', symbol: 'none', silent: true, lineStyle: {color: colour, width: lineWidth}, z}, packed(data), more);
     const every = others.flatMap(other => [...other.fitted.x.filter((_, i) => i % 4 === 0).map((x, i) => [x, other.fitted.y[i * 4]]), [null, null]]);
     option.series.push(line(every, theme.muted, 1, 2, {lineStyle: {color: theme.muted, width: 1, opacity: 0.35}}));
     for (const {camera, used, outliers} of prepared.cameras) {
@@ -376,7 +393,7 @@ const Plots = (() => {
         if (i > 0 && (row.t - all[i - 1].t > 4 * HALF_WINDOW || (row.t >= 0) !== (all[i - 1].t >= 0))) mean.push([row.t, null]);
         mean.push([row.t, row[column + 'Mean']]);
       });
-      option.series.push({type: 'line', data: mean, symbol: 'none', silent: true, lineStyle: {color: style.colour, width: 2}, z: 5});
+      option.series.push({type: 'line', ...packed(mean), symbol: 'none', silent: true, lineStyle: {color: style.colour, width: 2}, z: 5});
     }
     option.tooltip.formatter = tipOf(option, (row, camera) => tip('Camera ' + camera + (row.used ? '' : ', outlier'), seconds(row), signed(row.along, 1) + ' mm along, ' + signed(row.across, 1) + ' mm across'));
     return option;
