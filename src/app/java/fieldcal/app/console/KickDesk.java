@@ -11,12 +11,17 @@ import fieldcal.calibration.HandSelection;
 import fieldcal.calibration.Sample;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
+import fieldcal.gamelog.GameLogException;
+import fieldcal.gamelog.GameLogReader;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ForkJoinPool;
 
@@ -45,6 +50,7 @@ final class KickDesk {
 
   private Optional<CalibrationOutcome> outcome = Optional.empty();
   private List<Path> logs = List.of();
+  private Map<Path, String> leftOut = Map.of();
   private Optional<ExtendedModel> model = Optional.empty();
   private Optional<String> failure = Optional.empty();
   private Optional<String> unsaved = Optional.empty();
@@ -64,6 +70,7 @@ final class KickDesk {
    * @param undo what would be taken back
    * @param redo what would be done again
    * @param logs the recordings in it
+   * @param leftOut recordings of the directory that cannot be read, and why
    * @param failure why there is no calibration, or why the last one failed
    * @param unsaved why the decisions are not on the disk
    * @param settled whether the joint fit is that of the present decisions
@@ -77,6 +84,7 @@ final class KickDesk {
       Optional<String> undo,
       Optional<String> redo,
       List<Path> logs,
+      Map<Path, String> leftOut,
       Optional<String> failure,
       Optional<String> unsaved,
       boolean settled) {}
@@ -99,6 +107,7 @@ final class KickDesk {
         history.undoLabel(),
         history.redoLabel(),
         logs,
+        leftOut,
         failure,
         unsaved,
         settled);
@@ -121,22 +130,48 @@ final class KickDesk {
 
   private void read(Work.Progress progress) {
     try {
-      List<Path> found = directory.logs();
+      Map<Path, String> broken = new TreeMap<>();
+      List<Path> found = readable(directory.logs(), broken);
       HandSelection selection = decided();
       if (found.isEmpty()) {
-        install(found, Optional.empty(), selection);
+        install(found, broken, Optional.empty(), selection);
         return;
       }
       progress.reading(found);
       CollectedKicks data = new KickCollector(progress).collect(found);
       CalibrationRequest request = request(found, selection);
-      install(found, Optional.of(session.calibrate(data, request, progress)), selection);
+      CalibrationOutcome calibrated = session.calibrate(data, request, progress);
+      install(found, broken, Optional.of(calibrated), selection);
     } catch (CancellationException e) {
       fail("Reading was cancelled.");
       throw e;
     } catch (IOException | RuntimeException e) {
       fail(Failures.words(e));
     }
+  }
+
+  /**
+   * Recordings that can be opened. One that a full disk cut off before its first byte must not take all others from the operator.
+   *
+   * @param broken is told of the others, and why they cannot be read
+   * @throws GameLogException when none can be read
+   */
+  private static List<Path> readable(List<Path> logs, Map<Path, String> broken) throws IOException {
+    List<Path> good = new ArrayList<>();
+    GameLogException last = null;
+    for (Path log : logs) {
+      try {
+        GameLogReader.open(log).close();
+        good.add(log);
+      } catch (GameLogException e) {
+        broken.put(log, e.getMessage());
+        last = e;
+      }
+    }
+    if (good.isEmpty() && last != null) {
+      throw last;
+    }
+    return good;
   }
 
   /** Those of this run, or else what a run before left. */
@@ -164,7 +199,10 @@ final class KickDesk {
   }
 
   private void install(
-      List<Path> recordings, Optional<CalibrationOutcome> calibrated, HandSelection selection) {
+      List<Path> recordings,
+      Map<Path, String> broken,
+      Optional<CalibrationOutcome> calibrated,
+      HandSelection selection) {
     boolean refine;
     synchronized (this) {
       if (outcome.isEmpty()) {
@@ -173,6 +211,7 @@ final class KickDesk {
       // What was decided while the recordings were read holds.
       refine = !sameKicks(selection, history.now());
       logs = recordings;
+      leftOut = Map.copyOf(broken);
       outcome = calibrated.map(o -> o.reselected(history.now()));
       failure = Optional.empty();
       settled = !refine;

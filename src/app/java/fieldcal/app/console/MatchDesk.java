@@ -58,9 +58,10 @@ final class MatchDesk {
         body.path("own_models").asBoolean()
             ? Optional.of(kicks.calibrated().models())
             : Optional.empty();
+    MonitorRequest request =
+        new MonitorRequest(models, Optional.empty(), Optional.empty(), RobotLimits.of(body));
     live.requireNone();
     MatchFeed feed = source == Source.NETWORK ? network(body) : recording(body);
-    MonitorRequest request = new MonitorRequest(models, Optional.empty(), Optional.empty());
     MonitorSession next;
     try {
       next = new MonitorSession(request, feed, new ToPages());

@@ -7,6 +7,7 @@ import fieldcal.app.monitor.MatchStatus;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
+import fieldcal.live.LimitWarning;
 import fieldcal.live.LiveKick;
 import fieldcal.live.LiveSnapshot;
 import fieldcal.live.LiveWarning;
@@ -40,6 +41,7 @@ final class MatchJson {
     root.set("referee", status.referee().map(MatchJson::referee).orElse(null));
     ArrayNode warnings = root.putArray("warnings");
     s.ball().warnings().stream().map(LiveWarning::text).forEach(warnings::add);
+    s.movement().warnings().stream().map(LimitWarning::text).forEach(warnings::add);
     root.put("enough", SampleTree.ENOUGH);
     ArrayNode parameters = root.putArray("parameters");
     s.ball().parameters().forEach(p -> parameters.add(parameter(p)));

@@ -117,11 +117,13 @@ final class SessionDirectory {
     return name.endsWith(".log") || name.endsWith(".log.gz");
   }
 
-  /** What the robots were told, of all recordings. */
+  /** What the robots were told, of all recordings; a full disk may have left an empty file. */
   List<CommandFile.Command> commands() throws IOException {
     List<CommandFile.Command> all = new ArrayList<>();
     for (Path file : files(file -> file.getFileName().toString().endsWith(COMMANDS))) {
-      all.addAll(CommandFile.read(file));
+      if (Files.size(file) > 0) {
+        all.addAll(CommandFile.read(file));
+      }
     }
     return all;
   }

@@ -84,6 +84,8 @@ final class StateJson {
     root.put("directory", directory.path().toString());
     root.set("recordings", names(view.logs()));
     root.set("unread", unread(view));
+    ArrayNode leftOut = root.putArray("leftOut");
+    view.leftOut().values().stream().sorted().forEach(leftOut::add);
     root.put("settled", view.settled());
     root.put("failure", view.failure().orElse(null));
     ArrayNode unsaved = root.putArray("unsaved");
@@ -131,7 +133,7 @@ final class StateJson {
     try {
       List<Path> now = directory.logs();
       now.stream()
-          .filter(log -> !view.logs().contains(log))
+          .filter(log -> !view.logs().contains(log) && !view.leftOut().containsKey(log))
           .forEach(log -> names.add(log.getFileName().toString()));
     } catch (IOException e) {
       // The directory went away: the page keeps what was read.

@@ -102,6 +102,7 @@ function showNotices() {
   }
   for (const text of state.unsaved || []) rows.push(notice('bad', text + '. Nothing is lost while the console runs.', button('Save again', () => run('save'))));
   if (state.failure && state.calibration) rows.push(notice('bad', state.failure, button('Read again', () => run('read'))));
+  for (const text of state.leftOut || []) rows.push(notice('warn', 'Left out: ' + text + '.', button('Read again', () => run('read'))));
   if (state.unread && state.unread.length && !busy()) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
   const said = rows.map(row => row.className + row.textContent);
   renew($('notices'), said, () => rows);

@@ -91,8 +91,17 @@ export function kickTable({select, mark, toggle}) {
       if (state.selected !== null) mark(state.selected);
     } else if (event.key in STEPS) {
       event.preventDefault();
+      if (event.shiftKey) markOnTheWay(STEPS[event.key]);
       step(STEPS[event.key], true);
     }
+  }
+
+  /** Marks all kicks from the selected one to where a step leads. */
+  function markOnTheWay(rows) {
+    const now = state.shown.findIndex(kick => kick.id === state.selected);
+    if (now < 0) return;
+    const end = Math.max(0, Math.min(state.shown.length - 1, now + rows));
+    mark(...state.shown.slice(Math.min(now, end), Math.max(now, end) + 1).map(kick => kick.id));
   }
 
   /** Selects the kick so many rows further down in the table as it is shown. */

@@ -116,8 +116,9 @@ export function kicksPage(app) {
     return restore([id]);
   }
 
-  function mark(id) {
-    if (!view.marks.delete(id)) view.marks.add(id);
+  /** One is marked or no longer; several are marked. */
+  function mark(...ids) {
+    if (ids.length > 1 || !view.marks.delete(ids[0])) ids.forEach(id => view.marks.add(id));
     setMarks(view.marks);
   }
 
@@ -309,7 +310,7 @@ export function kicksPage(app) {
     j: () => table.step(1), k: () => table.step(-1), d: press('drop-marked', 'drop'), r: press('restore-marked', 'restore', 'auto', 'keep'),
     s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
   };
-  page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick'], ['Esc', 'no marks'],
+  page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick; with shift, the arrows mark on their way'], ['Esc', 'no marks'],
     ['s', 'one more round of 2σ'], ['u, U', 'undo, redo'], ['f', 'write a reason; Enter drops with it']];
   return page;
 }

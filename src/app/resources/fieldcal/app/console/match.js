@@ -1,12 +1,12 @@
 /* The page of a match: medians of the ball with their history, warnings, limits of both teams, cameras; live or from a recording. */
-import {button, field, select, table} from './parts.js';
+import {button, field, refill, select, table} from './parts.js';
 
 const {el, known, number, signed, tip, base} = Charts;
 const {$, content, draw, forget, badge, swatch} = Frame;
 
 export function matchPage(app) {
   const page = {id: 'match', title: 'Match', always: true, show, told: showStatus, resized: () => {}, keys: {}, keyWords: [], badge: warned};
-  const order = {source: null, vision: '224.5.23.2:10006', referee: '224.5.23.1:10003', recording: '', speed: '0', own: false};
+  const order = {source: null, vision: '224.5.23.2:10006', referee: '224.5.23.1:10003', recording: '', speed: '0', own: false, yellow: '', blue: ''};
   let theme, built = '', laidOut = '';
 
   const match = () => app.state.match;
@@ -35,22 +35,23 @@ export function matchPage(app) {
     const form = $('watch-form');
     form.onsubmit = event => { event.preventDefault(); start(); };
     if (match().running) {
-      form.replaceChildren(button('End', () => app.run('match/end'), {id: 'watch-end'}));
+      refill(form, button('End', () => app.run('match/end'), {id: 'watch-end'}));
       return;
     }
     const live = order.source === 'network';
-    form.replaceChildren(
+    refill(form,
       select('watch-source', [['network', 'from the network'], ...(recordings.length ? [['recording', 'a recording']] : [])], order.source, value => { order.source = value; buildForm(); }),
       ...(live ? [field('vision', text('vision', 17)), field('referee', text('referee', 17, 'none'))] : [
         select('watch-recording', recordings.map(name => [name, name]), order.recording, value => { order.recording = value; }),
         select('watch-speed', [['0', 'as fast as possible'], ['1', 'at its own speed'], ['10', '10 times as fast']], order.speed, value => { order.speed = value; })]),
       ...(app.state.calibration ? [el('label', {title: 'instead of what vision publishes'}, el('input', {type: 'checkbox', id: 'watch-own', checked: order.own ? '' : null, onchange: event => { order.own = event.target.checked; }}), " compare with this session's model")] : []),
+      ...['yellow', 'blue'].map(team => el('label', {title: 'what the robots of ' + team + ' are configured to do: velocity m/s, acceleration and braking m/s²; warns when they do otherwise'}, team + ' limits ', text(team, 9, 'v, a, b'))),
       el('button', {type: 'submit', id: 'watch-start', class: 'strong'}, 'Watch'));
   }
 
   function start() {
     const body = order.source === 'network' ? {source: 'network', vision: order.vision, referee: order.referee} : {source: 'recording', recording: order.recording, speed: Number(order.speed)};
-    app.run('match', Object.assign(body, {own_models: order.own}));
+    app.run('match', Object.assign(body, {own_models: order.own, yellow_limits: order.yellow, blue_limits: order.blue}));
   }
 
   // ---- what there is to see ----

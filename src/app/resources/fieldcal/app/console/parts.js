@@ -83,13 +83,16 @@ function drawNext() {
   } while (waiting.size > 0 && performance.now() < end);
 }
 
-/** Replaces what is in a box; who had one of its buttons in focus has the one of the same name, or another one, afterwards. */
+/**
+ * Replaces what is in a box; who had one of its parts in focus has the one of the same name afterwards, or else a button in it or near it: from nowhere, a keyboard would have to begin at the top of the page again.
+ */
 export function refill(box, ...nodes) {
   const had = box.contains(document.activeElement) ? document.activeElement.id : null;
   box.replaceChildren(...nodes);
   if (had === null) return;
-  const same = had && document.getElementById(had);
-  const next = same && !same.disabled ? same : box.querySelector('button:not(:disabled)');
+  const same = had && document.getElementById(had), near = box.closest('section');
+  const next = same && same.matches(':enabled') ? same
+    : box.querySelector('button:enabled') || (near && near.querySelector('button:enabled')) || document.querySelector('nav a[aria-current]');
   if (next) next.focus({preventScroll: true});
 }
 

@@ -1,6 +1,6 @@
 /* The page of the calibration play: plan it, start it, watch it, pause or abort it. */
 import {act} from './server.js';
-import {button, confirmed, field, renew, select, table} from './parts.js';
+import {button, confirmed, field, refill, renew, select, table} from './parts.js';
 
 const {el, known, number, withError, fieldView, extent} = Charts;
 const {$, content, draw, charts, badge, swatch} = Frame;
@@ -18,7 +18,8 @@ export function playPage(app) {
 
   function show() {
     theme = app.colours();
-    buildForm();
+    // What can be pressed now first: who pressed what cannot be pressed any more goes on there.
+    for (const part of play().running ? [showWords, buildForm] : [buildForm, showWords]) part();
     showNext();
     showStatus();
     if (!plan && !planFailure) ask();
@@ -37,7 +38,7 @@ export function playPage(app) {
     const chip = order.kind === 'chip';
     const choose = name => value => { order[name] = value; if (name === 'kind') Object.assign(order, value === 'chip' ? {slowest: 3, fastest: 5.5} : {slowest: 2, fastest: 6.5}); built = ''; buildForm(); ask(); };
     $('order-form').onsubmit = event => { event.preventDefault(); start(); };
-    $('order-form').replaceChildren(el('fieldset', {disabled: play().running ? '' : null},
+    refill($('order-form'), el('fieldset', {disabled: play().running ? '' : null},
       field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator']], order.field, choose('field'))),
       field('Kicks', select('order-kind', [['flat', 'flat'], ['chip', 'chips']], order.kind, choose('kind'))),
       field('How many good ones', figure('kicks', 1, 200, 1, 5)),
@@ -76,7 +77,7 @@ export function playPage(app) {
   /** What the diagnosis would like to have. */
   function showNext() {
     const wishes = (app.state.diagnosis.next || []);
-    $('next-kicks').replaceChildren(...(wishes.length === 0 ? [] : [el('p', {class: 'note'}, 'The diagnosis asks for:'), el('div', {class: 'choices'}, wishes.map(w => button(w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s', () => take(w), {title: w.why})))]));
+    renew($('next-kicks'), wishes, () => (wishes.length === 0 ? [] : [el('p', {class: 'note'}, 'The diagnosis asks for:'), el('div', {class: 'choices'}, wishes.map(w => button(w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s', () => take(w), {title: w.why})))]));
   }
 
   /** A wish of the diagnosis becomes the order; while it is played, the kicks are chosen that tell the causes apart. */
@@ -90,13 +91,17 @@ export function playPage(app) {
 
   // ---- while it runs ----
 
-  function showStatus() {
-    const now = status();
+  function showWords() {
     const word = what => () => app.run('play/word', {word: what});
-    const pausing = Boolean(now && now.paused);
+    const pausing = Boolean(status() && status().paused);
     renew($('play-words'), [play().running, pausing], () => (play().running ? [
       pausing ? button('▶ Go on', word('resume'), {id: 'play-resume', key: 'p', strong: true}) : button('❙❙ Pause', word('pause'), {id: 'play-pause', key: 'p', strong: true}),
       button('■ Abort …', abort, {id: 'play-abort'})] : []));
+  }
+
+  function showStatus() {
+    const now = status();
+    showWords();
     const rows = [];
     if (play().failure) rows.push(el('p', {class: 'notice bad'}, play().failure));
     if (planFailure && !play().running) rows.push(el('p', {class: 'notice warn', id: 'plan-failure'}, planFailure));

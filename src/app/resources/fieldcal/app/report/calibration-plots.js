@@ -386,7 +386,7 @@ const Plots = (() => {
         if (above.length) option.series.push(points(style, camera, above, at, Object.assign({}, look, {symbol: 'triangle', symbolOffset: [0, 5]})));
         if (below.length) option.series.push(points(style, camera, below, at, Object.assign({}, look, {symbol: 'triangle', symbolRotate: 180, symbolOffset: [0, -5]})));
       };
-      add(used, {itemStyle: {color: style.colour, opacity: 0.5}, symbolSize: 4});
+      add(used, {symbolSize: 4});
       add(outliers, {symbolSize: 8, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4});
       const mean = [];
       used.filter(row => known(row[column + 'Mean'])).forEach((row, i, all) => {

@@ -14,6 +14,7 @@ import java.util.logging.Level;
 import java.util.stream.StreamSupport;
 import org.openqa.selenium.By;
 import org.openqa.selenium.JavascriptExecutor;
+import org.openqa.selenium.Keys;
 import org.openqa.selenium.OutputType;
 import org.openqa.selenium.StaleElementReferenceException;
 import org.openqa.selenium.WebElement;
@@ -136,6 +137,27 @@ final class Browser implements AutoCloseable {
   /** Presses keys in what has the focus. */
   void pressHere(CharSequence keys) {
     new Actions(driver).sendKeys(keys).perform();
+  }
+
+  /** Presses keys in what has the focus while another one is held. */
+  void pressHere(Keys held, CharSequence keys) {
+    new Actions(driver).keyDown(held).sendKeys(keys).keyUp(held).perform();
+  }
+
+  /** Goes on with the tabulator until something has the focus. */
+  void tabTo(String css) {
+    for (int i = 0; i < 60 && !hasFocus(css); i++) {
+      pressHere(Keys.TAB);
+    }
+    assertThat(hasFocus(css)).as("the tabulator reaches %s", css).isTrue();
+  }
+
+  void awaitFocus(String css) {
+    await(css + " has the focus", d -> hasFocus(css) ? true : null);
+  }
+
+  private boolean hasFocus(String css) {
+    return Boolean.TRUE.equals(script("return document.activeElement.matches(arguments[0])", css));
   }
 
   String text(String css) {

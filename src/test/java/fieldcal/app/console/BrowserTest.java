@@ -269,13 +269,64 @@ class BrowserTest {
       browser.script(
           "const s = document.getElementById('watch-source'); s.value = 'recording';"
               + " s.dispatchEvent(new Event('change'))");
+      browser.type("#watch-yellow", "9, 9");
+      browser.click("#watch-start");
+      browser.awaitText("#notices", "the limits of yellow must be");
+      browser.type("#watch-yellow", "9, 9, 9");
       browser.click("#watch-start");
       browser.awaitText("#watch-line", "ended");
+      browser.awaitText("#watch-state", "less than the configured 9.00");
       assertThat(browser.text("#watch-line")).contains("kicks");
       assertThat(browser.count("#medians canvas")).isGreaterThanOrEqualTo(3);
       assertThat(browser.text("#teams")).contains("yellow").contains("blue");
       assertThat(browser.count("#health tbody tr")).isEqualTo(4);
       assertThat(browser.count("#last-kicks tbody tr")).isPositive();
+      browser.assertNoComplaints();
+    }
+  }
+
+  /** Nobody has to take the mouse: what is pressed keeps the focus, or hands it on to what can be pressed next. */
+  @Test
+  void theKeyboardIsEnough() throws IOException {
+    Path session = folder.resolve("keys");
+    SampleSession.copy(SampleSession.small(), session);
+    try (RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#kicks/1");
+      browser.find("#kick[data-shown='1']");
+      browser.tabTo("tr[data-kick='1']");
+      browser.pressHere(Keys.SHIFT, Keys.ARROW_DOWN);
+      browser.awaitText("#marked", "2 kicks marked");
+      browser.pressHere("d");
+      browser.awaitGone("#drop-marked");
+      browser.awaitFocus("tr[data-kick='2']");
+      browser.tabTo("#undo");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitText("#redo", "dropping");
+      browser.pressHere("2");
+      browser.tabTo("#order-field");
+      browser.pressHere(Keys.ARROW_DOWN);
+      browser.find("#order-host");
+      browser.awaitFocus("#order-field");
+      browser.pressHere(Keys.ARROW_UP);
+      browser.tabTo("#play-start");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#play-pause");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#play-resume");
+      browser.tabTo("#play-abort");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#refuse");
+      browser.pressHere(Keys.SHIFT, Keys.TAB);
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#play-start");
+      browser.pressHere("5");
+      browser.tabTo("#watch-source");
+      browser.pressHere(Keys.ARROW_DOWN);
+      browser.awaitFocus("#watch-source");
+      browser.tabTo("#watch-start");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitText("#watch-line", "ended");
+      browser.awaitFocus("#watch-start");
       browser.assertNoComplaints();
     }
   }

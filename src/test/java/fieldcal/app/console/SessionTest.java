@@ -307,10 +307,19 @@ class SessionTest {
   @Test
   void filesThatCannotBeUsedAreNamed() throws IOException {
     Files.writeString(session.resolve("notes.log"), "these are notes, no recording");
+    Files.createFile(session.resolve("session-flat.commands.csv"));
+    try (RunningConsole console = RunningConsole.start(session)) {
+      JsonNode state = console.settled();
+      assertThat(state.at("/leftOut/0").asText()).contains("notes.log");
+      assertThat(state.path("unread")).isEmpty();
+      assertThat(kicks(state)).hasSizeGreaterThanOrEqualTo(5);
+    }
+    Files.delete(session.resolve("practice.log.gz"));
     try (RunningConsole console = RunningConsole.start(session)) {
       assertThat(console.settled().path("failure").asText()).contains("notes.log");
       Files.delete(session.resolve("notes.log"));
       Files.writeString(session.resolve("selection.json"), "{\"schema\":");
+      SampleSession.copy(log, session);
       console.post("/api/read", "{}");
       JsonNode state = console.settled();
       assertThat(state.path("failure").asText()).contains("selection.json, line");
