@@ -26,7 +26,8 @@ import java.util.Locale;
 
 /**
  * A file with one line of JSON per change, written as it happens: {@code event} and {@code t} (Unix time, s) in each, SI units, null for what is not known. Events: {@code start}, {@code referee}, {@code referee_lost}, {@code kick},
- * {@code estimate}, {@code warning}, {@code warning_cleared}, {@code limits}, {@code limit_warning}, {@code limit_warning_cleared}, {@code summary}.
+ * {@code estimate}, {@code warning}, {@code warning_cleared}, {@code limits}, {@code limit_warning}, {@code limit_warning_cleared}, {@code vision_lost}, {@code
+ * vision_back}, {@code summary}.
  */
 public final class ChangeLog implements LiveListener, AutoCloseable {
   private static final String SCHEMA = "fieldcal.monitor/1";
@@ -34,6 +35,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
   private final ObjectMapper mapper = new ObjectMapper();
   private final Writer out;
   private double time = Double.NaN;
+  private boolean seen = true;
 
   /** Estimates are told right after the kick that changed them, by the same thread. */
   private double kickTime = Double.NaN;
@@ -98,6 +100,14 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
   /** The referee fell silent: everything counts. */
   void refereeLost() {
     write(event("referee_lost", time()));
+  }
+
+  /** Whether frames come; only a change is written. */
+  void vision(boolean sees) {
+    if (sees != seen) {
+      seen = sees;
+      write(event(sees ? "vision_back" : "vision_lost", time()));
+    }
   }
 
   @Override

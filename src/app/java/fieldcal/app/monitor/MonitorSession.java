@@ -49,6 +49,9 @@ public final class MonitorSession {
     this.request = request;
     this.feed = feed;
     this.display = display;
+    if (request.state().isPresent()) {
+      StateFile.check(request.state().get());
+    }
     BallSamples earlier =
         request.state().isPresent() ? StateFile.read(request.state().get()) : BallSamples.NONE;
     changes =
@@ -94,15 +97,16 @@ public final class MonitorSession {
         // Each call does one piece.
       }
     }
+    MatchStatus last = status();
+    // First of all: a disk that is full must not take that away, too.
+    display.summary(last);
     if (request.state().isPresent()) {
       StateFile.write(monitor.samples(), request.state().get());
     }
-    MatchStatus last = status();
     if (changes.isPresent()) {
       changes.get().summary(last.snapshot());
       changes.get().close();
     }
-    display.summary(last);
     return last;
   }
 
@@ -143,6 +147,7 @@ public final class MonitorSession {
         MatchStatus status = status();
         LiveSnapshot s = status.snapshot();
         changes.ifPresent(c -> c.time(s.time()));
+        changes.ifPresent(c -> c.vision(!status.feed().silent()));
         display.show(status);
       }
       return !stop.get();

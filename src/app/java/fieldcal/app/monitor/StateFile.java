@@ -41,6 +41,29 @@ public final class StateFile {
   }
 
   /**
+   * Whether it can be written when the match is over: to be told then would be too late.
+   *
+   * @param file where
+   * @throws InputException when it cannot, with file and reason
+   */
+  static void check(Path file) throws InputException {
+    if (Files.isDirectory(file)) {
+      throw new InputException(file + ": is a directory; --state needs a file");
+    }
+    Path place = file.toAbsolutePath().getParent();
+    while (!Files.exists(place)) {
+      place = place.getParent();
+    }
+    if (!Files.isDirectory(place) || !Files.isWritable(place)) {
+      throw new InputException(
+          file
+              + ": cannot be written, because "
+              + place
+              + " is no directory that may be written to");
+    }
+  }
+
+  /**
    * Writes.
    *
    * @param state what to keep
