@@ -60,7 +60,9 @@ export function diagnosisPage(app) {
       if (acceptance === 'accepted') rows.push(el('p', {id: 'accepted'}, Frame.badge('good', '✔ accepted'), ' The model on the other pages holds together with these effects. Programs that know the league\'s message alone need the model without them: refuse it for them.'));
       if (acceptance === 'refused') rows.push(el('p', {id: 'refused'}, Frame.badge('warn', 'refused'), ' The model on the other pages is the simple one.'));
     }
-    $('diagnose-state').replaceChildren(...rows);
+    // A link that is replaced loses the focus, and what was folded out folds in.
+    const {work, diagnosis} = state();
+    renew($('diagnose-state'), [running() && work, note(), failure, outdated, acceptance, diagnosis.next, used], () => rows);
   }
 
   function causeOf(cause) {

@@ -91,7 +91,7 @@ export function refill(box, ...nodes) {
   box.replaceChildren(...nodes);
   if (had === null) return;
   const same = had && document.getElementById(had), near = box.closest('section');
-  const next = same && same.matches(':enabled') ? same
+  const next = same && !same.matches(':disabled') ? same
     : box.querySelector('button:enabled') || (near && near.querySelector('button:enabled')) || document.querySelector('nav a[aria-current]');
   if (next) next.focus({preventScroll: true});
 }

@@ -19,8 +19,7 @@ export function playPage(app) {
   function show() {
     theme = app.colours();
     // What can be pressed now first: who pressed what cannot be pressed any more goes on there.
-    for (const part of play().running ? [showWords, buildForm] : [buildForm, showWords]) part();
-    showNext();
+    for (const part of play().running ? [showNext, showWords, buildForm] : [buildForm, showNext, showWords]) part();
     showStatus();
     if (!plan && !planFailure) ask();
   }
@@ -77,7 +76,7 @@ export function playPage(app) {
   /** What the diagnosis would like to have. */
   function showNext() {
     const wishes = (app.state.diagnosis.next || []);
-    renew($('next-kicks'), wishes, () => (wishes.length === 0 ? [] : [el('p', {class: 'note'}, 'The diagnosis asks for:'), el('div', {class: 'choices'}, wishes.map(w => button(w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s', () => take(w), {title: w.why})))]));
+    renew($('next-kicks'), [wishes, play().running], () => (wishes.length === 0 ? [] : [el('p', {class: 'note'}, 'The diagnosis asks for:'), el('div', {class: 'choices'}, wishes.map(w => button(w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s', () => take(w), {title: w.why, disabled: play().running})))]));
   }
 
   /** A wish of the diagnosis becomes the order; while it is played, the kicks are chosen that tell the causes apart. */

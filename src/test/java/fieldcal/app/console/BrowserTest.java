@@ -19,6 +19,16 @@ import org.openqa.selenium.Keys;
 
 /** A person's whole session in a browser. */
 class BrowserTest {
+  /** Notes of a session whose diagnosis wants more kicks. */
+  private static final String UNDECIDED =
+      """
+      {"schema": "fieldcal.console/1", "acceptance": "OPEN", "published": [], "diagnosis": {
+        "verdict": "explained", "headline": "Air drag, or lift.", "lines": [], "dropped": [],
+        "logs": ["practice.log.gz"], "causes": [{"effect": "air_drag", "name": "Air drag",
+          "what": "Fast balls lose speed.", "advice": "Take it out.", "strength": "cd 0.5",
+          "rivals": ["magnus"], "next": "Chips tell them apart."}]}}
+      """;
+
   @TempDir private static Path folder;
   private static Path log;
   private static Browser browser;
@@ -290,6 +300,7 @@ class BrowserTest {
   void theKeyboardIsEnough() throws IOException {
     Path session = folder.resolve("keys");
     SampleSession.copy(SampleSession.small(), session);
+    Files.writeString(session.resolve("console.json"), UNDECIDED);
     try (RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "#kicks/1");
       browser.find("#kick[data-shown='1']");
@@ -302,7 +313,13 @@ class BrowserTest {
       browser.tabTo("#undo");
       browser.pressHere(Keys.ENTER);
       browser.awaitText("#redo", "dropping");
-      browser.pressHere("2");
+      browser.pressHere("3");
+      browser.tabTo("#to-play");
+      browser.pressHere(Keys.ENTER);
+      browser.tabTo("#next-kicks button + button");
+      browser.pressHere(Keys.ENTER);
+      browser.tabTo("#order-kind");
+      assertThat(browser.script("return document.activeElement.value")).isEqualTo("chip");
       browser.tabTo("#order-field");
       browser.pressHere(Keys.ARROW_DOWN);
       browser.find("#order-host");
