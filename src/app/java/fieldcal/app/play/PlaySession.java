@@ -50,6 +50,7 @@ public final class PlaySession {
 
   private static final int MOST_LAST_TICKS = 150;
 
+  /** Where a robot was longer ago says nothing of now, s. */
   private static final double UNSEEN = 0.25;
 
   /** A robot that is slower stands, as far as vision can tell, m/s. */
@@ -340,7 +341,7 @@ public final class PlaySession {
     }
   }
 
-  /** Some ticks more, until the robots stand. */
+  /** Some ticks more, until the robots are seen standing, or surely do. */
   private void settle() throws IOException {
     boolean stand = false;
     for (int i = 0; i < FEWEST_LAST_TICKS || !stand && i < MOST_LAST_TICKS; i++) {
@@ -355,12 +356,11 @@ public final class PlaySession {
     }
   }
 
-  /** Who is not seen cannot be waited for. */
   private static boolean stands(PlayWorld world, RobotId id) {
     return world
         .robot(id)
-        .map(robot -> world.time() - robot.seen() > UNSEEN || robot.speed() < STANDS)
-        .orElse(true);
+        .map(robot -> world.time() - robot.seen() < UNSEEN && robot.speed() < STANDS)
+        .orElse(false);
   }
 
   private void stopRobots() throws IOException {
