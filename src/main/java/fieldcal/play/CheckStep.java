@@ -8,8 +8,10 @@ final class CheckStep implements Step {
   /** A ball that is out of sight for longer does not come back by itself, s. */
   private static final double LOST = 2;
 
-  /** After a kick in vain the kicker may have to charge, s. */
+  /** After a kick in vain the kicker may have to charge, s; after several, for longer. */
   private static final double BREATH = 1;
+
+  private static final int MOST_BREATHS = 4;
 
   /** After so many attempts in vain to take the ball somebody has to lay it down elsewhere. */
   private static final int FETCHES = 3;
@@ -33,7 +35,8 @@ final class CheckStep implements Step {
     if (Double.isNaN(since)) {
       since = s.time();
     }
-    if (ledger.failures() > 0 && s.time() - since < BREATH && holder < 0) {
+    double breath = BREATH * Math.min(MOST_BREATHS, ledger.failures());
+    if (s.time() - since < breath && holder < 0) {
       s.waitFor(ledger.lastFailure() + "; trying again");
       return this;
     }
