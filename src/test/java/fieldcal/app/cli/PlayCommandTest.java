@@ -165,7 +165,7 @@ class PlayCommandTest {
   }
 
   private void awaitKicks(Process play, Path commands, int kicks) throws Exception {
-    for (int i = 0; i < 600 && lines(commands) < kicks + 1; i++) {
+    for (int i = 0; i < 2400 && lines(commands) < kicks + 1; i++) {
       assertThat(play.isAlive()).as(Files.readString(directory.resolve("output.txt"))).isTrue();
       Thread.sleep(50);
     }
