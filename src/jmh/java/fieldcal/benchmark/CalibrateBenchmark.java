@@ -7,14 +7,11 @@ import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 
 /**
  * Wall time of calibrating the two recordings of test-data, the files of --out included: in this process, first and warm, and as
@@ -29,15 +26,15 @@ final class CalibrateBenchmark {
 
   static void run(BenchmarkSettings settings, PrintStream out) throws Exception {
     Path project = Path.of(System.getProperty("fieldcal.projectDir", ".")).toAbsolutePath();
-    Path directory = Files.createTempDirectory("calibrate-benchmark");
-    try {
+    try (Scratch scratch = new Scratch("calibrate-benchmark")) {
+      Path directory = scratch.path();
       double[] fresh = new double[settings.runs()];
-      command(project, List.of("--help")); // builds, when something has changed
+      FieldcalProcess.run(project, List.of("--help")); // builds, when something has changed
       for (int run = 0; run < fresh.length; run++) {
         List<String> arguments = new ArrayList<>(List.of("calibrate"));
         arguments.addAll(LOGS);
         arguments.addAll(List.of("--out", directory.resolve("fresh").toString()));
-        fresh[run] = command(project, arguments);
+        fresh[run] = FieldcalProcess.run(project, arguments).seconds();
       }
       double[] here = new double[1 + settings.runs()];
       for (int run = 0; run < here.length; run++) {
@@ -47,28 +44,7 @@ final class CalibrateBenchmark {
       print(out, "./fieldcal calibrate, fresh process", fresh, true);
       print(out, "in this process, first", Arrays.copyOf(here, 1), false);
       print(out, "in this process, warm", Arrays.copyOfRange(here, 1, here.length), false);
-    } finally {
-      delete(directory);
     }
-  }
-
-  private static double command(Path project, List<String> arguments)
-      throws IOException, InterruptedException {
-    List<String> words = new ArrayList<>();
-    words.add(project.resolve("fieldcal").toString());
-    words.addAll(arguments);
-    long before = System.nanoTime();
-    Process process =
-        new ProcessBuilder(words)
-            .directory(project.toFile())
-            .redirectErrorStream(true)
-            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-            .start();
-    int status = process.waitFor();
-    if (status != 0) {
-      throw new IOException(String.join(" ", words) + " ended with status " + status);
-    }
-    return (System.nanoTime() - before) * 1e-9;
   }
 
   private static double inProcess(Path project, Path directory) throws IOException {
@@ -78,7 +54,7 @@ final class CalibrateBenchmark {
             .run(
                 CalibrationRequest.of(
                     LOGS.stream().map(project::resolve).toList(), HandSelection.none(), List.of()),
-                new Silent());
+                CalibrationSession.Progress.UNSEEN);
     CalibrationSession.writeAll(outcome, directory);
     return (System.nanoTime() - before) * 1e-9;
   }
@@ -96,25 +72,5 @@ final class CalibrateBenchmark {
         sorted[sorted.length - 1],
         judged ? SECONDS : "",
         judged ? SECONDS.verdict(median) : "");
-  }
-
-  private static void delete(Path directory) throws IOException {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    }
-  }
-
-  /** Nobody watches. */
-  private static final class Silent implements CalibrationSession.Progress {
-    @Override
-    public void read(Path log, long bytesRead, long totalBytes) {}
-
-    @Override
-    public void fitting(int kicks) {}
-
-    @Override
-    public void fitted() {}
   }
 }

@@ -1,30 +1,23 @@
 package fieldcal.benchmark;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
-import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.play.EndedSession;
 import fieldcal.app.play.PlayRun;
-import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.Diagnosis;
-import fieldcal.diagnosis.DiagnosisProblem;
-import fieldcal.fit.FitSettings;
-import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.EffectSetting;
-import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallPhysics;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalInt;
 
 /**
@@ -98,27 +91,26 @@ final class CausesBenchmark {
   /** Empty when the first session left nothing undecided. */
   private static OptionalInt kicks(String cause, boolean afterOneLine, boolean adaptive, long seed)
       throws IOException {
-    Path directory = Files.createTempDirectory("fieldcal-causes-benchmark");
-    try {
+    try (Scratch scratch = new Scratch("fieldcal-causes-benchmark")) {
+      Path directory = scratch.path();
       int before = 0;
       if (afterOneLine) {
         play(cause, false, seed, 0, directory, ONE_LINE);
-        Diagnosis one = first(KICKS, PlayRun.calibrate(directory, PlayCalibrationBenchmark.QUIET));
+        Diagnosis one =
+            first(KICKS, PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN));
         if (one.causes().stream().allMatch(c -> c.indistinguishableFrom().isEmpty())) {
           return OptionalInt.empty();
         }
         before = one.kicks().size();
       }
       play(cause, adaptive, seed, BETWEEN, directory, KICKS);
-      CalibrationOutcome all = PlayRun.calibrate(directory, PlayCalibrationBenchmark.QUIET);
+      CalibrationOutcome all = PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN);
       for (int n = Math.max(1, FEWEST - before); n <= KICKS; n++) {
         if (isNamed(cause.split(":")[0], first(before + n, all))) {
           return OptionalInt.of(n);
         }
       }
       return OptionalInt.of(KICKS + 1);
-    } finally {
-      PlayCalibrationBenchmark.delete(directory);
     }
   }
 
@@ -132,37 +124,11 @@ final class CausesBenchmark {
             .withSeed(seed)
             .withPhysics(SOLID)
             .withEffects(List.of(EffectSetting.parse(cause)));
-    InteractiveField field =
-        InteractiveField.later(world, request.first(), request.second(), List.of(), later);
-    PlaySession[] session = new PlaySession[1];
-    session[0] =
-        new PlaySession(
-            request,
-            new EmbeddedPlayField(field, Double.POSITIVE_INFINITY),
-            s -> {
-              if (s.state().good() >= enough) {
-                session[0].abort("enough");
-              }
-            });
-    session[0].run();
+    EndedSession.play(world, request, later, enough);
   }
 
   private static Diagnosis first(int n, CalibrationOutcome outcome) {
-    List<KickFit> fits =
-        outcome.calibration().fitted().stream()
-            .sorted(Comparator.comparingDouble(f -> f.kick().time()))
-            .limit(n)
-            .toList();
-    DiagnosisProblem problem =
-        new DiagnosisProblem(
-            fits,
-            outcome.calibration().cameras(),
-            outcome.data().observers(),
-            outcome.data().sessionStart(),
-            Map.of(),
-            DiagnosisProblem.DEFAULT_MAX_CAUSES,
-            FitSettings.defaults().seed());
-    return new Diagnoser().diagnose(problem, said -> {});
+    return new Diagnoser().diagnose(EndedSession.firstKicks(outcome, n), said -> {});
   }
 
   private static boolean isNamed(String id, Diagnosis diagnosis) {

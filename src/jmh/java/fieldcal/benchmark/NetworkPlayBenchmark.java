@@ -1,5 +1,6 @@
 package fieldcal.benchmark;
 
+import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.PlayField;
@@ -18,7 +19,6 @@ import fieldcal.simulation.InteractiveField;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -174,8 +174,8 @@ final class NetworkPlayBenchmark {
   }
 
   private static Played sessions(long seed, Fields fields) throws IOException {
-    Path directory = Files.createTempDirectory("fieldcal-network-benchmark");
-    try {
+    try (Scratch scratch = new Scratch("fieldcal-network-benchmark")) {
+      Path directory = scratch.path();
       int made = 0;
       boolean complete = true;
       double seconds = 0;
@@ -191,13 +191,11 @@ final class NetworkPlayBenchmark {
         notes.addAll(field.notes());
       }
       JointFit joint =
-          PlayRun.calibrate(directory, PlayCalibrationBenchmark.QUIET)
+          PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN)
               .calibration()
               .joint()
               .orElseThrow();
       return new Played(joint, made, complete, seconds, notes);
-    } finally {
-      PlayCalibrationBenchmark.delete(directory);
     }
   }
 

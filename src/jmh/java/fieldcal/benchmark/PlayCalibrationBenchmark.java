@@ -12,14 +12,11 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 
 /**
  * Calibration from 12 flat kicks and 12 chips of the play, on fields whose parameters are drawn at random, with cameras that disagree by 20 mm and have 1.5 mm of noise. 4 fields per run.
@@ -31,24 +28,6 @@ final class PlayCalibrationBenchmark {
 
   private PlayCalibrationBenchmark() {}
 
-  static final CalibrationSession.Progress QUIET =
-      new CalibrationSession.Progress() {
-        @Override
-        public void fitting(int kicks) {
-          // Nobody looks.
-        }
-
-        @Override
-        public void fitted() {
-          // Nobody looks.
-        }
-
-        @Override
-        public void read(Path log, long bytesRead, long totalBytes) {
-          // Nobody looks.
-        }
-      };
-
   static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
     int fields = FIELDS_PER_RUN * settings.runs();
     double[] times = new double[fields];
@@ -57,16 +36,19 @@ final class PlayCalibrationBenchmark {
     for (int i = 0; i < fields; i++) {
       long seed = 7000 + 1000 * settings.seed() + i;
       DrawnField drawn = DrawnField.of(seed);
-      Path directory = Files.createTempDirectory("fieldcal-play-benchmark");
-      try {
+      try (Scratch scratch = new Scratch("fieldcal-play-benchmark")) {
+        Path directory = scratch.path();
         for (KickKind kind : KickKind.values()) {
           PlaySession.Outcome outcome = play(drawn.settings(), kind, seed, directory);
           times[i] += outcome.last().time();
           incomplete += outcome.complete() ? 0 : 1;
         }
-        judge(PlayRun.calibrate(directory, QUIET), drawn.truth(), i, fields, sigmas);
-      } finally {
-        delete(directory);
+        judge(
+            PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN),
+            drawn.truth(),
+            i,
+            fields,
+            sigmas);
       }
     }
     print(out, sigmas, times, incomplete);
@@ -138,13 +120,5 @@ final class PlayCalibrationBenchmark {
         sorted[(int) (0.95 * (sorted.length - 1))],
         time,
         time.verdict(sorted[sorted.length - 1]));
-  }
-
-  static void delete(Path directory) throws IOException {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    }
   }
 }

@@ -1,21 +1,23 @@
 package fieldcal.diagnosis;
 
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.CalibrationRequest;
+import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.FieldcalProcess;
 import fieldcal.benchmark.Goal;
+import fieldcal.benchmark.Scratch;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 
 /**
  * Wall time and memory of {@code ./fieldcal diagnose} as the operator has it, a process of its own with its report, on recordings of 24 kicks with different causes in them; and time of the score tests alone, of all
@@ -47,9 +49,9 @@ public final class DiagnosisSpeed {
    */
   public static void run(BenchmarkSettings settings, PrintStream out) throws Exception {
     Path project = Path.of(System.getProperty("fieldcal.projectDir", ".")).toAbsolutePath();
-    Path directory = Files.createTempDirectory("diagnosis-benchmark");
-    try {
-      process(project, List.of("--help")); // builds, when something has changed
+    try (Scratch scratch = new Scratch("diagnosis-benchmark")) {
+      Path directory = scratch.path();
+      FieldcalProcess.run(project, List.of("--help")); // builds, when something has changed
       out.printf(
           "%-50s %10s %9s %10s %9s%n", "", "detections", "diagnose", "resident", "all scores");
       double slowest = 0;
@@ -57,10 +59,10 @@ public final class DiagnosisSpeed {
       double scores = 0;
       for (int w = 0; w < WORLDS.size(); w++) {
         Path log = directory.resolve("world" + w + ".log.gz");
-        process(project, simulation(WORLDS.get(w), settings.seed() + w, log));
+        FieldcalProcess.run(project, simulation(WORLDS.get(w), settings.seed() + w, log));
         List<String> words = new ArrayList<>(List.of("diagnose", log.toString()));
         words.addAll(List.of("--out", directory.resolve("out").toString()));
-        Used used = process(project, words);
+        FieldcalProcess.Used used = FieldcalProcess.run(project, words);
         DiagnosisProblem problem = problem(log);
         double scored = scores(problem);
         int detections = problem.fits().stream().mapToInt(f -> f.statistics().used()).sum();
@@ -69,18 +71,16 @@ public final class DiagnosisSpeed {
             "%-50s %10d %7.1f s %7.0f MB %7.2f s%n",
             WORLDS.get(w).isEmpty() ? "nothing" : String.join(" + ", WORLDS.get(w)),
             detections,
-            used.seconds,
-            used.megabytes,
+            used.seconds(),
+            used.megabytes(),
             scored);
-        slowest = Math.max(slowest, used.seconds);
-        largest = Math.max(largest, used.megabytes);
+        slowest = Math.max(slowest, used.seconds());
+        largest = Math.max(largest, used.megabytes());
         scores = Math.max(scores, scored);
       }
       out.printf("diagnose %s: %s%n", SECONDS, SECONDS.verdict(slowest));
       out.printf("resident memory %s: %s%n", MEGABYTES, MEGABYTES.verdict(largest));
       out.printf("score tests %s: %s%n", SCORES, SCORES.verdict(scores));
-    } finally {
-      delete(directory);
     }
   }
 
@@ -93,8 +93,13 @@ public final class DiagnosisSpeed {
   }
 
   private static DiagnosisProblem problem(Path log) throws IOException {
+    CalibrationOutcome calibration =
+        new CalibrationSession(FitSettings.defaults())
+            .run(
+                CalibrationRequest.of(List.of(log), HandSelection.none(), List.of()),
+                CalibrationSession.Progress.UNSEEN);
     return new DiagnosisSession(FitSettings.defaults(), 1)
-        .run(List.of(log), HandSelection.none(), List.of(), new Unwatched())
+        .diagnose(calibration, said -> {})
         .problem();
   }
 
@@ -117,65 +122,5 @@ public final class DiagnosisSpeed {
       seconds[i] = (System.nanoTime() - before) * 1e-9;
     }
     return Arrays.stream(seconds).min().orElseThrow();
-  }
-
-  private record Used(double seconds, double megabytes) {}
-
-  private static Used process(Path project, List<String> arguments)
-      throws IOException, InterruptedException {
-    List<String> words = new ArrayList<>(List.of(project.resolve("fieldcal").toString()));
-    words.addAll(arguments);
-    long before = System.nanoTime();
-    Process process =
-        new ProcessBuilder(words)
-            .directory(project.toFile())
-            .redirectErrorStream(true)
-            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-            .start();
-    double resident = 0;
-    while (process.isAlive()) {
-      resident = Math.max(resident, residentMegabytes(process.pid()));
-      Thread.sleep(20);
-    }
-    if (process.exitValue() != 0) {
-      throw new IOException(String.join(" ", words) + " ended with status " + process.exitValue());
-    }
-    return new Used((System.nanoTime() - before) * 1e-9, resident);
-  }
-
-  /** The most a process had in memory so far, as Linux tells it; NaN elsewhere and after its end. */
-  private static double residentMegabytes(long pid) {
-    try (Stream<String> lines = Files.lines(Path.of("/proc/" + pid + "/status"))) {
-      return lines
-          .filter(l -> l.startsWith("VmHWM:"))
-          .mapToDouble(l -> Double.parseDouble(l.replaceAll("\\D+", "")) / 1024)
-          .findFirst()
-          .orElse(0);
-    } catch (IOException | java.io.UncheckedIOException gone) {
-      return 0;
-    }
-  }
-
-  private static void delete(Path directory) throws IOException {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    }
-  }
-
-  /** Nobody watches. */
-  private static final class Unwatched implements DiagnosisSession.Progress {
-    @Override
-    public void read(Path log, long bytesRead, long totalBytes) {}
-
-    @Override
-    public void fitting(int kicks) {}
-
-    @Override
-    public void fitted() {}
-
-    @Override
-    public void diagnosing(String what) {}
   }
 }

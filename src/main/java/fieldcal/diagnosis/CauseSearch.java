@@ -36,8 +36,8 @@ final class CauseSearch {
   /** A search that has fitted so many hypotheses without an end will find none. */
   private static final int MOST_FITS = 40;
 
-  /** Where an error of the cameras leaves less than that share of the structure, nobody looks for wrong valleys of bounces. */
-  private static final double NEARLY_ALL = 0.1;
+  /** Where an error of the cameras or the ground leaves less than that share of the structure, nobody looks for wrong valleys of bounces. */
+  private static final double NEARLY_ALL = 0.05;
 
   /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
   private static final double NOTHING_LEFT = 3;
@@ -50,11 +50,11 @@ final class CauseSearch {
 
   private static final double LAST_EDGE_STEP = 0.015;
 
-  /** The standard error of an edge, m: that of a value known to one last step. */
-  private static final double EDGE_ERROR = 0.02 / Math.sqrt(3);
-
   private static final int EDGE_ROUNDS = 4;
   private static final int EDGE_STEPS = 8;
+
+  /** The standard error of an edge, m: that of a value known to one last step. */
+  private static final double EDGE_ERROR = 0.02 / Math.sqrt(3);
 
   /** Decrease of chi-square that a step of an edge outwards must be worth, and increase that a step inwards may cost. */
   private static final double BETTER_EDGE = 0.5;
@@ -249,23 +249,23 @@ final class CauseSearch {
     }
     double[] start = start(next, from);
     FittedHypothesis f = fit(next, start, from, replaced == null ? score : null);
-    if (isBounce(score.chart()) && !isTheCameras(from)) {
+    if (isBounce(score.chart()) && !isElsewhere(from)) {
       f = fromOtherStarts(f, score.chart(), start, from);
     }
     fitted.add(f);
     return f;
   }
 
-  /** Whether an error of the cameras alone, that no bounce resembles, is known to explain nearly all that a hypothesis leaves. */
-  private boolean isTheCameras(FittedHypothesis from) {
+  /** Whether a hypothesis without spin and bounces, which no bounce resembles, is known to explain nearly all that another one leaves. */
+  private boolean isElsewhere(FittedHypothesis from) {
     double left = NEARLY_ALL * Structure.of(fitter, from).systematic();
     return fitted.stream()
-        .filter(f -> f.hypothesis().charts().stream().noneMatch(CauseSearch::isMotion))
+        .filter(f -> f.hypothesis().charts().stream().noneMatch(CauseSearch::resemblesBounce))
         .anyMatch(f -> Structure.of(fitter, f).systematic() < left);
   }
 
-  private static boolean isMotion(Chart chart) {
-    return chart.template() instanceof MotionEffect;
+  private static boolean resemblesBounce(Chart chart) {
+    return isBounce(chart) || chart.template() instanceof MotionEffect.SpinAtKick;
   }
 
   /** The best fit from several starts; the first that leaves nothing to be explained is the best. */

@@ -309,7 +309,8 @@ public final class Diagnoser {
         Map<String, Double> errors =
             chart.errors(best.shared(), best.covariance(), best.offset(chart));
         if (chart.id().equals("worn_region")) {
-          errors.replaceAll((name, error) -> Math.hypot(error, search.edgeError(best)));
+          double ofEdges = search.edgeError(best);
+          errors.replaceAll((name, error) -> Math.hypot(error, ofEdges));
         }
         causes.add(
             new Cause(

@@ -6,6 +6,7 @@ import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -131,7 +132,7 @@ final class JointFit {
       }
       List<double[]> owns = new ArrayList<>();
       for (int k = 0; k < models.size(); k++) {
-        owns.add(moved(models.get(k), normals.get(k).ownStep(step)));
+        owns.add(models.get(k).moved(normals.get(k).ownStep(step)));
       }
       SharedState tried = SharedState.of(hypothesis, next, observers);
       double nextCost = settledCost(tried, next, owns);
@@ -156,30 +157,8 @@ final class JointFit {
     }
   }
 
-  private double[] moved(KickModel model, double[] step) {
-    double[] own = model.own.clone();
-    for (int k = 0; k < own.length; k++) {
-      own[k] += step[k];
-    }
-    if (model.data.kind == KickKind.CHIP) {
-      own[4] = Math.max(0.05, own[4]);
-    }
-    return own;
-  }
-
   private double costOf(SharedState at, double[] values, List<double[]> owns) {
-    double[] costs = new double[models.size()];
-    IntStream.range(0, costs.length)
-        .parallel()
-        .forEach(
-            k -> {
-              KickModel model = models.get(k);
-              double[] own = owns.get(k);
-              double[] r = new double[2 * model.data.size];
-              costs[k] =
-                  model.residuals(at, model.path(at, own), r) + model.priorCost(at, own, scatter);
-            });
-    return Arrays.stream(costs).sum() + sharedPrior(values);
+    return sumOverKicks(k -> costOfKick(at, k, owns.get(k))) + sharedPrior(values);
   }
 
   /**
@@ -188,29 +167,37 @@ final class JointFit {
    * @param owns the kicks' own unknowns after the common step; replaced where they went wrong
    */
   private double settledCost(SharedState at, double[] values, List<double[]> owns) {
-    double[] costs = new double[models.size()];
-    IntStream.range(0, costs.length)
-        .parallel()
-        .forEach(
-            k -> {
-              KickModel model = models.get(k);
-              double[] before = model.own;
-              double[] r = new double[2 * model.data.size];
-              costs[k] =
-                  OwnFit.isFinite(owns.get(k))
-                      ? model.residuals(at, model.path(at, owns.get(k)), r)
-                          + model.priorCost(at, owns.get(k), scatter)
-                      : Double.POSITIVE_INFINITY;
-              if (!(costs[k] <= ASTRAY * normals.get(k).cost + r.length)) {
-                double other = new OwnFit(model, at, scatter).minimize();
-                if (!(costs[k] <= other)) {
-                  costs[k] = other;
-                  owns.set(k, model.own);
-                }
-                model.own = before;
-              }
-            });
-    return Arrays.stream(costs).sum() + sharedPrior(values);
+    return sumOverKicks(k -> settledCostOfKick(at, k, owns)) + sharedPrior(values);
+  }
+
+  private double settledCostOfKick(SharedState at, int kick, List<double[]> owns) {
+    KickModel model = models.get(kick);
+    double[] own = owns.get(kick);
+    double stepped = OwnFit.isFinite(own) ? costOfKick(at, kick, own) : Double.POSITIVE_INFINITY;
+    if (stepped <= ASTRAY * normals.get(kick).cost + 2 * model.data.size) {
+      return stepped;
+    }
+    double[] before = model.own;
+    double settled = new OwnFit(model, at, scatter).minimize();
+    double[] found = model.own;
+    model.own = before;
+    if (stepped <= settled) {
+      return stepped;
+    }
+    owns.set(kick, found);
+    return settled;
+  }
+
+  private double costOfKick(SharedState at, int kick, double[] own) {
+    KickModel model = models.get(kick);
+    return model.cost(at, own, scatter, new double[2 * model.data.size]);
+  }
+
+  /** In parallel, but added in the kicks' order: the same result as one by one. */
+  private double sumOverKicks(IntToDoubleFunction term) {
+    double[] terms = new double[models.size()];
+    IntStream.range(0, terms.length).parallel().forEach(k -> terms[k] = term.applyAsDouble(k));
+    return Arrays.stream(terms).sum();
   }
 
   private double sharedPrior(double[] values) {
@@ -256,21 +243,8 @@ final class JointFit {
     double[] ownScale = new double[model.ownSize];
     Arrays.setAll(ownScale, model::ownStep);
     KickNormal normal = new KickNormal(own, columns, residual, total, ownScale);
-    tie(normal, model);
+    model.tie(normal, state, scatter, true);
     return normal;
-  }
-
-  private void tie(KickNormal normal, KickModel model) {
-    if (!model.data.kick.fromRest()) {
-      int t = model.data.timeIndex();
-      double weight = 1 / (KickData.TIME_PRIOR * KickData.TIME_PRIOR);
-      normal.tie(t, -1, model.own[t] - model.data.kick.time(), weight);
-    }
-    for (int j = model.kickSize; j < model.ownSize; j++) {
-      int mean = size - model.ownSize + j;
-      double s = scatter[j - model.kickSize];
-      normal.tie(j, mean, model.own[j] - shared[mean], 1 / (s * s));
-    }
   }
 
   private void reduce(double lambda, double[][] a, double[] b) {

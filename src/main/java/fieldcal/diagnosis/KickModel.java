@@ -142,9 +142,48 @@ final class KickModel {
     return cost;
   }
 
+  /** Residuals and what the own unknowns cost: what a fit makes small. */
+  double cost(SharedState state, double[] p, double[] scatter, double[] residuals) {
+    return residuals(state, path(state, p), residuals) + priorCost(state, p, scatter);
+  }
+
+  /** The own unknowns after a step; a chip still rises then. */
+  double[] moved(double[] step) {
+    double[] next = own.clone();
+    for (int k = 0; k < next.length; k++) {
+      next[k] += step[k];
+    }
+    if (data.kind == KickKind.CHIP) {
+      next[4] = clampRise(next[4]);
+    }
+    return next;
+  }
+
+  /**
+   * Adds what {@link #priorCost} says of the own unknowns to the normal equations.
+   *
+   * @param meansMove whether the means of the random effects are among the unknowns of those equations
+   */
+  void tie(KickNormal normal, SharedState state, double[] scatter, boolean meansMove) {
+    if (!data.kick.fromRest()) {
+      int t = data.timeIndex();
+      double weight = 1 / (KickData.TIME_PRIOR * KickData.TIME_PRIOR);
+      normal.tie(t, -1, own[t] - data.kick.time(), weight);
+    }
+    for (int j = kickSize; j < ownSize; j++) {
+      double s = scatter[j - kickSize];
+      int column = meansMove ? meanIndex(state, j) : -1;
+      normal.tie(j, column, own[j] - mean(state, j), 1 / (s * s));
+    }
+  }
+
   /** Means of the random effects are the last of the shared values. */
   double mean(SharedState state, int ownIndex) {
-    return state.values[state.values.length - ownSize + ownIndex];
+    return state.values[meanIndex(state, ownIndex)];
+  }
+
+  private int meanIndex(SharedState state, int ownIndex) {
+    return state.values.length - ownSize + ownIndex;
   }
 
   /**

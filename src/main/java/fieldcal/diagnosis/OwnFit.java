@@ -2,7 +2,6 @@ package fieldcal.diagnosis;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.Gravity;
-import fieldcal.kick.KickKind;
 import java.util.Arrays;
 
 /** Fits the own unknowns of one kick under shared ones that are given. A working object; not thread-safe. */
@@ -37,26 +36,22 @@ final class OwnFit {
     double[][] columns = new double[p][n];
     double[] scale = new double[p];
     Arrays.setAll(scale, model::ownStep);
-    double cost = cost(model.own, residual);
+    double cost = model.cost(state, model.own, scatter, residual);
     double lambda = 1e-4;
     KickNormal normal = null;
     for (int i = 0; i < MAX_ITERATIONS && lambda < 1e8; i++) {
       if (normal == null) {
         model.ownColumns(state, residual, columns);
         normal = new KickNormal(columns, new double[0][], residual, cost, scale);
-        tie(normal);
+        model.tie(normal, state, scatter, false);
       }
       normal.reduce(lambda, new double[0][0], new double[0]);
-      double[] step = normal.ownStep(new double[0]);
-      double[] next = model.own.clone();
-      for (int k = 0; k < p; k++) {
-        next[k] += step[k];
-      }
-      if (model.data.kind == KickKind.CHIP) {
-        next[4] = Math.max(0.05, next[4]);
-      }
+      double[] next = model.moved(normal.ownStep(new double[0]));
       double[] nextResidual = new double[n];
-      double nextCost = isFinite(next) ? cost(next, nextResidual) : Double.POSITIVE_INFINITY;
+      double nextCost =
+          isFinite(next)
+              ? model.cost(state, next, scatter, nextResidual)
+              : Double.POSITIVE_INFINITY;
       if (nextCost <= cost) {
         double gained = cost - nextCost;
         model.own = next;
@@ -86,29 +81,12 @@ final class OwnFit {
     return Double.isFinite(sum);
   }
 
-  private double cost(double[] own, double[] residual) {
-    return model.residuals(state, model.path(state, own), residual)
-        + model.priorCost(state, own, scatter);
-  }
-
-  private void tie(KickNormal normal) {
-    if (!model.data.kick.fromRest()) {
-      int t = model.data.timeIndex();
-      double weight = 1 / (KickData.TIME_PRIOR * KickData.TIME_PRIOR);
-      normal.tie(t, -1, model.own[t] - model.data.kick.time(), weight);
-    }
-    for (int j = model.kickSize; j < model.ownSize; j++) {
-      double s = scatter[j - model.kickSize];
-      normal.tie(j, -1, model.own[j] - model.mean(state, j), 1 / (s * s));
-    }
-  }
-
   /** Tries one flight more and one less, or, far from what the rule says, what it says; true when that explains the kick better. */
   boolean chooseFlights() {
     int n = 2 * model.data.size;
     int kept = model.flights;
     double[] keptOwn = model.own;
-    double best = priced(cost(model.own, new double[n]));
+    double best = priced(model.cost(state, model.own, scatter, new double[n]));
     int bestFlights = kept;
     double[] bestOwn = keptOwn;
     int rule = model.flightsByRule(state, keptOwn);
@@ -141,7 +119,7 @@ final class OwnFit {
   boolean restart() {
     double[] keptOwn = model.own;
     int kept = model.flights;
-    double before = priced(cost(keptOwn, new double[2 * model.data.size]));
+    double before = priced(model.cost(state, keptOwn, scatter, new double[2 * model.data.size]));
     double best = before;
     double[] bestOwn = keptOwn;
     int bestFlights = kept;

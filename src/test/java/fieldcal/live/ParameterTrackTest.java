@@ -15,6 +15,9 @@ class ParameterTrackTest {
   private static final BallModels PUBLISHED =
       new BallModels(Optional.of(new FlatModel(-3, -0.28, 0.66)), Optional.empty());
 
+  /** At the speeds drawn here such a carpet does what is published, but half of the samples are 12 % off it. */
+  private static final double AS_PUBLISHED = 0.88;
+
   private final Random random = new Random(SEED);
   private final ParameterTrack roll =
       new ParameterTrack(BallParameter.ACC_ROLL, LiveSettings.defaults());
@@ -25,6 +28,10 @@ class ParameterTrackTest {
   private void add(ParameterTrack track, double value, double scatter, boolean spinning) {
     double noisy = value * (1 + scatter * random.nextGaussian());
     track.add(new BallSample(time++, noisy, 0.001, spinning));
+    compare(track);
+  }
+
+  private void compare(ParameterTrack track) {
     track
         .compare(PUBLISHED)
         .ifPresent(
@@ -59,39 +66,43 @@ class ParameterTrackTest {
   }
 
   /** A sample of a ball that rolls as on the carpets of 2026, at a speed drawn anew; {@code factor} times as much. */
-  private void addAtAnySpeed(ParameterTrack track, double factor, boolean speedKnown) {
+  private void addAtAnySpeed(ParameterTrack track, double factor) {
     double speed = 1 + 2.2 * random.nextDouble();
     double value = -factor * (0.23 + 0.019 * speed * speed) * (1 + 0.02 * random.nextGaussian());
-    track.add(new BallSample(time++, value, 0.001, false, speedKnown ? speed : Double.NaN));
-    track
-        .compare(PUBLISHED)
-        .ifPresent(
-            w -> {
-              raised += track.warning().isPresent() ? 1 : 0;
-              cleared += track.warning().isPresent() ? 0 : 1;
-            });
+    track.add(new BallSample(time++, value, 0.001, false, speed));
+    compare(track);
+  }
+
+  /** How often each of 200 matches warned, each with the kicks of ten minutes on a carpet that is {@code factor} times what is published at usual speeds. */
+  private int[] warningsOnCarpet(double factor) {
+    int[] warnings = new int[200];
+    for (int match = 0; match < warnings.length; match++) {
+      ParameterTrack track = new ParameterTrack(BallParameter.ACC_ROLL, LiveSettings.defaults());
+      raised = 0;
+      for (int i = 0; i < 150; i++) {
+        addAtAnySpeed(track, factor * AS_PUBLISHED);
+      }
+      warnings[match] = raised;
+    }
+    return warnings;
   }
 
   @Test
   void aChangeShowsSoonWhereTheBallRollsSlowerTheSlowerItIs() {
-    // At the speeds drawn here the carpet does what is published, but half of the samples are 12 %
-    // off it.
-    double calibrated = 0.88;
     int[] until = new int[40];
     for (int match = 0; match < until.length; match++) {
       ParameterTrack track = new ParameterTrack(BallParameter.ACC_ROLL, LiveSettings.defaults());
       for (int i = 0; i < 100; i++) {
-        addAtAnySpeed(track, calibrated, true);
+        addAtAnySpeed(track, AS_PUBLISHED);
       }
       assertThat(raised).as("seed %d, match %d", SEED, match).isEqualTo(match);
       while (raised == match) {
         until[match]++;
-        addAtAnySpeed(track, 1.3 * calibrated, true);
+        addAtAnySpeed(track, 1.3 * AS_PUBLISHED);
       }
     }
-    // Half of the kicks show how the ball rolls: 31 kicks are 15 samples. Among slow kicks alone
-    // the
-    // change may be less than 20 % of what is published.
+    // Half of the kicks show how the ball rolls, so that 31 kicks are 15 samples. Among slow ones
+    // alone the change may be less than 20 % of what is published.
     Arrays.sort(until);
     assertThat(until[0]).as("seed %d", SEED).isGreaterThan(6);
     assertThat(until[until.length / 2]).as("seed %d", SEED).isLessThan(10);
@@ -100,15 +111,7 @@ class ParameterTrackTest {
 
   @Test
   void aWarningNearTheLimitDoesNotFlicker() {
-    int[] warnings = new int[200];
-    for (int match = 0; match < warnings.length; match++) {
-      ParameterTrack track = new ParameterTrack(BallParameter.ACC_ROLL, LiveSettings.defaults());
-      raised = 0;
-      for (int i = 0; i < 150; i++) {
-        addAtAnySpeed(track, 1.2 * 0.88, true);
-      }
-      warnings[match] = raised;
-    }
+    int[] warnings = warningsOnCarpet(1.2);
     // Just at the limit, for as many kicks as ten minutes have; 40 % when speeds are not known.
     assertThat(Arrays.stream(warnings).filter(n -> n > 1).count())
         .as("seed %d", SEED)
@@ -117,15 +120,7 @@ class ParameterTrackTest {
 
   @Test
   void fasterKicksThanUsualAreNoOtherCarpet() {
-    int[] warnings = new int[200];
-    for (int match = 0; match < warnings.length; match++) {
-      ParameterTrack track = new ParameterTrack(BallParameter.ACC_ROLL, LiveSettings.defaults());
-      raised = 0;
-      for (int i = 0; i < 150; i++) {
-        addAtAnySpeed(track, 1.1 * 0.88, true);
-      }
-      warnings[match] = raised;
-    }
+    int[] warnings = warningsOnCarpet(1.1);
     // Half of them when speeds are not known.
     assertThat(Arrays.stream(warnings).filter(n -> n > 0).count())
         .as("seed %d", SEED)

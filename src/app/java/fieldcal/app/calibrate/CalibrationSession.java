@@ -36,6 +36,19 @@ public final class CalibrationSession {
 
   /** Told how far the work is. */
   public interface Progress extends KickCollector.Progress {
+    /** Nobody looks. */
+    Progress UNSEEN =
+        new Progress() {
+          @Override
+          public void read(Path log, long bytesRead, long totalBytes) {}
+
+          @Override
+          public void fitting(int kicks) {}
+
+          @Override
+          public void fitted() {}
+        };
+
     /**
      * Fitting begins.
      *

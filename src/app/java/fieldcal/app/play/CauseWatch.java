@@ -31,24 +31,6 @@ final class CauseWatch {
     this.executor = executor;
   }
 
-  private static final CalibrationSession.Progress SILENT =
-      new CalibrationSession.Progress() {
-        @Override
-        public void fitting(int kicks) {
-          // The play has its own display.
-        }
-
-        @Override
-        public void fitted() {
-          // The play has its own display.
-        }
-
-        @Override
-        public void read(Path log, long bytesRead, long totalBytes) {
-          // The play has its own display.
-        }
-      };
-
   /** Whether there are enough kicks, and enough new ones, for another diagnosis. */
   boolean isDue(int good) {
     boolean news =
@@ -74,7 +56,9 @@ final class CauseWatch {
     try {
       DiagnosisOutcome outcome =
           new DiagnosisSession(FitSettings.defaults(), DiagnosisProblem.DEFAULT_MAX_CAUSES)
-              .diagnose(PlayRun.calibrate(directory.orElseThrow(), SILENT), said -> {});
+              .diagnose(
+                  PlayRun.calibrate(directory.orElseThrow(), CalibrationSession.Progress.UNSEEN),
+                  said -> {});
       // One that explains nothing decides nothing either: a single kick of a new sort often has
       // that
       // effect.

@@ -5,6 +5,7 @@ import com.sun.management.OperatingSystemMXBean;
 import fieldcal.app.cli.Main;
 import fieldcal.benchmark.BenchmarkSettings;
 import fieldcal.benchmark.Goal;
+import fieldcal.benchmark.Scratch;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.PrintWriter;
@@ -13,12 +14,10 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /**
  * How long an operator with 200 kicks waits, in Debian's chromium: until the page can be used, and for the answer to a click. Times depend on what else the machine does, so that its load is printed; processor times
@@ -95,9 +94,8 @@ public final class ConsoleBenchmark {
    * @throws IOException when a recording cannot be made
    */
   public static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
-    Path folder = Files.createTempDirectory("fieldcal-console");
-    try {
-      Path session = Files.createDirectory(folder.resolve("session"));
+    try (Scratch scratch = new Scratch("fieldcal-console")) {
+      Path session = Files.createDirectory(scratch.path().resolve("session"));
       record(session, settings.seed());
       try (RunningConsole console = RunningConsole.start(session);
           Browser browser = new Browser()) {
@@ -115,8 +113,6 @@ public final class ConsoleBenchmark {
         select(browser, out);
         memory(out);
       }
-    } finally {
-      delete(folder);
     }
   }
 
@@ -255,13 +251,5 @@ public final class ConsoleBenchmark {
         goal == null ? "" : goal,
         goal == null ? "" : goal.verdict(median),
         ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage());
-  }
-
-  private static void delete(Path directory) throws IOException {
-    try (Stream<Path> files = Files.walk(directory)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(file);
-      }
-    }
   }
 }

@@ -8,17 +8,13 @@ import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.DiagnosisProblem;
-import fieldcal.fit.FitSettings;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.EffectSetting;
-import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallPhysics;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -30,24 +26,6 @@ class UndecidedCausesTest {
   /** An operator ended the first session after so many, all along one diagonal. */
   private static final int BEFORE = 6;
 
-  private static final CalibrationSession.Progress SILENT =
-      new CalibrationSession.Progress() {
-        @Override
-        public void fitting(int kicks) {
-          // Nobody looks.
-        }
-
-        @Override
-        public void fitted() {
-          // Nobody looks.
-        }
-
-        @Override
-        public void read(Path log, long bytesRead, long totalBytes) {
-          // Nobody looks.
-        }
-      };
-
   @TempDir Path directory;
 
   private PlaySession.Outcome play(boolean adaptive, double later, int enough) throws IOException {
@@ -58,35 +36,12 @@ class UndecidedCausesTest {
             .withSeed(SEED)
             .withPhysics(BallPhysics.ideal(-3.1, -0.28, 5.0 / 7, 0.75, 0.95, 0.52))
             .withEffects(List.of(EffectSetting.parse("field_slope:percent=0.04,direction=0.6")));
-    InteractiveField field =
-        InteractiveField.later(world, request.first(), request.second(), List.of(), later);
-    PlaySession[] session = new PlaySession[1];
-    session[0] =
-        new PlaySession(
-            request,
-            new EmbeddedPlayField(field, Double.POSITIVE_INFINITY),
-            s -> {
-              if (s.state().good() >= enough) {
-                session[0].abort("enough is seen");
-              }
-            });
-    return session[0].run();
+    return EndedSession.play(world, request, later, enough);
   }
 
   private DiagnosisOutcome first(int kicks) throws IOException {
-    CalibrationOutcome c = PlayRun.calibrate(directory, SILENT);
-    DiagnosisProblem problem =
-        new DiagnosisProblem(
-            c.calibration().fitted().stream()
-                .sorted(Comparator.comparingDouble(f -> f.kick().time()))
-                .limit(kicks)
-                .toList(),
-            c.calibration().cameras(),
-            c.data().observers(),
-            c.data().sessionStart(),
-            Map.of(),
-            DiagnosisProblem.DEFAULT_MAX_CAUSES,
-            FitSettings.defaults().seed());
+    CalibrationOutcome c = PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN);
+    DiagnosisProblem problem = EndedSession.firstKicks(c, kicks);
     return new DiagnosisOutcome(c, problem, new Diagnoser().diagnose(problem, said -> {}));
   }
 
