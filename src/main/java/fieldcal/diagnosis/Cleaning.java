@@ -27,8 +27,8 @@ final class Cleaning {
   /** No robot touches a ball for longer before the kick is seen to end; and for so long a ball rests at least before it is kicked, s. */
   private static final double LONGEST = 0.2;
 
-  /** Resting detections of a camera from which on it tells where the ball lay. */
-  private static final int LEAST_REST = 3;
+  /** The blocks of a kick's flight that are together farther off than that, in standard deviations of noise, are not explained. */
+  private static final double FLIGHT_EXPLAINED = 3;
 
   private Cleaning() {}
 
@@ -38,17 +38,68 @@ final class Cleaning {
    */
   static List<KickData> ends(HypothesisFitter fitter, FittedHypothesis at) {
     SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
+    boolean[] pushed = pushed(fitter, at, state);
     List<KickData> kept = new ArrayList<>();
     boolean changed = false;
     for (int k = 0; k < fitter.kicks.size(); k++) {
       KickData data = fitter.kicks.get(k);
       double[] residuals = wholeResiduals(fitter, at, state, k);
-      KickData now = data.whole.without(ends(data.whole, residuals, lastUsed(data)));
+      boolean[] dropped = ends(data.whole, residuals, lastUsed(data));
+      if (pushed[k]) {
+        drop(data, Double.NEGATIVE_INFINITY, data.kick.time(), dropped);
+      }
+      KickData now = data.whole.without(dropped);
       boolean same = Arrays.equals(now.used, data.used);
       changed |= !same;
       kept.add(same ? data : now);
     }
     return changed ? kept : fitter.kicks;
+  }
+
+  /**
+   * The few kicks whose ball was moved between its rest and the kick, most often by the robot that then kicked it: the flight alone is explained, but does not lead from where the ball lay. If they are more, that is
+   * what is to be explained: with place and time of the kick free, its spin would be hidden.
+   */
+  private static boolean[] pushed(HypothesisFitter fitter, FittedHypothesis at, SharedState state) {
+    boolean[] pushed = new boolean[fitter.kicks.size()];
+    int count = 0;
+    for (int k = 0; k < pushed.length; k++) {
+      pushed[k] = fitter.kicks.get(k).whole.fromRest && wasPushed(fitter, at, state, k);
+      count += pushed[k] ? 1 : 0;
+    }
+    return count <= Math.max(1, MOST * pushed.length) ? pushed : new boolean[pushed.length];
+  }
+
+  private static boolean wasPushed(
+      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
+    KickData data = fitter.kicks.get(k);
+    boolean[] ends = new boolean[data.size];
+    drop(data, lastUsed(data) + 1e-9, Double.POSITIVE_INFINITY, ends);
+    KickData whole = data.whole.without(ends);
+    double[] off = off(whole, ownResiduals(fitter, at, state, k, whole));
+    if (Arrays.stream(off).max().orElse(0) < OFF) {
+      return false;
+    }
+    drop(data, Double.NEGATIVE_INFINITY, data.kick.time(), ends);
+    KickData flight = data.whole.without(ends);
+    double[] inFlight = off(flight, ownResiduals(fitter, at, state, k, flight));
+    // Of noise alone the sum of two squares less two has a standard deviation of two.
+    return Arrays.stream(inFlight).sum() < FLIGHT_EXPLAINED * 2 * Math.sqrt(inFlight.length);
+  }
+
+  private static double[] off(KickData data, double[] residuals) {
+    return Structure.blocks(data).stream().mapToDouble(b -> off(b, residuals)).toArray();
+  }
+
+  /** Residuals of some detections of a kick after a fit to them of its own. */
+  private static double[] ownResiduals(
+      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k, KickData some) {
+    KickModel model = new KickModel(some, at.hypothesis().random().size(), fitter.sessionStart);
+    model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
+    new OwnFit(model, state, at.scatter()).minimize();
+    double[] residuals = new double[2 * some.size];
+    model.residuals(state, model.path(state, model.own), residuals);
+    return residuals;
   }
 
   /** Whether two looks at the same kicks left the same detections. */
@@ -154,7 +205,7 @@ final class Cleaning {
         n++;
       }
     }
-    if (n < LEAST_REST || data.time[block[block.length - 1]] > kickTime - LONGEST) {
+    if (n < KickData.LEAST_REST || data.time[block[block.length - 1]] > kickTime - LONGEST) {
       return false;
     }
     double s1 = 0;

@@ -19,6 +19,9 @@ final class KickData {
   /** A fitted start that far from where the ball lay lost the rest, m; cameras disagree by less. */
   private static final double LOST_REST = 0.1;
 
+  /** Detections from which on they tell where a ball lay. */
+  static final int LEAST_REST = 3;
+
   final Kick kick;
   final KickKind kind;
 
@@ -38,6 +41,9 @@ final class KickData {
   final double[] w22;
   final boolean[] used;
   final int usedCount;
+
+  /** Whether detections of the resting ball pin where the kick begins. */
+  final boolean fromRest;
 
   /** The same kick with all detections that its own fit used. */
   final KickData whole;
@@ -86,6 +92,7 @@ final class KickData {
       count += used[i] ? 1 : 0;
     }
     usedCount = count;
+    fromRest = kick.fromRest() && restCount() >= LEAST_REST;
   }
 
   /** The same without some of the detections. */
@@ -112,6 +119,7 @@ final class KickData {
       count += used[i] ? 1 : 0;
     }
     usedCount = count;
+    fromRest = kick.fromRest() && restCount() >= LEAST_REST;
   }
 
   /** A fit that lost the resting ball, because no path of its model leads from there, starts where that lay. */
@@ -122,6 +130,14 @@ final class KickData {
       start[1] = rest[1];
       start[timeIndex()] = kick.time();
     }
+  }
+
+  private int restCount() {
+    int n = 0;
+    for (int i = 0; i < size && time[i] < kick.time(); i++) {
+      n += used[i] ? 1 : 0;
+    }
+    return n;
   }
 
   /** The whole kick without some of its detections. */

@@ -131,7 +131,7 @@ final class KickModel {
   /** What the kick's own unknowns cost: a time that no rest pins, magnitudes away from the mean. */
   double priorCost(SharedState state, double[] p, double[] scatter) {
     double cost = 0;
-    if (!data.kick.fromRest()) {
+    if (!data.fromRest) {
       double d = (p[data.timeIndex()] - data.kick.time()) / KickData.TIME_PRIOR;
       cost += d * d;
     }
@@ -165,7 +165,7 @@ final class KickModel {
    * @param meansMove whether the means of the random effects are among the unknowns of those equations
    */
   void tie(KickNormal normal, SharedState state, double[] scatter, boolean meansMove) {
-    if (!data.kick.fromRest()) {
+    if (!data.fromRest) {
       int t = data.timeIndex();
       double weight = 1 / (KickData.TIME_PRIOR * KickData.TIME_PRIOR);
       normal.tie(t, -1, own[t] - data.kick.time(), weight);

@@ -103,7 +103,7 @@ final class ScoreFrame {
       double e = model.ownStep(j) / scatter[j - model.kickSize];
       oo.addToEntry(j, j, e * e);
     }
-    if (!model.data.kick.fromRest()) {
+    if (!model.data.fromRest) {
       int t = model.data.timeIndex();
       double e = model.ownStep(t) / KickData.TIME_PRIOR;
       oo.addToEntry(t, t, e * e);

@@ -34,6 +34,9 @@ final class ActiveKick {
   /** No ball rolls longer: from 4 m/s at 0.2 m/s² it takes 20 s. What lasts longer is no flight and must not fill the memory, s. */
   private static final double LONGEST = 30;
 
+  /** A ball that is slower rests; it is known to, when its speed is known as well, m/s. */
+  private static final double STILL = 0.01;
+
   /** A ball that is faster has not stopped, m/s. */
   private static final double MOVING = 0.2;
 
@@ -182,7 +185,10 @@ final class ActiveKick {
     }
   }
 
-  /** Since when the ball lay still before the kick, as far back as {@code restSpan} and without what a robot pushed. */
+  /**
+   * Since when the ball lay still before the kick, as far back as {@code restSpan} and without what a robot pushed; the kick's time when that is not known: robots often touch a ball before they kick it, and
+   * over a tenth of a second a slow ball looks like one at rest.
+   */
   private double restStart(BallTrack track) {
     double end = jump.time() - 0.01;
     int last = 0;
@@ -197,7 +203,8 @@ final class ActiveKick {
       if (first - last < 4 || !track.fit(last, first, line)) {
         return jump.time();
       }
-      if (line.speed() < Math.max(0.01, 3 * line.velocityError()) && line.rms() < 0.02) {
+      boolean still = line.speed() < Math.max(STILL, 3 * line.velocityError());
+      if (still && line.velocityError() < STILL && line.rms() < 0.02) {
         return track.time(first);
       }
     }
@@ -328,6 +335,7 @@ final class ActiveKick {
     if (!(last > jump.time() + SHORTEST_FLIGHT) || seen.count(jump.time()) < FEWEST) {
       return null;
     }
+    boolean rested = seen.size() > 0 && seen.time(0) < jump.time();
     return new Kick(
         0,
         jump.time(),
@@ -336,7 +344,7 @@ final class ActiveKick {
         jump.vx(),
         jump.vy(),
         Optional.ofNullable(robot),
-        jump.fromRest(),
+        jump.fromRest() && rested,
         end,
         last,
         seen,

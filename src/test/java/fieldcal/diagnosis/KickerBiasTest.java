@@ -91,8 +91,7 @@ class KickerBiasTest {
   @Test
   void fewKicksOfSoundRobotsAgreeByChanceAndAreNotNamed() {
     long named = LongStream.range(0, 3000).filter(this::isSomebodyNamed).count();
-    // One in a thousand is the promise; more than nine of 3000 would be so once in a thousand
-    // tests.
+    // The promise is one in a thousand; ten of 3000 happen by chance once in a thousand tests.
     assertThat(named).isLessThan(10);
   }
 

@@ -306,9 +306,8 @@ class KickFitterTest {
           FitSupport.with(s.kick(), false, s.kick().observations().between(t0 + 0.005, 100));
       KickFit fit = fit(problem(s, moving), kind);
       assertRecovered(fit, s);
-      // The finder's time is good to a few milliseconds. Nothing else is known of it, but for a
-      // chip
-      // whose height shows when it left the carpet.
+      // The finder's time is good to a few milliseconds. Nothing else is known of it, unless a
+      // chip's height shows when it left the carpet.
       double least = kind == KickKind.FLAT ? 0.0005 : 0;
       assertThat(fit.estimate("t0").standardError()).isBetween(least, 0.0045);
       assertThat(fit.estimate(kind == KickKind.FLAT ? "accSlide" : "dampingZ").usable()).isTrue();

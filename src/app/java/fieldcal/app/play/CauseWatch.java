@@ -59,9 +59,8 @@ final class CauseWatch {
               .diagnose(
                   PlayRun.calibrate(directory.orElseThrow(), CalibrationSession.Progress.UNSEEN),
                   said -> {});
-      // One that explains nothing decides nothing either: a single kick of a new sort often has
-      // that
-      // effect.
+      // One that explains nothing decides nothing either: often a single kick of a new sort does
+      // that.
       if (outcome.diagnosis().verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
         latest = UndecidedCauses.of(outcome);
       }

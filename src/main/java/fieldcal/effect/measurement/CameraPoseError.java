@@ -117,8 +117,7 @@ public record CameraPoseError(
     if (tiltMrad == 0) {
       return;
     }
-    // Rodrigues' rotation about the horizontal axis (c, s, 0): a ray fixed to the camera turns with
-    // it.
+    // Rodrigues' rotation about the horizontal axis (c, s, 0): the ray turns with its camera.
     double c = Math.cos(axis);
     double s = Math.sin(axis);
     double cos = Math.cos(MILLI * tiltMrad);
