@@ -10,13 +10,18 @@ final class ChipsField {
   private static final long SEED = 41000019;
   private static final ChipsField ONLY = new ChipsField();
 
-  final HypothesisFitter fitter = fitter(HiddenRun.problem(HiddenCase.draw(SEED)));
+  final HypothesisFitter fitter = anew();
   final FittedHypothesis simple = fitter.fitSimple();
 
   private ChipsField() {}
 
   static ChipsField fitted() {
     return ONLY;
+  }
+
+  /** The same field once more, for a test that changes what was seen there. */
+  static HypothesisFitter anew() {
+    return fitter(HiddenRun.problem(HiddenCase.draw(SEED)));
   }
 
   static List<KickData> kicks(DiagnosisProblem problem) {

@@ -91,6 +91,22 @@ class KickFinderTest {
   }
 
   @Test
+  void aBallThatIsSeenTooShortlyToBeKnownToRestDidNot() {
+    // The robot nudges it for as long as it is seen.
+    BallTrajectory path = flat(-5, 0.5, 3, 0);
+    oneCamera().noise(0.002).robot(KICKER, -5.11, 0.5);
+    scene.ball(
+        t ->
+            t < 0.88
+                ? null
+                : t < 1 ? new double[] {-5, 0.5 - 0.05 * (1 - t), 0} : along(path).apply(t));
+    Kick kick = only(scene.kicks(0, 9));
+    assertThat(kick.time()).isEqualTo(1, within(0.012));
+    assertThat(kick.fromRest()).isFalse();
+    assertThat(kick.observations().time(0)).isGreaterThan(0.98);
+  }
+
+  @Test
   void aBallRedirectedWithMoreSpeedIsAKickThatDidNotStartAtRest() {
     BallTrajectory pass = FlatTrajectory.fromKick(FLAT, 1, -3, 0, 3, 0);
     double at = 2.2;
