@@ -78,6 +78,7 @@ final class CauseSearch {
   private final Map<FittedHypothesis, List<Score>> scores = new HashMap<>();
   private final List<FittedHypothesis> fitted = new ArrayList<>();
   private final Map<FittedHypothesis, Map<Chart, FittedHypothesis>> without = new HashMap<>();
+  private FittedHypothesis polished;
 
   CauseSearch(HypothesisFitter fitter, Consumer<String> progress) {
     this.fitter = fitter;
@@ -405,17 +406,19 @@ final class CauseSearch {
    * they are, since to move those would take in balls that never felt the region. Nothing happens without a region.
    */
   FittedHypothesis polishRegion(FittedHypothesis f) {
-    FittedHypothesis best = f;
-    if (region(f.hypothesis()) == null) {
+    if (region(f.hypothesis()) == null || f == polished) {
       return f;
     }
+    FittedHypothesis best = f;
+    FittedHypothesis[] triedFrom = new FittedHypothesis[RegionSearch.EDGES];
     for (double step = FIRST_EDGE_STEP; step > LAST_EDGE_STEP; step /= 2) {
+      Arrays.fill(triedFrom, null);
       for (int round = 0; round < EDGE_ROUNDS; round++) {
         FittedHypothesis before = best;
         for (int edge = 0; edge < RegionSearch.EDGES; edge++) {
-          double inwards = edge % 2 == 0 ? step : -step;
-          FittedHypothesis smaller = moveEdge(best, edge, inwards, COSTS_NOTHING);
-          best = smaller == best ? moveEdge(best, edge, -inwards, -BETTER_EDGE) : smaller;
+          if (triedFrom[edge] != best) {
+            best = moveEdge(best, edge, step, triedFrom);
+          }
         }
         if (best == before) {
           break;
@@ -425,7 +428,23 @@ final class CauseSearch {
     if (best != f) {
       know(best);
     }
+    polished = best;
     return best;
+  }
+
+  /** One edge moved by such steps; {@code triedFrom} tells from where it goes neither way. */
+  private FittedHypothesis moveEdge(
+      FittedHypothesis f, int edge, double step, FittedHypothesis[] triedFrom) {
+    double inwards = edge % 2 == 0 ? step : -step;
+    FittedHypothesis smaller = moveEdge(f, edge, inwards, COSTS_NOTHING);
+    if (smaller != f) {
+      return smaller;
+    }
+    FittedHypothesis larger = moveEdge(f, edge, -inwards, -BETTER_EDGE);
+    if (larger == f) {
+      triedFrom[edge] = f;
+    }
+    return larger;
   }
 
   /** The fit after steps of one edge in one direction, each of which may raise chi-square by so much; the same object when the first does more. */

@@ -89,16 +89,17 @@ final class Kinds {
     if (chip.failure().isPresent()) {
       return fit;
     }
+    boolean toChip = fit.kind() == KickKind.FLAT;
+    if (isSteep(chip) != toChip) {
+      return fit;
+    }
     KickFit flat = fitter.fit(held, KickKind.FLAT);
     double asChip = chip.statistics().meanLoss();
     double asFlat =
         flat.failure().isPresent() ? Double.POSITIVE_INFINITY : flat.statistics().meanLoss();
-    boolean steep = isSteep(chip);
     // Without other chips a chip's model is free, and must beat a flat kick's that is free, too.
     double limit = chips ? LESS * asFlat : BETTER * fit.statistics().meanLoss();
-    boolean toChip = fit.kind() == KickKind.FLAT && steep && asChip < limit;
-    boolean toFlat = fit.kind() == KickKind.CHIP && !steep && asFlat < asChip;
-    if (!toChip && !toFlat) {
+    if (toChip ? asChip >= limit : asFlat >= asChip) {
       return fit;
     }
     KickFit changed = fitter.fit(free, toChip ? KickKind.CHIP : KickKind.FLAT);
