@@ -36,8 +36,10 @@ final class CauseSearch {
   /** A search that has fitted so many hypotheses without an end will find none. */
   private static final int MOST_FITS = 40;
 
-  /** Where an error of the cameras or the ground leaves less than that share of the structure, nobody looks for wrong valleys of bounces. */
-  private static final double NEARLY_ALL = 0.05;
+  /** Where an error of the cameras alone leaves less than that share of the structure, or one of the ground or the air, nobody looks for wrong valleys of bounces. */
+  private static final double LEFT_BY_CAMERAS = 0.1;
+
+  private static final double LEFT_BY_MOTION = 0.05;
 
   /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
   private static final double NOTHING_LEFT = 3;
@@ -78,6 +80,8 @@ final class CauseSearch {
   private final Map<FittedHypothesis, List<Score>> scores = new HashMap<>();
   private final List<FittedHypothesis> fitted = new ArrayList<>();
   private final Map<FittedHypothesis, Map<Chart, FittedHypothesis>> without = new HashMap<>();
+
+  /** Whose region's edges are where they should be. */
   private FittedHypothesis polished;
 
   CauseSearch(HypothesisFitter fitter, Consumer<String> progress) {
@@ -259,10 +263,17 @@ final class CauseSearch {
 
   /** Whether a hypothesis without spin and bounces, which no bounce resembles, is known to explain nearly all that another one leaves. */
   private boolean isElsewhere(FittedHypothesis from) {
-    double left = NEARLY_ALL * Structure.of(fitter, from).systematic();
-    return fitted.stream()
-        .filter(f -> f.hypothesis().charts().stream().noneMatch(CauseSearch::resemblesBounce))
-        .anyMatch(f -> Structure.of(fitter, f).systematic() < left);
+    double left = Structure.of(fitter, from).systematic();
+    for (FittedHypothesis f : fitted) {
+      List<Chart> charts = f.hypothesis().charts();
+      boolean moves = charts.stream().anyMatch(c -> c.template() instanceof MotionEffect);
+      double share = moves ? LEFT_BY_MOTION : LEFT_BY_CAMERAS;
+      if (charts.stream().noneMatch(CauseSearch::resemblesBounce)
+          && Structure.of(fitter, f).systematic() < share * left) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static boolean resemblesBounce(Chart chart) {
@@ -417,7 +428,7 @@ final class CauseSearch {
         FittedHypothesis before = best;
         for (int edge = 0; edge < RegionSearch.EDGES; edge++) {
           if (triedFrom[edge] != best) {
-            best = moveEdge(best, edge, step, triedFrom);
+            best = moveEitherWay(best, edge, step, triedFrom);
           }
         }
         if (best == before) {
@@ -433,7 +444,7 @@ final class CauseSearch {
   }
 
   /** One edge moved by such steps; {@code triedFrom} tells from where it goes neither way. */
-  private FittedHypothesis moveEdge(
+  private FittedHypothesis moveEitherWay(
       FittedHypothesis f, int edge, double step, FittedHypothesis[] triedFrom) {
     double inwards = edge % 2 == 0 ? step : -step;
     FittedHypothesis smaller = moveEdge(f, edge, inwards, COSTS_NOTHING);

@@ -43,7 +43,10 @@ final class Cleaning {
     boolean changed = false;
     for (int k = 0; k < fitter.kicks.size(); k++) {
       KickData data = fitter.kicks.get(k);
-      double[] residuals = wholeResiduals(fitter, at, state, k);
+      // One that was cut is fitted as a whole again, or what was left out would look wrong because
+      // it was.
+      boolean cut = data.usedCount < data.whole.usedCount;
+      double[] residuals = residuals(fitter, at, state, k, data.whole, cut);
       boolean[] dropped = ends(data.whole, residuals, lastUsed(data));
       if (pushed[k]) {
         drop(data, Double.NEGATIVE_INFINITY, data.kick.time(), dropped);
@@ -73,33 +76,23 @@ final class Cleaning {
   private static boolean wasPushed(
       HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
     KickData data = fitter.kicks.get(k);
-    boolean[] ends = new boolean[data.size];
-    drop(data, lastUsed(data) + 1e-9, Double.POSITIVE_INFINITY, ends);
-    KickData whole = data.whole.without(ends);
-    double[] off = off(whole, ownResiduals(fitter, at, state, k, whole));
+    boolean[] dropped = new boolean[data.size];
+    drop(data, Math.nextUp(lastUsed(data)), Double.POSITIVE_INFINITY, dropped);
+    // One that was found to be pushed before is looked at with its rest again.
+    KickData rested = data.fromRest ? data : data.whole.without(dropped);
+    double[] off = off(rested, residuals(fitter, at, state, k, rested, !data.fromRest));
     if (Arrays.stream(off).max().orElse(0) < OFF) {
       return false;
     }
-    drop(data, Double.NEGATIVE_INFINITY, data.kick.time(), ends);
-    KickData flight = data.whole.without(ends);
-    double[] inFlight = off(flight, ownResiduals(fitter, at, state, k, flight));
+    drop(data, Double.NEGATIVE_INFINITY, data.kick.time(), dropped);
+    KickData flight = data.whole.without(dropped);
+    double[] inFlight = off(flight, residuals(fitter, at, state, k, flight, true));
     // Of noise alone the sum of two squares less two has a standard deviation of two.
     return Arrays.stream(inFlight).sum() < FLIGHT_EXPLAINED * 2 * Math.sqrt(inFlight.length);
   }
 
   private static double[] off(KickData data, double[] residuals) {
     return Structure.blocks(data).stream().mapToDouble(b -> off(b, residuals)).toArray();
-  }
-
-  /** Residuals of some detections of a kick after a fit to them of its own. */
-  private static double[] ownResiduals(
-      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k, KickData some) {
-    KickModel model = new KickModel(some, at.hypothesis().random().size(), fitter.sessionStart);
-    model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-    new OwnFit(model, state, at.scatter()).minimize();
-    double[] residuals = new double[2 * some.size];
-    model.residuals(state, model.path(state, model.own), residuals);
-    return residuals;
   }
 
   /** Whether two looks at the same kicks left the same detections. */
@@ -112,29 +105,38 @@ final class Cleaning {
     return true;
   }
 
-  /** Residuals of all detections of a kick; one that was cut is fitted as a whole again, or what was left out would look wrong because it was. */
-  private static double[] wholeResiduals(
-      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
-    KickData data = fitter.kicks.get(k);
-    KickModel model =
-        new KickModel(data.whole, at.hypothesis().random().size(), fitter.sessionStart);
+  /**
+   * Residuals of a kick, or of what is looked at of it.
+   *
+   * @param some of its detections
+   * @param anew whether its own unknowns are fitted to these first; else they stay as they are
+   */
+  private static double[] residuals(
+      HypothesisFitter fitter,
+      FittedHypothesis at,
+      SharedState state,
+      int k,
+      KickData some,
+      boolean anew) {
+    KickModel model = new KickModel(some, at.hypothesis().random().size(), fitter.sessionStart);
     model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-    if (data.usedCount < data.whole.usedCount) {
+    if (anew) {
       new OwnFit(model, state, at.scatter()).minimize();
     }
-    double[] residuals = new double[2 * data.size];
+    double[] residuals = new double[2 * some.size];
     model.residuals(state, model.path(state, model.own), residuals);
     return residuals;
   }
 
   /** The kicks without those that stand out while the others are explained; the same list when there are none. */
   static List<KickData> kicks(HypothesisFitter fitter, FittedHypothesis at) {
-    double[][] residuals = residuals(fitter, at);
-    int n = residuals.length;
+    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
+    int n = fitter.kicks.size();
     double[] reduced = new double[n];
     for (int k = 0; k < n; k++) {
-      reduced[k] =
-          KickNormal.dot(residuals[k], residuals[k]) / (2.0 * fitter.kicks.get(k).usedCount);
+      KickData data = fitter.kicks.get(k);
+      double[] r = residuals(fitter, at, state, k, data, false);
+      reduced[k] = KickNormal.dot(r, r) / (2.0 * data.usedCount);
     }
     double[] sorted = reduced.clone();
     Arrays.sort(sorted);
@@ -147,19 +149,6 @@ final class Cleaning {
     }
     boolean few = n - good.size() <= Math.max(1, MOST * n);
     return good.size() < n && few && median < EXPLAINED ? good : fitter.kicks;
-  }
-
-  private static double[][] residuals(HypothesisFitter fitter, FittedHypothesis at) {
-    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
-    double[][] all = new double[fitter.kicks.size()][];
-    for (int k = 0; k < all.length; k++) {
-      KickData data = fitter.kicks.get(k);
-      KickModel model = new KickModel(data, at.hypothesis().random().size(), fitter.sessionStart);
-      model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-      all[k] = new double[2 * data.size];
-      model.residuals(state, model.path(state, model.own), all[k]);
-    }
-    return all;
   }
 
   private static double lastUsed(KickData data) {

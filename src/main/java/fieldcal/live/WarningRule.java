@@ -14,8 +14,8 @@ import java.util.Arrays;
  * <p>On real carpets most of that scatter of accRoll is none: the faster the ball rolls, the more it is braked, and kicks differ in speed. So the step is looked for in samples as they would be at the speed that is
  * usual in this match ({@link EqualSpeeds}, {@link UsualSpeed}), and the median of all must be 20 % off at that speed, too: who happens to pass faster than usual has not changed the carpet. Measured on twelve matches
  * each on the simulated carpets of two tournaments of 2026, where a rolling ball is braked 30 % more from half time on: 10 … 21 and 9 … 22 kicks until the warning, and none before ({@code ./gradlew benchmark
- * -PbenchmarkArgs="live-carpets --runs 6"}). Where only the carpet's own part grew by 30 %, and the whole by 23 to 25 %, it took 9 … 19 and 12 … 33, against 25 … 103 and 36 … never without this. Of series of 150 samples
- * whose model is 10 % off, and whose balls roll at 1 to 3 m/s, 6 % are warned about instead of 48 %.
+ * -PbenchmarkArgs="live-carpets --runs 6"}). Of series of 150 samples whose model is 10 % off, and whose balls
+ * roll at 1 to 3 m/s, 6 % are warned about instead of 48 %.
  *
  * <p>A warning ends when all these medians are back below another limit, by two standard errors where samples scatter much, so that a parameter near the limit does not flicker.
  */

@@ -39,8 +39,7 @@ final class HelpStep implements Step {
     boolean back = ball.known() && s.ballUnseen() < 0.2 && ball.resting() > 0.3;
     boolean well = back && s.area().reachable(ball.x(), ball.y()) && s.time() - since > 0.5;
     // A ball that could be reached and yet was not got hold of must not be found where it was,
-    // unless those who stood about it
-    // are gone.
+    // unless those who stood about it are gone.
     boolean helped = !reachable || ball.distance(ballX, ballY) > ELSEWHERE;
     if (well && (helped || crowded && !isCrowded(s))) {
       ledger.helped();

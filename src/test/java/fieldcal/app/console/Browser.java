@@ -152,6 +152,12 @@ final class Browser implements AutoCloseable {
     assertThat(hasFocus(css)).as("the tabulator reaches %s", css).isTrue();
   }
 
+  /** Goes on with the tabulator until something has the focus, and presses it. */
+  void tabToAndEnter(String css) {
+    tabTo(css);
+    pressHere(Keys.ENTER);
+  }
+
   void awaitFocus(String css) {
     await(css + " has the focus", d -> hasFocus(css) ? true : null);
   }
