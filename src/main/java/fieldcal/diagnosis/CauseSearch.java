@@ -58,7 +58,7 @@ final class CauseSearch {
   /** The standard error of an edge, m: that of a value known to one last step. */
   private static final double EDGE_ERROR = 0.02 / Math.sqrt(3);
 
-  /** Decrease of chi-square that a step of an edge outwards must be worth, and increase that a step inwards may cost. */
+  /** Decrease of the cost that a step of an edge outwards must be worth, and increase that a step inwards may have. */
   private static final double BETTER_EDGE = 0.5;
 
   private static final double COSTS_NOTHING = 0.1;
@@ -458,12 +458,12 @@ final class CauseSearch {
     return larger;
   }
 
-  /** The fit after steps of one edge in one direction, each of which may raise chi-square by so much; the same object when the first does more. */
+  /** The fit after steps of one edge in one direction, each of which may raise the cost by so much; the same object when the first does more. */
   private FittedHypothesis moveEdge(FittedHypothesis f, int edge, double step, double atMost) {
     FittedHypothesis best = f;
     for (int i = 0; i < EDGE_STEPS; i++) {
-      FittedHypothesis tried = withEdge(best, edge, step);
-      if (tried == null || !(tried.chiSquare() < best.chiSquare() + atMost)) {
+      FittedHypothesis tried = withEdge(best, edge, step, best.cost() + atMost);
+      if (tried == null) {
         return best;
       }
       best = tried;
@@ -471,8 +471,8 @@ final class CauseSearch {
     return best;
   }
 
-  /** The fit with one edge moved; null when the region would be too small. */
-  private FittedHypothesis withEdge(FittedHypothesis f, int edge, double step) {
+  /** The fit with one edge moved; null when the region would be too small, or the cost not lower than a limit. */
+  private FittedHypothesis withEdge(FittedHypothesis f, int edge, double step, double mostCost) {
     Chart now = region(f.hypothesis());
     Chart moved = RegionSearch.moved(now, edge, step).orElse(null);
     if (moved == null) {
@@ -481,7 +481,7 @@ final class CauseSearch {
     Hypothesis h = f.hypothesis().without(now).with(moved, false);
     double[] start = start(h, f);
     start[offset(h, moved)] = f.shared()[f.offset(now)];
-    return fitter.fit(h, start, f, false);
+    return fitter.fitBelow(h, start, f, mostCost);
   }
 
   /**
@@ -493,7 +493,8 @@ final class CauseSearch {
     for (int edge = 0; edge < RegionSearch.EDGES && now != null; edge++) {
       double[] change = {f.shared()[f.offset(now)], f.shared()[f.offset(now)]};
       for (int side = 0; side < 2; side++) {
-        FittedHypothesis moved = withEdge(f, edge, side == 0 ? -EDGE_ERROR : EDGE_ERROR);
+        FittedHypothesis moved =
+            withEdge(f, edge, side == 0 ? -EDGE_ERROR : EDGE_ERROR, Double.POSITIVE_INFINITY);
         change[side] =
             moved == null ? change[side] : moved.shared()[moved.offset(region(moved.hypothesis()))];
       }

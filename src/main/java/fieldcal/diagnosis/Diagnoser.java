@@ -77,6 +77,7 @@ public final class Diagnoser {
     private final Consumer<String> progress;
     private final List<KickFit> fits;
     private final NoiseCalibration noise;
+    private final OtherKind otherKind;
     private HypothesisFitter fitter;
     private FittedHypothesis simple;
     private CauseSearch search;
@@ -90,6 +91,7 @@ public final class Diagnoser {
           Kinds.beside(
               problem.fits(), problem.cameras(), FitSettings.defaults().withSeed(problem.seed()));
       noise = NoiseCalibration.of(fits, problem.cameras());
+      otherKind = new OtherKind(problem.cameras(), noise, flatStart(), chipStart());
     }
 
     Diagnosis diagnose() {
@@ -140,7 +142,7 @@ public final class Diagnoser {
                 before, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
         progress.accept("fitting all kicks together");
         simple = fitter.fitSimple();
-        List<KickData> settled = settledKinds(simple);
+        List<KickData> settled = otherKind.settle(fitter, simple);
         if (settled != fitter.kicks) {
           fitter = fitter.of(settled);
           simple = fitter.fitSimple();
@@ -176,17 +178,14 @@ public final class Diagnoser {
       simple = search.simple();
     }
 
-    private List<KickData> settledKinds(FittedHypothesis at) {
-      return Kinds.settle(fitter, at, noise, problem.cameras(), flatStart(), chipStart());
-    }
-
     /**
      * The kicks as they look in the light of an explanation; the same list when nothing is to be changed.
      *
      * @param first whether this is the first look: then the ends of a kick are suspected before the kick is, later the other way round
      */
     private List<KickData> cleaned(FittedHypothesis best, boolean first) {
-      List<KickData> settled = best.hypothesis().isSimple() ? fitter.kicks : settledKinds(best);
+      List<KickData> settled =
+          best.hypothesis().isSimple() ? fitter.kicks : otherKind.settle(fitter, best);
       if (settled != fitter.kicks) {
         return settled;
       }

@@ -75,11 +75,21 @@ final class HypothesisFitter {
    */
   FittedHypothesis fit(
       Hypothesis hypothesis, double[] start, FittedHypothesis from, boolean flights) {
+    return settled(hypothesis, start, from).fit(flights);
+  }
+
+  /** From where another hypothesis ended, with its numbers of flights; null when the cost would not be lower than a limit. */
+  FittedHypothesis fitBelow(
+      Hypothesis hypothesis, double[] start, FittedHypothesis from, double mostCost) {
+    return settled(hypothesis, start, from).fitBelow(mostCost);
+  }
+
+  private JointFit settled(Hypothesis hypothesis, double[] start, FittedHypothesis from) {
     JointFit run = run(hypothesis, start, from);
     if (!from.converged()) {
       run.settleKicks();
     }
-    return run.fit(flights);
+    return run;
   }
 
   /**

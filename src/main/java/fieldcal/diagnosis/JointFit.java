@@ -30,6 +30,14 @@ final class JointFit {
 
   private static final double MOST_DAMPING = 1e10;
 
+  /** With less damping than that a step goes nearly where the derivatives point. */
+  private static final double UNDAMPED = 1e-2;
+
+  /** How far the cost may end below what its derivatives promise at the start: a share of the decrease, and something. */
+  private static final double MORE_THAN_PROMISED = 0.5;
+
+  private static final double SOMEWHAT = 2;
+
   /** Rounds of trying other numbers of flights. */
   private static final int FLIGHT_ROUNDS = 4;
 
@@ -55,6 +63,9 @@ final class JointFit {
   private List<KickNormal> normals;
   private double cost;
   private boolean converged;
+
+  /** A fit that will not end below that cost is of no interest. */
+  private double limit = Double.POSITIVE_INFINITY;
 
   JointFit(HypothesisFitter fitter, Hypothesis hypothesis, double[] start, double[] scatter) {
     this.hypothesis = hypothesis;
@@ -108,6 +119,13 @@ final class JointFit {
     return result();
   }
 
+  /** The fit with the numbers of flights as they are; null when its cost would not be lower than a limit. */
+  FittedHypothesis fitBelow(double mostCost) {
+    limit = mostCost;
+    minimize();
+    return cost < limit ? result() : null;
+  }
+
   private void minimize() {
     state = SharedState.of(hypothesis, shared, observers);
     linearize();
@@ -124,6 +142,11 @@ final class JointFit {
           return;
         }
         continue;
+      }
+      // A step that is damped promises less than there is.
+      if (lambda < UNDAMPED
+          && cost - (1 + MORE_THAN_PROMISED) * promised(b, step) > limit + SOMEWHAT) {
+        return;
       }
       double[] next = shared.clone();
       for (int k = 0; k < size; k++) {
@@ -144,7 +167,7 @@ final class JointFit {
         }
         state = tried;
         lambda = Math.max(1e-7, lambda / 8);
-        converged = gained < Math.max(ENOUGH, ENOUGH_OF_ALL * cost) && lambda < 1e-2;
+        converged = gained < Math.max(ENOUGH, ENOUGH_OF_ALL * cost) && lambda < UNDAMPED;
         linearize();
       } else {
         // Detections that pass from one hop to the next make the cost uneven.
@@ -155,6 +178,18 @@ final class JointFit {
         }
       }
     }
+  }
+
+  /** By how much a step lowers the cost, as far as the problem is linear. */
+  private double promised(double[] b, double[] step) {
+    double sum = 0;
+    for (int k = 0; k < size; k++) {
+      sum += b[k] * step[k];
+    }
+    for (KickNormal n : normals) {
+      sum += n.ownDecrease();
+    }
+    return sum;
   }
 
   private double costOf(SharedState at, double[] values, List<double[]> owns) {

@@ -10,24 +10,15 @@ import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
 import fieldcal.kick.KickKind;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
  * Puts kicks right that were taken for the other kind. On its own a low chip, or one that is soon out of sight, may be fitted as a flat kick with a strange model; beside the other
  * kicks, which share one model, it shows what it is.
  */
 final class Kinds {
-  /** A kick that fits better than that, in variances of noise, is not questioned. */
-  private static final double FITS = 2;
-
   /** The other kind must fit that many times better. */
-  private static final double BETTER = 0.5;
-
-  /** A model that fewer kicks determine judges no others. */
-  private static final int FEWEST = 3;
+  static final double BETTER = 0.5;
 
   /** By how much less a chip must lose per observation than a flat kick, as a share, to take its place. */
   private static final double LESS = 0.97;
@@ -36,7 +27,10 @@ final class Kinds {
   private static final double LIKE_THE_OTHERS = 1.3;
 
   /** What kickers that chip give a ball at least, as rise over run; a flat kick that is fitted as a chip needs less. */
-  private static final double STEEP = 0.5;
+  static final double STEEP = 0.5;
+
+  /** A chip that rises like that with a model of its own is steep with the others' model, too (of 700 drawn ones all were), and is not questioned. */
+  private static final double CLEARLY_STEEP = 0.7;
 
   private static final int ROUNDS = 2;
 
@@ -84,13 +78,15 @@ final class Kinds {
           && same.statistics().meanLoss() < LIKE_THE_OTHERS * fit.statistics().meanLoss()) {
         return fit;
       }
+    } else if (rise(fit) > CLEARLY_STEEP) {
+      return fit;
     }
     KickFit chip = fitter.fit(held, KickKind.CHIP);
     if (chip.failure().isPresent()) {
       return fit;
     }
     boolean toChip = fit.kind() == KickKind.FLAT;
-    if (isSteep(chip) != toChip) {
+    if (rise(chip) > STEEP != toChip) {
       return fit;
     }
     KickFit flat = fitter.fit(held, KickKind.FLAT);
@@ -104,13 +100,14 @@ final class Kinds {
     }
     KickFit changed = fitter.fit(free, toChip ? KickKind.CHIP : KickKind.FLAT);
     // With parameters of its own, a flat kick that spins is a chip of many low hops.
-    boolean possible = changed.failure().isEmpty() && (!toChip || isSteep(changed));
+    boolean possible = changed.failure().isEmpty() && (!toChip || rise(changed) > STEEP);
     return possible ? changed : fit;
   }
 
-  private static boolean isSteep(KickFit chip) {
+  /** How steeply a chip rises: rise over run. */
+  private static double rise(KickFit chip) {
     double run = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
-    return chip.estimate("vz").value() > STEEP * run;
+    return chip.estimate("vz").value() / run;
   }
 
   private static List<Parameter> fixed(List<Parameter> parameters) {
@@ -147,61 +144,5 @@ final class Kinds {
             .sorted()
             .toArray();
     return sorted.length == 0 ? otherwise : sorted[sorted.length / 2];
-  }
-
-  /** The kicks under a joint fit, some of them as the other kind; the same list when none changes. */
-  static List<KickData> settle(
-      HypothesisFitter fitter,
-      FittedHypothesis at,
-      NoiseCalibration noise,
-      CameraViews cameras,
-      FlatModel flat,
-      ChipModel chip) {
-    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
-    int random = at.hypothesis().random().size();
-    double[] means =
-        Arrays.copyOfRange(at.shared(), at.shared().length - random, at.shared().length);
-    KickFitter kickFitter = new KickFitter(FitSettings.defaults());
-    KickData[] settled = fitter.kicks.toArray(KickData[]::new);
-    IntStream.range(0, settled.length)
-        .parallel()
-        .forEach(
-            k -> {
-              KickData data = settled[k];
-              KickKind other = data.kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT;
-              double now = cost(fitter, at, state, k);
-              boolean judged = fitter.kicks.stream().filter(d -> d.kind == other).count() >= FEWEST;
-              if (!judged || now < FITS) {
-                return;
-              }
-              KickFit fit = kickFitter.fit(FitProblem.of(data.kick, cameras, flat, chip), other);
-              if (fit.failure().isPresent()) {
-                return;
-              }
-              KickData changed = new KickData(fit, noise.cameras(), noise.stampNoise());
-              KickModel model = new KickModel(changed, random, fitter.sessionStart);
-              model.startFrom(changed.start, changed.flights, means);
-              OwnFit own = new OwnFit(model, state, at.scatter());
-              double cost = own.minimize();
-              if (other == KickKind.CHIP && own.chooseFlights()) {
-                cost = own.minimize();
-              }
-              double run = Math.hypot(model.own[2], model.own[3]);
-              boolean flies = other == KickKind.FLAT || model.own[4] > STEEP * run;
-              if (flies && cost / (2.0 * changed.usedCount) < BETTER * now) {
-                settled[k] = changed;
-              }
-            });
-    List<KickData> all = new ArrayList<>(List.of(settled));
-    return all.equals(fitter.kicks) ? fitter.kicks : all;
-  }
-
-  private static double cost(
-      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
-    KickData data = fitter.kicks.get(k);
-    KickModel model = new KickModel(data, at.hypothesis().random().size(), fitter.sessionStart);
-    model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-    double[] r = new double[2 * data.size];
-    return model.residuals(state, model.path(state, model.own), r) / (2.0 * data.usedCount);
   }
 }

@@ -4,6 +4,7 @@ import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -136,12 +137,12 @@ final class ChipStart {
   static double dampings(FlightProblem problem, List<Parameter> parameters, double[] theta) {
     double best = Double.POSITIVE_INFINITY;
     double[] trial = theta.clone();
-    for (double z : DAMPING_Z) {
-      for (double first : DAMPING_XY) {
-        for (double other : DAMPING_XY) {
-          put(parameters, trial, ChipTrajectory.DAMPING_Z, z);
-          put(parameters, trial, ChipTrajectory.DAMPING_XY_FIRST_HOP, first);
-          put(parameters, trial, ChipTrajectory.DAMPING_XY_OTHER_HOPS, other);
+    for (double z : grid(parameters, ChipTrajectory.DAMPING_Z, DAMPING_Z)) {
+      for (double first : grid(parameters, ChipTrajectory.DAMPING_XY_FIRST_HOP, DAMPING_XY)) {
+        for (double other : grid(parameters, ChipTrajectory.DAMPING_XY_OTHER_HOPS, DAMPING_XY)) {
+          trial[ChipTrajectory.DAMPING_Z] = z;
+          trial[ChipTrajectory.DAMPING_XY_FIRST_HOP] = first;
+          trial[ChipTrajectory.DAMPING_XY_OTHER_HOPS] = other;
           double cost = problem.cost(trial);
           if (cost < best) {
             best = cost;
@@ -153,8 +154,11 @@ final class ChipStart {
     return best;
   }
 
-  private static void put(List<Parameter> parameters, double[] theta, int index, double value) {
+  /** What is tried of a parameter: the values of a grid within its bounds, or what it is held at. */
+  private static double[] grid(List<Parameter> parameters, int index, double[] values) {
     Parameter p = parameters.get(index);
-    theta[index] = p.estimated() ? p.clamp(value) : p.value();
+    return p.estimated()
+        ? Arrays.stream(values).map(p::clamp).distinct().toArray()
+        : new double[] {p.value()};
   }
 }

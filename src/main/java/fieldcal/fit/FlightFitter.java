@@ -130,6 +130,7 @@ final class FlightFitter {
 
   private FlightProblem prepared(FlightData of, FlightCurve curve) {
     FlightProblem flight = new FlightProblem(of, curve, size);
+    flight.holdFixed(parameters);
     flight.lossScale(settings.lossScale());
     if (!problem.kick().fromRest()) {
       int t0 = FlightLayout.timeIndex(kind);

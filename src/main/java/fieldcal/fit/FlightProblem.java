@@ -1,6 +1,9 @@
 package fieldcal.fit;
 
+import fieldcal.ball.Parameter;
 import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Residuals of a path against the observations of one kick, as least squares with a robust loss.
@@ -17,6 +20,10 @@ final class FlightProblem {
   private double lossScale = Double.POSITIVE_INFINITY;
   private final int curveSize;
   private final int[] slot;
+
+  /** The unknowns whose columns are asked for. */
+  private int[] columns;
+
   private final double[] priorValue;
   private final double[] priorWeight;
   private final double[] xyz = new double[3];
@@ -46,6 +53,7 @@ final class FlightProblem {
     size = curveSize + 2 * cameras;
     used = new boolean[data.size];
     Arrays.fill(used, true);
+    columns = IntStream.range(0, size).toArray();
     priorValue = new double[size];
     priorWeight = new double[size];
     dx = new double[size];
@@ -69,6 +77,11 @@ final class FlightProblem {
 
   boolean[] used() {
     return used;
+  }
+
+  /** Leaves the columns of parameters that are held out of the normal equations: what nobody solves for, nobody needs to sum up. */
+  void holdFixed(List<Parameter> parameters) {
+    columns = Arrays.stream(columns).filter(k -> parameters.get(k).estimated()).toArray();
   }
 
   /** Cauchy's loss with this scale, in standard deviations; infinite for plain least squares. */
@@ -164,7 +177,10 @@ final class FlightProblem {
       double s = r1 * r1 + r2 * r2;
       double weight = loss.add(s);
       double fz = f * f / h;
-      for (int k = 0; k < curveSize; k++) {
+      for (int k : columns) {
+        if (k >= curveSize) {
+          break;
+        }
         double gx = f * dx[k] + px * fz * dz[k];
         double gy = f * dy[k] + py * fz * dz[k];
         j1[k] = data.w11[i] * gx;
@@ -194,7 +210,8 @@ final class FlightProblem {
   }
 
   private void accumulate(NormalEquations to, double weight, double r1, double r2) {
-    for (int k = 0; k < size; k++) {
+    for (int i = 0; i < columns.length; i++) {
+      int k = columns[i];
       double a1 = weight * j1[k];
       double a2 = weight * j2[k];
       if (a1 == 0 && a2 == 0) {
@@ -202,7 +219,8 @@ final class FlightProblem {
       }
       to.b[k] += a1 * r1 + a2 * r2;
       double[] row = to.a[k];
-      for (int m = 0; m <= k; m++) {
+      for (int j = 0; j <= i; j++) {
+        int m = columns[j];
         row[m] += a1 * j1[m] + a2 * j2[m];
       }
     }
