@@ -1,6 +1,5 @@
 package fieldcal.diagnosis;
 
-import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -140,14 +139,16 @@ record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> predict
     if (data.kind == KickKind.CHIP) {
       model.flights = Math.max(1, model.flightsByRule(state, model.own));
     }
-    ExtendedTrajectory path = model.path(state, model.own);
+    double[] rx = new double[data.size];
+    double[] ry = new double[data.size];
+    model.plainResiduals(state, rx, ry);
     Map<Double, List<Double>> distances = new TreeMap<>();
     for (double horizon : HORIZONS) {
       for (int i = 0; i < data.size; i++) {
         if (data.used[i] && Math.abs(data.time[i] - from - horizon) < NEAR) {
           distances
               .computeIfAbsent(horizon, h -> new ArrayList<>())
-              .add(atMost(model.squaredDistance(state, path, i)));
+              .add(atMost(rx[i] * rx[i] + ry[i] * ry[i]));
         }
       }
     }

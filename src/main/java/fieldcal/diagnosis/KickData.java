@@ -3,6 +3,7 @@ package fieldcal.diagnosis;
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.camera.Camera;
+import fieldcal.effect.Sightings;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.KickFit;
@@ -39,6 +40,7 @@ final class KickData {
   final double[] w11;
   final double[] w21;
   final double[] w22;
+  final Sightings sightings;
   final boolean[] used;
   final int usedCount;
 
@@ -92,6 +94,7 @@ final class KickData {
       count += used[i] ? 1 : 0;
     }
     usedCount = count;
+    sightings = new Sightings(camera, time, row);
     fromRest = kick.fromRest() && restCount() >= LEAST_REST;
   }
 
@@ -112,6 +115,7 @@ final class KickData {
     w11 = of.w11;
     w21 = of.w21;
     w22 = of.w22;
+    sightings = of.sightings;
     used = of.used.clone();
     int count = 0;
     for (int i = 0; i < size; i++) {

@@ -28,7 +28,6 @@ final class KickModel {
   int flights;
   private final double sessionStart;
   private final double[] ball = new double[3];
-  private final double[] ground = new double[2];
 
   /** Only observations until then count, s. */
   private double until = Double.POSITIVE_INFINITY;
@@ -83,6 +82,7 @@ final class KickModel {
 
   /** Whitened residuals, seen minus predicted, two per observation, zero for those that do not count; returns the sum of their squares. */
   double residuals(SharedState state, ExtendedTrajectory path, double[] out) {
+    state.measurement.report(data.sightings, path, sessionStart, out);
     double sum = 0;
     for (int i = 0; i < data.size; i++) {
       if (!counts(i)) {
@@ -90,9 +90,8 @@ final class KickModel {
         out[2 * i + 1] = 0;
         continue;
       }
-      see(state, path, i);
-      double rx = data.x[i] - ground[0];
-      double ry = data.y[i] - ground[1];
+      double rx = data.x[i] - out[2 * i];
+      double ry = data.y[i] - out[2 * i + 1];
       double r1 = data.w11[i] * rx;
       double r2 = data.w21[i] * rx + data.w22[i] * ry;
       out[2 * i] = r1;
@@ -102,30 +101,14 @@ final class KickModel {
     return sum;
   }
 
-  /** Residuals in the plane, m, of all observations. */
+  /** Residuals in the plane, seen minus predicted, m, of all observations, those included that do not count. */
   void plainResiduals(SharedState state, double[] rx, double[] ry) {
-    ExtendedTrajectory path = path(state, own);
+    double[] ground = new double[2 * data.size];
+    state.measurement.report(data.sightings, path(state, own), sessionStart, ground);
     for (int i = 0; i < data.size; i++) {
-      see(state, path, i);
-      rx[i] = data.x[i] - ground[0];
-      ry[i] = data.y[i] - ground[1];
+      rx[i] = data.x[i] - ground[2 * i];
+      ry[i] = data.y[i] - ground[2 * i + 1];
     }
-  }
-
-  /** Between predicted and seen position, m². */
-  double squaredDistance(SharedState state, ExtendedTrajectory path, int i) {
-    see(state, path, i);
-    double rx = data.x[i] - ground[0];
-    double ry = data.y[i] - ground[1];
-    return rx * rx + ry * ry;
-  }
-
-  private void see(SharedState state, ExtendedTrajectory path, int i) {
-    int camera = data.camera[i];
-    path.positionAt(
-        state.measurement.ballTime(camera, data.time[i] - sessionStart, data.row[i]) + sessionStart,
-        ball);
-    state.measurement.report(camera, ball, ground);
   }
 
   /** What the kick's own unknowns cost: a time that no rest pins, magnitudes away from the mean. */

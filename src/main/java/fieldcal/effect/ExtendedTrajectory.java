@@ -213,6 +213,10 @@ public final class ExtendedTrajectory implements BallTrajectory {
     xyz[2] = height(i, s);
   }
 
+  PathFollower follower() {
+    return new PathFollower(path, kickTime, kickX, kickY);
+  }
+
   private double height(int i, double s) {
     return path.phase(i) == Phase.FLYING ? Math.max(0, path.position(i, 2, s)) : 0;
   }

@@ -69,6 +69,34 @@ public final class MeasurementEffects {
   }
 
   /**
+   * Where the cameras report a ball, for all sightings of it: what {@link #ballTime} and {@link #report(int, double[], double[])} say of each, in less than half the time.
+   *
+   * @param seen cameras and times
+   * @param path of the ball
+   * @param sessionStart when the session began, on the clock of the path, s
+   * @param ground receives x and y of each, m; NaN where the ball is not below the camera
+   * @throws IllegalArgumentException when a time is NaN
+   */
+  public void report(
+      Sightings seen, ExtendedTrajectory path, double sessionStart, double[] ground) {
+    PathFollower ball = path.follower();
+    for (int i = 0; i < seen.size(); i++) {
+      View view = find(seen.camera[i]);
+      double t = seen.stamp[i];
+      if (view != null && view.isLate()) {
+        t -= view.timeError(t - sessionStart, seen.pixelRow[i]);
+      }
+      ball.goTo(t);
+      if (view == null) {
+        ground[2 * i] = ball.x();
+        ground[2 * i + 1] = ball.y();
+      } else {
+        view.report(ball.x(), ball.y(), ball.z(), ground, 2 * i);
+      }
+    }
+  }
+
+  /**
    * Where a camera reports a ball.
    *
    * @param camera camera id
@@ -81,7 +109,7 @@ public final class MeasurementEffects {
       ground[0] = ball[0];
       ground[1] = ball[1];
     } else {
-      view.report(ball, ground);
+      view.report(ball[0], ball[1], ball[2], ground, 0);
     }
   }
 

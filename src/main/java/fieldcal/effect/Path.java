@@ -139,6 +139,18 @@ final class Path {
     return low;
   }
 
+  /** The same, looked for from a piece that is near it. */
+  int indexAt(double t, int near) {
+    int i = near;
+    while (i > 0 && start[i] > t) {
+      i--;
+    }
+    while (i < count - 1 && start[i + 1] <= t) {
+      i++;
+    }
+    return i;
+  }
+
   /** The elapsed share of a piece at a time. */
   double share(int i, double t) {
     return Math.min(1, (t - start[i]) / duration[i]);

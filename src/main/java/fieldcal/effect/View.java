@@ -21,6 +21,12 @@ final class View {
   private final Timing[] timings;
   private final Refraction[] refractions;
 
+  /** Where vision believes the camera, m. */
+  private final double publishedX;
+
+  private final double publishedY;
+  private final double publishedZ;
+
   /** True position, m; the ray's turn by rows, null when it is not turned; height of the plane, m; what is added, m. */
   private double x;
 
@@ -35,6 +41,9 @@ final class View {
     this.observer = observer;
     id = observer.id();
     camera = observer.camera().orElse(null);
+    publishedX = camera == null ? Double.NaN : camera.positionX();
+    publishedY = camera == null ? Double.NaN : camera.positionY();
+    publishedZ = camera == null ? Double.NaN : camera.positionZ();
     List<MeasurementEffect> concerning = new ArrayList<>(all.size());
     List<Timing> late = new ArrayList<>(1);
     List<Refraction> bending = new ArrayList<>(1);
@@ -87,19 +96,21 @@ final class View {
     return error;
   }
 
-  void report(double[] ball, double[] ground) {
+  /** Whether a ball is reported at another time than it was there. */
+  boolean isLate() {
+    return timings.length > 0;
+  }
+
+  /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on. */
+  void report(double ballX, double ballY, double ballZ, double[] ground, int at) {
     if (camera == null) {
-      ground[0] = ball[0] + addedX;
-      ground[1] = ball[1] + addedY;
+      ground[at] = ballX + addedX;
+      ground[at + 1] = ballY + addedY;
       return;
     }
-    if (effects.length == 0) {
-      camera.projectToGround(ball[0], ball[1], ball[2], ground);
-      return;
-    }
-    double rayX = ball[0] - x;
-    double rayY = ball[1] - y;
-    double rayZ = ball[2] + Camera.BALL_RADIUS - z;
+    double rayX = ballX - x;
+    double rayY = ballY - y;
+    double rayZ = ballZ + Camera.BALL_RADIUS - z;
     if (turn != null) {
       double[] m = turn;
       double straightX = rayX;
@@ -120,8 +131,8 @@ final class View {
       rayZ = sight.rayZ();
     }
     // The ray, drawn from the published position, meets the plane.
-    double way = rayZ < 0 ? (plane - camera.positionZ()) / rayZ : Double.NaN;
-    ground[0] = camera.positionX() + way * rayX + addedX;
-    ground[1] = camera.positionY() + way * rayY + addedY;
+    double way = rayZ < 0 ? (plane - publishedZ) / rayZ : Double.NaN;
+    ground[at] = publishedX + way * rayX + addedX;
+    ground[at + 1] = publishedY + way * rayY + addedY;
   }
 }

@@ -1,6 +1,8 @@
 package fieldcal.effect;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
@@ -61,6 +63,25 @@ class MeasurementEffectsTest {
         result[2 * i + 1] = ground[1];
       }
       return result;
+    }
+
+    @Test
+    void reportsAllSightingsAtOnceAsOneByOne() {
+      int[] cameras = new int[80];
+      double[] stamps = new double[80];
+      double[] rows = new double[80];
+      for (int i = 0; i < 80; i++) {
+        cameras[i] = i % 2;
+        stamps[i] = 100.05 + 0.0203 * i;
+        rows[i] = 10 + 20 * i;
+      }
+      ExtendedTrajectory path =
+          ExtendedTrajectory.chip(
+              ChipModel.typical(), MotionEffects.of(List.of()), 0, 100, -1, -0.5, 2, 1, 3);
+      double[] atOnce = new double[160];
+      MeasurementEffects.of(cameras(), List.of((MeasurementEffect) effect))
+          .report(new Sightings(cameras, stamps, rows), path, 0, atOnce);
+      assertThat(atOnce).containsExactly(predict(effect), within(1e-9));
     }
   }
 
@@ -146,5 +167,12 @@ class MeasurementEffectsTest {
         .containsExactlyInAnyOrderElementsOf(EffectContract.ids());
     assertThat(EffectCatalogue.motion()).hasSize(11);
     assertThat(EffectCatalogue.measurement()).hasSize(7);
+  }
+
+  @Test
+  void refusesSightingsOfDifferentLengths() {
+    assertThatThrownBy(() -> new Sightings(new int[2], new double[2], new double[3]))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("2 cameras, 2 stamps, 3 rows");
   }
 }
