@@ -311,27 +311,55 @@ final class JointFit {
         .parallel()
         .filter(k -> models.get(k).data.kind == KickKind.CHIP)
         .forEach(k -> rule[k] = models.get(k).flightsByRule(state, models.get(k).own));
-    double[] kept = shared.clone();
-    double keptCost = cost;
-    List<double[]> owns = models.stream().map(m -> m.own.clone()).toList();
-    int[] flights = models.stream().mapToInt(m -> m.flights).toArray();
+    Point before = here();
     boolean differs = false;
     for (int k = 0; k < rule.length; k++) {
-      differs |= rule[k] > 0 && rule[k] != flights[k];
-      models.get(k).flights = rule[k] > 0 ? rule[k] : flights[k];
+      KickModel model = models.get(k);
+      int flights = rule[k] > 0 ? rule[k] : model.flights;
+      differs |= flights != model.flights;
+      model.flights = flights;
     }
     if (!differs) {
       return;
     }
     minimize();
     settleFlights();
-    if (cost > keptCost) {
-      System.arraycopy(kept, 0, shared, 0, kept.length);
-      for (int k = 0; k < rule.length; k++) {
-        models.get(k).startFrom(owns.get(k), flights[k], new double[0]);
-      }
-      minimize();
+    if (cost > before.cost) {
+      backTo(before);
     }
+  }
+
+  /** Where a fit is, to come back to. */
+  private record Point(
+      double[] shared,
+      List<double[]> owns,
+      int[] flights,
+      SharedState state,
+      List<KickNormal> normals,
+      double cost,
+      boolean converged) {}
+
+  private Point here() {
+    return new Point(
+        shared.clone(),
+        models.stream().map(m -> m.own).toList(),
+        models.stream().mapToInt(m -> m.flights).toArray(),
+        state,
+        normals,
+        cost,
+        converged);
+  }
+
+  private void backTo(Point point) {
+    System.arraycopy(point.shared, 0, shared, 0, size);
+    for (int k = 0; k < models.size(); k++) {
+      models.get(k).own = point.owns.get(k);
+      models.get(k).flights = point.flights[k];
+    }
+    state = point.state;
+    normals = point.normals;
+    cost = point.cost;
+    converged = point.converged;
   }
 
   /** Tries one flight more and one less of each chip, and other rises of those that stand out, with the shared unknowns held; tells whether any changed. */
