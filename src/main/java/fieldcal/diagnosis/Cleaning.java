@@ -128,15 +128,20 @@ final class Cleaning {
     return residuals;
   }
 
+  /** Variance of a kick's residuals under a fit, in variances of noise. */
+  static double variance(HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
+    KickData data = fitter.kicks.get(k);
+    double[] r = residuals(fitter, at, state, k, data, false);
+    return KickNormal.dot(r, r) / (2.0 * data.usedCount);
+  }
+
   /** The kicks without those that stand out while the others are explained; the same list when there are none. */
   static List<KickData> kicks(HypothesisFitter fitter, FittedHypothesis at) {
     SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
     int n = fitter.kicks.size();
     double[] reduced = new double[n];
     for (int k = 0; k < n; k++) {
-      KickData data = fitter.kicks.get(k);
-      double[] r = residuals(fitter, at, state, k, data, false);
-      reduced[k] = KickNormal.dot(r, r) / (2.0 * data.usedCount);
+      reduced[k] = variance(fitter, at, state, k);
     }
     double[] sorted = reduced.clone();
     Arrays.sort(sorted);

@@ -27,6 +27,8 @@ final class KickModel {
   double[] own;
   int flights;
   private final double sessionStart;
+
+  /** Working space: where a ball is; that of a flat kick is on the carpet. */
   private final double[] ball = new double[3];
 
   /** Only observations until then count, s. */
@@ -179,7 +181,9 @@ final class KickModel {
     ExtendedTrajectory path = path(state, own);
     for (int i = 0; i < data.size; i++) {
       boolean counts = counts(i);
-      path.positionAt(data.time[i], ball);
+      if (data.kind == KickKind.CHIP) {
+        path.positionAt(data.time[i], ball);
+      }
       double f = counts ? data.enlargement(i, ball[2]) : 0;
       columns[0][2 * i] = f * data.w11[i];
       columns[0][2 * i + 1] = f * data.w21[i];

@@ -16,9 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/**
- * Asks of the kicks that a joint fit explains badly whether they are of the other kind. Each is fitted as that once, however many hypotheses ask.
- */
+/** Asks of the kicks that a joint fit explains badly whether they are of the other kind. Each is fitted as that once, however many hypotheses ask. */
 final class OtherKind {
   /** A kick that fits better than that, in variances of noise, is not questioned. */
   private static final double FITS = 2;
@@ -65,7 +63,7 @@ final class OtherKind {
   private KickData settle(HypothesisFitter joint, FittedHypothesis at, SharedState state, int k) {
     KickData data = joint.kicks.get(k);
     KickKind other = data.kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT;
-    double now = cost(joint, at, state, k);
+    double now = Cleaning.variance(joint, at, state, k);
     boolean judged = joint.kicks.stream().filter(d -> d.kind == other).count() >= FEWEST;
     if (!judged || now < FITS) {
       return data;
@@ -98,14 +96,5 @@ final class OtherKind {
       known.put(kick, fit);
     }
     return fit;
-  }
-
-  private static double cost(
-      HypothesisFitter fitter, FittedHypothesis at, SharedState state, int k) {
-    KickData data = fitter.kicks.get(k);
-    KickModel model = new KickModel(data, at.hypothesis().random().size(), fitter.sessionStart);
-    model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-    double[] r = new double[2 * data.size];
-    return model.residuals(state, model.path(state, model.own), r) / (2.0 * data.usedCount);
   }
 }

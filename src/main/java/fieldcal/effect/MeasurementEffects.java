@@ -74,8 +74,7 @@ public final class MeasurementEffects {
    * @param seen cameras and times
    * @param path of the ball
    * @param sessionStart when the session began, on the clock of the path, s
-   * @param ground receives x and y of each, m; NaN where the ball is not below the camera
-   * @throws IllegalArgumentException when a time is NaN
+   * @param ground receives x and y of each, m; NaN where the ball is not below the camera or the stamp is no number
    */
   public void report(
       Sightings seen, ExtendedTrajectory path, double sessionStart, double[] ground) {

@@ -62,7 +62,7 @@ final class DiagnosisText {
   private static String quality(Diagnosis d) {
     return String.format(
         Locale.ROOT,
-        "%d kicks fit to %s mm, of which the cameras' noise is %s mm.",
+        "%d kicks fit to %s mm; the cameras' noise is %s mm.",
         d.kicks().size(),
         mm(d.base().rmsMm()),
         mm(d.base().noiseMm()));

@@ -5,6 +5,7 @@ import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.HandSelection;
@@ -138,7 +139,8 @@ final class KickDesk {
         return;
       }
       progress.reading(found);
-      CollectedKicks data = new KickCollector(progress).collect(found);
+      CollectedKicks data =
+          new KickCollector(progress).collect(found).withProblems(problems(broken));
       CalibrationRequest request = request(found, selection);
       CalibrationOutcome calibrated = session.calibrate(data, request, progress);
       install(found, broken, Optional.of(calibrated), selection);
@@ -172,6 +174,16 @@ final class KickDesk {
       throw last;
     }
     return good;
+  }
+
+  /** A report that is silent about a recording would pass for one of all of them. */
+  private static List<DataProblem> problems(Map<Path, String> broken) {
+    return broken.entrySet().stream()
+        .map(
+            e ->
+                new DataProblem(
+                    e.getKey().getFileName().toString(), "cannot be read", 1, e.getValue()))
+        .toList();
   }
 
   /** Those of this run, or else what a run before left. */

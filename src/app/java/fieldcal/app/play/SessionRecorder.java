@@ -32,8 +32,25 @@ public final class SessionRecorder implements Closeable {
     this.log = log;
     this.commands = commands;
     this.epoch = epoch;
-    writer = GameLogWriter.create(log);
-    Files.writeString(commands, CommandFile.HEADER + "\n", StandardCharsets.UTF_8);
+    try {
+      Files.writeString(commands, CommandFile.HEADER + "\n", StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw notBegun(commands, e);
+    }
+    try {
+      writer = GameLogWriter.create(log);
+    } catch (IOException e) {
+      Files.deleteIfExists(commands);
+      throw notBegun(log, e);
+    }
+  }
+
+  /** An empty file would look like a recording of nothing. */
+  private static IOException notBegun(Path file, IOException e) throws IOException {
+    if (Files.isRegularFile(file)) {
+      Files.delete(file);
+    }
+    return named(file, e);
   }
 
   /**

@@ -6,6 +6,7 @@ import fieldcal.kick.Kick;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -45,5 +46,28 @@ public record CollectedKicks(
     observers = List.copyOf(observers);
     streams = Map.copyOf(streams);
     problems = List.copyOf(problems);
+  }
+
+  /**
+   * The same with more that the operator must know.
+   *
+   * @param more comes after the others
+   * @return the changed copy
+   */
+  public CollectedKicks withProblems(List<DataProblem> more) {
+    List<DataProblem> all = new ArrayList<>(problems);
+    all.addAll(more);
+    return new CollectedKicks(
+        epoch,
+        kicks,
+        sources,
+        cameras,
+        observers,
+        streams,
+        geometry,
+        published,
+        all,
+        sessionStart,
+        duration);
   }
 }

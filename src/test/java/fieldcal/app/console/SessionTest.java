@@ -313,6 +313,11 @@ class SessionTest {
       assertThat(state.at("/leftOut/0").asText()).contains("notes.log");
       assertThat(state.path("unread")).isEmpty();
       assertThat(kicks(state)).hasSizeGreaterThanOrEqualTo(5);
+      console.post("/api/save", "{}");
+      assertThat(session.resolve("report.html"))
+          .content()
+          .contains("notes.log")
+          .contains("cannot be read");
     }
     Files.delete(session.resolve("practice.log.gz"));
     try (RunningConsole console = RunningConsole.start(session)) {
