@@ -313,9 +313,7 @@ class SessionTest {
       assertThat(state.at("/leftOut/0").asText()).contains("notes.log");
       assertThat(state.path("unread")).isEmpty();
       assertThat(kicks(state)).hasSizeGreaterThanOrEqualTo(5);
-      console.post("/api/save", "{}");
-      assertThat(session.resolve("report.html"))
-          .content()
+      assertThat(console.get("/files/report.html").body())
           .contains("notes.log")
           .contains("cannot be read");
     }
