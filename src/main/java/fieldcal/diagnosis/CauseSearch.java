@@ -47,13 +47,10 @@ final class CauseSearch {
   /** Evidence by which two fits of one hypothesis differ when they ended in different valleys. */
   private static final double OTHER_VALLEY = 1;
 
-  /**
-   * First and last step of an edge of a region, m; how often all edges are tried with one step, and how many steps one edge goes. Edges that are two centimetres off leave a hundred of chi-square where a region is
-   * strong, which then looks like a second cause.
-   */
+  /** First and last step of an edge of a region, m; how often all edges are tried with one step, and how many steps one edge goes. */
   private static final double FIRST_EDGE_STEP = 0.32;
 
-  private static final double LAST_EDGE_STEP = 0.004;
+  private static final double LAST_EDGE_STEP = 0.015;
 
   private static final int EDGE_ROUNDS = 4;
   private static final int EDGE_STEPS = 8;
@@ -416,13 +413,30 @@ final class CauseSearch {
   }
 
   /**
-   * The edges of a worn region moved, one after the other: inwards as far as that costs nothing, outwards as far as it improves the fit. An edge that lies beyond what balls crossed would hold its neighbours where
-   * they are, since to move those would take in balls that never felt the region. Nothing happens without a region.
+   * The edges of a worn region where they belong: all at once to where the balls that cross them say, then one after the other, since who crosses an edge changes in steps; where something remains to be explained,
+   * once more with the kicks as their own fits left them, since wrong numbers of hops and wrong edges hold each other up. Nothing happens without a region.
    */
   FittedHypothesis polishRegion(FittedHypothesis f) {
     if (region(f.hypothesis()) == null || f == polished) {
       return f;
     }
+    FittedHypothesis best = moveEdges(fitEdges(f, f));
+    if (!isExplained(best)) {
+      FittedHypothesis again = fitEdges(best, fitter.withOwnFits(best));
+      best = again == best ? best : moveEdges(again);
+    }
+    if (best != f) {
+      know(best);
+    }
+    polished = best;
+    return best;
+  }
+
+  /**
+   * One edge after the other, inwards as far as that costs nothing, outwards as far as it improves the fit. An edge that lies beyond what balls crossed would hold its neighbours where they are, since to move those
+   * would take in balls that never felt the region.
+   */
+  private FittedHypothesis moveEdges(FittedHypothesis f) {
     FittedHypothesis best = f;
     FittedHypothesis[] triedFrom = new FittedHypothesis[RegionSearch.EDGES];
     for (double step = FIRST_EDGE_STEP; step > LAST_EDGE_STEP; step /= 2) {
@@ -439,11 +453,28 @@ final class CauseSearch {
         }
       }
     }
-    if (best != f) {
-      know(best);
-    }
-    polished = best;
-    return best;
+    return best == f ? f : fitEdges(best, best);
+  }
+
+  /** The fit with all edges moved at once to where the balls that cross them say, the kicks starting as in another fit; the same object when that is not better. */
+  private FittedHypothesis fitEdges(FittedHypothesis f, FittedHypothesis kicks) {
+    Chart now = region(f.hypothesis());
+    Chart free = RegionSearch.withFreeEdges(now);
+    Hypothesis h = f.hypothesis().without(now).with(free, false);
+    double[] start = start(h, f);
+    int at = offset(h, free);
+    start[at] = f.shared()[f.offset(now)];
+    System.arraycopy(RegionSearch.edges(now), 0, start, at + 1, RegionSearch.EDGES);
+    FittedHypothesis fitted =
+        kicks == f
+            ? fitter.fit(h, start, f, true)
+            : fitter.fitHeldAtFirst(h, start, kicks, at, free.size());
+    double[] edges = Arrays.copyOfRange(fitted.shared(), at + 1, at + 1 + RegionSearch.EDGES);
+    FittedHypothesis better =
+        RegionSearch.chart(edges)
+            .map(region -> withRegion(f, region, fitted, f.cost() - BETTER_EDGE))
+            .orElse(null);
+    return better == null ? f : better;
   }
 
   /** One edge moved by such steps; {@code triedFrom} tells from where it goes neither way. */
@@ -481,10 +512,16 @@ final class CauseSearch {
     if (moved == null) {
       return null;
     }
-    Hypothesis h = f.hypothesis().without(now).with(moved, false);
-    double[] start = start(h, f);
-    start[offset(h, moved)] = f.shared()[f.offset(now)];
-    return fitter.fitBelow(h, start, f, mostCost);
+    return withRegion(f, moved, f, mostCost);
+  }
+
+  /** The fit with another region in the place of its own, from where another one with a region ended; null when the cost would not be lower than a limit. */
+  private FittedHypothesis withRegion(
+      FittedHypothesis f, Chart region, FittedHypothesis from, double mostCost) {
+    Hypothesis h = f.hypothesis().without(region(f.hypothesis())).with(region, false);
+    double[] start = start(h, from);
+    start[offset(h, region)] = from.shared()[from.offset(region(from.hypothesis()))];
+    return fitter.fitBelow(h, start, from, mostCost);
   }
 
   /**

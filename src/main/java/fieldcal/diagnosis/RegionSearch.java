@@ -235,11 +235,27 @@ final class RegionSearch {
    * @return empty when it would be too small
    */
   static Optional<Chart> moved(Chart region, int edge, double step) {
-    WornRegion r = (WornRegion) region.template();
-    double[] e = {r.x0(), r.x1(), r.y0(), r.y1()};
+    double[] e = edges(region);
     e[edge] += step;
-    boolean large = e[1] - e[0] >= SMALLEST && e[3] - e[2] >= SMALLEST;
-    return large ? Optional.of(chart(e[0], e[1], e[2], e[3])) : Optional.empty();
+    return chart(e);
+  }
+
+  /** The same region with edges that are fitted, too: their coordinates are where they are, m, after the one of the change. */
+  static Chart withFreeEdges(Chart region) {
+    return Chart.of(
+        region.template(), "change", "region_x0", "region_x1", "region_y0", "region_y1");
+  }
+
+  /** Where the edges of a region are, m: least x, largest x, least y, largest y. */
+  static double[] edges(Chart region) {
+    WornRegion r = (WornRegion) region.template();
+    return new double[] {r.x0(), r.x1(), r.y0(), r.y1()};
+  }
+
+  /** A region of given edges; empty when it would be too small. */
+  static Optional<Chart> chart(double[] edges) {
+    boolean large = edges[1] - edges[0] >= SMALLEST && edges[3] - edges[2] >= SMALLEST;
+    return large ? Optional.of(chart(edges[0], edges[1], edges[2], edges[3])) : Optional.empty();
   }
 
   private static Chart chart(double x0, double x1, double y0, double y1) {
