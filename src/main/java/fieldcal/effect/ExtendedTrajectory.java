@@ -187,7 +187,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
       return new BallState(
           path.position(i, 0, s),
           path.position(i, 1, s),
-          height(i, s),
+          path.height(i, s),
           path.velocity(i, 0, s),
           path.velocity(i, 1, s),
           path.phase(i) == Phase.FLYING ? path.velocity(i, 2, s) : 0);
@@ -210,15 +210,11 @@ public final class ExtendedTrajectory implements BallTrajectory {
     double s = path.share(i, t);
     xyz[0] = path.position(i, 0, s);
     xyz[1] = path.position(i, 1, s);
-    xyz[2] = height(i, s);
+    xyz[2] = path.height(i, s);
   }
 
   PathFollower follower() {
     return new PathFollower(path, kickTime, kickX, kickY);
-  }
-
-  private double height(int i, double s) {
-    return path.phase(i) == Phase.FLYING ? Math.max(0, path.position(i, 2, s)) : 0;
   }
 
   @Override

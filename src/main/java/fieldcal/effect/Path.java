@@ -162,6 +162,11 @@ final class Path {
     return k[c] + s * (k[c + 1] + s * (k[c + 2] + s * (k[c + 3] + s * (k[c + 4] + s * k[c + 5]))));
   }
 
+  /** Height of the ball, m; 0 on the carpet, of which no piece that rolls knows. */
+  double height(int i, double s) {
+    return phases[i] == Phase.FLYING ? Math.max(0, position(i, 2, s)) : 0;
+  }
+
   double velocity(int i, int axis, double s) {
     double[] k = coefficients;
     int c = i * STRIDE + axis * PER_AXIS;

@@ -1,7 +1,5 @@
 package fieldcal.effect;
 
-import fieldcal.ball.Phase;
-
 /** Goes along a path from one time to the next, which are near each other: then the piece that holds is the last one or its neighbour. Not thread-safe. */
 final class PathFollower {
   private final Path path;
@@ -31,7 +29,7 @@ final class PathFollower {
     double s = path.share(piece, t);
     x = path.position(piece, 0, s);
     y = path.position(piece, 1, s);
-    z = path.phase(piece) == Phase.FLYING ? Math.max(0, path.position(piece, 2, s)) : 0;
+    z = path.height(piece, s);
   }
 
   double x() {

@@ -64,12 +64,13 @@ public final class SessionRecorder implements Closeable {
    */
   public static SessionRecorder begin(Path directory, String name, Epoch epoch) throws IOException {
     Files.createDirectories(directory);
-    String free = name;
-    for (int i = 2; Files.exists(directory.resolve(free + ".log")); i++) {
-      free = name + "-" + i;
+    Path log = directory.resolve(name + ".log");
+    Path commands = directory.resolve(name + ".commands.csv");
+    for (int i = 2; Files.exists(log) || Files.exists(commands); i++) {
+      log = directory.resolve(name + "-" + i + ".log");
+      commands = directory.resolve(name + "-" + i + ".commands.csv");
     }
-    return new SessionRecorder(
-        directory.resolve(free + ".log"), directory.resolve(free + ".commands.csv"), epoch);
+    return new SessionRecorder(log, commands, epoch);
   }
 
   /**

@@ -27,12 +27,22 @@ class SessionRecorderTest {
   }
 
   @Test
+  void neverTouchesCommandsOfAnotherRecording() throws IOException {
+    Path commands = directory.resolve("session.commands.csv");
+    Files.writeString(commands, "of a recording that was moved elsewhere");
+    try (SessionRecorder recorder = SessionRecorder.begin(directory, "session", EPOCH)) {
+      assertThat(recorder.log()).hasFileName("session-2.log");
+    }
+    assertThat(commands).hasContent("of a recording that was moved elsewhere");
+  }
+
+  @Test
   void leavesNoEmptyRecordingWhenTheCommandsCannotBeWritten() throws IOException {
-    Path taken = Files.createDirectory(directory.resolve("session.commands.csv"));
-    assertThatThrownBy(() -> SessionRecorder.begin(directory, "session", EPOCH))
+    // Short enough for the log, too long for the commands.
+    String name = "x".repeat(250);
+    assertThatThrownBy(() -> SessionRecorder.begin(directory, name, EPOCH))
         .isInstanceOf(IOException.class)
-        .hasMessageContaining(taken.toString());
-    assertThat(directory.resolve("session.log")).doesNotExist();
-    assertThat(taken).exists();
+        .hasMessageContaining(name + ".commands.csv");
+    assertThat(directory).isEmptyDirectory();
   }
 }
