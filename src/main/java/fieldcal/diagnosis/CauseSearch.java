@@ -4,10 +4,13 @@ import fieldcal.effect.MotionEffect;
 import fieldcal.effect.motion.BounceSpinCoupling;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 
@@ -82,7 +85,7 @@ final class CauseSearch {
   private final Map<FittedHypothesis, Map<Chart, FittedHypothesis>> without = new HashMap<>();
 
   /** Whose region's edges are where they should be. */
-  private FittedHypothesis polished;
+  private final Set<FittedHypothesis> polished = new HashSet<>();
 
   CauseSearch(HypothesisFitter fitter, Consumer<String> progress) {
     this.fitter = fitter;
@@ -97,10 +100,42 @@ final class CauseSearch {
    */
   FittedHypothesis search(
       FittedHypothesis simple, int maxCauses, Predicate<FittedHypothesis> dirty) {
-    FittedHypothesis best = simple;
-    List<FittedHypothesis> beam = List.of(simple);
     fitted.add(simple);
-    for (int level = 0; level < maxCauses; level++) {
+    return search(simple, simple, maxCauses, dirty);
+  }
+
+  /**
+   * Goes on where the search of an earlier look at the same kicks ended, now that other detections of them count: what was fitted then is fitted again from there, and the best of it may be extended.
+   */
+  FittedHypothesis goOn(
+      FittedHypothesis simple,
+      CauseSearch earlier,
+      int maxCauses,
+      Predicate<FittedHypothesis> dirty) {
+    fitted.add(simple);
+    for (FittedHypothesis f : earlier.fitted) {
+      if (!f.hypothesis().isSimple()) {
+        fitted.add(fitter.fit(f.hypothesis(), f.shared(), f, false));
+      }
+    }
+    FittedHypothesis best =
+        Collections.max(fitted, Comparator.comparingDouble(FittedHypothesis::logEvidence));
+    if (best == simple || !isProgress(simple, best)) {
+      return search(simple, simple, maxCauses, dirty);
+    }
+    FittedHypothesis settled = fitter.fit(best.hypothesis(), best.shared(), best, true);
+    know(settled);
+    return search(simple, polishRegion(backward(settled)), maxCauses, dirty);
+  }
+
+  private FittedHypothesis search(
+      FittedHypothesis simple,
+      FittedHypothesis from,
+      int maxCauses,
+      Predicate<FittedHypothesis> dirty) {
+    FittedHypothesis best = from;
+    List<FittedHypothesis> beam = List.of(from);
+    for (int level = from.hypothesis().size(); level < maxCauses; level++) {
       if (fitted.size() > MOST_FITS || dirty.test(best) || worthwhile(best).isEmpty()) {
         break;
       }
@@ -113,7 +148,6 @@ final class CauseSearch {
       if (better.hypothesis().sameCauses(best.hypothesis())) {
         break;
       }
-      // An edge in the wrong place looks like a second cause.
       best = polishRegion(better);
       beam = beam(simple, best, next);
       progress.accept("best explanation so far: " + best.hypothesis());
@@ -127,11 +161,17 @@ final class CauseSearch {
     for (FittedHypothesis from : beam) {
       for (Score score : chosen(from, from == best ? REFITS : REFITS_OF_OTHERS)) {
         FittedHypothesis f = extend(from, score);
-        if (f != null) {
+        if (f == null) {
+          continue;
+        }
+        if (next.stream().allMatch(n -> n.logEvidence() < f.logEvidence())) {
+          // An edge in the wrong place looks like a second cause, and keeps bounces under suspicion.
+          next.add(polishRegion(f));
+        } else {
           next.add(f);
-          if (isExplained(f)) {
-            return next;
-          }
+        }
+        if (isExplained(next.get(next.size() - 1))) {
+          return next;
         }
       }
     }
@@ -170,14 +210,26 @@ final class CauseSearch {
     return best;
   }
 
-  /** The best, and those that come near it in what they explain. */
+  /** The best, and those that come near it in what they explain. Of regions that differ in their edges alone the first is enough. */
   private static List<FittedHypothesis> beam(
       FittedHypothesis simple, FittedHypothesis best, List<FittedHypothesis> next) {
     double explained = simple.chiSquare() - best.chiSquare();
-    return next.stream()
-        .filter(f -> simple.chiSquare() - f.chiSquare() > NEAR * explained)
-        .limit(BEAM)
-        .toList();
+    List<FittedHypothesis> beam = new ArrayList<>(List.of(best));
+    for (FittedHypothesis f : next) {
+      if (beam.size() < BEAM
+          && simple.chiSquare() - f.chiSquare() > NEAR * explained
+          && beam.stream().noneMatch(b -> sameButForEdges(b.hypothesis(), f.hypothesis()))) {
+        beam.add(f);
+      }
+    }
+    return beam;
+  }
+
+  private static boolean sameButForEdges(Hypothesis a, Hypothesis b) {
+    Chart here = region(a);
+    Chart there = region(b);
+    boolean both = here != null && there != null;
+    return both ? a.without(here).sameCauses(b.without(there)) : a.sameCauses(b);
   }
 
   /** Score tests of everything on top of a fitted hypothesis, best first. */
@@ -417,7 +469,7 @@ final class CauseSearch {
    * once more with the kicks as their own fits left them, since wrong numbers of hops and wrong edges hold each other up. Nothing happens without a region.
    */
   FittedHypothesis polishRegion(FittedHypothesis f) {
-    if (region(f.hypothesis()) == null || f == polished) {
+    if (region(f.hypothesis()) == null || polished.contains(f)) {
       return f;
     }
     FittedHypothesis best = moveEdges(fitEdges(f, f));
@@ -428,7 +480,7 @@ final class CauseSearch {
     if (best != f) {
       know(best);
     }
-    polished = best;
+    polished.add(best);
     return best;
   }
 

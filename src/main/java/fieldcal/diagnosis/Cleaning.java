@@ -95,6 +95,15 @@ final class Cleaning {
     return Structure.blocks(data).stream().mapToDouble(b -> off(b, residuals)).toArray();
   }
 
+  /** Whether two looks are at the same kicks, of the same kinds, whatever detections of them count. */
+  static boolean sameKicks(List<KickData> a, List<KickData> b) {
+    boolean same = a.size() == b.size();
+    for (int k = 0; same && k < a.size(); k++) {
+      same = a.get(k).kick == b.get(k).kick && a.get(k).kind == b.get(k).kind;
+    }
+    return same;
+  }
+
   /** Whether two looks at the same kicks left the same detections. */
   static boolean sameDetections(List<KickData> a, List<KickData> b) {
     for (int k = 0; k < a.size(); k++) {

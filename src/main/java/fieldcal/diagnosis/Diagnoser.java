@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * Says what the simple model gets wrong, why, and what a better one gains.
@@ -142,16 +143,23 @@ public final class Diagnoser {
                 before, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
         progress.accept("fitting all kicks together");
         simple = fitter.fitSimple();
-        List<KickData> settled = otherKind.settle(fitter, simple);
+        boolean first = round == 0;
+        boolean last = round == CLEANINGS - 1;
+        // Later the better explanation has said which kind a kick is; the simple model would deny
+        // it each time.
+        List<KickData> settled = first ? otherKind.settle(fitter, simple) : fitter.kicks;
         if (settled != fitter.kicks) {
           fitter = fitter.of(settled);
           simple = fitter.fitSimple();
         }
         progress.accept("testing every known effect");
+        CauseSearch earlier = search;
         search = new CauseSearch(fitter, progress);
-        boolean first = round == 0;
-        boolean last = round == CLEANINGS - 1;
-        best = search.search(simple, problem.maxCauses(), f -> first && cutEnds(f) != fitter.kicks);
+        Predicate<FittedHypothesis> dirty = f -> first && cutEnds(f) != fitter.kicks;
+        best =
+            !first && Cleaning.sameKicks(fitter.kicks, earlier.fitter().kicks)
+                ? search.goOn(simple, earlier, problem.maxCauses(), dirty)
+                : search.search(simple, problem.maxCauses(), dirty);
         clean = last ? fitter.kicks : cleaned(best, first);
         if (clean == fitter.kicks) {
           break;
