@@ -2,9 +2,9 @@ package fieldcal.diagnosis;
 
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.motion.BounceSpinCoupling;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -31,6 +31,9 @@ final class CauseSearch {
   /** A step that explains that share of what remains is a step on the way, whatever remains then. */
   private static final double A_GOOD_PART = 0.25;
 
+  private static final Comparator<FittedHypothesis> BY_EVIDENCE =
+      Comparator.comparingDouble(f -> -f.logEvidence());
+
   private static final double[] BOUNCE_STARTS = {0.05, -0.05, 0.12, -0.12, 0.2, -0.2, 0.3, -0.3};
 
   /** Spin of a ball between hops, as a fraction of rolling. */
@@ -43,6 +46,9 @@ final class CauseSearch {
   private static final double LEFT_BY_CAMERAS = 0.1;
 
   private static final double LEFT_BY_MOTION = 0.05;
+
+  /** Where flat kicks have that share of the structure, something else than bounces must be found first. */
+  private static final double LEFT_BY_FLATS = 0.25;
 
   /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
   private static final double NOTHING_LEFT = 3;
@@ -101,46 +107,60 @@ final class CauseSearch {
   FittedHypothesis search(
       FittedHypothesis simple, int maxCauses, Predicate<FittedHypothesis> dirty) {
     fitted.add(simple);
-    return search(simple, simple, maxCauses, dirty);
+    return climb(simple, List.of(), maxCauses, dirty);
   }
 
   /**
-   * Goes on where the search of an earlier look at the same kicks ended, now that other detections of them count: what was fitted then is fitted again from there, and the best of it may be extended.
+   * The same for kicks that were searched before, now that some of them, or of their detections, count differently: what was fitted then is fitted again from where it ended.
+   *
+   * @param earlier the search before
    */
-  FittedHypothesis goOn(
+  FittedHypothesis searchAgain(
       FittedHypothesis simple,
       CauseSearch earlier,
       int maxCauses,
       Predicate<FittedHypothesis> dirty) {
     fitted.add(simple);
+    List<KickData> kicksThen = earlier.fitter.kicks;
+    // A kick of the wrong kind may have misled the bounces: they are searched anew.
+    boolean sameKicks = Cleaning.sameKicks(fitter.kicks, kicksThen);
+    List<FittedHypothesis> again = new ArrayList<>();
     for (FittedHypothesis f : earlier.fitted) {
-      if (!f.hypothesis().isSimple()) {
-        fitted.add(fitter.fit(f.hypothesis(), f.shared(), f, false));
+      boolean bounces = f.hypothesis().charts().stream().anyMatch(CauseSearch::isBounce);
+      if (!f.hypothesis().isSimple() && (sameKicks || !bounces)) {
+        FittedHypothesis from = fitter.adopt(f, kicksThen);
+        again.add(fitter.fit(f.hypothesis(), f.shared(), from, false));
       }
     }
-    FittedHypothesis best =
-        Collections.max(fitted, Comparator.comparingDouble(FittedHypothesis::logEvidence));
-    if (best == simple || !isProgress(simple, best)) {
-      return search(simple, simple, maxCauses, dirty);
+    again.sort(BY_EVIDENCE);
+    if (!again.isEmpty()) {
+      FittedHypothesis first = again.get(0);
+      again.set(0, polishRegion(fitter.fit(first.hypothesis(), first.shared(), first, true)));
     }
-    FittedHypothesis settled = fitter.fit(best.hypothesis(), best.shared(), best, true);
-    know(settled);
-    return search(simple, polishRegion(backward(settled)), maxCauses, dirty);
+    fitted.addAll(again);
+    return climb(simple, again, maxCauses, dirty);
   }
 
-  private FittedHypothesis search(
+  /**
+   * Extends the best hypotheses while that pays.
+   *
+   * @param known extensions of the simple model that are fitted already
+   */
+  private FittedHypothesis climb(
       FittedHypothesis simple,
-      FittedHypothesis from,
+      List<FittedHypothesis> known,
       int maxCauses,
       Predicate<FittedHypothesis> dirty) {
-    FittedHypothesis best = from;
-    List<FittedHypothesis> beam = List.of(from);
-    for (int level = from.hypothesis().size(); level < maxCauses; level++) {
-      if (fitted.size() > MOST_FITS || dirty.test(best) || worthwhile(best).isEmpty()) {
+    FittedHypothesis best = simple;
+    List<FittedHypothesis> beam = List.of(simple);
+    int mostFits = MOST_FITS + known.size();
+    while (best.hypothesis().size() < maxCauses) {
+      if (fitted.size() > mostFits || dirty.test(best) || worthwhile(best).isEmpty()) {
         break;
       }
-      List<FittedHypothesis> next = extensions(best, beam);
-      next.sort(Comparator.comparingDouble(f -> -f.logEvidence()));
+      List<FittedHypothesis> next = new ArrayList<>(best == simple ? known : List.of());
+      addExtensions(best, beam, next);
+      next.sort(BY_EVIDENCE);
       if (next.isEmpty() || !isProgress(best, next.get(0))) {
         break;
       }
@@ -155,27 +175,36 @@ final class CauseSearch {
     return best;
   }
 
-  /** Refits of what the scores promise, until one of them leaves nothing to be explained: whatever else explains as much is found when rivals are compared. */
-  private List<FittedHypothesis> extensions(FittedHypothesis best, List<FittedHypothesis> beam) {
-    List<FittedHypothesis> next = new ArrayList<>();
+  /**
+   * Refits of what the scores promise, until one of them leaves nothing to be explained: whatever else explains as much is found when rivals are compared.
+   *
+   * @param next what is known so far; what is fitted is added
+   */
+  private void addExtensions(
+      FittedHypothesis best, List<FittedHypothesis> beam, List<FittedHypothesis> next) {
+    if (next.stream().anyMatch(this::isExplained)) {
+      return;
+    }
+    List<FittedHypothesis> known = List.copyOf(next);
     for (FittedHypothesis from : beam) {
       for (Score score : chosen(from, from == best ? REFITS : REFITS_OF_OTHERS)) {
+        Hypothesis h = from.hypothesis().with(score.chart(), score.perKick());
+        if (known.stream().anyMatch(k -> sameButForEdges(k.hypothesis(), h))) {
+          continue;
+        }
         FittedHypothesis f = extend(from, score);
         if (f == null) {
           continue;
         }
-        if (next.stream().allMatch(n -> n.logEvidence() < f.logEvidence())) {
-          // An edge in the wrong place looks like a second cause, and keeps bounces under suspicion.
-          next.add(polishRegion(f));
-        } else {
-          next.add(f);
-        }
-        if (isExplained(next.get(next.size() - 1))) {
-          return next;
+        // An edge in the wrong place looks like a second cause, and keeps bounces under suspicion.
+        boolean ahead = next.stream().allMatch(n -> n.logEvidence() < f.logEvidence());
+        FittedHypothesis found = ahead ? polishRegion(f) : f;
+        next.add(found);
+        if (isExplained(found)) {
+          return;
         }
       }
     }
-    return next;
   }
 
   private boolean isExplained(FittedHypothesis f) {
@@ -313,8 +342,14 @@ final class CauseSearch {
     return f;
   }
 
-  /** Whether a hypothesis without spin and bounces, which no bounce resembles, is known to explain nearly all that another one leaves. */
+  /**
+   * Whether what a hypothesis leaves is none of the bounces' doing: flat kicks, which do not bounce, leave much of it, or a hypothesis without spin and bounces, which no bounce resembles, is known to explain
+   * nearly all of it.
+   */
   private boolean isElsewhere(FittedHypothesis from) {
+    if (Structure.shareOf(KickKind.FLAT, fitter, from) > LEFT_BY_FLATS) {
+      return true;
+    }
     double left = Structure.of(fitter, from).systematic();
     for (FittedHypothesis f : fitted) {
       List<Chart> charts = f.hypothesis().charts();
@@ -332,14 +367,15 @@ final class CauseSearch {
     return isBounce(chart) || chart.template() instanceof MotionEffect.SpinAtKick;
   }
 
-  /** The best fit from several starts; the first that leaves nothing to be explained is the best. */
+  /** The best fit from several starts; the first that leaves next to nothing to be explained is the best. */
   private FittedHypothesis fromOtherStarts(
       FittedHypothesis f, Chart chart, double[] start, FittedHypothesis from) {
     FittedHypothesis best = f;
     FittedHypothesis apart = fitter.withOwnFits(from);
     int end = offset(f.hypothesis(), chart) + chart.size();
+    double enough = LEFT_BY_MOTION * Structure.of(fitter, from).systematic();
     for (double[] other : bounceStarts(f.hypothesis(), chart, start)) {
-      if (isExplained(best)) {
+      if (isExplained(best) || Structure.of(fitter, best).systematic() < enough) {
         break;
       }
       FittedHypothesis tried =

@@ -99,7 +99,7 @@ final class Cleaning {
   static boolean sameKicks(List<KickData> a, List<KickData> b) {
     boolean same = a.size() == b.size();
     for (int k = 0; same && k < a.size(); k++) {
-      same = a.get(k).kick == b.get(k).kick && a.get(k).kind == b.get(k).kind;
+      same = a.get(k).isSame(b.get(k));
     }
     return same;
   }

@@ -145,8 +145,7 @@ public final class Diagnoser {
         simple = fitter.fitSimple();
         boolean first = round == 0;
         boolean last = round == CLEANINGS - 1;
-        // Later the better explanation has said which kind a kick is; the simple model would deny
-        // it each time.
+        // Later a better explanation has said of what kind a kick is.
         List<KickData> settled = first ? otherKind.settle(fitter, simple) : fitter.kicks;
         if (settled != fitter.kicks) {
           fitter = fitter.of(settled);
@@ -155,11 +154,11 @@ public final class Diagnoser {
         progress.accept("testing every known effect");
         CauseSearch earlier = search;
         search = new CauseSearch(fitter, progress);
-        Predicate<FittedHypothesis> dirty = f -> first && cutEnds(f) != fitter.kicks;
+        Predicate<FittedHypothesis> dirty = f -> first && settledOrCut(f) != fitter.kicks;
         best =
-            !first && Cleaning.sameKicks(fitter.kicks, earlier.fitter().kicks)
-                ? search.goOn(simple, earlier, problem.maxCauses(), dirty)
-                : search.search(simple, problem.maxCauses(), dirty);
+            first
+                ? search.search(simple, problem.maxCauses(), dirty)
+                : search.searchAgain(simple, earlier, problem.maxCauses(), dirty);
         clean = last ? fitter.kicks : cleaned(best, first);
         if (clean == fitter.kicks) {
           break;
@@ -192,17 +191,19 @@ public final class Diagnoser {
      * @param first whether this is the first look: then the ends of a kick are suspected before the kick is, later the other way round
      */
     private List<KickData> cleaned(FittedHypothesis best, boolean first) {
-      List<KickData> settled =
-          best.hypothesis().isSimple() ? fitter.kicks : otherKind.settle(fitter, best);
-      if (settled != fitter.kicks) {
-        return settled;
-      }
-      List<KickData> ends = first ? cutEnds(best) : fitter.kicks;
+      List<KickData> ends = first ? settledOrCut(best) : otherKind.settle(fitter, best);
       if (ends != fitter.kicks) {
         return ends;
       }
       List<KickData> good = Cleaning.kicks(fitter, best);
       return good == fitter.kicks ? cutEnds(best) : good;
+    }
+
+    /** The kicks as the kinds that an explanation makes of them, or else with their ends cut; the same list when nothing is to be changed. Of the simple model the kinds were asked before. */
+    private List<KickData> settledOrCut(FittedHypothesis best) {
+      List<KickData> settled =
+          best.hypothesis().isSimple() ? fitter.kicks : otherKind.settle(fitter, best);
+      return settled == fitter.kicks ? cutEnds(best) : settled;
     }
 
     /** Cuts the ends until nothing changes: a touch that lasts is seen through step by step. */

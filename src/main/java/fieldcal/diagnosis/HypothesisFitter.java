@@ -4,8 +4,10 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.kick.KickKind;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** The kicks, the cameras that saw them, and where the shared unknowns are expected: fits any hypothesis to them, from any start. Immutable. */
 final class HypothesisFitter {
@@ -46,18 +48,42 @@ final class HypothesisFitter {
 
   /** Shared values and magnitudes of another fit with the kicks as their own fits left them: position, velocity, time and above all number of flights, which a wrong joint model may have spoilt. */
   FittedHypothesis withOwnFits(FittedHypothesis f) {
+    return adopt(new Hypothesis(f.hypothesis().fixed(), List.of()), f, new double[0], List.of());
+  }
+
+  /** A fit of what were other kicks in part, to start from: those that were the same then as they are there, the others as their own fits left them. */
+  FittedHypothesis adopt(FittedHypothesis f, List<KickData> kicksThen) {
+    return adopt(f.hypothesis(), f, f.scatter(), kicksThen);
+  }
+
+  private FittedHypothesis adopt(
+      Hypothesis hypothesis, FittedHypothesis f, double[] scatter, List<KickData> kicksThen) {
+    List<double[]> own = new ArrayList<>();
+    int[] flights = new int[kicks.size()];
+    for (int k = 0; k < flights.length; k++) {
+      int then = indexOf(kicks.get(k), kicksThen);
+      own.add(then < 0 ? kicks.get(k).start : f.own().get(then));
+      flights[k] = then < 0 ? kicks.get(k).flights : f.flights()[then];
+    }
     return new FittedHypothesis(
-        new Hypothesis(f.hypothesis().fixed(), List.of()),
+        hypothesis,
         f.shared(),
-        kicks.stream().map(k -> k.start).toList(),
-        kicks.stream().mapToInt(k -> k.flights).toArray(),
-        new double[0],
+        own,
+        flights,
+        scatter,
         f.chiSquare(),
         f.cost(),
         f.residuals(),
         f.logEvidence(),
         f.covariance(),
         false);
+  }
+
+  private static int indexOf(KickData kick, List<KickData> others) {
+    return IntStream.range(0, others.size())
+        .filter(k -> kick.isSame(others.get(k)))
+        .findFirst()
+        .orElse(-1);
   }
 
   /** From where each kick's own fit ended. */

@@ -149,6 +149,11 @@ final class KickData {
     return new KickData(whole, dropped);
   }
 
+  /** Whether this is the same kick, taken for the same kind, whatever detections of it count. */
+  boolean isSame(KickData other) {
+    return kick == other.kick && kind == other.kind;
+  }
+
   /** How many unknowns a kick has of its own: position, velocity, time. */
   static int ownSize(KickKind kind) {
     return kind == KickKind.FLAT ? 5 : 6;

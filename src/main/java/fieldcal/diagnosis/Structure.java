@@ -1,5 +1,6 @@
 package fieldcal.diagnosis;
 
+import fieldcal.kick.KickKind;
 import java.util.List;
 
 /**
@@ -48,6 +49,25 @@ record Structure(double systematic, double deviation, int blocks) {
     double excess = sum + Math.min(unknowns, 0.5 * blocks);
     double spread = Math.sqrt(2 * Math.max(1, blocks - Math.min(unknowns, 0.5 * blocks)));
     return new Structure(excess / Math.max(1, residuals), excess / spread, blocks);
+  }
+
+  /** How much of what is no noise the kicks of one kind have, 0 to 1; 0 when theirs may be chance. */
+  static double shareOf(KickKind kind, HypothesisFitter fitter, FittedHypothesis at) {
+    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
+    double theirs = 0;
+    double all = 0;
+    double residuals = 0;
+    for (int k = 0; k < fitter.kicks.size(); k++) {
+      KickData data = fitter.kicks.get(k);
+      double excess = 2.0 * data.usedCount * (Cleaning.variance(fitter, at, state, k) - 1);
+      all += excess;
+      if (data.kind == kind) {
+        theirs += excess;
+        residuals += 2.0 * data.usedCount;
+      }
+    }
+    boolean chance = theirs <= SIGNIFICANT * Math.sqrt(2 * residuals);
+    return chance ? 0 : Math.min(1, theirs / Math.max(theirs, all));
   }
 
   /** Indices of successive detections of one camera, rest and flight apart. */
