@@ -50,27 +50,8 @@ final class CauseSearch {
   /** Where flat kicks have that share of the structure, something else than bounces must be found first. */
   private static final double LEFT_BY_FLATS = 0.25;
 
-  /** Structure below that, in standard deviations of noise, leaves nothing to be explained. */
-  private static final double NOTHING_LEFT = 3;
-
   /** Evidence by which two fits of one hypothesis differ when they ended in different valleys. */
   private static final double OTHER_VALLEY = 1;
-
-  /** First and last step of an edge of a region, m; how often all edges are tried with one step, and how many steps one edge goes. */
-  private static final double FIRST_EDGE_STEP = 0.32;
-
-  private static final double LAST_EDGE_STEP = 0.015;
-
-  private static final int EDGE_ROUNDS = 4;
-  private static final int EDGE_STEPS = 8;
-
-  /** The standard error of an edge that balls crossed, m: in drawn fields most are found to a centimetre. */
-  private static final double EDGE_ERROR = 0.02 / Math.sqrt(3);
-
-  /** Decrease of the cost that a step of an edge outwards must be worth, and increase that a step inwards may have. */
-  private static final double BETTER_EDGE = 0.5;
-
-  private static final double COSTS_NOTHING = 0.1;
 
   /** Hypotheses carried on. */
   private static final int BEAM = 3;
@@ -85,6 +66,7 @@ final class CauseSearch {
 
   private final HypothesisFitter fitter;
   private final Candidates candidates;
+  private final RegionEdges edges;
   private final Consumer<String> progress;
   private final Map<FittedHypothesis, List<Score>> scores = new HashMap<>();
   private final List<FittedHypothesis> fitted = new ArrayList<>();
@@ -97,6 +79,7 @@ final class CauseSearch {
     this.fitter = fitter;
     this.progress = progress;
     candidates = new Candidates(fitter);
+    edges = new RegionEdges(fitter);
   }
 
   /**
@@ -208,7 +191,7 @@ final class CauseSearch {
   }
 
   private boolean isExplained(FittedHypothesis f) {
-    return Structure.of(fitter, f).deviation() < NOTHING_LEFT;
+    return Structure.of(fitter, f).isNothing();
   }
 
   /** Whether a step is worth its evidence even if what it leaves is an error of whole kicks, or explains a good part of what was left. */
@@ -255,8 +238,8 @@ final class CauseSearch {
   }
 
   private static boolean sameButForEdges(Hypothesis a, Hypothesis b) {
-    Chart here = region(a);
-    Chart there = region(b);
+    Chart here = RegionEdges.region(a);
+    Chart there = RegionEdges.region(b);
     boolean both = here != null && there != null;
     return both ? a.without(here).sameCauses(b.without(there)) : a.sameCauses(b);
   }
@@ -476,7 +459,7 @@ final class CauseSearch {
     return fitter.fit(next, best, from, true);
   }
 
-  private static int offset(Hypothesis hypothesis, Chart chart) {
+  static int offset(Hypothesis hypothesis, Chart chart) {
     int k = SharedUnknowns.MODEL;
     for (Chart c : hypothesis.charts()) {
       if (c == chart) {
@@ -500,19 +483,12 @@ final class CauseSearch {
     return start;
   }
 
-  /**
-   * The edges of a worn region where they belong: all at once to where the balls that cross them say, then one after the other, since who crosses an edge changes in steps; where something remains to be explained,
-   * once more with the kicks as their own fits left them, since wrong numbers of hops and wrong edges hold each other up. Nothing happens without a region.
-   */
+  /** The fit with the edges of its worn region where they belong; the same object when it has none. */
   FittedHypothesis polishRegion(FittedHypothesis f) {
-    if (region(f.hypothesis()) == null || polished.contains(f)) {
+    if (polished.contains(f)) {
       return f;
     }
-    FittedHypothesis best = moveEdges(fitEdges(f, f));
-    if (!isExplained(best)) {
-      FittedHypothesis again = fitEdges(best, fitter.withOwnFits(best));
-      best = again == best ? best : moveEdges(again);
-    }
+    FittedHypothesis best = edges.polish(f);
     if (best != f) {
       know(best);
     }
@@ -520,120 +496,9 @@ final class CauseSearch {
     return best;
   }
 
-  /**
-   * One edge after the other, inwards as far as that costs nothing, outwards as far as it improves the fit. An edge that lies beyond what balls crossed would hold its neighbours where they are, since to move those
-   * would take in balls that never felt the region.
-   */
-  private FittedHypothesis moveEdges(FittedHypothesis f) {
-    FittedHypothesis best = f;
-    FittedHypothesis[] triedFrom = new FittedHypothesis[RegionSearch.EDGES];
-    for (double step = FIRST_EDGE_STEP; step > LAST_EDGE_STEP; step /= 2) {
-      Arrays.fill(triedFrom, null);
-      for (int round = 0; round < EDGE_ROUNDS; round++) {
-        FittedHypothesis before = best;
-        for (int edge = 0; edge < RegionSearch.EDGES; edge++) {
-          if (triedFrom[edge] != best) {
-            best = moveEitherWay(best, edge, step, triedFrom);
-          }
-        }
-        if (best == before) {
-          break;
-        }
-      }
-    }
-    return best == f ? f : fitEdges(best, best);
-  }
-
-  /** The fit with all edges moved at once to where the balls that cross them say, the kicks starting as in another fit; the same object when that is not better. */
-  private FittedHypothesis fitEdges(FittedHypothesis f, FittedHypothesis kicks) {
-    Chart now = region(f.hypothesis());
-    Chart free = RegionSearch.withFreeEdges(now);
-    Hypothesis h = f.hypothesis().without(now).with(free, false);
-    double[] start = start(h, f);
-    int at = offset(h, free);
-    start[at] = f.shared()[f.offset(now)];
-    System.arraycopy(RegionSearch.edges(now), 0, start, at + 1, RegionSearch.EDGES);
-    FittedHypothesis fitted =
-        kicks == f
-            ? fitter.fit(h, start, f, true)
-            : fitter.fitHeldAtFirst(h, start, kicks, at, free.size());
-    double[] edges = Arrays.copyOfRange(fitted.shared(), at + 1, at + 1 + RegionSearch.EDGES);
-    FittedHypothesis better =
-        RegionSearch.chart(edges)
-            .map(region -> withRegion(f, region, fitted, f.cost() - BETTER_EDGE))
-            .orElse(null);
-    return better == null ? f : better;
-  }
-
-  /** One edge moved by such steps; {@code triedFrom} tells from where it goes neither way. */
-  private FittedHypothesis moveEitherWay(
-      FittedHypothesis f, int edge, double step, FittedHypothesis[] triedFrom) {
-    double inwards = edge % 2 == 0 ? step : -step;
-    FittedHypothesis smaller = moveEdge(f, edge, inwards, COSTS_NOTHING);
-    if (smaller != f) {
-      return smaller;
-    }
-    FittedHypothesis larger = moveEdge(f, edge, -inwards, -BETTER_EDGE);
-    if (larger == f) {
-      triedFrom[edge] = f;
-    }
-    return larger;
-  }
-
-  /** The fit after steps of one edge in one direction, each of which may raise the cost by so much; the same object when the first does more. */
-  private FittedHypothesis moveEdge(FittedHypothesis f, int edge, double step, double atMost) {
-    FittedHypothesis best = f;
-    for (int i = 0; i < EDGE_STEPS; i++) {
-      FittedHypothesis tried = withEdge(best, edge, step, best.cost() + atMost);
-      if (tried == null) {
-        return best;
-      }
-      best = tried;
-    }
-    return best;
-  }
-
-  /** The fit with one edge moved; null when the region would be too small, or the cost not lower than a limit. */
-  private FittedHypothesis withEdge(FittedHypothesis f, int edge, double step, double mostCost) {
-    Chart now = region(f.hypothesis());
-    Chart moved = RegionSearch.moved(now, edge, step).orElse(null);
-    if (moved == null) {
-      return null;
-    }
-    return withRegion(f, moved, f, mostCost);
-  }
-
-  /** The fit with another region in the place of its own, from where another one with a region ended; null when the cost would not be lower than a limit. */
-  private FittedHypothesis withRegion(
-      FittedHypothesis f, Chart region, FittedHypothesis from, double mostCost) {
-    Hypothesis h = f.hypothesis().without(region(f.hypothesis())).with(region, false);
-    double[] start = start(h, from);
-    start[offset(h, region)] = from.shared()[from.offset(region(from.hypothesis()))];
-    return fitter.fitBelow(h, start, from, mostCost);
-  }
-
-  /**
-   * What the edges of a region leave open of its change: a region that is a little too large is a little less worn. Zero without a region.
-   */
+  /** What the edges of a region leave open of its change; zero without a region. */
   double edgeError(FittedHypothesis f) {
-    Chart now = region(f.hypothesis());
-    double sum = 0;
-    for (int edge = 0; edge < RegionSearch.EDGES && now != null; edge++) {
-      double[] change = {f.shared()[f.offset(now)], f.shared()[f.offset(now)]};
-      for (int side = 0; side < 2; side++) {
-        FittedHypothesis moved =
-            withEdge(f, edge, side == 0 ? -EDGE_ERROR : EDGE_ERROR, Double.POSITIVE_INFINITY);
-        change[side] =
-            moved == null ? change[side] : moved.shared()[moved.offset(region(moved.hypothesis()))];
-      }
-      double difference = (change[1] - change[0]) / 2;
-      sum += difference * difference;
-    }
-    return Math.sqrt(sum);
-  }
-
-  private static Chart region(Hypothesis h) {
-    return h.fixed().stream().filter(c -> c.id().equals("worn_region")).findFirst().orElse(null);
+    return edges.error(f);
   }
 
   HypothesisFitter fitter() {

@@ -18,6 +18,9 @@ record Structure(double systematic, double deviation, int blocks) {
   /** More of that, in standard deviations, is no chance. */
   static final double SIGNIFICANT = 6;
 
+  /** Less of that leaves nothing to be explained. */
+  private static final double NOTHING = 3;
+
   static Structure of(HypothesisFitter fitter, FittedHypothesis at) {
     SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
     double sum = 0;
@@ -101,6 +104,11 @@ record Structure(double systematic, double deviation, int blocks) {
     if (n >= BLOCK / 2) {
       found.add(java.util.Arrays.copyOf(block, n));
     }
+  }
+
+  /** Whether what is left is no more than noise would leave by chance, so that nothing need be looked for. */
+  boolean isNothing() {
+    return deviation < NOTHING;
   }
 
   boolean isSignificant() {
