@@ -78,7 +78,7 @@ final class RegionEdges {
   }
 
   /**
-   * One edge after the other, inwards as far as that costs nothing, outwards as far as it improves the fit. An edge that lies beyond what balls crossed would hold its neighbours where they are, since to move those
+   * One edge after the other, outwards as far as that improves the fit, or else inwards as far as it costs nothing. An edge that lies beyond what balls crossed would hold its neighbours where they are, since to move those
    * would take in balls that never felt the region.
    */
   private FittedHypothesis moveEdges(FittedHypothesis f) {
@@ -126,15 +126,17 @@ final class RegionEdges {
   private FittedHypothesis moveEitherWay(
       FittedHypothesis f, int edge, double step, FittedHypothesis[] triedFrom) {
     double inwards = edge % 2 == 0 ? step : -step;
-    FittedHypothesis smaller = moveEdge(f, edge, inwards, COSTS_NOTHING);
-    if (smaller != f) {
-      return smaller;
-    }
+    // Outwards first: where no ball is, an edge would wander off inwards from what it should take
+    // in.
     FittedHypothesis larger = moveEdge(f, edge, -inwards, -BETTER);
-    if (larger == f) {
+    if (larger != f) {
+      return larger;
+    }
+    FittedHypothesis smaller = moveEdge(f, edge, inwards, COSTS_NOTHING);
+    if (smaller == f) {
       triedFrom[edge] = f;
     }
-    return larger;
+    return smaller;
   }
 
   /** The fit after steps of one edge in one direction, each of which may raise the cost by so much; the same object when the first does more. */

@@ -31,7 +31,7 @@ final class ChipsField {
         .toList();
   }
 
-  private static HypothesisFitter fitter(DiagnosisProblem problem) {
+  static HypothesisFitter fitter(DiagnosisProblem problem) {
     List<KickFit> fits = problem.fits();
     return new HypothesisFitter(
         kicks(problem),

@@ -44,6 +44,21 @@ class HypothesisFitterTest {
   }
 
   @Test
+  void aFitIsTakenToOtherKicksAsFarAsTheyAreTheSame() {
+    List<KickData> some = field.fitter.kicks.subList(2, 6);
+    HypothesisFitter fewer = field.fitter.of(some);
+    FittedHypothesis adopted = fewer.adopt(simple, field.fitter.kicks);
+    assertThat(adopted.own()).isEqualTo(simple.own().subList(2, 6));
+    assertThat(adopted.flights()).isEqualTo(Arrays.copyOfRange(simple.flights(), 2, 6));
+    assertThat(adopted.shared()).isEqualTo(simple.shared());
+    FittedHypothesis back = field.fitter.adopt(adopted, some);
+    assertThat(back.own().subList(2, 6)).isEqualTo(simple.own().subList(2, 6));
+    assertThat(back.own().get(0)).isEqualTo(field.fitter.kicks.get(0).start);
+    assertThat(back.flights()[0]).isEqualTo(field.fitter.kicks.get(0).flights);
+    assertSame(fitFrom(back));
+  }
+
+  @Test
   void aRestThatNoStraightPathExplainsIsKept() {
     List<KickData> curved = ChipsField.kicks(HiddenRun.problem(HiddenCase.draw(CURVED)));
     for (KickData kick : curved) {

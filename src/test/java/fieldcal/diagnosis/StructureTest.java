@@ -3,6 +3,7 @@ package fieldcal.diagnosis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -42,6 +43,16 @@ class StructureTest {
           .isCloseTo(sigmas * sigmas / 2, within(0.25 * sigmas * sigmas));
       assertThat(s.isSignificant()).isTrue();
     }
+  }
+
+  @Test
+  void whatIsLeftIsTheWrongKicksDoing() {
+    assertThat(Structure.of(field.fitter, field.simple).isNothing()).isTrue();
+    assertThat(Structure.shareOf(KickKind.CHIP, field.fitter, field.simple)).isZero();
+    FittedHypothesis wrong = moved(3);
+    assertThat(Structure.of(field.fitter, wrong).isNothing()).isFalse();
+    assertThat(Structure.shareOf(KickKind.CHIP, field.fitter, wrong)).isEqualTo(1);
+    assertThat(Structure.shareOf(KickKind.FLAT, field.fitter, wrong)).isZero();
   }
 
   @Test
