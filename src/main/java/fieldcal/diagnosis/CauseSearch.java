@@ -116,11 +116,14 @@ final class CauseSearch {
       }
     }
     again.sort(BY_EVIDENCE);
+    fitted.addAll(again);
     if (!again.isEmpty()) {
       FittedHypothesis first = again.get(0);
-      again.set(0, polishRegion(fitter.fit(first.hypothesis(), first.shared(), first, true)));
+      FittedHypothesis settled =
+          polishRegion(fitter.fit(first.hypothesis(), first.shared(), first, true));
+      know(settled);
+      again.set(0, settled);
     }
-    fitted.addAll(again);
     return climb(simple, again, maxCauses, dirty);
   }
 

@@ -41,17 +41,6 @@ class RegionEdgesTest {
     FittedHypothesis off = fitted(x0, x1, -4.4, y1);
     FittedHypothesis polished = new RegionEdges(WORLD).polish(off);
     double[] edges = edges(polished);
-    System.err.printf(
-        "EDGES %.2f %.2f %.2f: %.3f %.3f %.3f cost %.1f -> %.1f change %.4f%n",
-        x0,
-        x1,
-        y1,
-        edges[0],
-        edges[1],
-        edges[3],
-        off.cost(),
-        polished.cost(),
-        polished.shared()[SharedUnknowns.MODEL]);
     assertThat(edges[0]).isBetween(-4.75, -4.3);
     assertThat(edges[1]).isCloseTo(-0.48, within(0.1));
     assertThat(edges[3]).isCloseTo(0.59, within(0.1));
