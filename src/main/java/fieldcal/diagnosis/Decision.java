@@ -49,12 +49,9 @@ final class Decision {
     return 1 + (s.deviation() > 3 ? Math.max(0, s.systematic()) * perKick : 0);
   }
 
-  /**
-   * Evidence for the first over the second with tempered likelihoods; Occam's factors shrink with the information, by half the logarithm of the temper per unknown. What kicks pay for a time far from where they
-   * were found is tempered with the rest: one that something is wrong with would decide all.
-   */
+  /** Evidence for the first over the second with tempered likelihoods; Occam's factors shrink with the information, by half the logarithm of the temper per unknown. */
   static double evidence(FittedHypothesis with, FittedHypothesis than, double temper) {
-    double likelihood = 0.5 * (than.cost() - with.cost());
+    double likelihood = 0.5 * (than.chiSquare() - with.chiSquare());
     double occam = with.logEvidence() - than.logEvidence() - likelihood;
     int more = with.hypothesis().coordinates() - than.hypothesis().coordinates();
     return likelihood / temper + occam + 0.5 * more * Math.log(temper);
