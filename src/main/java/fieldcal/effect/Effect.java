@@ -68,6 +68,82 @@ public interface Effect {
   }
 
   /**
+   * Whether the data of a recording can show it at all.
+   *
+   * @param arena what was recorded
+   * @return true unless something is missing: chips, a second camera, commands
+   */
+  default boolean canShowIn(Arena arena) {
+    return true;
+  }
+
+  /**
+   * Where it may act: absent copies with the cameras, robots, regions, lines or times at which a search begins. A search makes the best of them better by
+   * changing the {@linkplain #places() place parameters}.
+   *
+   * @param arena what was recorded
+   * @return at least one where it {@linkplain #canShowIn can show}; the effect itself, absent, unless an effect says otherwise
+   */
+  default List<Effect> candidates(Arena arena) {
+    return List.of(withNone());
+  }
+
+  /**
+   * The parameters that say where or when it acts and that a search may move: bounds of a region, a line, an instant. What it acts on (camera, robot) is none of
+   * them.
+   *
+   * @return names, empty unless an effect says otherwise
+   */
+  default List<String> places() {
+    return List.of();
+  }
+
+  /**
+   * Sets of magnitudes that may be free together, simplest first: the pose of a camera may be wrong in its height alone, or in its tilt and its place.
+   *
+   * @return at least one; all magnitudes at once unless an effect says otherwise
+   */
+  default List<List<String>> choices() {
+    return List.of(magnitudes());
+  }
+
+  /**
+   * Whether its magnitude differs from kick to kick, so that it has a mean and a scatter: what a kicker does to the ball.
+   *
+   * @return false unless an effect says otherwise
+   */
+  default boolean differsFromKickToKick() {
+    return false;
+  }
+
+  /**
+   * Effects without which this one does nothing, at usual values: there is no wind without drag. A search proposes them together.
+   *
+   * @return empty unless an effect says otherwise
+   */
+  default List<Effect> companions() {
+    return List.of();
+  }
+
+  /**
+   * Strong versions from which a search begins, for a law that replaces another and cannot be reached from its absence in small steps.
+   *
+   * @return empty for all that grow from zero
+   */
+  default List<Effect> starts() {
+    return List.of();
+  }
+
+  /**
+   * Other effects of which this is the more special or more general form, so that naming either is right and naming both would be saying the same twice.
+   *
+   * @return ids, empty unless an effect says otherwise
+   */
+  default List<String> akin() {
+    return List.of();
+  }
+
+  /**
    * Small versions of this effect, one for each independent way in which it can depart from absence, each with a magnitude of one scale. Near
    * zero every setting of the magnitudes and directions is a linear combination of these (a slope: one along x and one along y), so that a score test needs
    * these derivatives and no others. Place and camera stay as they are.
