@@ -1,0 +1,324 @@
+package fieldcal.diagnosis.model;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.MotionEffects;
+import fieldcal.fit.joint.KickTerm;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One kick under a model with effects, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s), then its values of the random effects. A chip's number of flights is the discrete
+ * unknown. Immutable.
+ */
+public final class EffectKick implements KickTerm<ModelState> {
+  /** Steps of the numerical derivatives: velocity, m/s; time, s; share of a random effect's scale. */
+  private static final double VELOCITY_STEP = 1e-3;
+
+  private static final double TIME_STEP = 1e-4;
+  private static final double RANDOM_STEP = 0.05;
+
+  /** Slowest rise of a chip, m/s. */
+  private static final double SLOWEST_RISE = 0.05;
+
+  /** What a number of flights against the rule costs in chi-square; noise reaches it once in ten thousand kicks. */
+  private static final double RULE_PENALTY = 15;
+
+  /** How far the vertical speed at a hop may be from the rule's limit by the errors of the fit alone, as a share. */
+  private static final double RULE_TOLERANCE = 0.025;
+
+  private final KickRecord record;
+  private final double[] randomScales;
+  private final double sessionStart;
+  private final int flights;
+
+  /**
+   * A kick.
+   *
+   * @param record its observations
+   * @param model whose random effects the kick has values of
+   * @param sessionStart begin of the session on the kicks' clock, s
+   */
+  public EffectKick(KickRecord record, EffectModel model, double sessionStart) {
+    this(
+        record,
+        model.random().stream().mapToDouble(c -> c.coordinates().get(0).scale()).toArray(),
+        sessionStart,
+        record.flights);
+  }
+
+  private EffectKick(
+      KickRecord record, double[] randomScales, double sessionStart, int flights) {
+    this.record = record;
+    this.randomScales = randomScales;
+    this.sessionStart = sessionStart;
+    this.flights = flights;
+  }
+
+  /**
+   * The same with another number of flights.
+   *
+   * @param newFlights 1 or more; of a chip
+   * @return the changed copy
+   */
+  public EffectKick withFlights(int newFlights) {
+    return new EffectKick(record, randomScales, sessionStart, newFlights);
+  }
+
+  /**
+   * The same with other detections.
+   *
+   * @param other of the same kick
+   * @return the changed copy
+   */
+  public EffectKick with(KickRecord other) {
+    return new EffectKick(other, randomScales, sessionStart, flights);
+  }
+
+  /**
+   * The observations.
+   *
+   * @return of this kick
+   */
+  public KickRecord record() {
+    return record;
+  }
+
+  /**
+   * The discrete unknown.
+   *
+   * @return number of flights; of no meaning for flat kicks
+   */
+  public int flights() {
+    return flights;
+  }
+
+  @Override
+  public int ownSize() {
+    return KickRecord.ownSize(record.kind) + randomScales.length;
+  }
+
+  @Override
+  public int rows() {
+    return 2 * record.blocks.length;
+  }
+
+  /**
+   * The ball's path.
+   *
+   * @param own the kick's own parameters
+   * @param state of the model
+   * @return the path with this number of flights
+   */
+  public ExtendedTrajectory path(double[] own, ModelState state) {
+    MotionEffects motion = state.motionOf(own);
+    double t0 = own[record.timeIndex()];
+    if (record.kind == KickKind.FLAT) {
+      return ExtendedTrajectory.flat(
+          state.flat(), motion, sessionStart, t0, own[0], own[1], own[2], own[3]);
+    }
+    return ExtendedTrajectory.chipWithHops(
+        state.chip(),
+        motion,
+        sessionStart,
+        t0,
+        own[0],
+        own[1],
+        own[2],
+        own[3],
+        Math.max(SLOWEST_RISE, own[4]),
+        flights);
+  }
+
+  /**
+   * How many flights the 10 mm rule says.
+   *
+   * @param own the kick's own parameters
+   * @param state of the model
+   * @return at least 1 for a chip that rises
+   */
+  public int flightsByRule(double[] own, ModelState state) {
+    return flightsByRule(own, state, 1);
+  }
+
+  private int flightsByRule(double[] own, ModelState state, double rise) {
+    return ExtendedTrajectory.chip(
+            state.chip(),
+            state.motionOf(own),
+            sessionStart,
+            own[record.timeIndex()],
+            own[0],
+            own[1],
+            own[2],
+            own[3],
+            rise * Math.max(SLOWEST_RISE, own[4]))
+        .flights();
+  }
+
+  @Override
+  public void residuals(double[] own, ModelState state, double[] out) {
+    double[] ground = new double[2 * record.size];
+    state.measurement().report(record.sightings, path(own, state), sessionStart, ground);
+    for (int b = 0; b < record.blocks.length; b++) {
+      double s1 = 0;
+      double s2 = 0;
+      int[] block = record.blocks[b];
+      for (int i : block) {
+        double rx = record.x[i] - ground[2 * i];
+        double ry = record.y[i] - ground[2 * i + 1];
+        s1 += record.w11[i] * rx;
+        s2 += record.w21[i] * rx + record.w22[i] * ry;
+      }
+      double root = Math.sqrt(block.length);
+      out[2 * b] = s1 / root;
+      out[2 * b + 1] = s2 / root;
+    }
+  }
+
+  /**
+   * Residuals in the plane, seen minus predicted, of all detections, those included that do not count.
+   *
+   * @param own the kick's own parameters
+   * @param state of the model
+   * @param rx receives m
+   * @param ry receives m
+   */
+  public void plainResiduals(double[] own, ModelState state, double[] rx, double[] ry) {
+    double[] ground = new double[2 * record.size];
+    state.measurement().report(record.sightings, path(own, state), sessionStart, ground);
+    for (int i = 0; i < record.size; i++) {
+      rx[i] = record.x[i] - ground[2 * i];
+      ry[i] = record.y[i] - ground[2 * i + 1];
+    }
+  }
+
+  @Override
+  public void ownColumns(double[] own, ModelState state, double[] residuals, double[][] columns) {
+    int n = record.blocks.length;
+    ExtendedTrajectory path = path(own, state);
+    double[] centre = new double[2 * n];
+    report(state, path, centre);
+    double[] ball = new double[3];
+    for (int b = 0; b < n; b++) {
+      // A kick elsewhere in the field moves its path along.
+      double h = record.blockHeight[b];
+      double f = 1;
+      if (record.kind == KickKind.CHIP) {
+        path.positionAt(record.blockTime[b], ball);
+        f = h / (h - ball[2]);
+      }
+      columns[0][2 * b] = f * record.block11[b];
+      columns[0][2 * b + 1] = f * record.block21[b];
+      columns[1][2 * b] = 0;
+      columns[1][2 * b + 1] = f * record.block22[b];
+    }
+    double[] p = own.clone();
+    for (int k = 2; k < own.length; k++) {
+      double h = step(k);
+      p[k] = own[k] + h;
+      report(state, path(p, state), columns[k]);
+      p[k] = own[k];
+      difference(centre, h, columns[k]);
+    }
+  }
+
+  private double step(int k) {
+    int time = record.timeIndex();
+    if (k < time) {
+      return VELOCITY_STEP;
+    }
+    return k == time ? TIME_STEP : RANDOM_STEP * randomScales[k - time - 1];
+  }
+
+  @Override
+  public void sharedColumns(
+      double[] own,
+      ModelState state,
+      double[] residuals,
+      List<ModelState> stepped,
+      double[] steps,
+      double[][] columns) {
+    ExtendedTrajectory path = path(own, state);
+    double[] centre = new double[2 * record.blocks.length];
+    report(state, path, centre);
+    for (int c = 0; c < steps.length; c++) {
+      ModelState there = stepped.get(c);
+      report(there, there.hasMotionOf(state) ? path : path(own, there), columns[c]);
+      difference(centre, steps[c], columns[c]);
+    }
+  }
+
+  private void report(ModelState state, ExtendedTrajectory path, double[] out) {
+    state.measurement().report(record.blockSightings, path, sessionStart, out);
+  }
+
+  /** The whitened derivative from two reports. */
+  private void difference(double[] centre, double h, double[] column) {
+    for (int b = 0; b < record.blocks.length; b++) {
+      double dx = (column[2 * b] - centre[2 * b]) / h;
+      double dy = (column[2 * b + 1] - centre[2 * b + 1]) / h;
+      column[2 * b] = record.block11[b] * dx;
+      column[2 * b + 1] = record.block21[b] * dx + record.block22[b] * dy;
+    }
+  }
+
+  @Override
+  public double ownScale(int index) {
+    int time = record.timeIndex();
+    if (index < 2) {
+      return 0.01;
+    }
+    if (index < time) {
+      return 0.1;
+    }
+    return index == time ? 0.005 : randomScales[index - time - 1];
+  }
+
+  @Override
+  public double ownPrior(int index) {
+    return index == record.timeIndex() ? record.kick.time() : 0;
+  }
+
+  @Override
+  public double ownPrecision(int index) {
+    boolean tied = index == record.timeIndex() && !record.fromRest;
+    return tied ? 1 / (KickRecord.TIME_PRIOR * KickRecord.TIME_PRIOR) : 0;
+  }
+
+  @Override
+  public void clamp(double[] own) {
+    if (record.kind == KickKind.CHIP) {
+      own[4] = Math.max(SLOWEST_RISE, own[4]);
+    }
+  }
+
+  @Override
+  public List<KickTerm<ModelState>> neighbours() {
+    if (record.kind == KickKind.FLAT) {
+      return List.of();
+    }
+    List<KickTerm<ModelState>> others = new ArrayList<>();
+    if (flights > 1) {
+      others.add(withFlights(flights - 1));
+    }
+    if (flights < ChipModel.MAX_FLIGHTS) {
+      others.add(withFlights(flights + 1));
+    }
+    return others;
+  }
+
+  @Override
+  public double penalty(double[] own, ModelState state) {
+    if (record.kind == KickKind.FLAT) {
+      return 0;
+    }
+    int fewest = flightsByRule(own, state, 1 - RULE_TOLERANCE);
+    int most = flightsByRule(own, state, 1 + RULE_TOLERANCE);
+    if (flights >= fewest && flights <= most) {
+      return 0;
+    }
+    boolean near = flights >= fewest - 1 && flights <= most + 1;
+    return near ? RULE_PENALTY : Double.POSITIVE_INFINITY;
+  }
+}

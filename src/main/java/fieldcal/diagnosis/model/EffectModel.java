@@ -1,0 +1,257 @@
+package fieldcal.diagnosis.model;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.effect.Effect;
+import fieldcal.effect.ObservedCamera;
+import fieldcal.fit.joint.RandomEffect;
+import fieldcal.fit.joint.SharedModel;
+import fieldcal.fit.joint.SharedProblem.Prior;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The simple ball model with effects: the layout of its global parameters (those of the ball first, then those of each component), and the state they amount to. Immutable.
+ */
+public final class EffectModel implements SharedModel<ModelState> {
+  /** Global parameters of the ball: three of flat kicks, three of bounces; chips roll as flat kicks do. */
+  public static final int BALL = 6;
+
+  /** Weak knowledge about the ball, so that a parameter that no kick shows stays where it is: that many scales. */
+  private static final double BALL_EXPECTED = 300;
+
+  /** A scatter smaller than that share of the magnitude's scale is none. */
+  private static final double SMALLEST_SCATTER = 0.02;
+
+  private static final double FIRST_SCATTER = 1;
+  private static final double LARGEST_SCATTER = 20;
+
+  private final FlatModel flat;
+  private final ChipModel chip;
+  private final boolean flats;
+  private final boolean chips;
+  private final List<Component> components;
+  private final double[] scatters;
+  private final List<ObservedCamera> observers;
+
+  private EffectModel(
+      FlatModel flat,
+      ChipModel chip,
+      boolean flats,
+      boolean chips,
+      List<Component> components,
+      double[] scatters,
+      List<ObservedCamera> observers) {
+    this.flat = flat;
+    this.chip = chip;
+    this.flats = flats;
+    this.chips = chips;
+    this.components = List.copyOf(components);
+    this.scatters = scatters;
+    this.observers = observers;
+  }
+
+  /**
+   * The simple model.
+   *
+   * @param flat where flat kicks start
+   * @param chip where chips start
+   * @param flats whether there are flat kicks
+   * @param chips whether there are chips
+   * @param observers the cameras, as published
+   * @return the model without effects
+   */
+  public static EffectModel simple(
+      FlatModel flat,
+      ChipModel chip,
+      boolean flats,
+      boolean chips,
+      List<ObservedCamera> observers) {
+    return new EffectModel(flat, chip, flats, chips, List.of(), new double[0], observers);
+  }
+
+  /**
+   * The same with other effects.
+   *
+   * @param newComponents in any order
+   * @return the changed copy
+   */
+  public EffectModel with(List<Component> newComponents) {
+    return new EffectModel(flat, chip, flats, chips, newComponents, new double[0], observers);
+  }
+
+  /**
+   * The same for other kinds of kicks.
+   *
+   * @param anyFlats whether there are flat kicks
+   * @param anyChips whether there are chips
+   * @return the changed copy
+   */
+  public EffectModel forKinds(boolean anyFlats, boolean anyChips) {
+    return new EffectModel(flat, chip, anyFlats, anyChips, components, scatters, observers);
+  }
+
+  /**
+   * The same, started from a solution: its values for the ball, and for the effects that both have.
+   *
+   * @param values global parameters of this layout
+   * @param newScatters of its random effects
+   * @return the changed copy
+   */
+  public EffectModel startingAt(double[] values, double[] newScatters) {
+    List<Component> moved = new ArrayList<>();
+    int k = BALL;
+    for (Component c : components) {
+      moved.add(c.startingAt(c.effect(values, k)));
+      k += c.size();
+    }
+    return new EffectModel(
+        flat(values), chip(values), flats, chips, moved, newScatters.clone(), observers);
+  }
+
+  /**
+   * The effects.
+   *
+   * @return in the order of their parameters
+   */
+  public List<Component> components() {
+    return components;
+  }
+
+  /**
+   * The cameras.
+   *
+   * @return as published
+   */
+  public List<ObservedCamera> observers() {
+    return observers;
+  }
+
+  /**
+   * Effects whose magnitude differs from kick to kick.
+   *
+   * @return in the order of the kicks' own parameters
+   */
+  public List<Component> random() {
+    return components.stream().filter(Component::isPerKick).toList();
+  }
+
+  /**
+   * Index of a component's first global parameter.
+   *
+   * @param component which
+   * @return index
+   */
+  public int offset(int component) {
+    int k = BALL;
+    for (int i = 0; i < component; i++) {
+      k += components.get(i).size();
+    }
+    return k;
+  }
+
+  /**
+   * The global parameters, with values to start from.
+   *
+   * @return ball first
+   */
+  public List<Parameter> globals() {
+    List<Parameter> all = new ArrayList<>();
+    List<Parameter> ofFlat = flat.parameters();
+    for (Parameter p : ofFlat) {
+      boolean used = flats || chips && p.name().equals("accRoll");
+      all.add(used ? p.withValue(p.clamp(p.value())).free() : p.fixed());
+    }
+    for (Parameter p : chip.parameters().subList(0, BALL - ofFlat.size())) {
+      all.add(chips ? p.withValue(p.clamp(p.value())).free() : p.fixed());
+    }
+    components.forEach(c -> all.addAll(c.coordinates()));
+    return all;
+  }
+
+  /**
+   * What is known of them beforehand.
+   *
+   * @return one each
+   */
+  public List<Prior> priors() {
+    List<Prior> all = new ArrayList<>();
+    for (Parameter p : globals().subList(0, BALL)) {
+      double deviation = BALL_EXPECTED * p.scale();
+      all.add(new Prior(p.value(), 1 / (deviation * deviation)));
+    }
+    components.forEach(c -> all.addAll(c.priors()));
+    return all;
+  }
+
+  /**
+   * The random effects.
+   *
+   * @return in the order of {@link #random()}
+   */
+  public List<RandomEffect> randoms() {
+    List<RandomEffect> all = new ArrayList<>();
+    int k = BALL;
+    for (Component c : components) {
+      if (c.isPerKick()) {
+        double scale = c.coordinates().get(0).scale();
+        double smallest = SMALLEST_SCATTER * scale;
+        double start = all.size() < scatters.length ? scatters[all.size()] : FIRST_SCATTER * scale;
+        double largest = LARGEST_SCATTER * scale;
+        all.add(
+            new RandomEffect(
+                k, Math.max(smallest, Math.min(largest, start)), smallest, largest));
+      }
+      k += c.size();
+    }
+    return all;
+  }
+
+  static FlatModel flat(double[] values) {
+    return new FlatModel(values[0], values[1], values[2]);
+  }
+
+  static ChipModel chip(double[] values) {
+    return new ChipModel(values[3], values[4], values[5], values[1]);
+  }
+
+  @Override
+  public ModelState at(double[] globals) {
+    return ModelState.of(
+        flat(globals), chip(globals), fixedEffects(globals), random(), observers);
+  }
+
+  private List<Effect> fixedEffects(double[] globals) {
+    List<Effect> effects = new ArrayList<>();
+    int k = BALL;
+    for (Component c : components) {
+      if (!c.isPerKick()) {
+        effects.add(c.effect(globals, k));
+      }
+      k += c.size();
+    }
+    return effects;
+  }
+
+  /**
+   * All effects at a point; those that differ from kick to kick at their means.
+   *
+   * @param globals values of the global parameters
+   * @return in the order of the components
+   */
+  public List<Effect> effects(double[] globals) {
+    List<Effect> effects = new ArrayList<>();
+    int k = BALL;
+    for (Component c : components) {
+      effects.add(c.effect(globals, k));
+      k += c.size();
+    }
+    return effects;
+  }
+
+  @Override
+  public String toString() {
+    return components.isEmpty() ? "simple model" : components.toString();
+  }
+}

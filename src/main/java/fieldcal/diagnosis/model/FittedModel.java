@@ -1,0 +1,94 @@
+package fieldcal.diagnosis.model;
+
+import fieldcal.effect.Effect;
+import fieldcal.fit.joint.SharedSolution;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A model fitted to the kicks. Immutable.
+ *
+ * @param model with the layout of its parameters
+ * @param solution of the joint fit
+ */
+public record FittedModel(EffectModel model, SharedSolution<ModelState> solution) {
+
+  /**
+   * A kick with the value of its discrete unknown.
+   *
+   * @param k which
+   * @return the term
+   */
+  public EffectKick kick(int k) {
+    return (EffectKick) solution.kicks().get(k);
+  }
+
+  /**
+   * How many kicks there are.
+   *
+   * @return their number
+   */
+  public int kickCount() {
+    return solution.kicks().size();
+  }
+
+  /**
+   * The kicks' observations.
+   *
+   * @return in order
+   */
+  public List<KickRecord> records() {
+    return solution.kicks().stream().map(k -> ((EffectKick) k).record()).toList();
+  }
+
+  /**
+   * Effects with their numbers.
+   *
+   * @return in the order of the components; those that differ from kick to kick at their mean
+   */
+  public List<Effect> effects() {
+    return model.effects(solution.values());
+  }
+
+  /**
+   * Standard errors of a component's parameters.
+   *
+   * @param component index
+   * @return by name; empty when the equations are singular
+   */
+  public Optional<Map<String, Double>> errors(int component) {
+    return solution
+        .covariance()
+        .map(
+            v ->
+                model
+                    .components()
+                    .get(component)
+                    .errors(solution.values(), v, model.offset(component)));
+  }
+
+  /**
+   * Scatter of a component's magnitude from kick to kick.
+   *
+   * @param component index
+   * @return standard deviation; 0 for effects that are the same for all kicks
+   */
+  public double scatter(int component) {
+    Component c = model.components().get(component);
+    if (!c.isPerKick()) {
+      return 0;
+    }
+    return solution.scatters()[model.random().indexOf(c)];
+  }
+
+  /**
+   * Chi-square of a kick for each of its residuals.
+   *
+   * @param k which
+   * @return about 1 where the model is right
+   */
+  public double reduced(int k) {
+    return solution.chiSquare(k) / Math.max(1, solution.kicks().get(k).rows());
+  }
+}

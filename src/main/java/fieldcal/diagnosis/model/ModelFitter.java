@@ -1,0 +1,122 @@
+package fieldcal.diagnosis.model;
+
+import fieldcal.fit.joint.SharedProblem;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** Fits models with effects to the same kicks, one from where another ended. Immutable and thread-safe. */
+public final class ModelFitter {
+  private final List<KickRecord> kicks;
+  private final double sessionStart;
+
+  /**
+   * A fitter.
+   *
+   * @param kicks at least one
+   * @param sessionStart begin of the session on the kicks' clock, s
+   */
+  public ModelFitter(List<KickRecord> kicks, double sessionStart) {
+    this.kicks = List.copyOf(kicks);
+    this.sessionStart = sessionStart;
+  }
+
+  /**
+   * The kicks.
+   *
+   * @return as given
+   */
+  public List<KickRecord> kicks() {
+    return kicks;
+  }
+
+  /**
+   * Begin of the session.
+   *
+   * @return s on the kicks' clock
+   */
+  public double sessionStart() {
+    return sessionStart;
+  }
+
+  /**
+   * Fits a model from each kick's own fit.
+   *
+   * @param model with values to start from
+   * @param solver how
+   * @return the fit
+   */
+  public FittedModel fit(EffectModel model, SharedSolver solver) {
+    List<EffectKick> terms = new ArrayList<>();
+    List<double[]> starts = new ArrayList<>();
+    for (KickRecord kick : kicks) {
+      terms.add(new EffectKick(kick, model, sessionStart));
+      starts.add(startWith(kick.start, model, null, null));
+    }
+    return solve(model, terms, starts, ones(), solver);
+  }
+
+  /**
+   * Fits a model from where another one ended.
+   *
+   * @param model with values to start from
+   * @param before a fit of the same kicks
+   * @param weighted whether kicks that the other model does not explain weigh less: by their reduced chi-square
+   * @param solver how
+   * @return the fit
+   */
+  public FittedModel fit(
+      EffectModel model, FittedModel before, boolean weighted, SharedSolver solver) {
+    List<EffectKick> terms = new ArrayList<>();
+    List<double[]> starts = new ArrayList<>();
+    double[] weights = ones();
+    for (int k = 0; k < kicks.size(); k++) {
+      EffectKick term = new EffectKick(kicks.get(k), model, sessionStart);
+      boolean same = before.kick(k).record().kind == kicks.get(k).kind;
+      terms.add(same ? term.withFlights(before.kick(k).flights()) : term);
+      double[] own = same ? before.solution().own(k) : kicks.get(k).start;
+      starts.add(startWith(own, model, same ? before.model() : null, kicks.get(k)));
+      weights[k] = weighted ? 1 / Math.max(1, before.reduced(k)) : 1;
+    }
+    return solve(model, terms, starts, weights, solver);
+  }
+
+  /** A kick's own parameters for another model: the values of random effects that both have stay, others start at their mean. */
+  private static double[] startWith(
+      double[] own, EffectModel model, EffectModel before, KickRecord kick) {
+    List<Component> random = model.random();
+    int plain = before == null ? own.length : KickRecord.ownSize(kick.kind);
+    double[] start = Arrays.copyOf(own, plain + random.size());
+    for (int r = 0; r < random.size(); r++) {
+      Component c = random.get(r);
+      double value = c.coordinates().get(0).value();
+      List<Component> known = before == null ? List.of() : before.random();
+      for (int i = 0; i < known.size(); i++) {
+        if (known.get(i).isSameCause(c)) {
+          value = own[plain + i];
+        }
+      }
+      start[plain + r] = value;
+    }
+    return start;
+  }
+
+  private double[] ones() {
+    double[] weights = new double[kicks.size()];
+    Arrays.fill(weights, 1);
+    return weights;
+  }
+
+  private static FittedModel solve(
+      EffectModel model,
+      List<EffectKick> terms,
+      List<double[]> starts,
+      double[] weights,
+      SharedSolver solver) {
+    SharedProblem<ModelState> problem =
+        new SharedProblem<>(
+            model, terms, starts, model.globals(), model.priors(), model.randoms(), weights);
+    return new FittedModel(model, solver.solve(problem));
+  }
+}

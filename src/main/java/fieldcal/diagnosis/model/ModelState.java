@@ -1,0 +1,121 @@
+package fieldcal.diagnosis.model;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.effect.Effect;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.MeasurementEffects;
+import fieldcal.effect.MotionEffect;
+import fieldcal.effect.MotionEffects;
+import fieldcal.effect.ObservedCamera;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What kicks predict with at one setting of the global parameters: ball models and effects. Immutable. */
+public final class ModelState {
+  private final FlatModel flat;
+  private final ChipModel chip;
+  private final MotionEffects motion;
+  private final MeasurementEffects measurement;
+  private final List<Component> random;
+
+  private ModelState(
+      FlatModel flat,
+      ChipModel chip,
+      MotionEffects motion,
+      MeasurementEffects measurement,
+      List<Component> random) {
+    this.flat = flat;
+    this.chip = chip;
+    this.motion = motion;
+    this.measurement = measurement;
+    this.random = random;
+  }
+
+  static ModelState of(
+      FlatModel flat,
+      ChipModel chip,
+      List<Effect> effects,
+      List<Component> random,
+      List<ObservedCamera> observers) {
+    return new ModelState(
+        flat,
+        chip,
+        MotionEffects.of(pick(effects, MotionEffect.class)),
+        MeasurementEffects.of(observers, pick(effects, MeasurementEffect.class)),
+        random);
+  }
+
+  private static <E> List<E> pick(List<Effect> effects, Class<E> type) {
+    return effects.stream().filter(type::isInstance).map(type::cast).toList();
+  }
+
+  /**
+   * The same with more effects, for the derivative by them.
+   *
+   * @param more effects that may be of both families
+   * @param observers the cameras
+   * @return the changed copy
+   */
+  public ModelState plus(List<? extends Effect> more, List<ObservedCamera> observers) {
+    List<MotionEffect> moving = new ArrayList<>(motion.effects());
+    List<MeasurementEffect> measuring = new ArrayList<>(measurement.effects());
+    for (Effect e : more) {
+      if (e instanceof MotionEffect m) {
+        moving.add(m);
+      } else if (e instanceof MeasurementEffect m) {
+        measuring.add(m);
+      }
+    }
+    boolean moves = moving.size() > motion.effects().size();
+    boolean measures = measuring.size() > measurement.effects().size();
+    return new ModelState(
+        flat,
+        chip,
+        moves ? MotionEffects.of(moving) : motion,
+        measures ? MeasurementEffects.of(observers, measuring) : measurement,
+        random);
+  }
+
+  /**
+   * The model of flat kicks.
+   *
+   * @return how the ball slides and rolls
+   */
+  public FlatModel flat() {
+    return flat;
+  }
+
+  /**
+   * The model of chips.
+   *
+   * @return how the ball bounces and rolls
+   */
+  public ChipModel chip() {
+    return chip;
+  }
+
+  MeasurementEffects measurement() {
+    return measurement;
+  }
+
+  /** Whether a ball has the same path under both, whatever the cameras report of it. */
+  boolean hasMotionOf(ModelState other) {
+    return (motion == other.motion || motion.effects().equals(other.motion.effects()))
+        && flat.equals(other.flat)
+        && chip.equals(other.chip);
+  }
+
+  /** Effects on the motion of one kick, whose own values of the random effects are the last of its parameters. */
+  MotionEffects motionOf(double[] own) {
+    if (random.isEmpty()) {
+      return motion;
+    }
+    List<MotionEffect> all = new ArrayList<>(motion.effects());
+    int from = own.length - random.size();
+    for (int r = 0; r < random.size(); r++) {
+      all.add((MotionEffect) random.get(r).effect(own, from + r));
+    }
+    return MotionEffects.of(all);
+  }
+}

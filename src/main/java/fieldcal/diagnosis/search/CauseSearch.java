@@ -1,0 +1,380 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.search.SearchStep.Action;
+import fieldcal.effect.Effect;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A matching pursuit with joint refits (orthogonal matching pursuit; Pati et al. 1993): everything in a dictionary is score-tested beside the present model, the best are added, all is refitted, what is not needed any more is removed (Wald), until
+ * nothing gains more than its penalty. Evidence is not divided by what is still unexplained, or the second of two strong causes would never look worth it; instead a kick that the present model does not explain weighs less, so that those that are
+ * explained decide. Not thread-safe; used once.
+ */
+public final class CauseSearch {
+  /**
+   * What an effect must gain at least, in units of chi-square. Of a hundred independent columns noise makes the best gain 13 (the 99 % quantile of the largest of a hundred chi-square variables); the search may be generous, since the decision
+   * judges once more.
+   */
+  private static final double PENALTY = 14;
+
+  /** What each further coordinate must gain; twice the expectation under noise, as Akaike's criterion. */
+  private static final double PENALTY_PER_COORDINATE = 2;
+
+  /** What else may come at once with the best: that share of its gain. What gains less may be its shadow, and waits for the refit. */
+  private static final double TOGETHER = 0.2;
+
+  /** How many come at once: beyond that, columns at the old point say little of the new one. */
+  private static final int MOST_AT_ONCE = 3;
+
+  /** Places of a family that take part in a round. */
+  private static final int PLACES_KEPT = 2;
+
+  /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
+  private static final double REALISED = 0.1;
+
+  /** A law that replaces another must explain that share of what is left, or its shadow on other effects would be taken for it. */
+  private static final double LAW_SHARE = 0.1;
+
+  private final ModelFitter fitter;
+  private final Dictionary dictionary;
+  private final int maxComponents;
+  private final SharedSolver solver;
+  private final List<SearchStep> trace = new ArrayList<>();
+  private final Set<String> rejected = new HashSet<>();
+  private FittedModel best;
+
+  /**
+   * A search.
+   *
+   * @param fitter of the kicks
+   * @param dictionary what may be proposed
+   * @param maxComponents how many components a model may have
+   * @param solver of the refits
+   */
+  public CauseSearch(
+      ModelFitter fitter, Dictionary dictionary, int maxComponents, SharedSolver solver) {
+    this.fitter = fitter;
+    this.dictionary = dictionary;
+    this.maxComponents = maxComponents;
+    this.solver = solver;
+  }
+
+  /**
+   * What was tried.
+   *
+   * @return in order
+   */
+  public List<SearchStep> trace() {
+    return List.copyOf(trace);
+  }
+
+  /**
+   * Searches.
+   *
+   * @param start the model to begin with, fitted to the same kicks
+   * @return the best model found
+   */
+  public FittedModel search(FittedModel start) {
+    best = start;
+    boolean lawsTried = false;
+    // Each round adds something or ends the search, but for those that reject or remove.
+    for (int round = 0; round < 4 * maxComponents + 4; round++) {
+      boolean changed = addLaws(round == 0) || addBest();
+      if (!changed && !lawsTried) {
+        lawsTried = true;
+        changed = round > 0 && addLaws(true);
+      }
+      if (!changed) {
+        break;
+      }
+      prune();
+    }
+    return best;
+  }
+
+  private boolean addBest() {
+    EffectModel model = best.model();
+    if (model.components().size() >= maxComponents) {
+      return false;
+    }
+    List<Proposal> proposals = new ArrayList<>(dictionary.everywhere(model));
+    proposals.addAll(bestPlaces(model));
+    proposals.removeIf(p -> rejected.contains(p.toString()));
+    if (proposals.isEmpty()) {
+      return false;
+    }
+    Scorer scorer = new Scorer(best, components(proposals));
+    Sweep sweep = scorer.sweep();
+    List<Component> chosen = new ArrayList<>();
+    List<Proposal> from = new ArrayList<>();
+    double first = 0;
+    double expected = 0;
+    while (from.size() < MOST_AT_ONCE
+        && model.components().size() + chosen.size() < maxComponents) {
+      Proposal top = null;
+      double topNet = Math.max(0, TOGETHER * first);
+      double topGain = 0;
+      for (Proposal p : proposals) {
+        if (clashes(p, chosen)) {
+          continue;
+        }
+        double gain = scorer.gain(p, sweep);
+        double net = gain - penalty(p);
+        if (net > topNet) {
+          topNet = net;
+          topGain = gain;
+          top = p;
+        }
+      }
+      if (top == null) {
+        break;
+      }
+      first = Math.max(first, topNet);
+      expected += topGain;
+      from.add(top);
+      List<Component> members = top.group() ? members(top, scorer, sweep) : top.components();
+      for (Component c : members) {
+        chosen.add(c);
+        for (int column : scorer.columns(c)) {
+          sweep.toggle(column);
+        }
+      }
+      if (chosen.get(chosen.size() - 1).isPerKick()) {
+        // Values of each kick's own change all equations.
+        break;
+      }
+    }
+    if (chosen.isEmpty()) {
+      return false;
+    }
+    return tryAdding(placed(chosen), from, expected);
+  }
+
+  /** The components of a group that are needed, best first, until what the others would add is not worth it. */
+  private List<Component> members(Proposal group, Scorer scorer, Sweep at) {
+    Sweep sweep = at.copy();
+    List<Component> members = new ArrayList<>();
+    List<Component> left = new ArrayList<>(group.components());
+    while (!left.isEmpty()) {
+      Component top = null;
+      double most = 0;
+      for (Component c : left) {
+        double gain = sweep.gain(scorer.columns(c));
+        if (gain > most) {
+          most = gain;
+          top = c;
+        }
+      }
+      if (top == null || !members.isEmpty() && most < PENALTY) {
+        break;
+      }
+      members.add(top);
+      left.remove(top);
+      for (int column : scorer.columns(top)) {
+        sweep.toggle(column);
+      }
+    }
+    return members;
+  }
+
+  private boolean tryAdding(List<Component> chosen, List<Proposal> from, double expected) {
+    FittedModel next = fitted(added(best.model().components(), chosen));
+    double gained = weightedGain(best, next);
+    double penalty = from.stream().mapToDouble(CauseSearch::penalty).sum();
+    boolean good = gained > penalty && gained > REALISED * expected;
+    trace.add(
+        new SearchStep(
+            chosen.toString(), good ? Action.ADDED : Action.REJECTED, expected, gained));
+    if (good) {
+      best = next;
+      rejected.clear();
+      return true;
+    }
+    if (from.size() > 1) {
+      // Together they may be too much at once.
+      return tryAdding(placed(membersOf(from.get(0), chosen)), from.subList(0, 1), expected);
+    }
+    rejected.add(from.get(0).toString());
+    return true;
+  }
+
+  private static List<Component> membersOf(Proposal p, List<Component> chosen) {
+    return chosen.stream()
+        .filter(c -> p.components().stream().anyMatch(c::isSameCause))
+        .toList();
+  }
+
+  private static List<Component> added(List<Component> had, List<Component> chosen) {
+    List<Component> all = new ArrayList<>();
+    for (Component h : had) {
+      if (chosen.stream().noneMatch(c -> c.isSameCause(h) && Dictionary.isMore(c, h))) {
+        all.add(h);
+      }
+    }
+    all.addAll(chosen);
+    return all;
+  }
+
+  private FittedModel fitted(List<Component> components) {
+    double[] none = new double[0];
+    EffectModel start =
+        best.model()
+            .startingAt(best.solution().values(), none)
+            .with(started(components));
+    return fitter.fit(start, best, true, solver);
+  }
+
+  /** Components that the present model has start from its values. */
+  private List<Component> started(List<Component> components) {
+    List<Component> had = best.model().components();
+    List<Effect> now = best.effects();
+    List<Component> all = new ArrayList<>();
+    for (Component c : components) {
+      int i = had.indexOf(c);
+      all.add(i < 0 ? c : c.startingAt(now.get(i)));
+    }
+    return all;
+  }
+
+  /** By how much chi-square falls, kicks that the first model does not explain weighing less. */
+  static double weightedGain(FittedModel from, FittedModel to) {
+    double gain = 0;
+    for (int k = 0; k < from.kickCount(); k++) {
+      double weight = 1 / Math.max(1, from.reduced(k));
+      gain += weight * (from.solution().chiSquare(k) - to.solution().chiSquare(k));
+    }
+    return gain;
+  }
+
+  static double penalty(Proposal p) {
+    // A value for each kick is paid for by the marginal likelihood; mean and scatter are two.
+    int size = p.group() ? p.components().get(0).size() : p.size();
+    boolean perKick = p.components().get(0).isPerKick();
+    return PENALTY + PENALTY_PER_COORDINATE * (perKick ? size + 1 : size);
+  }
+
+  private static boolean clashes(Proposal p, List<Component> chosen) {
+    return p.components().stream().anyMatch(c -> chosen.stream().anyMatch(c::isSameCause));
+  }
+
+  private static Set<Component> components(List<Proposal> proposals) {
+    Set<Component> all = new LinkedHashSet<>();
+    proposals.forEach(p -> all.addAll(p.components()));
+    return all;
+  }
+
+  /** Of each family that has a place the best few places. */
+  private List<Proposal> bestPlaces(EffectModel model) {
+    List<List<Proposal>> families = dictionary.placed(model);
+    if (families.isEmpty()) {
+      return List.of();
+    }
+    List<Proposal> all = families.stream().flatMap(List::stream).toList();
+    Scorer scorer = new Scorer(best, components(all));
+    Sweep sweep = scorer.sweep();
+    List<Proposal> kept = new ArrayList<>();
+    for (List<Proposal> family : families) {
+      family.stream()
+          .sorted(Comparator.comparingDouble((Proposal p) -> -scorer.gain(p, sweep)))
+          .limit(PLACES_KEPT)
+          .forEach(kept::add);
+    }
+    return kept;
+  }
+
+  private List<Component> placed(List<Component> chosen) {
+    List<Component> better = new ArrayList<>();
+    for (Component c : chosen) {
+      better.add(c.hasPlace() ? new PlaceSearch(best).improve(c) : c);
+    }
+    return better;
+  }
+
+  /** Tries laws that replace another: they cannot be score-tested. */
+  private boolean addLaws(boolean now) {
+    if (!now || best.model().components().size() >= maxComponents) {
+      return false;
+    }
+    boolean changed = false;
+    for (Effect law : dictionary.laws(best.model())) {
+      FittedModel top = null;
+      double most = 0;
+      for (Effect start : law.starts()) {
+        Component c = Component.of(start, start.magnitudes());
+        FittedModel tried = fitted(added(best.model().components(), List.of(c)));
+        double gain = weightedGain(best, tried);
+        if (gain > most) {
+          most = gain;
+          top = tried;
+        }
+      }
+      double left = 0;
+      for (int k = 0; k < best.kickCount(); k++) {
+        left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
+      }
+      boolean good =
+          top != null
+              && most > PENALTY + 2 * PENALTY_PER_COORDINATE
+              && most > LAW_SHARE * left;
+      trace.add(
+          new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
+      if (good) {
+        best = top;
+        changed = true;
+      }
+    }
+    return changed;
+  }
+
+  /** Removes what is not needed any more, the weakest first. */
+  private void prune() {
+    while (!best.model().components().isEmpty()) {
+      List<Component> components = best.model().components();
+      int weakest = -1;
+      double least = Double.POSITIVE_INFINITY;
+      for (int i = 0; i < components.size(); i++) {
+        double loss = loss(best, i) - penalty(Proposal.of(components.get(i)));
+        if (loss < least) {
+          least = loss;
+          weakest = i;
+        }
+      }
+      if (least > 0) {
+        return;
+      }
+      List<Component> without = new ArrayList<>(components);
+      Component removed = without.remove(weakest);
+      FittedModel next = fitted(without);
+      double lost = weightedGain(next, best);
+      if (lost > penalty(Proposal.of(removed))) {
+        return;
+      }
+      trace.add(new SearchStep(removed.toString(), Action.REMOVED, least, -lost));
+      best = next;
+    }
+  }
+
+  /** What the model would lose without a component, to first order; infinite where that says nothing. */
+  static double loss(FittedModel model, int component) {
+    Component c = model.model().components().get(component);
+    if (c.isPerKick() || !c.template().starts().isEmpty()) {
+      return Double.POSITIVE_INFINITY;
+    }
+    int from = model.model().offset(component);
+    int[] indices = new int[c.magnitudeCount()];
+    for (int i = 0; i < indices.length; i++) {
+      indices[i] = from + i;
+    }
+    double loss = model.solution().waldLoss(indices);
+    return Double.isNaN(loss) ? Double.POSITIVE_INFINITY : loss;
+  }
+}

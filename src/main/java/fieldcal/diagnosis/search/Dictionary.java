@@ -1,0 +1,112 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
+import fieldcal.effect.KickerEffect;
+import fieldcal.effect.MotionEffect;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What a search may propose: every effect of a list wherever the recording could show it. Immutable. */
+public final class Dictionary {
+  private final List<Proposal> everywhere = new ArrayList<>();
+  private final Map<String, List<Proposal>> placed = new LinkedHashMap<>();
+  private final List<Effect> laws = new ArrayList<>();
+
+  /**
+   * A dictionary.
+   *
+   * @param effects absent ones
+   * @param arena what was recorded
+   */
+  public Dictionary(List<? extends Effect> effects, Arena arena) {
+    for (Effect effect : effects) {
+      if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
+        // A kicker's command is compared with what the kick's own velocity came out as.
+        continue;
+      }
+      if (!effect.starts().isEmpty()) {
+        laws.add(effect);
+        continue;
+      }
+      add(effect, arena);
+    }
+  }
+
+  private void add(Effect effect, Arena arena) {
+    List<Component> perCamera = new ArrayList<>();
+    for (Effect candidate : effect.candidates(arena)) {
+      if (effect.differsFromKickToKick() && candidate instanceof MotionEffect) {
+        everywhere.add(Proposal.of(Component.perKick(candidate)));
+      }
+      for (List<String> magnitudes : effect.choices()) {
+        Component c = Component.of(candidate, magnitudes);
+        if (c.hasPlace()) {
+          placed
+              .computeIfAbsent(effect.id() + c.camera(), k -> new ArrayList<>())
+              .add(Proposal.of(c));
+          continue;
+        }
+        everywhere.add(Proposal.of(c));
+        if (c.camera().isPresent() && magnitudes.equals(effect.choices().get(0))) {
+          perCamera.add(c);
+        }
+      }
+    }
+    if (perCamera.size() > 2) {
+      everywhere.add(new Proposal(perCamera, true));
+    }
+  }
+
+  /** Proposals without a place to be searched, that fit beside what a model has. */
+  List<Proposal> everywhere(EffectModel model) {
+    return everywhere.stream().filter(p -> isPossible(p, model)).toList();
+  }
+
+  /** Proposals with a place, one list for each family. */
+  List<List<Proposal>> placed(EffectModel model) {
+    return placed.values().stream()
+        .map(list -> list.stream().filter(p -> isPossible(p, model)).toList())
+        .filter(list -> !list.isEmpty())
+        .toList();
+  }
+
+  /** Laws that replace another and are tried from their strong versions. */
+  List<Effect> laws(EffectModel model) {
+    return laws.stream()
+        .filter(
+            e -> model.components().stream().noneMatch(c -> c.template().id().equals(e.id())))
+        .toList();
+  }
+
+  private static boolean isPossible(Proposal p, EffectModel model) {
+    for (Component c : p.components()) {
+      // Of a group the members that the model has are left out when it is tried.
+      boolean known =
+          !p.group() && model.components().stream().anyMatch(m -> covers(m, c) && !isMore(c, m));
+      boolean alone =
+          c.template().companions().stream()
+              .anyMatch(
+                  e ->
+                      model.components().stream()
+                          .noneMatch(m -> m.template().id().equals(e.id())));
+      if (known || alone) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean covers(Component had, Component proposed) {
+    return had.isSameCause(proposed) && (!had.hasPlace() || had.template().equals(proposed.template()));
+  }
+
+  /** Whether a component frees what the one in the model holds: more magnitudes, or a value for each kick. */
+  static boolean isMore(Component proposed, Component had) {
+    return proposed.isPerKick() && !had.isPerKick() || proposed.magnitudeCount() > had.magnitudeCount();
+  }
+}

@@ -1,0 +1,29 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import java.util.List;
+
+/**
+ * Components that a search may add at once: one effect, or a group that belongs together (the offsets of all cameras).
+ *
+ * @param components one or more
+ * @param group whether only some of them may be needed
+ */
+record Proposal(List<Component> components, boolean group) {
+  Proposal {
+    components = List.copyOf(components);
+  }
+
+  static Proposal of(Component component) {
+    return new Proposal(List.of(component), false);
+  }
+
+  int size() {
+    return components.stream().mapToInt(Component::size).sum();
+  }
+
+  @Override
+  public String toString() {
+    return group ? "all " + components.get(0).template().id() : components.get(0).toString();
+  }
+}

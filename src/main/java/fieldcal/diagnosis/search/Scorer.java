@@ -1,0 +1,119 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.fit.joint.ScoreSystem;
+import fieldcal.fit.joint.SharedProblem.Prior;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Score tests of components on a fitted model: the equations with one column for each of their coordinates. Immutable. */
+final class Scorer {
+  /** A step for a derivative, in scales of the coordinate. */
+  private static final double STEP = 0.05;
+
+  /** Scatters at which a random effect is tried, in scales. */
+  private static final double[] SCATTERS = {0.3, 1, 3};
+
+  private final ScoreSystem system;
+  private final Sweep sweep;
+  private final Map<Component, int[]> columns = new IdentityHashMap<>();
+
+  /**
+   * @param model the centre
+   * @param components whose columns are wanted
+   */
+  Scorer(FittedModel model, Collection<Component> components) {
+    ModelState centre = model.solution().state();
+    List<ModelState> states = new ArrayList<>();
+    List<Double> steps = new ArrayList<>();
+    List<Prior> priors = new ArrayList<>();
+    int base = freeCount(model);
+    for (Component c : components) {
+      if (columns.containsKey(c)) {
+        continue;
+      }
+      int[] of = new int[c.size()];
+      for (int j = 0; j < of.length; j++) {
+        double h = STEP * c.coordinates().get(j).scale();
+        double[] at = new double[of.length];
+        at[j] = h;
+        of[j] = base + states.size();
+        states.add(centre.plus(List.of(c.effect(at, 0)), model.model().observers()));
+        steps.add(h);
+        priors.add(c.priors().get(j));
+      }
+      columns.put(c, of);
+    }
+    double[] weights = new double[model.kickCount()];
+    for (int k = 0; k < weights.length; k++) {
+      weights[k] = 1 / Math.max(1, model.reduced(k));
+    }
+    system =
+        model.solution().scores(states, steps.stream().mapToDouble(s -> s).toArray(), weights);
+    double[] precisions = new double[system.size()];
+    List<Prior> known = model.model().priors();
+    int free = 0;
+    for (int g = 0; g < known.size(); g++) {
+      if (model.model().globals().get(g).estimated()) {
+        precisions[free++] = known.get(g).precision();
+      }
+    }
+    for (int i = 0; i < priors.size(); i++) {
+      precisions[base + i] = priors.get(i).precision();
+    }
+    sweep = new Sweep(system, precisions);
+    for (int i = 0; i < base; i++) {
+      sweep.toggle(i);
+    }
+  }
+
+  private static int freeCount(FittedModel model) {
+    return (int) model.model().globals().stream().filter(p -> p.estimated()).count();
+  }
+
+  /** The equations after the model's own parameters, for adding components one by one. */
+  Sweep sweep() {
+    return sweep.copy();
+  }
+
+  /** All columns of a proposal. */
+  int[] columns(Proposal p) {
+    return p.components().stream().flatMapToInt(c -> Arrays.stream(columns.get(c))).toArray();
+  }
+
+  int[] columns(Component c) {
+    return columns.get(c);
+  }
+
+  /** What a proposal would gain beside what is swept in, values of each kick's own included. */
+  double gain(Proposal p, Sweep at) {
+    double gain = at.gain(columns(p));
+    Component first = p.components().get(0);
+    return first.isPerKick() ? gain + randomGain(columns(first)[0], first, at) : gain;
+  }
+
+  private double randomGain(int column, Component c, Sweep at) {
+    Sweep with = at.copy();
+    with.toggle(column);
+    double mean = with.estimate(column);
+    double best = Double.NEGATIVE_INFINITY;
+    for (double share : SCATTERS) {
+      double scatter = share * c.coordinates().get(0).scale();
+      double gain = 0;
+      for (int k = 0; k < system.kicks(); k++) {
+        double information = system.curvature(k, column, column);
+        double slope = system.slope(k, column) - information * mean;
+        gain += slope * slope / (information + 1 / (scatter * scatter));
+        gain -= Math.log1p(information * scatter * scatter);
+      }
+      best = Math.max(best, gain);
+    }
+    return best;
+  }
+}

@@ -1,0 +1,122 @@
+package fieldcal.fit.joint;
+
+import java.util.List;
+
+/**
+ * One kick as the kernel sees it: residuals as a function of the kick's own parameters and of what all kicks share.
+ *
+ * <p>The last own parameters are the kick's values of the problem's {@link RandomEffect}s, in their order. Implementations are immutable and thread-safe.
+ *
+ * @param <S> what the global parameters amount to, made once for all kicks by the {@link SharedModel}
+ */
+public interface KickTerm<S> {
+
+  /**
+   * How many own parameters there are, random effects included.
+   *
+   * @return their number
+   */
+  int ownSize();
+
+  /**
+   * How many residuals there are.
+   *
+   * @return their number
+   */
+  int rows();
+
+  /**
+   * Whitened residuals, observed minus predicted; variance 1 where the model is right.
+   *
+   * @param own the kick's own parameters
+   * @param state of the shared model
+   * @param out one number per row
+   */
+  void residuals(double[] own, S state, double[] out);
+
+  /**
+   * Derivatives of the whitened prediction by the own parameters.
+   *
+   * @param own the kick's own parameters
+   * @param state of the shared model
+   * @param residuals at that point
+   * @param columns one array of rows per own parameter, to be filled in
+   */
+  void ownColumns(double[] own, S state, double[] residuals, double[][] columns);
+
+  /**
+   * Derivatives of the whitened prediction by what is shared: differences to states that are a small step away.
+   *
+   * @param own the kick's own parameters
+   * @param state of the shared model
+   * @param residuals at that state
+   * @param stepped states a step away
+   * @param steps the lengths of the steps
+   * @param columns one array of rows per state, to be filled in
+   */
+  default void sharedColumns(
+      double[] own,
+      S state,
+      double[] residuals,
+      List<S> stepped,
+      double[] steps,
+      double[][] columns) {
+    for (int c = 0; c < steps.length; c++) {
+      residuals(own, stepped.get(c), columns[c]);
+      for (int i = 0; i < residuals.length; i++) {
+        columns[c][i] = (residuals[i] - columns[c][i]) / steps[c];
+      }
+    }
+  }
+
+  /**
+   * Typical change of an own parameter, for damping.
+   *
+   * @param index of the parameter
+   * @return its scale, positive
+   */
+  double ownScale(int index);
+
+  /**
+   * What is known of an own parameter before any data.
+   *
+   * @param index of the parameter
+   * @return expected value; only looked at where the precision is positive
+   */
+  double ownPrior(int index);
+
+  /**
+   * How well that is known.
+   *
+   * @param index of the parameter
+   * @return 1/variance, 0 when nothing is known
+   */
+  double ownPrecision(int index);
+
+  /**
+   * Brings own parameters back to where the kick makes sense.
+   *
+   * @param own changed in place
+   */
+  default void clamp(double[] own) {}
+
+  /**
+   * The same kick with a neighbouring value of a discrete unknown: one bounce more or less.
+   *
+   * @return empty when nothing is discrete
+   */
+  default List<KickTerm<S>> neighbours() {
+    return List.of();
+  }
+
+  /**
+   * What this value of the discrete unknown costs, in units of chi-square, at a point.
+   *
+   * @param own the kick's own parameters
+   * @param state of the shared model
+   * @return 0 unless a rule speaks against it; infinite when it is impossible
+   */
+  default double penalty(double[] own, S state) {
+    return 0;
+  }
+}

@@ -1,0 +1,25 @@
+package fieldcal.fit.joint;
+
+/**
+ * A magnitude that differs from kick to kick: normally distributed about a mean, which is one of the global parameters, with one scatter for all kicks. The scatter is estimated by maximising the marginal
+ * likelihood (EM: each kick's squared distance from the mean plus the variance that its data leave).
+ *
+ * @param mean index of the mean among the global parameters
+ * @param scatter standard deviation at which the estimation starts
+ * @param smallest scatter that is told from none
+ * @param largest scatter that may be answered
+ */
+public record RandomEffect(int mean, double scatter, double smallest, double largest) {
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when they are not in order
+   */
+  public RandomEffect {
+    if (!(smallest > 0 && smallest <= scatter && scatter <= largest)) {
+      throw new IllegalArgumentException(
+          "scatter " + scatter + " must lie between " + smallest + " and " + largest);
+    }
+  }
+}

@@ -1,0 +1,145 @@
+package fieldcal.fit.joint;
+
+/**
+ * Normal equations of a solution with further columns beside its free global parameters: what each column, or any set of them, would gain to first order, and how evenly over the kicks. All kicks' own parameters are eliminated.
+ * Columns {@code 0 … base()−1} are the free global parameters of the solution, the others the probes in the order in which they were asked for. Immutable.
+ */
+public final class ScoreSystem {
+  private final int base;
+  private final double[][][] perKick;
+  private final double[][] gradients;
+  private final double[][] total;
+  private final double[] gradient;
+
+  ScoreSystem(int base, double[][][] perKick, double[][] gradients) {
+    this.base = base;
+    this.perKick = perKick;
+    this.gradients = gradients;
+    int n = gradients[0].length;
+    total = new double[n][n];
+    gradient = new double[n];
+    for (int k = 0; k < perKick.length; k++) {
+      for (int i = 0; i < n; i++) {
+        gradient[i] += gradients[k][i];
+        double[] row = perKick[k][i];
+        for (int j = 0; j < n; j++) {
+          total[i][j] += row[j];
+        }
+      }
+    }
+  }
+
+  /**
+   * How many columns belong to the solution itself.
+   *
+   * @return number of free global parameters
+   */
+  public int base() {
+    return base;
+  }
+
+  /**
+   * How many columns there are.
+   *
+   * @return those of the solution and the probes
+   */
+  public int size() {
+    return gradient.length;
+  }
+
+  /**
+   * How many kicks there are.
+   *
+   * @return their number
+   */
+  public int kicks() {
+    return perKick.length;
+  }
+
+  /**
+   * Curvature of half the cost.
+   *
+   * @param i column
+   * @param j column
+   * @return sum over the kicks
+   */
+  public double curvature(int i, int j) {
+    return total[i][j];
+  }
+
+  /**
+   * Downhill slope of half the cost.
+   *
+   * @param i column
+   * @return sum over the kicks
+   */
+  public double slope(int i) {
+    return gradient[i];
+  }
+
+  /**
+   * Curvature of one kick.
+   *
+   * @param kick which
+   * @param i column
+   * @param j column
+   * @return its part of {@link #curvature(int, int)}
+   */
+  public double curvature(int kick, int i, int j) {
+    return perKick[kick][i][j];
+  }
+
+  /**
+   * Slope of one kick.
+   *
+   * @param kick which
+   * @param i column
+   * @return its part of {@link #slope(int)}
+   */
+  public double slope(int kick, int i) {
+    return gradients[kick][i];
+  }
+
+  /**
+   * The same system in which one column also has a value of each kick's own, normally distributed with a scatter: a random effect.
+   *
+   * @param column whose
+   * @param scatter standard deviation of the kicks' values about the mean
+   * @return the changed system
+   */
+  public ScoreSystem withRandom(int column, double scatter) {
+    int n = gradient.length;
+    double[][][] s = new double[perKick.length][n][n];
+    double[][] t = new double[perKick.length][n];
+    for (int k = 0; k < perKick.length; k++) {
+      double[] row = perKick[k][column];
+      double d = row[column] + 1 / (scatter * scatter);
+      for (int i = 0; i < n; i++) {
+        double share = row[i] / d;
+        t[k][i] = gradients[k][i] - share * gradients[k][column];
+        for (int j = 0; j < n; j++) {
+          s[k][i][j] = perKick[k][i][j] - share * row[j];
+        }
+      }
+    }
+    return new ScoreSystem(base, s, t);
+  }
+
+  /**
+   * What values of each kick's own, drawn with a scatter about zero, would gain: twice the logarithm of the ratio of the marginal likelihoods, to first order.
+   *
+   * @param column whose
+   * @param scatter their standard deviation
+   * @return gain in units of chi-square; may be negative
+   */
+  public double randomGain(int column, double scatter) {
+    double gain = 0;
+    for (int k = 0; k < perKick.length; k++) {
+      double information = perKick[k][column][column];
+      double g = gradients[k][column];
+      gain += g * g / (information + 1 / (scatter * scatter));
+      gain -= Math.log1p(information * scatter * scatter);
+    }
+    return gain;
+  }
+}

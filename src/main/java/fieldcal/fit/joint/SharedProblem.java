@@ -1,0 +1,97 @@
+package fieldcal.fit.joint;
+
+import fieldcal.ball.Parameter;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * Many kicks that share a model.
+ *
+ * @param <S> what the global parameters amount to
+ * @param model turns global parameters into what kicks predict with
+ * @param kicks at least one
+ * @param starts own parameters of each kick
+ * @param globals the global parameters with scale, bounds and start; those that are not estimated are held
+ * @param priors Gaussian knowledge of each global parameter
+ * @param randoms magnitudes that differ from kick to kick; the last own parameters of each kick are its values
+ * @param weights weight of each kick's residuals, 1 unless the model is known not to fit a kick
+ */
+public record SharedProblem<S>(
+    SharedModel<S> model,
+    List<? extends KickTerm<S>> kicks,
+    List<double[]> starts,
+    List<Parameter> globals,
+    List<Prior> priors,
+    List<RandomEffect> randoms,
+    double[] weights) {
+
+  /**
+   * What is known of a global parameter before any data.
+   *
+   * @param mean expected value
+   * @param precision 1/variance; 0 = nothing is known
+   */
+  public record Prior(double mean, double precision) {
+    /** Nothing is known. */
+    public static final Prior NONE = new Prior(0, 0);
+
+    /**
+     * About zero.
+     *
+     * @param deviation standard deviation, positive
+     * @return the prior
+     */
+    public static Prior aboutZero(double deviation) {
+      return new Prior(0, 1 / (deviation * deviation));
+    }
+  }
+
+  /**
+   * Copies the lists. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when there is no kick or the lengths differ
+   */
+  public SharedProblem {
+    Objects.requireNonNull(model, "model");
+    kicks = List.copyOf(kicks);
+    starts = starts.stream().map(double[]::clone).toList();
+    globals = List.copyOf(globals);
+    priors = List.copyOf(priors);
+    randoms = List.copyOf(randoms);
+    weights = weights.clone();
+    if (kicks.isEmpty()) {
+      throw new IllegalArgumentException("a joint fit needs at least one kick");
+    }
+    if (starts.size() != kicks.size() || weights.length != kicks.size()) {
+      throw new IllegalArgumentException(
+          "%d kicks, but %d starts and %d weights"
+              .formatted(kicks.size(), starts.size(), weights.length));
+    }
+    if (priors.size() != globals.size()) {
+      throw new IllegalArgumentException(
+          globals.size() + " global parameters, but " + priors.size() + " priors");
+    }
+  }
+
+  /**
+   * The same with other weights.
+   *
+   * @param newWeights one for each kick
+   * @return the changed copy
+   */
+  public SharedProblem<S> withWeights(double[] newWeights) {
+    return new SharedProblem<>(model, kicks, starts, globals, priors, randoms, newWeights);
+  }
+
+  /** Values of the global parameters. */
+  double[] values() {
+    return globals.stream().mapToDouble(Parameter::value).toArray();
+  }
+
+  /** Indices of the global parameters that are estimated. */
+  int[] free() {
+    return java.util.stream.IntStream.range(0, globals.size())
+        .filter(k -> globals.get(k).estimated())
+        .toArray();
+  }
+}

@@ -1,0 +1,494 @@
+package fieldcal.fit.joint;
+
+import fieldcal.ball.Parameter;
+import fieldcal.fit.joint.SharedProblem.Prior;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
+
+/**
+ * The solution of a {@link SharedProblem}.
+ *
+ * <p>Covariance: residuals are taken to be whitened and independent within a kick, kicks to be independent of each other. The variance of a global parameter is the larger of the one that follows from
+ * the residuals, times the reduced chi-square, and the one from the scatter between kicks (cluster-robust; Liang and Zeger 1986): where the model is not quite right, the first is too small. There is none where the
+ * equations are singular.
+ *
+ * @param <S> what the global parameters amount to
+ */
+public final class SharedSolution<S> {
+
+  /** Why the solver stopped. */
+  public enum StopReason {
+    /** A step gained too little to matter. */
+    CONVERGED,
+    /** The limit of iterations was reached. */
+    TOO_MANY_ITERATIONS,
+    /** No step, however short, lowers the cost. */
+    NO_DESCENT,
+    /** The equations are singular even when damped, or not finite. */
+    SINGULAR
+  }
+
+  private final SharedProblem<S> problem;
+  private final List<KickTerm<S>> kicks;
+  private final List<double[]> own;
+  private final double[] values;
+  private final double[] scatters;
+  private final int[] free;
+  private final double[][][] reduced;
+  private final double[][] gradients;
+  private final double[] chiSquares;
+  private final double cost;
+  private final double randomCost;
+  private final int iterations;
+  private final StopReason stopReason;
+
+  SharedSolution(
+      SharedProblem<S> problem,
+      List<KickTerm<S>> kicks,
+      List<double[]> own,
+      double[] values,
+      double[] scatters,
+      int[] free,
+      KickBlock[] blocks,
+      double cost,
+      int iterations,
+      StopReason stopReason) {
+    this.problem = problem;
+    this.kicks = List.copyOf(kicks);
+    this.own = own.stream().map(double[]::clone).toList();
+    this.values = values.clone();
+    this.scatters = scatters.clone();
+    this.free = free.clone();
+    this.cost = cost;
+    this.iterations = iterations;
+    this.stopReason = stopReason;
+    reduced = new double[blocks.length][][];
+    gradients = new double[blocks.length][];
+    chiSquares = new double[blocks.length];
+    double marginal = 0;
+    for (int k = 0; k < blocks.length; k++) {
+      reduced[k] = blocks[k].reducedMatrix();
+      gradients[k] = blocks[k].reducedGradient();
+      chiSquares[k] = blocks[k].chiSquare / problem.weights()[k];
+      for (int r = 0; r < scatters.length; r++) {
+        double left = blocks[k].ownVariance(blocks[k].own - scatters.length + r);
+        marginal += Math.log(scatters[r] * scatters[r] / left);
+      }
+    }
+    randomCost = marginal;
+  }
+
+  /**
+   * What was solved.
+   *
+   * @return the problem
+   */
+  public SharedProblem<S> problem() {
+    return problem;
+  }
+
+  /**
+   * The kicks with the values of their discrete unknowns.
+   *
+   * @return in the problem's order
+   */
+  public List<KickTerm<S>> kicks() {
+    return kicks;
+  }
+
+  /**
+   * Own parameters of a kick.
+   *
+   * @param kick which
+   * @return a copy
+   */
+  public double[] own(int kick) {
+    return own.get(kick).clone();
+  }
+
+  /**
+   * Own parameters of all kicks.
+   *
+   * @return in the problem's order; not to be changed
+   */
+  public List<double[]> own() {
+    return own;
+  }
+
+  /**
+   * Values of all global parameters.
+   *
+   * @return a copy, in the problem's order
+   */
+  public double[] values() {
+    return values.clone();
+  }
+
+  /**
+   * The global parameters with their values.
+   *
+   * @return in the problem's order
+   */
+  public List<Parameter> globals() {
+    List<Parameter> all = new ArrayList<>();
+    for (int i = 0; i < values.length; i++) {
+      all.add(problem.globals().get(i).withValue(values[i]));
+    }
+    return all;
+  }
+
+  /**
+   * Scatters of the random effects.
+   *
+   * @return a copy, in the problem's order
+   */
+  public double[] scatters() {
+    return scatters.clone();
+  }
+
+  /**
+   * What the kicks predict with.
+   *
+   * @return the state of the shared model at the solution
+   */
+  public S state() {
+    return problem.model().at(values);
+  }
+
+  /**
+   * Sum of squared whitened residuals of a kick, whatever its weight.
+   *
+   * @param kick which
+   * @return chi-square
+   */
+  public double chiSquare(int kick) {
+    return chiSquares[kick];
+  }
+
+  /**
+   * Sum of squared whitened residuals of all kicks, each with weight 1.
+   *
+   * @return chi-square
+   */
+  public double chiSquare() {
+    return Arrays.stream(chiSquares).sum();
+  }
+
+  /**
+   * How many residuals there are.
+   *
+   * @return of all kicks
+   */
+  public int rows() {
+    return kicks.stream().mapToInt(KickTerm::rows).sum();
+  }
+
+  /**
+   * Chi-square over degrees of freedom.
+   *
+   * @return about 1 where the model is right
+   */
+  public double reducedChiSquare() {
+    int unknowns = free.length;
+    for (double[] p : own) {
+      unknowns += p.length - scatters.length;
+    }
+    return chiSquare() / Math.max(1, rows() - unknowns);
+  }
+
+  /**
+   * What was minimised: weighted chi-square and priors, and of random effects what the marginal likelihood adds.
+   *
+   * @return twice the negative logarithm of the posterior density, but for a constant
+   */
+  public double cost() {
+    return cost + randomCost;
+  }
+
+  /**
+   * How many steps were tried.
+   *
+   * @return accepted or not
+   */
+  public int iterations() {
+    return iterations;
+  }
+
+  /**
+   * Why it ended.
+   *
+   * @return the reason
+   */
+  public StopReason stopReason() {
+    return stopReason;
+  }
+
+  /**
+   * Estimated parameters that ended on one of their bounds.
+   *
+   * @return names
+   */
+  public List<String> boundsHit() {
+    List<String> hit = new ArrayList<>();
+    for (int f : free) {
+      Parameter p = problem.globals().get(f);
+      if (values[f] <= p.min() || values[f] >= p.max()) {
+        hit.add(p.name());
+      }
+    }
+    return hit;
+  }
+
+  /** Indices of the free global parameters. */
+  int[] free() {
+    return free.clone();
+  }
+
+  /**
+   * Covariance of all global parameters, see above; rows and columns of held ones are zero.
+   *
+   * @return empty when the equations are singular
+   */
+  public Optional<double[][]> covariance() {
+    int n = free.length;
+    double[] scale = scales();
+    double[][] h = information(new boolean[kicks.size()]);
+    Optional<double[][]> inverse = inverse(h, scale);
+    if (inverse.isEmpty()) {
+      return Optional.empty();
+    }
+    double[][] v = inverse.get();
+    double[][] scatter = new double[n][n];
+    for (double[] g : gradients) {
+      for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+          scatter[i][j] += g[i] * g[j];
+        }
+      }
+    }
+    int count = kicks.size();
+    // The number of clusters less the parameters they share; Student's t of so few has longer tails.
+    double small = count > n + 1 ? count / (double) (count - 1) : 1;
+    double noise = Math.max(1, reducedChiSquare());
+    double[][] sandwich = product(product(v, scatter), v);
+    double[] larger = new double[n];
+    for (int i = 0; i < n; i++) {
+      double modelVariance = v[i][i] * noise;
+      double robust = count > 2 ? sandwich[i][i] * small : 0;
+      larger[i] = Math.sqrt(Math.max(1, robust / modelVariance) * noise);
+    }
+    double[][] full = new double[values.length][values.length];
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j < n; j++) {
+        full[free[i]][free[j]] = v[i][j] * larger[i] * larger[j];
+      }
+    }
+    return Optional.of(full);
+  }
+
+  private static double[][] product(double[][] a, double[][] b) {
+    return new Array2DRowRealMatrix(a, false)
+        .multiply(new Array2DRowRealMatrix(b, false))
+        .getData();
+  }
+
+  private double[] scales() {
+    double[] scale = new double[free.length];
+    for (int f = 0; f < free.length; f++) {
+      scale[f] = problem.globals().get(free[f]).scale();
+    }
+    return scale;
+  }
+
+  private double[][] information(boolean[] without) {
+    int n = free.length;
+    double[][] h = new double[n][n];
+    for (int k = 0; k < reduced.length; k++) {
+      if (!without[k]) {
+        for (int i = 0; i < n; i++) {
+          for (int j = 0; j < n; j++) {
+            h[i][j] += reduced[k][i][j];
+          }
+        }
+      }
+    }
+    for (int i = 0; i < n; i++) {
+      h[i][i] += problem.priors().get(free[i]).precision();
+    }
+    return h;
+  }
+
+  private static Optional<double[][]> inverse(double[][] h, double[] scale) {
+    int n = scale.length;
+    double[][] scaled = new double[n][n];
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j < n; j++) {
+        scaled[i][j] = h[i][j] * scale[i] * scale[j];
+      }
+      scaled[i][i] += 1e-9;
+    }
+    try {
+      double[][] v =
+          n == 0
+              ? scaled
+              : new CholeskyDecomposition(new Array2DRowRealMatrix(scaled, false), 1e-9, 1e-14)
+                  .getSolver()
+                  .getInverse()
+                  .getData();
+      for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+          v[i][j] *= scale[i] * scale[j];
+        }
+      }
+      return Optional.of(v);
+    } catch (NonPositiveDefiniteMatrixException e) {
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * What the cost would rise by, to first order, were some global parameters zero and all others fitted again: Wald's statistic.
+   *
+   * @param indices of free global parameters
+   * @return rise of the cost; NaN when the equations are singular
+   */
+  public double waldLoss(int... indices) {
+    Optional<double[][]> inverse = inverse(information(new boolean[kicks.size()]), scales());
+    if (inverse.isEmpty()) {
+      return Double.NaN;
+    }
+    int n = indices.length;
+    double[] z = new double[n];
+    double[] one = new double[n];
+    double[][] correlation = new double[n][n];
+    int[] at = new int[n];
+    for (int i = 0; i < n; i++) {
+      at[i] = Arrays.binarySearch(free, indices[i]);
+    }
+    double[][] v = inverse.get();
+    for (int i = 0; i < n; i++) {
+      z[i] = values[indices[i]] / Math.sqrt(v[at[i]][at[i]]);
+      one[i] = 1;
+      for (int j = 0; j < n; j++) {
+        correlation[i][j] = v[at[i]][at[j]] / Math.sqrt(v[at[i]][at[i]] * v[at[j]][at[j]]);
+      }
+    }
+    double[] solved = SharedSolver.solveScaled(correlation, z, one, 0);
+    if (solved == null) {
+      return Double.NaN;
+    }
+    double loss = 0;
+    for (int i = 0; i < n; i++) {
+      loss += z[i] * solved[i];
+    }
+    return loss;
+  }
+
+  /**
+   * The global parameters as they would be without some kicks: one Newton step from the solution, exact where the model is linear.
+   *
+   * @param without whether to leave out each kick
+   * @return values of all global parameters, within their bounds
+   */
+  public double[] valuesWithout(boolean[] without) {
+    int n = free.length;
+    double[] g = new double[n];
+    for (int k = 0; k < gradients.length; k++) {
+      if (!without[k]) {
+        for (int i = 0; i < n; i++) {
+          g[i] += gradients[k][i];
+        }
+      }
+    }
+    for (int i = 0; i < n; i++) {
+      Prior prior = problem.priors().get(free[i]);
+      g[i] -= prior.precision() * (values[free[i]] - prior.mean());
+    }
+    double[] step = SharedSolver.solveScaled(information(without), g, scales(), 0);
+    double[] moved = values.clone();
+    for (int i = 0; step != null && i < n; i++) {
+      moved[free[i]] = problem.globals().get(free[i]).clamp(values[free[i]] + step[i]);
+    }
+    return moved;
+  }
+
+  /**
+   * The system of equations at the solution with further columns: derivatives towards states that are a small step away.
+   *
+   * @param states one per column
+   * @param steps lengths of the steps, not zero
+   * @param weights of the kicks, which may differ from those that were solved with
+   * @return the system
+   */
+  public ScoreSystem scores(List<S> states, double[] steps, double[] weights) {
+    SharedProblem<S> weighted = problem.withWeights(weights);
+    int[] meanColumns =
+        problem.randoms().stream()
+            .mapToInt(r -> Arrays.binarySearch(free, r.mean()))
+            .map(i -> Math.max(i, -1))
+            .toArray();
+    KickBlock[] blocks =
+        new Linearizer<>(weighted, kicks, own, values, scatters)
+            .blocks(free, meanColumns, states, steps);
+    double[][][] s = new double[blocks.length][][];
+    double[][] t = new double[blocks.length][];
+    for (int k = 0; k < blocks.length; k++) {
+      blocks[k].factor(0);
+      s[k] = blocks[k].reducedMatrix();
+      t[k] = blocks[k].reducedGradient();
+      blocks[k] = null;
+    }
+    return new ScoreSystem(free.length, s, t);
+  }
+
+  /** The full report: why it stopped, costs, counts, values, bounds hit. */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder();
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "%s after %d steps: cost %.6g, chi-square %.6g of %d residuals (reduced %.4g), %d kicks%n",
+            stopReason,
+            iterations,
+            cost(),
+            chiSquare(),
+            rows(),
+            reducedChiSquare(),
+            kicks.size()));
+    Optional<double[][]> v = covariance();
+    for (int i = 0; i < values.length; i++) {
+      Parameter p = problem.globals().get(i);
+      int index = i;
+      String error =
+          !p.estimated()
+              ? "held"
+              : v.map(c -> error(c, index))
+                  .orElse("singular");
+      text.append(
+          String.format(Locale.ROOT, "  %s = %.6g %s %s%n", p.name(), values[i], p.unit(), error));
+    }
+    for (int r = 0; r < scatters.length; r++) {
+      text.append(
+          String.format(
+              Locale.ROOT,
+              "  scatter of %s = %.4g%n",
+              problem.globals().get(problem.randoms().get(r).mean()).name(),
+              scatters[r]));
+    }
+    if (!boundsHit().isEmpty()) {
+      text.append("  on a bound: ").append(boundsHit()).append('\n');
+    }
+    return text.toString();
+  }
+
+  private static String error(double[][] covariance, int i) {
+    return String.format(Locale.ROOT, "± %.3g", Math.sqrt(covariance[i][i]));
+  }
+}
