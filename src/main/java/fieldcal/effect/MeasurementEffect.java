@@ -1,5 +1,7 @@
 package fieldcal.effect;
 
+import java.util.List;
+
 /**
  * An effect that changes what a camera reports of a ball. The report is made in this order, each step by all effects that concern the camera:
  *
@@ -31,6 +33,31 @@ public interface MeasurementEffect extends Effect {
    */
   default boolean isApplicable(ObservedCamera camera) {
     return true;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @return whether it is applicable to one of the cameras
+   */
+  @Override
+  default boolean canShowIn(Arena arena) {
+    return arena.cameras().stream().anyMatch(this::isApplicable);
+  }
+
+  /**
+   * {@inheritDoc} Of an effect that has a {@code camera}, one for each camera to which it is applicable.
+   */
+  @Override
+  default List<Effect> candidates(Arena arena) {
+    boolean ofOne = parameters().stream().anyMatch(p -> p.name().equals("camera"));
+    if (!ofOne) {
+      return List.of(withNone());
+    }
+    return arena.cameras().stream()
+        .filter(this::isApplicable)
+        .map(c -> withNone().with("camera", c.id()))
+        .toList();
   }
 
   /**
