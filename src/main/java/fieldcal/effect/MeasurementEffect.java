@@ -10,7 +10,8 @@ import java.util.List;
  *   <li>{@link #moveCamera}: where the camera really hangs; the ray goes from there to the ball's centre;
  *   <li>{@link #turnRay}: the ray as the published rotation understands it;
  *   <li>{@link Refraction#refractRay}: the ray as the published lens understands it;
- *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards.
+ *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards;
+ *   <li>{@link Shift}: what is added from some time on.
  * </ol>
  */
 public interface MeasurementEffect extends Effect {
@@ -92,6 +93,27 @@ public interface MeasurementEffect extends Effect {
      * @return s, positive = the stamp is late
      */
     double timeError(ObservedCamera camera, double sessionTime, double pixelRow);
+  }
+
+  /** A shift of the reports that changes during the session. */
+  interface Shift extends MeasurementEffect {
+    /**
+     * What is added to the reported position.
+     *
+     * @param camera the camera
+     * @param sessionTime the time stamp, s since the session's begin
+     * @return along x, m
+     */
+    double shiftX(ObservedCamera camera, double sessionTime);
+
+    /**
+     * What is added to the reported position.
+     *
+     * @param camera the camera
+     * @param sessionTime the time stamp, s since the session's begin
+     * @return along y, m
+     */
+    double shiftY(ObservedCamera camera, double sessionTime);
   }
 
   /** An effect of the lens, other for every ray. */
