@@ -13,10 +13,10 @@ import fieldcal.effect.motion.BounceSpinCoupling;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.SideSpin;
 import fieldcal.effect.motion.SpeedDependentRestitution;
-import fieldcal.effect.motion.WornRegion;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /**
  * Every effect of the catalogue at every place where the data could show it. Effects that the data cannot show (a time offset of the only camera, bounces without chips) are left out;
@@ -26,6 +26,17 @@ final class Candidates {
   /** A camera must have seen that many detections to be blamed. */
   private static final int FEWEST_SEEN = 60;
 
+  /** What has a place to be found, or needs company: this search has no way to it. */
+  private static final Set<String> UNKNOWN_HERE =
+      Set.of(
+          "worn_region",
+          "wind",
+          "slip_dependent_friction",
+          "camera_moved",
+          "ball_changed",
+          "contact_impacts",
+          "carpet_seam");
+
   private final List<Chart> fixed = new ArrayList<>();
   private final List<Chart> random = new ArrayList<>();
 
@@ -34,7 +45,7 @@ final class Candidates {
     boolean chips = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.CHIP);
     List<ObservedCamera> cameras = seen(fitter);
     for (Effect effect : EffectCatalogue.all()) {
-      if (effect instanceof KickerEffect || effect instanceof WornRegion) {
+      if (effect instanceof KickerEffect || UNKNOWN_HERE.contains(effect.id())) {
         continue;
       }
       if (effect instanceof MeasurementEffect m) {

@@ -49,6 +49,27 @@ public record Arena(
   }
 
   /**
+   * Instants at which something may have changed between one kick and the next, spread over the session.
+   *
+   * @param most how many at most, positive
+   * @return session times in the middle between two kicks, ascending, s; empty for a single kick
+   * @throws IllegalArgumentException when {@code most} is not positive
+   */
+  public double[] instantsBetweenKicks(int most) {
+    if (most < 1) {
+      throw new IllegalArgumentException("must be positive: " + most);
+    }
+    int gaps = Math.max(0, kickTimes.length - 1);
+    int count = Math.min(gaps, most);
+    double[] instants = new double[count];
+    for (int i = 0; i < count; i++) {
+      int gap = (int) ((i + 0.5) * gaps / count);
+      instants[i] = 0.5 * (kickTimes[gap] + kickTimes[gap + 1]);
+    }
+    return instants;
+  }
+
+  /**
    * Whether cameras can be compared with each other.
    *
    * @return true from two cameras on

@@ -3,8 +3,10 @@ package fieldcal.effect;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Phase;
 import fieldcal.effect.MotionEffect.ExternalForce;
+import fieldcal.effect.MotionEffect.FrictionOfKick;
 import fieldcal.effect.MotionEffect.FrictionZone;
 import fieldcal.effect.MotionEffect.RollingResistance;
+import fieldcal.effect.MotionEffect.SlidingResistance;
 
 /** The right-hand side of the equations of motion in {@link ExtendedTrajectory}. State: x, y, z, vx, vy, vz, spin x, spin y. */
 final class BallForces {
@@ -15,7 +17,7 @@ final class BallForces {
   private static final double CREEP = 1e-4;
 
   private final MotionEffects effects;
-  private final double accRoll;
+  private final double rollingBrake;
   private final double sessionStart;
   private final BallMotion motion = new BallMotion();
   private final double[] force = new double[3];
@@ -26,14 +28,22 @@ final class BallForces {
   private double spinPerVelocity = 1;
 
   private double zoneFactor = 1;
+  private double slidingOfKick = 1;
   private boolean frozen;
   private double frozenX;
   private double frozenY;
 
-  BallForces(MotionEffects effects, double sessionStart, double accRoll) {
+  BallForces(MotionEffects effects, double sessionStart, double accRoll, double kickTime) {
     this.effects = effects;
     this.sessionStart = sessionStart;
-    this.accRoll = accRoll;
+    motion.airX = effects.airX;
+    motion.airY = effects.airY;
+    double brake = -accRoll;
+    for (FrictionOfKick effect : effects.frictions) {
+      brake *= effect.rolling(kickTime - sessionStart);
+      slidingOfKick *= effect.sliding(kickTime - sessionStart);
+    }
+    rollingBrake = brake;
   }
 
   void setSliding(double acceleration, double kSwitch) {
@@ -97,7 +107,7 @@ final class BallForces {
         rate[6] = 0;
         rate[7] = 0;
       }
-      case SLIDING -> slide(s, rate);
+      case SLIDING -> slide(m, s, rate);
       default -> roll(m, s, rate);
     }
   }
@@ -106,7 +116,7 @@ final class BallForces {
     return Math.max(0, 1 - force[2] / G);
   }
 
-  private void slide(double[] s, double[] rate) {
+  private void slide(BallMotion m, double[] s, double[] rate) {
     double directionX = frozenX;
     double directionY = frozenY;
     if (!frozen) {
@@ -116,7 +126,10 @@ final class BallForces {
       directionX = slip > 0 ? slipX / slip : 0;
       directionY = slip > 0 ? slipY / slip : 0;
     }
-    double acceleration = accSlide * zoneFactor * pressure();
+    double acceleration = accSlide * slidingOfKick * zoneFactor * pressure();
+    for (SlidingResistance effect : effects.slidings) {
+      acceleration *= effect.slidingFactor(m);
+    }
     double frictionX = acceleration * directionX;
     double frictionY = acceleration * directionY;
     rate[3] = frictionX + force[0];
@@ -148,7 +161,7 @@ final class BallForces {
   }
 
   private double rollingDeceleration(BallMotion m) {
-    double deceleration = -accRoll;
+    double deceleration = rollingBrake;
     double addend = 0;
     for (RollingResistance effect : effects.resistances) {
       deceleration *= effect.factor(m);

@@ -14,6 +14,8 @@ public final class BallMotion {
   double spinX;
   double spinY;
   double sessionTime;
+  double airX;
+  double airY;
   boolean flying;
 
   BallMotion() {}
@@ -79,6 +81,35 @@ public final class BallMotion {
    */
   public double spinY() {
     return spinY;
+  }
+
+  /**
+   * Velocity of the air.
+   *
+   * @return along x, m/s
+   */
+  public double airX() {
+    return airX;
+  }
+
+  /**
+   * Velocity of the air.
+   *
+   * @return along y, m/s
+   */
+  public double airY() {
+    return airY;
+  }
+
+  /**
+   * Speed at which the ball's lowest point slips over the carpet.
+   *
+   * @return |v − s| over the ground, m/s; 0 = rolls
+   */
+  public double slip() {
+    double x = vx - spinX;
+    double y = vy - spinY;
+    return Math.sqrt(x * x + y * y);
   }
 
   /**

@@ -1,6 +1,7 @@
 package fieldcal.effect;
 
 import fieldcal.effect.measurement.BallHeightError;
+import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
 import fieldcal.effect.measurement.CameraTimeOffset;
@@ -8,16 +9,21 @@ import fieldcal.effect.measurement.ClockSkew;
 import fieldcal.effect.measurement.LensDistortionError;
 import fieldcal.effect.measurement.RollingShutter;
 import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.BallChanged;
 import fieldcal.effect.motion.BounceSpinCoupling;
 import fieldcal.effect.motion.CarpetNap;
+import fieldcal.effect.motion.CarpetSeam;
+import fieldcal.effect.motion.ContactImpacts;
 import fieldcal.effect.motion.Drift;
 import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Magnus;
 import fieldcal.effect.motion.RobotKickBias;
 import fieldcal.effect.motion.SideSpin;
+import fieldcal.effect.motion.SlipDependentFriction;
 import fieldcal.effect.motion.SpeedDependentRestitution;
 import fieldcal.effect.motion.SpeedDependentRoll;
+import fieldcal.effect.motion.Wind;
 import fieldcal.effect.motion.WornRegion;
 import fieldcal.vision.Team;
 import java.util.List;
@@ -45,7 +51,13 @@ public final class EffectCatalogue {
           new Drift(0),
           new RobotKickBias(0, 0, Team.YELLOW, 0),
           new ClockSkew(0, 0),
-          new RollingShutter(0));
+          new RollingShutter(0),
+          new Wind(0, 0),
+          new SlipDependentFriction(0),
+          new CameraMoved(0, 0, 0, 0),
+          new BallChanged(0, 0, 0),
+          new ContactImpacts(0, 0),
+          new CarpetSeam(0, 0, 0, 0));
 
   private EffectCatalogue() {}
 

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The numbers of an effect as files hold them: by name, {@code camera} and {@code robot} as integers, {@code team} as "yellow" or "blue", and the four
+ * The numbers of an effect as files hold them: by name, {@code camera} (left out where an effect is the same in all) and {@code robot} as integers, {@code team} as "yellow" or "blue", and the four
  * bounds of a region as one list, {@code region}: [x0, x1, y0, y1]. Maps and lists as every JSON library makes them.
  */
 public final class EffectFields {
@@ -35,6 +35,8 @@ public final class EffectFields {
         fields.put(REGION, region);
       } else if (p.name().equals(TEAM)) {
         fields.put(TEAM, Team.values()[(int) p.value()].label());
+      } else if (isAll(p, p.value())) {
+        continue;
       } else if (WHOLE.contains(p.name())) {
         fields.put(p.name(), (int) p.value());
       } else {
@@ -113,7 +115,15 @@ public final class EffectFields {
         p.name() + ": must be within " + p.min() + " and " + p.max() + ", but is " + value);
   }
 
+  /** Whether a number stands for all cameras: files leave it out then. */
+  private static boolean isAll(Parameter p, double value) {
+    return p.min() == EffectParameters.ALL_CAMERAS && value == p.min() && WHOLE.contains(p.name());
+  }
+
   private static double whole(Parameter p, Object value) {
+    if (value == null && isAll(p, p.min())) {
+      return EffectParameters.ALL_CAMERAS;
+    }
     double number = number(p.name(), value);
     if (number < 0 || number != Math.rint(number) || number > Integer.MAX_VALUE) {
       throw wrong(p.name(), "0 or a positive integer", value);

@@ -4,6 +4,14 @@ import fieldcal.ball.Parameter;
 
 /** What the parameters of several effects have in common, and the checks of their values. */
 public final class EffectParameters {
+  /** In place of a camera's id, where an effect may be the same in all cameras. */
+  public static final int ALL_CAMERAS = -1;
+
+  private static final int LARGEST_ID = 255;
+
+  /** Longest session, s; chosen: a week. */
+  private static final double LONGEST_SESSION = 604_800;
+
   private EffectParameters() {}
 
   /**
@@ -24,7 +32,35 @@ public final class EffectParameters {
    * @return the parameter
    */
   public static Parameter camera(int value) {
-    return new Parameter("camera", "", value, 1, 0, 255, false, "which camera, by its id");
+    return new Parameter("camera", "", value, 1, 0, LARGEST_ID, false, "which camera, by its id");
+  }
+
+  /**
+   * The camera that is concerned, or all of them; not estimated.
+   *
+   * @param value its id, or {@link #ALL_CAMERAS}
+   * @return the parameter
+   */
+  public static Parameter cameraOrAll(int value) {
+    return new Parameter(
+        "camera",
+        "",
+        value,
+        1,
+        ALL_CAMERAS,
+        LARGEST_ID,
+        false,
+        "which camera, by its id; -1 = all");
+  }
+
+  /**
+   * An instant; not estimated.
+   *
+   * @param value s since the session's begin
+   * @return the parameter
+   */
+  public static Parameter instant(double value) {
+    return place("at", "s", value, 0, LONGEST_SESSION, "time since the session's begin");
   }
 
   /**

@@ -16,7 +16,14 @@ import java.util.OptionalDouble;
  * and the slip u = v − s: sliding, dv/dt = accSlide·û + f and ds/dt along û so that |u| shrinks at |accSlide|/(1 − kSwitch) where f = 0; rolling,
  * dv/dt = accRoll·v̂ + f/(1+β), s = v; in flight dv/dt = f − g. The horizontal part of f acts so, its vertical part scales all
  * friction by the pressure on the carpet, 1 − f_z/g. At an impact the models' fixed losses act, the lost momentum m·Δv turns the ball by Δs = −Δv/β, at most until it
- * rolls, and after the last flight the ball rolls. Without effects the path is {@link fieldcal.ball.FlatTrajectory}'s or {@link ChipTrajectory}'s.
+ * rolls, and after the last flight the ball rolls.
+ *
+ * <p>Spin that the kick gave the ball, q (as s), acts at impacts, too. The impulse along the ground follows from the slip of the contact point (R. L. Garwin, "Kinematics of an ultraelastic rough ball", Am. J. Phys.
+ * 37, 1969; R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70, 2002): as long as the ball grips, Δv = −k·(v − s), which for a ball without spin is the model's loss with k = 1 − dampingXyFirstHop. So the path without q stays
+ * the model's, and q is a linear perturbation of it with the same k: at each impact v gets k·q more, and q is used up by the torque, q ← q·max(0, 1 − k/β). A {@linkplain MotionEffect.ImpactLaw law of impacts} takes the place of both; the slip
+ * that its impacts leave is taken when the ball begins to roll.
+ *
+ * <p>Without effects the path is {@link fieldcal.ball.FlatTrajectory}'s or {@link ChipTrajectory}'s.
  *
  * <p>A slope that rolling resistance cannot hold would keep the ball rolling for ever: the path ends after {@link #MAX_DURATION}.
  */
@@ -66,7 +73,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
     Objects.requireNonNull(model, "model");
     finite(sessionStart, t0, x, y, vx, vy, 0);
     PathIntegrator integrator =
-        new PathIntegrator(effects, sessionStart, model.accRoll(), PathIntegrator.NO_BOUNCES);
+        new PathIntegrator(effects, sessionStart, model.accRoll(), t0, PathIntegrator.NO_BOUNCES);
     integrator.slideFrom(model, t0, x, y, vx, vy);
     return new ExtendedTrajectory(integrator, t0, x, y);
   }
@@ -150,7 +157,8 @@ public final class ExtendedTrajectory implements BallTrajectory {
     if (vz < 0) {
       throw new IllegalArgumentException("vz must not be negative, but is " + vz);
     }
-    PathIntegrator integrator = new PathIntegrator(effects, sessionStart, model.accRoll(), flights);
+    PathIntegrator integrator =
+        new PathIntegrator(effects, sessionStart, model.accRoll(), t0, flights);
     integrator.flyFrom(model, t0, x, y, vx, vy, vz);
     return new ExtendedTrajectory(integrator, t0, x, y);
   }

@@ -1,5 +1,7 @@
 package fieldcal.effect;
 
+import java.util.List;
+
 /**
  * An effect that changes what a camera reports of a ball. The report is made in this order, each step by all effects that concern the camera:
  *
@@ -8,7 +10,8 @@ package fieldcal.effect;
  *   <li>{@link #moveCamera}: where the camera really hangs; the ray goes from there to the ball's centre;
  *   <li>{@link #turnRay}: the ray as the published rotation understands it;
  *   <li>{@link Refraction#refractRay}: the ray as the published lens understands it;
- *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards.
+ *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards;
+ *   <li>{@link Shift}: what is added from some time on.
  * </ol>
  */
 public interface MeasurementEffect extends Effect {
@@ -31,6 +34,31 @@ public interface MeasurementEffect extends Effect {
    */
   default boolean isApplicable(ObservedCamera camera) {
     return true;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @return whether it is applicable to one of the cameras
+   */
+  @Override
+  default boolean canShowIn(Arena arena) {
+    return arena.cameras().stream().anyMatch(this::isApplicable);
+  }
+
+  /**
+   * {@inheritDoc} Of an effect that has a {@code camera}, one for each camera to which it is applicable.
+   */
+  @Override
+  default List<Effect> candidates(Arena arena) {
+    boolean ofOne = parameters().stream().anyMatch(p -> p.name().equals("camera"));
+    if (!ofOne) {
+      return List.of(withNone());
+    }
+    return arena.cameras().stream()
+        .filter(this::isApplicable)
+        .map(c -> withNone().with("camera", c.id()))
+        .toList();
   }
 
   /**
@@ -65,6 +93,27 @@ public interface MeasurementEffect extends Effect {
      * @return s, positive = the stamp is late
      */
     double timeError(ObservedCamera camera, double sessionTime, double pixelRow);
+  }
+
+  /** A shift of the reports that changes during the session. */
+  interface Shift extends MeasurementEffect {
+    /**
+     * What is added to the reported position.
+     *
+     * @param camera the camera
+     * @param sessionTime the time stamp, s since the session's begin
+     * @return along x, m
+     */
+    double shiftX(ObservedCamera camera, double sessionTime);
+
+    /**
+     * What is added to the reported position.
+     *
+     * @param camera the camera
+     * @param sessionTime the time stamp, s since the session's begin
+     * @return along y, m
+     */
+    double shiftY(ObservedCamera camera, double sessionTime);
   }
 
   /** An effect of the lens, other for every ray. */

@@ -69,7 +69,7 @@ public final class MeasurementEffects {
   }
 
   /**
-   * Where the cameras report a ball, for all sightings of it: what {@link #ballTime} and {@link #report(int, double[], double[])} say of each, in less than half the time.
+   * Where the cameras report a ball, for all sightings of it: what {@link #ballTime} and {@link #report(int, double, double[], double[])} say of each, in less than half the time.
    *
    * @param seen cameras and times
    * @param path of the ball
@@ -82,33 +82,46 @@ public final class MeasurementEffects {
     for (int i = 0; i < seen.size(); i++) {
       View view = find(seen.camera[i]);
       double t = seen.stamp[i];
+      double stamp = t - sessionStart;
       if (view != null && view.isLate()) {
-        t -= view.timeError(t - sessionStart, seen.pixelRow[i]);
+        t -= view.timeError(stamp, seen.pixelRow[i]);
       }
       ball.goTo(t);
       if (view == null) {
         ground[2 * i] = ball.x();
         ground[2 * i + 1] = ball.y();
       } else {
-        view.report(ball.x(), ball.y(), ball.z(), ground, 2 * i);
+        view.report(stamp, ball.x(), ball.y(), ball.z(), ground, 2 * i);
       }
     }
   }
 
   /**
-   * Where a camera reports a ball.
+   * Where a camera reports a ball at the end of the session: what changes during a session has happened.
    *
    * @param camera camera id
    * @param ball x, y and height (0 = on the carpet) at {@link #ballTime}, m
    * @param ground receives x and y, m; NaN when the ball is not below the camera
    */
   public void report(int camera, double[] ball, double[] ground) {
+    report(camera, Double.POSITIVE_INFINITY, ball, ground);
+  }
+
+  /**
+   * Where a camera reports a ball.
+   *
+   * @param camera camera id
+   * @param stamp the detection's time stamp, s since the session's begin
+   * @param ball x, y and height (0 = on the carpet) at {@link #ballTime}, m
+   * @param ground receives x and y, m; NaN when the ball is not below the camera
+   */
+  public void report(int camera, double stamp, double[] ball, double[] ground) {
     View view = find(camera);
     if (view == null) {
       ground[0] = ball[0];
       ground[1] = ball[1];
     } else {
-      view.report(ball[0], ball[1], ball[2], ground, 0);
+      view.report(stamp, ball[0], ball[1], ball[2], ground, 0);
     }
   }
 

@@ -52,6 +52,84 @@ public interface MotionEffect extends Effect {
     }
   }
 
+  /** Air that moves. Forces of the air ask {@link BallMotion#airX} and {@link BallMotion#airY}, the sum over all flows. */
+  interface AirFlow extends MotionEffect {
+    /**
+     * Velocity of the air, the same everywhere.
+     *
+     * @return along x, m/s
+     */
+    double airX();
+
+    /**
+     * Velocity of the air, the same everywhere.
+     *
+     * @return along y, m/s
+     */
+    double airY();
+  }
+
+  /** What makes sliding differ from a constant friction: accSlide·∏ factors against the slip. */
+  interface SlidingResistance extends MotionEffect {
+    /**
+     * Factor on the friction of the model.
+     *
+     * @param motion how the ball moves
+     * @return 1 = as in the model
+     */
+    double slidingFactor(BallMotion motion);
+  }
+
+  /** What makes a whole kick differ from the next: asked once per kick. */
+  interface FrictionOfKick extends MotionEffect {
+    /**
+     * Factor on the rolling deceleration of the model.
+     *
+     * @param kickTime session time of the kick, s
+     * @return 1 = as in the model
+     */
+    double rolling(double kickTime);
+
+    /**
+     * Factor on the sliding friction of the model.
+     *
+     * @param kickTime session time of the kick, s
+     * @return 1 = as in the model
+     */
+    double sliding(double kickTime);
+  }
+
+  /** A straight line on the carpet that changes a ball's velocity when it crosses it. The integrator stops there. */
+  interface Line extends MotionEffect {
+    /**
+     * Unit vector across the line.
+     *
+     * @return along x
+     */
+    double normalX();
+
+    /**
+     * Unit vector across the line.
+     *
+     * @return along y
+     */
+    double normalY();
+
+    /**
+     * Where it is.
+     *
+     * @return distance from the field's centre along the normal, m
+     */
+    double distance();
+
+    /**
+     * Changes the velocity of a ball that crosses it. The velocity across the line must not change its sign, or the ball would be on the wrong side.
+     *
+     * @param velocity vx and vy before, m/s; changed in place
+     */
+    void cross(double[] velocity);
+  }
+
   /** What makes rolling differ from a constant deceleration: a = −(−accRoll·∏ factors + Σ addends) along the velocity. */
   interface RollingResistance extends MotionEffect {
     /**
@@ -104,6 +182,19 @@ public interface MotionEffect extends Effect {
      * @return a fraction of the way, above 0 and at most 1, at which it is on the other side, with one edge only between; NaN when it stays on its side
      */
     double otherSide(boolean inside, double x0, double y0, double x1, double y1);
+  }
+
+  /** A law of the impulse along the ground that replaces the fixed losses of the models at impacts. Of several the last one holds. */
+  interface ImpactLaw extends MotionEffect {
+    /**
+     * The velocity and the spin after an impact.
+     *
+     * @param arrival how the ball arrives
+     * @param dampingZ the vertical restitution of this impact (–)
+     * @param inertiaFactor β of the ball (–)
+     * @param after vx, vy and the spin as velocities (see {@link BallMotion#spinX}), m/s; before the impact when called, changed in place
+     */
+    void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after);
   }
 
   /** What makes a bounce differ from fixed losses. */

@@ -1,9 +1,14 @@
 package fieldcal.effect;
 
+import fieldcal.effect.MotionEffect.AirFlow;
 import fieldcal.effect.MotionEffect.Bounce;
 import fieldcal.effect.MotionEffect.ExternalForce;
+import fieldcal.effect.MotionEffect.FrictionOfKick;
 import fieldcal.effect.MotionEffect.FrictionZone;
+import fieldcal.effect.MotionEffect.ImpactLaw;
+import fieldcal.effect.MotionEffect.Line;
 import fieldcal.effect.MotionEffect.RollingResistance;
+import fieldcal.effect.MotionEffect.SlidingResistance;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import java.util.Arrays;
 import java.util.List;
@@ -13,6 +18,9 @@ public final class MotionEffects {
   private static final SpinAtKick[] NO_SPINS = {};
   private static final ExternalForce.Field[] NO_FORCES = {};
   private static final RollingResistance[] NO_RESISTANCES = {};
+  private static final SlidingResistance[] NO_SLIDINGS = {};
+  private static final FrictionOfKick[] NO_FRICTIONS = {};
+  private static final Line[] NO_LINES = {};
   private static final FrictionZone[] NO_ZONES = {};
   private static final Bounce[] NO_BOUNCES = {};
 
@@ -23,8 +31,23 @@ public final class MotionEffects {
   final SpinAtKick[] spins;
   final ExternalForce.Field[] forces;
   final RollingResistance[] resistances;
+  final SlidingResistance[] slidings;
+  final FrictionOfKick[] frictions;
+  final Line[] lines;
+
+  /** Normals (x, y) and distances of the lines, m, one after another. */
+  private final double[] linePlaces;
+
   final FrictionZone[] zones;
   final Bounce[] bounces;
+
+  /** Null where the models' fixed losses hold. */
+  final ImpactLaw impacts;
+
+  /** Velocity of the air, m/s. */
+  final double airX;
+
+  final double airY;
   private final List<MotionEffect> effects;
 
   private MotionEffects(BallBody ball, List<? extends MotionEffect> effects) {
@@ -33,8 +56,14 @@ public final class MotionEffects {
     SpinAtKick[] spinning = NO_SPINS;
     ExternalForce.Field[] pulling = NO_FORCES;
     RollingResistance[] resisting = NO_RESISTANCES;
+    SlidingResistance[] rubbing = NO_SLIDINGS;
+    FrictionOfKick[] ofKick = NO_FRICTIONS;
+    Line[] crossed = NO_LINES;
     FrictionZone[] worn = NO_ZONES;
     Bounce[] bouncing = NO_BOUNCES;
+    ImpactLaw law = null;
+    double flowX = 0;
+    double flowY = 0;
     for (MotionEffect effect : this.effects) {
       if (effect.isAbsent()) {
         // It is left out, so that it changes nothing, not even a rounding error.
@@ -49,6 +78,22 @@ public final class MotionEffects {
       if (effect instanceof RollingResistance e) {
         resisting = and(resisting, e);
       }
+      if (effect instanceof SlidingResistance e) {
+        rubbing = and(rubbing, e);
+      }
+      if (effect instanceof FrictionOfKick e) {
+        ofKick = and(ofKick, e);
+      }
+      if (effect instanceof Line e) {
+        crossed = and(crossed, e);
+      }
+      if (effect instanceof ImpactLaw e) {
+        law = e;
+      }
+      if (effect instanceof AirFlow e) {
+        flowX += e.airX();
+        flowY += e.airY();
+      }
       if (effect instanceof FrictionZone e) {
         worn = and(worn, e);
       }
@@ -59,8 +104,26 @@ public final class MotionEffects {
     spins = spinning;
     forces = pulling;
     resistances = resisting;
+    slidings = rubbing;
+    frictions = ofKick;
+    lines = crossed;
+    linePlaces = new double[3 * lines.length];
+    for (int i = 0; i < lines.length; i++) {
+      linePlaces[3 * i] = lines[i].normalX();
+      linePlaces[3 * i + 1] = lines[i].normalY();
+      linePlaces[3 * i + 2] = lines[i].distance();
+    }
     zones = worn;
     bounces = bouncing;
+    impacts = law;
+    airX = flowX;
+    airY = flowY;
+  }
+
+  /** Whether a place is beyond a line, on the side to which its normal points. */
+  boolean isBeyond(int line, double x, double y) {
+    int i = 3 * line;
+    return linePlaces[i] * x + linePlaces[i + 1] * y > linePlaces[i + 2];
   }
 
   private static <T> T[] and(T[] some, T another) {

@@ -55,6 +55,8 @@ final class PathIntegrator {
   private final boolean varies;
   private final Path path;
   private final boolean[] inside;
+  private final boolean[] beyond;
+  private final double[] crossing = new double[2];
   private final double[] state = new double[BallForces.SIZE];
   private final double[] trial = new double[BallForces.SIZE];
   private final double[] at = new double[BallForces.SIZE];
@@ -72,15 +74,22 @@ final class PathIntegrator {
   private double variation;
 
   private double slipShare;
+
+  /** The part of the spin that comes from the kick and bounces have not used up, as {@link BallMotion#spinX}, m/s. */
+  private double kickSpinX;
+
+  private double kickSpinY;
   private int flights;
 
-  PathIntegrator(MotionEffects effects, double sessionStart, double accRoll, int flights) {
+  PathIntegrator(
+      MotionEffects effects, double sessionStart, double accRoll, double kickTime, int flights) {
     this.effects = effects;
-    forces = new BallForces(effects, sessionStart, accRoll);
+    forces = new BallForces(effects, sessionStart, accRoll, kickTime);
     flightsGiven = flights;
-    varies = effects.forces.length + effects.resistances.length > 0;
+    varies = effects.forces.length + effects.resistances.length + effects.slidings.length > 0;
     path = new Path(varies ? 24 : 8);
     inside = new boolean[effects.zones.length];
+    beyond = new boolean[effects.lines.length];
   }
 
   Path path() {
@@ -113,6 +122,9 @@ final class PathIntegrator {
               : flights < flightsGiven;
     }
     state[5] = 0;
+    if (flights > 0 && effects.impacts != null) {
+      stopSlip();
+    }
     roll(t0 + ExtendedTrajectory.MAX_DURATION);
   }
 
@@ -129,10 +141,26 @@ final class PathIntegrator {
     }
     state[6] = spin[0];
     state[7] = spin[1];
+    kickSpinX = spin[0];
+    kickSpinY = spin[1];
     for (int i = 0; i < inside.length; i++) {
       inside[i] = effects.zones[i].contains(x, y);
     }
+    findSides();
     forces.setInside(inside);
+  }
+
+  private void findSides() {
+    for (int i = 0; i < beyond.length; i++) {
+      beyond[i] = effects.isBeyond(i, state[0], state[1]);
+    }
+  }
+
+  /** The bounces that are too low to be counted take what slip is left. */
+  private void stopSlip() {
+    double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
+    state[3] -= share * (state[3] - state[6]);
+    state[4] -= share * (state[4] - state[7]);
   }
 
   private void slide(double until) {
@@ -156,7 +184,10 @@ final class PathIntegrator {
   private void roll(double until) {
     state[6] = state[3];
     state[7] = state[4];
-    // A ball may have flown into a zone or out of it.
+    // A ball may have flown into a zone or out of it, or over a line.
+    if (flights > 0) {
+      findSides();
+    }
     for (int i = 0; i < inside.length; i++) {
       inside[i] = flights > 0 ? effects.zones[i].contains(state[0], state[1]) : inside[i];
     }
@@ -297,7 +328,24 @@ final class PathIntegrator {
       dampingXy = effect.dampingXy(arrival, dampingXy);
     }
     dampingZ = Math.max(0, Math.min(0.99, dampingZ));
-    dampingXy = Math.max(0, dampingXy);
+    if (effects.impacts != null) {
+      double[] after = {state[3], state[4], state[6], state[7]};
+      effects.impacts.impact(arrival, dampingZ, effects.ball.inertiaFactor(), after);
+      state[3] = after[0];
+      state[4] = after[1];
+      state[6] = after[2];
+      state[7] = after[3];
+    } else {
+      lose(Math.max(0, dampingXy));
+      useKickSpin(Math.max(0, 1 - model.dampingXyFirstHop()));
+    }
+    state[5] = -dampingZ * state[5];
+  }
+
+  /** The fixed loss of an impact, and the spin that it gives to a ball that was kicked without. */
+  private void lose(double dampingXy) {
+    state[6] -= kickSpinX;
+    state[7] -= kickSpinY;
     double lostX = (1 - dampingXy) * state[3];
     double lostY = (1 - dampingXy) * state[4];
     double slipX = state[3] - state[6];
@@ -312,7 +360,17 @@ final class PathIntegrator {
       state[6] = state[3];
       state[7] = state[4];
     }
-    state[5] = -dampingZ * state[5];
+  }
+
+  /** What the kick's spin adds to an impact: see {@link ExtendedTrajectory}. */
+  private void useKickSpin(double grip) {
+    state[3] += grip * kickSpinX;
+    state[4] += grip * kickSpinY;
+    double left = Math.max(0, 1 - grip / effects.ball.inertiaFactor());
+    kickSpinX *= left;
+    kickSpinY *= left;
+    state[6] += kickSpinX;
+    state[7] += kickSpinY;
   }
 
   /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; tells whether it was made whole. */
@@ -331,6 +389,15 @@ final class PathIntegrator {
         crossed = i;
       }
     }
+    int line = -1;
+    for (int i = 0; i < beyond.length; i++) {
+      double edge = ZoneEdge.timeOver(path, effects, i, beyond[i], step);
+      if (edge <= first) {
+        first = edge;
+        line = i;
+        crossed = -1;
+      }
+    }
     if (first < step) {
       path.dropLast();
       attempt(phase, first);
@@ -342,7 +409,24 @@ final class PathIntegrator {
       forces.setInside(inside);
       ready = false;
     }
-    return first == step && crossed < 0;
+    if (line >= 0) {
+      cross(phase, line);
+    }
+    return first == step && crossed < 0 && line < 0;
+  }
+
+  private void cross(Phase phase, int line) {
+    beyond[line] = !beyond[line];
+    crossing[0] = state[3];
+    crossing[1] = state[4];
+    effects.lines[line].cross(crossing);
+    state[3] = crossing[0];
+    state[4] = crossing[1];
+    if (phase == Phase.ROLLING) {
+      state[6] = state[3];
+      state[7] = state[4];
+    }
+    ready = false;
   }
 
   /** The state after a step, in {@code trial}, and the rate there, in {@code end}. */

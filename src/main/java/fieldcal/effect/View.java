@@ -2,6 +2,7 @@ package fieldcal.effect;
 
 import fieldcal.camera.Camera;
 import fieldcal.effect.MeasurementEffect.Refraction;
+import fieldcal.effect.MeasurementEffect.Shift;
 import fieldcal.effect.MeasurementEffect.Timing;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,6 +21,7 @@ final class View {
   private final MeasurementEffect[] effects;
   private final Timing[] timings;
   private final Refraction[] refractions;
+  private final Shift[] shifts;
 
   /** Where vision believes the camera, m. */
   private final double publishedX;
@@ -47,6 +49,7 @@ final class View {
     List<MeasurementEffect> concerning = new ArrayList<>(all.size());
     List<Timing> late = new ArrayList<>(1);
     List<Refraction> bending = new ArrayList<>(1);
+    List<Shift> moving = new ArrayList<>(1);
     for (MeasurementEffect e : all) {
       if (!e.isAbsent() && e.isApplicable(observer) && e.concerns(observer)) {
         concerning.add(e);
@@ -56,11 +59,15 @@ final class View {
         if (e instanceof Refraction refraction) {
           bending.add(refraction);
         }
+        if (e instanceof Shift shift) {
+          moving.add(shift);
+        }
       }
     }
     effects = concerning.toArray(MeasurementEffect[]::new);
     timings = late.toArray(Timing[]::new);
     refractions = bending.toArray(Refraction[]::new);
+    shifts = moving.toArray(Shift[]::new);
     prepare(new Sight(observer));
   }
 
@@ -101,8 +108,16 @@ final class View {
     return timings.length > 0;
   }
 
-  /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on. */
-  void report(double ballX, double ballY, double ballZ, double[] ground, int at) {
+  /** Where a ball is reported under a time stamp of the session: x and y into two places of {@code ground} from {@code at} on. */
+  void report(double stamp, double ballX, double ballY, double ballZ, double[] ground, int at) {
+    project(ballX, ballY, ballZ, ground, at);
+    for (Shift effect : shifts) {
+      ground[at] += effect.shiftX(observer, stamp);
+      ground[at + 1] += effect.shiftY(observer, stamp);
+    }
+  }
+
+  private void project(double ballX, double ballY, double ballZ, double[] ground, int at) {
     if (camera == null) {
       ground[at] = ballX + addedX;
       ground[at + 1] = ballY + addedY;

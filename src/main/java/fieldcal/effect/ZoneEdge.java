@@ -2,7 +2,7 @@ package fieldcal.effect;
 
 import fieldcal.effect.MotionEffect.FrictionZone;
 
-/** Where the last piece of a path crosses the edge of a zone. */
+/** Where the last piece of a path crosses the edge of a zone, or a line. */
 final class ZoneEdge {
   /** Zones are looked for along chords of at most this duration, s: what lies between chord and path is less than a tenth of a millimetre wide. */
   private static final double CHORD = 0.1;
@@ -38,6 +38,31 @@ final class ZoneEdge {
       y0 = y1;
     }
     return Double.POSITIVE_INFINITY;
+  }
+
+  /** Time into the path's last piece at which a line is crossed, by bisection; infinite when it is not. */
+  static double timeOver(Path path, MotionEffects effects, int line, boolean beyond, double step) {
+    int chords = 1 + (int) (step / CHORD);
+    for (int j = 1; j <= chords; j++) {
+      double after = (double) j / chords;
+      if (isBeyond(path, effects, line, after) != beyond) {
+        double before = (j - 1.0) / chords;
+        while ((after - before) * step > TINY) {
+          double middle = 0.5 * (before + after);
+          if (isBeyond(path, effects, line, middle) == beyond) {
+            before = middle;
+          } else {
+            after = middle;
+          }
+        }
+        return after * step;
+      }
+    }
+    return Double.POSITIVE_INFINITY;
+  }
+
+  private static boolean isBeyond(Path path, MotionEffects effects, int line, double share) {
+    return effects.isBeyond(line, path.lastPosition(0, share), path.lastPosition(1, share));
   }
 
   /** The share of the path's last piece at which a ball has made a share of the way along a chord. */

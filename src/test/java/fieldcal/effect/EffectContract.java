@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.Parameter;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -35,7 +37,32 @@ abstract class EffectContract {
           Map.entry("drift", List.of("percent_per_10min")),
           Map.entry("robot_kick_bias", List.of("percent", "yaw", "team", "robot")),
           Map.entry("clock_skew", List.of("ppm", "camera")),
-          Map.entry("rolling_shutter", List.of("ms")));
+          Map.entry("rolling_shutter", List.of("ms")),
+          Map.entry("wind", List.of("speed", "direction")),
+          Map.entry("slip_dependent_friction", List.of("slope")),
+          Map.entry("camera_moved", List.of("x_mm", "y_mm", "at", "camera")),
+          Map.entry("ball_changed", List.of("roll", "slide", "at")),
+          Map.entry("contact_impacts", List.of("reversed", "friction")),
+          Map.entry("carpet_seam", List.of("loss", "turn", "normal", "distance")));
+
+  /** Two flats and a chip, two cameras that are known in full and one of which nothing is. */
+  private static final Arena ARENA =
+      new Arena(
+          -4,
+          4,
+          -3,
+          3,
+          new double[] {10, 30, 90},
+          true,
+          true,
+          List.of(
+              MeasurementEffectsTest.camera(0, -2),
+              MeasurementEffectsTest.camera(1, 2),
+              ObservedCamera.unknown(2, 3)),
+          List.of(new RobotId(Team.YELLOW, 3), new RobotId(Team.BLUE, 7)));
+
+  private static final Arena EMPTY =
+      new Arena(0, 0, 0, 0, new double[] {10}, false, false, List.of(), List.of());
 
   /** The effect with all magnitudes away from zero and its place where the predictions feel it. */
   abstract Effect effect();
@@ -114,9 +141,51 @@ abstract class EffectContract {
     for (Parameter parameter : effect.parameters()) {
       if (parameter.estimated()) {
         smooth(effect, parameter);
-        smooth(effect.withNone(), effect.withNone().parameters().get(index(effect, parameter)));
+        if (effect.starts().isEmpty()) {
+          smooth(effect.withNone(), effect.withNone().parameters().get(index(effect, parameter)));
+        }
       }
     }
+  }
+
+  @Test
+  void candidatesAreAbsentAndWithinTheirBounds() {
+    Effect effect = effect();
+    assertThat(effect.canShowIn(ARENA)).isTrue();
+    List<Effect> candidates = effect.candidates(ARENA);
+    assertThat(candidates).isNotEmpty().doesNotHaveDuplicates().hasSizeLessThanOrEqualTo(40);
+    for (Effect candidate : candidates) {
+      assertThat(candidate).hasSameClassAs(effect);
+      assertThat(candidate.isAbsent()).isTrue();
+      assertThat(candidate.parameters()).allMatch(Parameter::isWithinBounds);
+      if (candidate instanceof MeasurementEffect m) {
+        assertThat(ARENA.cameras()).anyMatch(c -> m.isApplicable(c) && m.concerns(c));
+      }
+    }
+    if (effect.canShowIn(EMPTY)) {
+      assertThat(effect.candidates(EMPTY)).isNotEmpty();
+    }
+  }
+
+  @Test
+  void placesAreNotEstimatedAndChoicesAreMagnitudes() {
+    Effect effect = effect();
+    List<String> fixed =
+        effect.parameters().stream().filter(p -> !p.estimated()).map(Parameter::name).toList();
+    assertThat(fixed).containsAll(effect.places());
+    assertThat(effect.choices()).isNotEmpty().doesNotHaveDuplicates();
+    for (List<String> choice : effect.choices()) {
+      assertThat(effect.magnitudes()).containsAll(choice);
+    }
+    for (Effect start : effect.starts()) {
+      assertThat(start.isAbsent()).isFalse();
+      assertThat(start.parameters()).allMatch(Parameter::isWithinBounds);
+    }
+    for (Effect companion : effect.companions()) {
+      assertThat(companion.isAbsent()).isFalse();
+      assertThat(companion.id()).isNotEqualTo(effect.id());
+    }
+    assertThat(TABLE.keySet()).containsAll(effect.akin());
   }
 
   private static int index(Effect effect, Parameter parameter) {

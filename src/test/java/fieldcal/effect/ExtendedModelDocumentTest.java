@@ -1,11 +1,13 @@
 package fieldcal.effect;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
+import fieldcal.effect.measurement.LensDistortionError;
 import fieldcal.vision.Epoch;
 import java.util.ArrayList;
 import java.util.List;
@@ -44,6 +46,17 @@ class ExtendedModelDocumentTest {
   }
 
   @Test
+  void anErrorOfAllCamerasNamesNone() {
+    Effect all = new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS);
+    assertThat(EffectFields.of(all)).containsOnlyKeys("delta");
+    assertThat(EffectFields.read(all.id(), Map.of("delta", 0.01))).isEqualTo(all);
+    assertThatThrownBy(() -> EffectFields.read(all.id(), Map.of("delta", 0.01, "camera", -1)))
+        .hasMessageStartingWith("camera: ");
+    assertThatThrownBy(() -> EffectFields.read("clock_skew", Map.of("ppm", 100)))
+        .hasMessageStartingWith("camera: ");
+  }
+
+  @Test
   void aModelComesBack() {
     ExtendedModel model =
         new ExtendedModel(
@@ -72,7 +85,8 @@ class ExtendedModelDocumentTest {
         new ExtendedModel(Optional.of(FlatModel.typical()), Optional.empty(), effects(), 0);
     assertThat(ExtendedModelDocument.of(model, EPOCH).get("needs").toString())
         .contains("what each robot is told when it kicks (robot_kick_bias)")
-        .contains("the time since session_start_unix (drift, clock_skew)")
+        .contains(
+            "the time since session_start_unix (drift, clock_skew, camera_moved, ball_changed)")
         .contains("geometry of the cameras (camera_pose_error");
   }
 }

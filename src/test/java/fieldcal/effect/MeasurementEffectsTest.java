@@ -9,6 +9,7 @@ import fieldcal.ball.ChipTrajectory;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.measurement.BallHeightError;
+import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
 import fieldcal.effect.measurement.CameraTimeOffset;
@@ -29,7 +30,7 @@ class MeasurementEffectsTest {
     return List.of(camera(0, -2), camera(1, 2));
   }
 
-  private static ObservedCamera camera(int id, double x) {
+  static ObservedCamera camera(int id, double x) {
     // Turned by 180° about x: t = −R·C with C = (x, 0, 5).
     CameraCalibration c =
         new CameraCalibration(id, 1800, 1224, 1024, 0.1, 1, 0, 0, 0, -x, 0, 5, x, 0, 5, 2448, 2048);
@@ -57,8 +58,9 @@ class MeasurementEffectsTest {
       double[] ground = new double[2];
       for (int i = 0; i < 80; i++) {
         int id = i % 2;
-        PATH.positionAt(effects.ballTime(id, 100.05 + 0.0203 * i, 10 + 20 * i), ball);
-        effects.report(id, ball, ground);
+        double stamp = 100.05 + 0.0203 * i;
+        PATH.positionAt(effects.ballTime(id, stamp, 10 + 20 * i), ball);
+        effects.report(id, stamp, ball, ground);
         result[2 * i] = ground[0];
         result[2 * i + 1] = ground[1];
       }
@@ -114,6 +116,20 @@ class MeasurementEffectsTest {
   }
 
   @Nested
+  class LensDistortionErrorOfAllTest extends Reports {
+    LensDistortionErrorOfAllTest() {
+      super(new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS));
+    }
+  }
+
+  @Nested
+  class CameraMovedTest extends Reports {
+    CameraMovedTest() {
+      super(new CameraMoved(12, -7, 100.8, 1));
+    }
+  }
+
+  @Nested
   class BallHeightErrorTest extends Reports {
     BallHeightErrorTest() {
       super(new BallHeightError(8.5));
@@ -165,8 +181,40 @@ class MeasurementEffectsTest {
     assertThat(EffectCatalogue.all().stream().map(Effect::id))
         .doesNotHaveDuplicates()
         .containsExactlyInAnyOrderElementsOf(EffectContract.ids());
-    assertThat(EffectCatalogue.motion()).hasSize(11);
-    assertThat(EffectCatalogue.measurement()).hasSize(7);
+    assertThat(EffectCatalogue.motion()).hasSize(16);
+    assertThat(EffectCatalogue.measurement()).hasSize(8);
+  }
+
+  @Test
+  void aKnockedCameraReportsShiftedFromThenOn() {
+    MeasurementEffects effects =
+        MeasurementEffects.of(cameras(), List.of(new CameraMoved(12, -7, 100, 1)));
+    double[] ball = {1, 2, 0};
+    double[] ground = new double[2];
+    effects.report(1, 99.9, ball, ground);
+    assertThat(ground).containsExactly(new double[] {1, 2}, within(1e-12));
+    effects.report(0, 100, ball, ground);
+    assertThat(ground).containsExactly(new double[] {1, 2}, within(1e-12));
+    effects.report(1, 100, ball, ground);
+    assertThat(ground).containsExactly(new double[] {1.012, 1.993}, within(1e-12));
+    effects.report(1, ball, ground);
+    assertThat(ground).containsExactly(new double[] {1.012, 1.993}, within(1e-12));
+  }
+
+  @Test
+  void aDistortionOfAllCamerasIsOneOfEach() {
+    MeasurementEffects all =
+        MeasurementEffects.of(cameras(), List.of(new LensDistortionError(0.01, -1)));
+    MeasurementEffects each =
+        MeasurementEffects.of(
+            cameras(), List.of(new LensDistortionError(0.01, 0), new LensDistortionError(0.01, 1)));
+    double[] a = new double[2];
+    double[] b = new double[2];
+    for (int id = 0; id < 2; id++) {
+      all.report(id, new double[] {1, 2, 0}, a);
+      each.report(id, new double[] {1, 2, 0}, b);
+      assertThat(a).isEqualTo(b).isNotEqualTo(new double[] {1, 2});
+    }
   }
 
   @Test

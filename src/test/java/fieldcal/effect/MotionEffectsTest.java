@@ -1,23 +1,33 @@
 package fieldcal.effect;
 
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.BallChanged;
 import fieldcal.effect.motion.BounceSpinCoupling;
 import fieldcal.effect.motion.CarpetNap;
+import fieldcal.effect.motion.CarpetSeam;
+import fieldcal.effect.motion.ContactImpacts;
 import fieldcal.effect.motion.Drift;
 import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Magnus;
 import fieldcal.effect.motion.RobotKickBias;
 import fieldcal.effect.motion.SideSpin;
+import fieldcal.effect.motion.SlipDependentFriction;
 import fieldcal.effect.motion.SpeedDependentRestitution;
 import fieldcal.effect.motion.SpeedDependentRoll;
+import fieldcal.effect.motion.Wind;
 import fieldcal.effect.motion.WornRegion;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
 
 /** The contract for every effect on the motion. */
 class MotionEffectsTest {
@@ -45,13 +55,21 @@ class MotionEffectsTest {
     /** The same effect for a world turned about the origin; effects without a direction of their own stay as they are. */
     @Override
     Effect turned(double angle) {
-      boolean directed = effect.parameters().stream().anyMatch(p -> p.name().equals("direction"));
-      return directed ? effect.with("direction", effect.value("direction") + angle) : effect;
+      for (String name : List.of("direction", "normal")) {
+        if (effect.parameters().stream().anyMatch(p -> p.name().equals(name))) {
+          return effect.with(name, effect.value(name) + angle);
+        }
+      }
+      return effect;
     }
 
     @Override
     double[] predictTurned(Effect with, double angle) {
-      List<MotionEffect> list = with == null ? List.of() : List.of((MotionEffect) with);
+      List<MotionEffect> list = new ArrayList<>();
+      effect.companions().forEach(e -> list.add((MotionEffect) e));
+      if (with != null) {
+        list.add((MotionEffect) with);
+      }
       MotionEffects effects = MotionEffects.of(list);
       double c = Math.cos(angle);
       double s = Math.sin(angle);
@@ -159,6 +177,127 @@ class MotionEffectsTest {
     DriftTest() {
       super(new Drift(20));
     }
+  }
+
+  @Nested
+  class WindTest extends Paths {
+    WindTest() {
+      super(new Wind(0.8, 2));
+    }
+  }
+
+  @Nested
+  class SlipDependentFrictionTest extends Paths {
+    SlipDependentFrictionTest() {
+      super(new SlipDependentFriction(0.05));
+    }
+  }
+
+  @Nested
+  class BallChangedTest extends Paths {
+    BallChangedTest() {
+      super(new BallChanged(0.1, -0.05, 60));
+    }
+  }
+
+  @Nested
+  class ContactImpactsTest extends Paths {
+    ContactImpactsTest() {
+      // The first impact of the chip slips through, the others grip.
+      super(new ContactImpacts(-0.2, 0.12));
+    }
+  }
+
+  @Nested
+  class CarpetSeamTest extends Paths {
+    CarpetSeamTest() {
+      super(new CarpetSeam(0.1, 0.05, 0.4, 3));
+    }
+  }
+
+  /** The horizontal velocity along x after each impact of a chip along x, m/s. */
+  private static List<Double> afterImpacts(MotionEffect... effects) {
+    ExtendedTrajectory path =
+        ExtendedTrajectory.chipWithHops(
+            CHIP, MotionEffects.of(List.of(effects)), 0, 0, 0, 0, 3, 0, 4, 4);
+    List<Double> speeds = new ArrayList<>();
+    double vz = 4;
+    double landing = 0;
+    for (int i = 0; i < 3; i++) {
+      landing += 2 * vz / 9.81;
+      vz *= CHIP.dampingZ();
+      speeds.add(path.stateAt(landing + 0.01).vx());
+    }
+    return speeds;
+  }
+
+  @Test
+  void spinOfTheKickActsAtImpacts() {
+    // A ball that already rolls loses nothing at its first impact.
+    assertThat(afterImpacts(new KickSpin(1)).get(0)).isEqualTo(3, within(1e-9));
+    // Backspin grips more: v' = 0.75·v + 0.25·q, q' = q·(1 − 0.25/0.4), v'' = 0.95·v' + 0.25·q'.
+    double first = 0.75 * 3 + 0.25 * -1.2;
+    double second = 0.95 * first + 0.25 * -1.2 * 0.375;
+    List<Double> speeds = afterImpacts(new KickSpin(-0.4));
+    assertThat(speeds.get(0)).isEqualTo(first, within(1e-9));
+    assertThat(speeds.get(1)).isEqualTo(second, within(1e-9));
+    assertThat(afterImpacts().get(0)).isEqualTo(0.75 * 3, within(1e-12));
+  }
+
+  @Test
+  void contactBuildsUpSpinFromHopToHop() {
+    // A soft grip, e_t = −0.6: what is lost shrinks from impact to impact, which fixed dampings
+    // cannot do.
+    List<Double> speeds = afterImpacts(new ContactImpacts(-0.4, 1));
+    double slip = 3;
+    double v = 3;
+    for (double speed : speeds) {
+      v -= 0.6 * 0.4 / 1.4 * slip;
+      slip *= 0.4;
+      assertThat(speed).isEqualTo(v, within(1e-9));
+    }
+    // Little friction limits the impulse: Δv = −friction·(1 + e_z)·|v_z|.
+    assertThat(afterImpacts(new ContactImpacts(0, 0.05)).get(0))
+        .isEqualTo(3 - 0.05 * 1.52 * 4, within(1e-9));
+  }
+
+  @Test
+  void aSeamTakesSpeedAcrossAndTurns() {
+    CarpetSeam seam = new CarpetSeam(0.2, 0.1, 0, 2);
+    double[] velocity = {2, 1};
+    seam.cross(velocity);
+    assertThat(Math.hypot(velocity[0], velocity[1])).isEqualTo(Math.hypot(1.6, 1), within(1e-12));
+    assertThat(Math.atan2(velocity[1], velocity[0]))
+        .isEqualTo(Math.atan2(1, 1.6) + 0.1, within(1e-12));
+    double[] grazing = {0.01, 1};
+    seam.cross(grazing);
+    assertThat(grazing).containsExactly(new double[] {0, 1}, within(1e-4));
+    ExtendedTrajectory path =
+        ExtendedTrajectory.flat(FLAT, MotionEffects.of(List.of(seam)), 0, 0, 0, 0, 4, 0);
+    double crossing = path.timeAtDistance(2).orElseThrow();
+    double before = path.stateAt(crossing - 1e-6).groundSpeed();
+    double after = path.stateAt(crossing + 1e-6).groundSpeed();
+    assertThat(after).isEqualTo(0.8 * before, within(1e-4));
+  }
+
+  @Test
+  void aNewBallIsInPlayFromItsTimeOn() {
+    MotionEffects changed = MotionEffects.of(List.of(new BallChanged(0.2, 0.1, 60)));
+    FlatModel other = new FlatModel(1.1 * FLAT.accSlide(), 1.2 * FLAT.accRoll(), FLAT.kSwitch());
+    for (double t : new double[] {59, 61}) {
+      ExtendedTrajectory path = ExtendedTrajectory.flat(FLAT, changed, 0, t, 0, 0, 4, 1);
+      ExtendedTrajectory plain =
+          ExtendedTrajectory.flat(t < 60 ? FLAT : other, MotionEffects.NONE, 0, t, 0, 0, 4, 1);
+      assertThat(path.restTime()).isEqualTo(plain.restTime(), within(1e-9));
+    }
+  }
+
+  @Test
+  void aBallThatMovesWithTheAirFeelsNoDrag() {
+    MotionEffects windy = MotionEffects.of(List.of(new AirDrag(0.45), new Wind(3, 0)));
+    ExtendedTrajectory path =
+        ExtendedTrajectory.chipWithHops(CHIP, windy, 0, 0, 0, 0, 3, 0, 0.001, 1);
+    assertThat(path.stateAt(1e-4).vx()).isEqualTo(3, within(1e-7));
   }
 
   @Nested

@@ -1,6 +1,7 @@
 package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.ObservedCamera;
@@ -57,6 +58,16 @@ public record CameraOffset(double xMm, double yMm, int camera) implements Measur
   public CameraOffset withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 3);
     return new CameraOffset(v[0], v[1], (int) v[2]);
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return arena.hasSeveralCameras();
+  }
+
+  @Override
+  public List<String> akin() {
+    return List.of("camera_pose_error");
   }
 
   @Override

@@ -77,6 +77,22 @@ public record CameraPoseError(
     return new CameraPoseError(v[0], v[1], v[2], v[3], v[4], (int) v[5]);
   }
 
+  /** A shift alone is a camera offset; with one camera it cannot be told from where the field is. */
+  @Override
+  public List<List<String>> choices() {
+    return List.of(
+        List.of("height_mm"),
+        List.of("tilt_mrad"),
+        List.of("tilt_mrad", "height_mm"),
+        List.of("height_mm", "shift_x_mm", "shift_y_mm"),
+        List.of("tilt_mrad", "shift_x_mm", "shift_y_mm"));
+  }
+
+  @Override
+  public List<String> akin() {
+    return List.of("camera_offset");
+  }
+
   @Override
   public boolean isAbsent() {
     return tiltMrad == 0 && heightMm == 0 && shiftXMm == 0 && shiftYMm == 0;

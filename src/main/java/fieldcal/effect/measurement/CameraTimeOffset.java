@@ -1,6 +1,7 @@
 package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MeasurementEffect.Timing;
 import fieldcal.effect.ObservedCamera;
@@ -53,6 +54,11 @@ public record CameraTimeOffset(double ms, int camera) implements Timing {
   public CameraTimeOffset withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 2);
     return new CameraTimeOffset(v[0], (int) v[1]);
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return arena.hasSeveralCameras();
   }
 
   @Override

@@ -1,20 +1,26 @@
 package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MeasurementEffect.Refraction;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.Sight;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Published minus true radial distortion of one camera: the true lens (published − delta) draws the ball at radius rd, ru = rd·(1 + k·rd²) (SSL-Vision's model, radii in
+ * Published minus true radial distortion of one camera, or the same of all: the true lens (published − delta) draws the ball at radius rd, ru = rd·(1 + k·rd²) (SSL-Vision's model, radii in
  * focal lengths), and the published one reads that as another angle to the optical axis. Needs rotation and lens.
  *
  * @param delta published minus true radial distortion (–)
- * @param camera which camera, by id
+ * @param camera which camera, by id; {@link #ALL_CAMERAS} = the same in all cameras
  */
 public record LensDistortionError(double delta, int camera) implements Refraction {
+  /** In place of a camera's id: the error is the same in all cameras. Files leave the camera out then. */
+  public static final int ALL_CAMERAS = EffectParameters.ALL_CAMERAS;
+
   private static final String ID = "lens_distortion_error";
 
   /**
@@ -33,7 +39,7 @@ public record LensDistortionError(double delta, int camera) implements Refractio
 
   @Override
   public String sentence() {
-    return "One camera's lens distorts otherwise than its calibration says.";
+    return "The lens distortion in a camera's calibration is wrong.";
   }
 
   @Override
@@ -48,13 +54,23 @@ public record LensDistortionError(double delta, int camera) implements Refractio
             0.1,
             true,
             "published distortions are within ±0.2; calibrations err by a few hundredths"),
-        EffectParameters.camera(camera));
+        EffectParameters.cameraOrAll(camera));
   }
 
   @Override
   public LensDistortionError withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 2);
     return new LensDistortionError(v[0], (int) v[1]);
+  }
+
+  /** Each camera by itself and, from two on, all at once. */
+  @Override
+  public List<Effect> candidates(Arena arena) {
+    List<Effect> all = new ArrayList<>(Refraction.super.candidates(arena));
+    if (all.size() > 1) {
+      all.add(new LensDistortionError(0, ALL_CAMERAS));
+    }
+    return List.copyOf(all);
   }
 
   @Override
@@ -64,7 +80,7 @@ public record LensDistortionError(double delta, int camera) implements Refractio
 
   @Override
   public boolean concerns(ObservedCamera observer) {
-    return observer.id() == camera;
+    return camera == ALL_CAMERAS || observer.id() == camera;
   }
 
   @Override

@@ -8,7 +8,7 @@ import fieldcal.effect.MotionEffect.ExternalForce;
 import java.util.List;
 
 /**
- * Air drag, a = −½ρ·cd·πr²·|v|·v/m (Rayleigh's drag equation).
+ * Air drag, a = −½ρ·cd·πr²·|v|·v/m (Rayleigh's drag equation), v relative to the air.
  *
  * @param cd drag coefficient (–), 0 = no air
  */
@@ -61,9 +61,12 @@ public record AirDrag(double cd) implements ExternalForce {
 
   @Override
   public void addAcceleration(BallMotion motion, double[] acceleration) {
-    double perVelocity = -BallBody.AIR_FACTOR * cd * motion.speed();
-    acceleration[0] += perVelocity * motion.vx();
-    acceleration[1] += perVelocity * motion.vy();
-    acceleration[2] += perVelocity * motion.vz();
+    double x = motion.vx() - motion.airX();
+    double y = motion.vy() - motion.airY();
+    double z = motion.vz();
+    double perVelocity = -BallBody.AIR_FACTOR * cd * Math.sqrt(x * x + y * y + z * z);
+    acceleration[0] += perVelocity * x;
+    acceleration[1] += perVelocity * y;
+    acceleration[2] += perVelocity * z;
   }
 }

@@ -1,6 +1,7 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.BallMotion;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.Bounce;
@@ -51,6 +52,11 @@ public record BounceSpinCoupling(double coefficient) implements Bounce {
   public BounceSpinCoupling withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 1);
     return new BounceSpinCoupling(v[0]);
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return arena.chips();
   }
 
   @Override

@@ -1,6 +1,7 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.BallMotion;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.RollingResistance;
@@ -51,6 +52,11 @@ public record Drift(double percentPer10Min) implements RollingResistance {
   public Drift withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 1);
     return new Drift(v[0]);
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return arena.kickTimes().length > 1;
   }
 
   @Override

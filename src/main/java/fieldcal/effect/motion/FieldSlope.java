@@ -9,7 +9,7 @@ import fieldcal.effect.MotionEffect.ExternalForce;
 import java.util.List;
 
 /**
- * A field that is not level: acceleration g·percent/100 downhill on the carpet, of which a rolling ball feels 1/(1+β).
+ * A field that is not level: acceleration g·percent/100 downhill, in flight as well as on the carpet; a rolling ball feels 1/(1+β) of it.
  *
  * @param percent slope, 100 × height over length (–), 0 = level
  * @param direction downhill, rad
@@ -78,10 +78,8 @@ public record FieldSlope(double percent, double direction) implements ExternalFo
     double x = pull * Math.cos(direction);
     double y = pull * Math.sin(direction);
     return (motion, acceleration) -> {
-      if (!motion.isFlying()) {
-        acceleration[0] += x;
-        acceleration[1] += y;
-      }
+      acceleration[0] += x;
+      acceleration[1] += y;
     };
   }
 }

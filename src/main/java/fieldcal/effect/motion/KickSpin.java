@@ -53,6 +53,11 @@ public record KickSpin(double fraction) implements SpinAtKick {
   }
 
   @Override
+  public boolean differsFromKickToKick() {
+    return true;
+  }
+
+  @Override
   public boolean isAbsent() {
     return fraction == 0;
   }

@@ -1,6 +1,8 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.KickerEffect;
 import fieldcal.vision.RobotId;
@@ -35,7 +37,7 @@ public record RobotKickBias(double percent, double yaw, Team team, int robot)
 
   @Override
   public String sentence() {
-    return "One robot kicks faster or aside of what it was told.";
+    return "One robot kicks harder or in another direction than commanded.";
   }
 
   @Override
@@ -61,6 +63,18 @@ public record RobotKickBias(double percent, double yaw, Team team, int robot)
   public RobotKickBias withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 4);
     return new RobotKickBias(v[0], v[1], v[2] == 0 ? Team.YELLOW : Team.BLUE, (int) v[3]);
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return !arena.robots().isEmpty();
+  }
+
+  @Override
+  public List<Effect> candidates(Arena arena) {
+    return arena.robots().stream()
+        .<Effect>map(r -> new RobotKickBias(0, 0, r.team(), r.number()))
+        .toList();
   }
 
   @Override

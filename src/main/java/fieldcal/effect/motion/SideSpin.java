@@ -54,6 +54,11 @@ public record SideSpin(double fraction) implements SpinAtKick {
   }
 
   @Override
+  public boolean differsFromKickToKick() {
+    return true;
+  }
+
+  @Override
   public boolean isAbsent() {
     return fraction == 0;
   }

@@ -1,6 +1,7 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.BallMotion;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.Bounce;
@@ -54,6 +55,11 @@ public record SpeedDependentRestitution(double slope) implements Bounce {
   public SpeedDependentRestitution withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 1);
     return new SpeedDependentRestitution(v[0]);
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return arena.chips();
   }
 
   @Override

@@ -1,8 +1,11 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.FrictionZone;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -17,6 +20,17 @@ import java.util.List;
 public record WornRegion(double change, double x0, double x1, double y0, double y1)
     implements FrictionZone {
   private static final String ID = "worn_region";
+
+  /** Into how many parts along x and y a search cuts the arena; chosen: a region of half the size of a part still overlaps it by a half. */
+  private static final int[][] GRIDS = {{2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {3, 3}};
+
+  /** Shares of the arena before a goal: a defence area of division A is 1.8 m of 12 m deep, and 3.6 m of 9 m wide. */
+  private static final double GOAL_AREA_DEPTH = 0.15;
+
+  private static final double GOAL_AREA_SIDE = 0.3;
+
+  /** How far bounds on the arena's rim lie outside, m; chosen: a predicted ball gets a little farther than those seen. */
+  private static final double MARGIN = 0.5;
 
   /** A way within shorter than this, m, is a rounding error of having just left. */
   private static final double SHORTEST_CHORD = 1e-7;
@@ -62,6 +76,46 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
   public WornRegion withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 5);
     return new WornRegion(v[0], v[1], v[2], v[3], v[4]);
+  }
+
+  /** Halves, thirds, quarters, the nine fields of a grid and the middles of the two ends, where goal areas are. */
+  @Override
+  public List<Effect> candidates(Arena arena) {
+    List<Effect> regions = new ArrayList<>();
+    for (int[] parts : GRIDS) {
+      for (int i = 0; i < parts[0]; i++) {
+        for (int j = 0; j < parts[1]; j++) {
+          regions.add(
+              between(
+                  arena,
+                  (double) i / parts[0],
+                  (i + 1.0) / parts[0],
+                  (double) j / parts[1],
+                  (j + 1.0) / parts[1]));
+        }
+      }
+    }
+    regions.add(between(arena, 0, GOAL_AREA_DEPTH, GOAL_AREA_SIDE, 1 - GOAL_AREA_SIDE));
+    regions.add(between(arena, 1 - GOAL_AREA_DEPTH, 1, GOAL_AREA_SIDE, 1 - GOAL_AREA_SIDE));
+    return List.copyOf(regions);
+  }
+
+  /** Absent, over a part of where balls were seen; bounds on its rim lie beyond it. */
+  private static WornRegion between(
+      Arena arena, double fromX, double toX, double fromY, double toY) {
+    double width = arena.x1() - arena.x0();
+    double height = arena.y1() - arena.y0();
+    return new WornRegion(
+        0,
+        arena.x0() + (fromX == 0 ? -MARGIN : fromX * width),
+        toX == 1 ? arena.x1() + MARGIN : arena.x0() + toX * width,
+        arena.y0() + (fromY == 0 ? -MARGIN : fromY * height),
+        toY == 1 ? arena.y1() + MARGIN : arena.y0() + toY * height);
+  }
+
+  @Override
+  public List<String> places() {
+    return List.of("region_x0", "region_x1", "region_y0", "region_y1");
   }
 
   @Override

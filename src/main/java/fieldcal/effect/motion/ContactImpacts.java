@@ -1,0 +1,114 @@
+package fieldcal.effect.motion;
+
+import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
+import fieldcal.effect.BallMotion;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MotionEffect.ImpactLaw;
+import java.util.List;
+
+/**
+ * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the slip of the contact
+ * point u = v − s, s the spin as a velocity: the impulse along the ground undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, but is at most friction times the normal impulse, |Δv| ≤ friction·(1 + e_z)·|v_z|; its torque turns the
+ * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less.
+ *
+ * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
+ * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
+ */
+public record ContactImpacts(double reversed, double friction) implements ImpactLaw {
+  private static final String ID = "contact_impacts";
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one is not finite
+   */
+  public ContactImpacts {
+    EffectParameters.requireFinite(ID, reversed, friction);
+  }
+
+  @Override
+  public String id() {
+    return ID;
+  }
+
+  @Override
+  public String sentence() {
+    return "Bounces follow the spin that the ball has gathered, not two fixed dampings.";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(
+        new Parameter(
+            "reversed",
+            "",
+            reversed,
+            0.1,
+            -1,
+            1,
+            true,
+            "0 for a ball that grips, small negative values on soft carpets; Cross 2002"),
+        new Parameter(
+            "friction",
+            "",
+            friction,
+            0.1,
+            0,
+            2,
+            true,
+            "sliding on the carpet shows 0.3 to 0.35; impacts press fibres down and grip more"));
+  }
+
+  @Override
+  public ContactImpacts withParameters(double... values) {
+    double[] v = EffectParameters.require(ID, values, 2);
+    return new ContactImpacts(v[0], v[1]);
+  }
+
+  @Override
+  public boolean isAbsent() {
+    return friction == 0;
+  }
+
+  @Override
+  public List<String> magnitudes() {
+    return List.of("reversed", "friction");
+  }
+
+  @Override
+  public boolean canShowIn(Arena arena) {
+    return arena.chips();
+  }
+
+  /** A soft grip, and a grip with little and with much friction. */
+  @Override
+  public List<Effect> starts() {
+    return List.of(
+        new ContactImpacts(-0.2, 0.3), new ContactImpacts(0, 0.2), new ContactImpacts(0, 0.6));
+  }
+
+  /** The law does not grow from its absence: it takes the place of another. */
+  @Override
+  public List<Effect> probes() {
+    return starts();
+  }
+
+  @Override
+  public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
+    double slip = arrival.slip();
+    if (slip == 0) {
+      return;
+    }
+    double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
+    double most = friction * (1 + dampingZ) * Math.abs(arrival.vz());
+    double perSlip = -Math.min(wanted, most) / slip;
+    double dx = perSlip * (after[0] - after[2]);
+    double dy = perSlip * (after[1] - after[3]);
+    after[0] += dx;
+    after[1] += dy;
+    after[2] -= dx / inertiaFactor;
+    after[3] -= dy / inertiaFactor;
+  }
+}
