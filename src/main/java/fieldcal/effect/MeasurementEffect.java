@@ -8,7 +8,8 @@ package fieldcal.effect;
  *   <li>{@link #moveCamera}: where the camera really hangs; the ray goes from there to the ball's centre;
  *   <li>{@link #turnRay}: the ray as the published rotation understands it;
  *   <li>{@link Refraction#refractRay}: the ray as the published lens understands it;
- *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards.
+ *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards;
+ *   <li>{@link Displacement#displace}: what is added depending on where and when the ball is reported.
  * </ol>
  */
 public interface MeasurementEffect extends Effect {
@@ -65,6 +66,22 @@ public interface MeasurementEffect extends Effect {
      * @return s, positive = the stamp is late
      */
     double timeError(ObservedCamera camera, double sessionTime, double pixelRow);
+  }
+
+  /** An error of the reported position that depends on where and when the ball is reported. */
+  interface Displacement extends MeasurementEffect {
+    /**
+     * Adds the error.
+     *
+     * @param camera the camera
+     * @param x where the ball is reported without such errors, m
+     * @param y where the ball is reported without such errors, m
+     * @param sessionTime the time stamp, s since the session's begin; NaN = unknown, then what depends on it is left out
+     * @param ground receives the error; add x to the element {@code at} and y to the next, m
+     * @param at index
+     */
+    void displace(
+        ObservedCamera camera, double x, double y, double sessionTime, double[] ground, int at);
   }
 
   /** An effect of the lens, other for every ray. */

@@ -90,25 +90,38 @@ public final class MeasurementEffects {
         ground[2 * i] = ball.x();
         ground[2 * i + 1] = ball.y();
       } else {
-        view.report(ball.x(), ball.y(), ball.z(), ground, 2 * i);
+        double stamp = seen.stamp[i] - sessionStart;
+        view.report(ball.x(), ball.y(), ball.z(), stamp, ground, 2 * i);
       }
     }
   }
 
   /**
-   * Where a camera reports a ball.
+   * Where a camera reports a ball at an unknown time; errors that depend on the session time are left out.
    *
    * @param camera camera id
    * @param ball x, y and height (0 = on the carpet) at {@link #ballTime}, m
    * @param ground receives x and y, m; NaN when the ball is not below the camera
    */
   public void report(int camera, double[] ball, double[] ground) {
+    report(camera, Double.NaN, ball, ground);
+  }
+
+  /**
+   * Where a camera reports a ball.
+   *
+   * @param camera camera id
+   * @param stamp the detection's time stamp, s since the session's begin
+   * @param ball x, y and height (0 = on the carpet) at {@link #ballTime}, m
+   * @param ground receives x and y, m; NaN when the ball is not below the camera
+   */
+  public void report(int camera, double stamp, double[] ball, double[] ground) {
     View view = find(camera);
     if (view == null) {
       ground[0] = ball[0];
       ground[1] = ball[1];
     } else {
-      view.report(ball[0], ball[1], ball[2], ground, 0);
+      view.report(ball[0], ball[1], ball[2], stamp, ground, 0);
     }
   }
 

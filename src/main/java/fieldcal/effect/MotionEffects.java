@@ -3,6 +3,7 @@ package fieldcal.effect;
 import fieldcal.effect.MotionEffect.Bounce;
 import fieldcal.effect.MotionEffect.ExternalForce;
 import fieldcal.effect.MotionEffect.FrictionZone;
+import fieldcal.effect.MotionEffect.PathAcceleration;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import java.util.Arrays;
@@ -13,6 +14,7 @@ public final class MotionEffects {
   private static final SpinAtKick[] NO_SPINS = {};
   private static final ExternalForce.Field[] NO_FORCES = {};
   private static final RollingResistance[] NO_RESISTANCES = {};
+  private static final PathAcceleration[] NO_ACCELERATIONS = {};
   private static final FrictionZone[] NO_ZONES = {};
   private static final Bounce[] NO_BOUNCES = {};
 
@@ -23,6 +25,7 @@ public final class MotionEffects {
   final SpinAtKick[] spins;
   final ExternalForce.Field[] forces;
   final RollingResistance[] resistances;
+  final PathAcceleration[] accelerations;
   final FrictionZone[] zones;
   final Bounce[] bounces;
   private final List<MotionEffect> effects;
@@ -33,6 +36,7 @@ public final class MotionEffects {
     SpinAtKick[] spinning = NO_SPINS;
     ExternalForce.Field[] pulling = NO_FORCES;
     RollingResistance[] resisting = NO_RESISTANCES;
+    PathAcceleration[] accelerating = NO_ACCELERATIONS;
     FrictionZone[] worn = NO_ZONES;
     Bounce[] bouncing = NO_BOUNCES;
     for (MotionEffect effect : this.effects) {
@@ -49,6 +53,9 @@ public final class MotionEffects {
       if (effect instanceof RollingResistance e) {
         resisting = and(resisting, e);
       }
+      if (effect instanceof PathAcceleration e) {
+        accelerating = and(accelerating, e);
+      }
       if (effect instanceof FrictionZone e) {
         worn = and(worn, e);
       }
@@ -59,6 +66,7 @@ public final class MotionEffects {
     spins = spinning;
     forces = pulling;
     resistances = resisting;
+    accelerations = accelerating;
     zones = worn;
     bounces = bouncing;
   }
