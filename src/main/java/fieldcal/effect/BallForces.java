@@ -5,6 +5,7 @@ import fieldcal.ball.Phase;
 import fieldcal.effect.MotionEffect.ExternalForce;
 import fieldcal.effect.MotionEffect.FrictionOfKick;
 import fieldcal.effect.MotionEffect.FrictionZone;
+import fieldcal.effect.MotionEffect.PathAcceleration;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SlidingResistance;
 
@@ -27,6 +28,7 @@ final class BallForces {
 
   private double spinPerVelocity = 1;
 
+  private double kickTime;
   private double zoneFactor = 1;
   private double slidingOfKick = 1;
   private boolean frozen;
@@ -50,6 +52,29 @@ final class BallForces {
     accSlide = acceleration;
     // 1/β of the model: kSwitch = 1/(1 + β).
     spinPerVelocity = kSwitch / (1 - kSwitch);
+  }
+
+  void setKick(double t0, double x, double y) {
+    kickTime = t0;
+    motion.kickX = x;
+    motion.kickY = y;
+  }
+
+  void setHop(int hop) {
+    motion.hop = hop;
+  }
+
+  /** The longest step, s, that does not skip over how an acceleration varies. */
+  double longestStep(Phase phase, double t, double[] s) {
+    double longest = Double.POSITIVE_INFINITY;
+    if (effects.accelerations.length > 0) {
+      BallMotion m = motion(t, s, false);
+      m.sliding = phase == Phase.SLIDING;
+      for (PathAcceleration effect : effects.accelerations) {
+        longest = Math.min(longest, effect.longestStep(m));
+      }
+    }
+    return longest;
   }
 
   void setInside(boolean[] inside) {
@@ -83,7 +108,9 @@ final class BallForces {
     m.spinX = s[6];
     m.spinY = s[7];
     m.sessionTime = t - sessionStart;
+    m.timeSinceKick = t - kickTime;
     m.flying = flying;
+    m.sliding = false;
     return m;
   }
 
@@ -137,6 +164,23 @@ final class BallForces {
     rate[5] = 0;
     rate[6] = -spinPerVelocity * frictionX;
     rate[7] = -spinPerVelocity * frictionY;
+    if (effects.accelerations.length > 0) {
+      m.sliding = true;
+      double speed = Math.sqrt(s[3] * s[3] + s[4] * s[4]);
+      if (speed > 0) {
+        accelerate(m, s[3] / speed, s[4] / speed, rate);
+      }
+    }
+  }
+
+  /** Adds what accelerates the ball relative to its path, whose direction is given. */
+  private void accelerate(BallMotion m, double directionX, double directionY, double[] rate) {
+    for (PathAcceleration effect : effects.accelerations) {
+      double along = effect.along(m);
+      double across = effect.across(m);
+      rate[3] += along * directionX - across * directionY;
+      rate[4] += along * directionY + across * directionX;
+    }
   }
 
   private void roll(BallMotion m, double[] s, double[] rate) {
@@ -155,6 +199,7 @@ final class BallForces {
     double share = 1 / (1 + effects.ball.inertiaFactor());
     rate[3] = -deceleration * directionX + share * force[0];
     rate[4] = -deceleration * directionY + share * force[1];
+    accelerate(m, directionX, directionY, rate);
     rate[5] = 0;
     rate[6] = rate[3];
     rate[7] = rate[4];

@@ -17,6 +17,11 @@ public final class BallMotion {
   double airX;
   double airY;
   boolean flying;
+  boolean sliding;
+  double timeSinceKick;
+  double kickX;
+  double kickY;
+  int hop;
 
   BallMotion() {}
 
@@ -119,6 +124,44 @@ public final class BallMotion {
    */
   public double sessionTime() {
     return sessionTime;
+  }
+
+  /**
+   * Time since the kick.
+   *
+   * @return s
+   */
+  public double timeSinceKick() {
+    return timeSinceKick;
+  }
+
+  /**
+   * Straight-line distance over the ground from the place of the kick: how far the ball has come, as kicks are straight.
+   *
+   * @return m
+   */
+  public double distanceFromKick() {
+    double dx = x - kickX;
+    double dy = y - kickY;
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /**
+   * Which impact this is.
+   *
+   * @return 1 for the first impact of a chip; on the carpet and in flight the number of impacts so far
+   */
+  public int hop() {
+    return hop;
+  }
+
+  /**
+   * Whether the ball slides on the carpet.
+   *
+   * @return false when it rolls or flies
+   */
+  public boolean isSliding() {
+    return sliding;
   }
 
   /**

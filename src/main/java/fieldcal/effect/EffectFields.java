@@ -1,6 +1,8 @@
 package fieldcal.effect;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.learned.LearnedFields;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.vision.Team;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -11,7 +13,7 @@ import java.util.Set;
 
 /**
  * The numbers of an effect as files hold them: by name, {@code camera} (left out where an effect is the same in all) and {@code robot} as integers, {@code team} as "yellow" or "blue", and the four
- * bounds of a region as one list, {@code region}: [x0, x1, y0, y1]. Maps and lists as every JSON library makes them.
+ * bounds of a region as one list, {@code region}: [x0, x1, y0, y1]; of a learned term the fields of {@link LearnedFields}. Maps and lists as every JSON library makes them.
  */
 public final class EffectFields {
   private static final String REGION = "region";
@@ -23,10 +25,14 @@ public final class EffectFields {
   /**
    * The numbers of an effect.
    *
-   * @param effect any of the catalogue
-   * @return values are {@code Double}, {@code Integer}, {@code String} or a list of {@code Double}; in the order of the parameters
+   * @param effect any of the catalogue, or a learned term
+   * @return values are {@code Double}, {@code Integer}, {@code String} or a list of {@code Double}, of a learned term also {@code Boolean} and maps; in the order of the
+   *     parameters
    */
   public static Map<String, Object> of(Effect effect) {
+    if (effect instanceof LearnedTerm term) {
+      return LearnedFields.of(term);
+    }
     Map<String, Object> fields = new LinkedHashMap<>();
     List<Double> region = new ArrayList<>();
     for (Parameter p : effect.parameters()) {
@@ -56,6 +62,9 @@ public final class EffectFields {
    *     field
    */
   public static Effect read(String id, Map<?, ?> fields) {
+    if (id.equals(LearnedTerm.ID)) {
+      return LearnedFields.read(fields);
+    }
     Effect effect =
         EffectCatalogue.find(id)
             .orElseThrow(() -> new IllegalArgumentException("there is no effect '" + id + "'"));
@@ -79,6 +88,11 @@ public final class EffectFields {
       throw new IllegalArgumentException(unknown.iterator().next() + ": unknown to " + id);
     }
     return effect.withParameters(values);
+  }
+
+  /** Whether there is an effect of an id. */
+  static boolean isKnown(String id) {
+    return id.equals(LearnedTerm.ID) || EffectCatalogue.find(id).isPresent();
   }
 
   private static boolean isBound(Parameter p) {

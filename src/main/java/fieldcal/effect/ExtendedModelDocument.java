@@ -166,7 +166,7 @@ public final class ExtendedModelDocument {
     if (!(entry instanceof Map<?, ?> fields)) {
       throw new IllegalArgumentException(place + ": must be an object");
     }
-    if (!(fields.get("effect") instanceof String id) || EffectCatalogue.find(id).isEmpty()) {
+    if (!(fields.get("effect") instanceof String id) || !EffectFields.isKnown(id)) {
       throw new IllegalArgumentException(
           place + ".effect: there is no effect '" + fields.get("effect") + "'");
     }

@@ -11,7 +11,7 @@ import java.util.List;
  *   <li>{@link #turnRay}: the ray as the published rotation understands it;
  *   <li>{@link Refraction#refractRay}: the ray as the published lens understands it;
  *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards;
- *   <li>{@link Shift}: what is added from some time on.
+ *   <li>{@link Displacement#displace}: what is added depending on where and when the ball is reported.
  * </ol>
  */
 public interface MeasurementEffect extends Effect {
@@ -95,25 +95,20 @@ public interface MeasurementEffect extends Effect {
     double timeError(ObservedCamera camera, double sessionTime, double pixelRow);
   }
 
-  /** A shift of the reports that changes during the session. */
-  interface Shift extends MeasurementEffect {
+  /** An error of the reported position that depends on where and when the ball is reported. */
+  interface Displacement extends MeasurementEffect {
     /**
-     * What is added to the reported position.
+     * Adds the error.
      *
      * @param camera the camera
-     * @param sessionTime the time stamp, s since the session's begin
-     * @return along x, m
+     * @param x where the ball is reported without such errors, m
+     * @param y where the ball is reported without such errors, m
+     * @param sessionTime the time stamp, s since the session's begin; NaN = unknown, then what depends on it is left out
+     * @param ground receives the error; add x to the element {@code at} and y to the next, m
+     * @param at index
      */
-    double shiftX(ObservedCamera camera, double sessionTime);
-
-    /**
-     * What is added to the reported position.
-     *
-     * @param camera the camera
-     * @param sessionTime the time stamp, s since the session's begin
-     * @return along y, m
-     */
-    double shiftY(ObservedCamera camera, double sessionTime);
+    void displace(
+        ObservedCamera camera, double x, double y, double sessionTime, double[] ground, int at);
   }
 
   /** An effect of the lens, other for every ray. */

@@ -91,20 +91,20 @@ public final class MeasurementEffects {
         ground[2 * i] = ball.x();
         ground[2 * i + 1] = ball.y();
       } else {
-        view.report(stamp, ball.x(), ball.y(), ball.z(), ground, 2 * i);
+        view.report(ball.x(), ball.y(), ball.z(), stamp, ground, 2 * i);
       }
     }
   }
 
   /**
-   * Where a camera reports a ball at the end of the session: what changes during a session has happened.
+   * Where a camera reports a ball at an unknown time; what changed at some time during the session has happened, what varies with the session time is left out.
    *
    * @param camera camera id
    * @param ball x, y and height (0 = on the carpet) at {@link #ballTime}, m
    * @param ground receives x and y, m; NaN when the ball is not below the camera
    */
   public void report(int camera, double[] ball, double[] ground) {
-    report(camera, Double.POSITIVE_INFINITY, ball, ground);
+    report(camera, Double.NaN, ball, ground);
   }
 
   /**
@@ -121,7 +121,7 @@ public final class MeasurementEffects {
       ground[0] = ball[0];
       ground[1] = ball[1];
     } else {
-      view.report(stamp, ball[0], ball[1], ball[2], ground, 0);
+      view.report(ball[0], ball[1], ball[2], stamp, ground, 0);
     }
   }
 

@@ -153,6 +153,37 @@ public interface MotionEffect extends Effect {
     }
   }
 
+  /** An acceleration relative to the path that a ball on the carpet has, sliding or rolling, whatever force it comes from. */
+  interface PathAcceleration extends MotionEffect {
+    /**
+     * Acceleration along the velocity.
+     *
+     * @param motion how the ball moves
+     * @return m/s², positive makes it faster
+     */
+    default double along(BallMotion motion) {
+      return 0;
+    }
+
+    /**
+     * Acceleration across the velocity.
+     *
+     * @param motion how the ball moves
+     * @return m/s², positive turns it to its left
+     */
+    default double across(BallMotion motion) {
+      return 0;
+    }
+
+    /**
+     * The longest step of an integrator that does not skip over how it varies.
+     *
+     * @param motion how the ball moves at the step's begin
+     * @return s, positive; infinite when it does not matter
+     */
+    double longestStep(BallMotion motion);
+  }
+
   /** A convex part of the carpet with another friction, sliding and rolling. The integrator stops at its edges. */
   interface FrictionZone extends MotionEffect {
     /**
@@ -219,6 +250,16 @@ public interface MotionEffect extends Effect {
      */
     default double dampingXy(BallMotion motion, double dampingXy) {
       return dampingXy;
+    }
+
+    /**
+     * How the impact turns the path.
+     *
+     * @param motion how the ball arrives
+     * @return rad, positive to the ball's left
+     */
+    default double turn(BallMotion motion) {
+      return 0;
     }
   }
 }

@@ -7,6 +7,7 @@ import fieldcal.effect.MotionEffect.FrictionOfKick;
 import fieldcal.effect.MotionEffect.FrictionZone;
 import fieldcal.effect.MotionEffect.ImpactLaw;
 import fieldcal.effect.MotionEffect.Line;
+import fieldcal.effect.MotionEffect.PathAcceleration;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SlidingResistance;
 import fieldcal.effect.MotionEffect.SpinAtKick;
@@ -21,6 +22,7 @@ public final class MotionEffects {
   private static final SlidingResistance[] NO_SLIDINGS = {};
   private static final FrictionOfKick[] NO_FRICTIONS = {};
   private static final Line[] NO_LINES = {};
+  private static final PathAcceleration[] NO_ACCELERATIONS = {};
   private static final FrictionZone[] NO_ZONES = {};
   private static final Bounce[] NO_BOUNCES = {};
 
@@ -38,6 +40,7 @@ public final class MotionEffects {
   /** Normals (x, y) and distances of the lines, m, one after another. */
   private final double[] linePlaces;
 
+  final PathAcceleration[] accelerations;
   final FrictionZone[] zones;
   final Bounce[] bounces;
 
@@ -59,6 +62,7 @@ public final class MotionEffects {
     SlidingResistance[] rubbing = NO_SLIDINGS;
     FrictionOfKick[] ofKick = NO_FRICTIONS;
     Line[] crossed = NO_LINES;
+    PathAcceleration[] accelerating = NO_ACCELERATIONS;
     FrictionZone[] worn = NO_ZONES;
     Bounce[] bouncing = NO_BOUNCES;
     ImpactLaw law = null;
@@ -94,6 +98,9 @@ public final class MotionEffects {
         flowX += e.airX();
         flowY += e.airY();
       }
+      if (effect instanceof PathAcceleration e) {
+        accelerating = and(accelerating, e);
+      }
       if (effect instanceof FrictionZone e) {
         worn = and(worn, e);
       }
@@ -113,6 +120,7 @@ public final class MotionEffects {
       linePlaces[3 * i + 1] = lines[i].normalY();
       linePlaces[3 * i + 2] = lines[i].distance();
     }
+    accelerations = accelerating;
     zones = worn;
     bounces = bouncing;
     impacts = law;

@@ -86,7 +86,12 @@ final class PathIntegrator {
     this.effects = effects;
     forces = new BallForces(effects, sessionStart, accRoll, kickTime);
     flightsGiven = flights;
-    varies = effects.forces.length + effects.resistances.length + effects.slidings.length > 0;
+    varies =
+        effects.forces.length
+                + effects.resistances.length
+                + effects.slidings.length
+                + effects.accelerations.length
+            > 0;
     path = new Path(varies ? 24 : 8);
     inside = new boolean[effects.zones.length];
     beyond = new boolean[effects.lines.length];
@@ -130,6 +135,7 @@ final class PathIntegrator {
 
   private void start(double t0, double x, double y, double vx, double vy, double vz) {
     time = t0;
+    forces.setKick(t0, x, y);
     state[0] = x;
     state[1] = y;
     state[3] = vx;
@@ -231,6 +237,7 @@ final class PathIntegrator {
     double aside = across == 0 ? 0 : across * scale * scale;
     boolean straight = aside < STRAIGHT && rate < 0;
     double step = Math.min(longest, smoothFor(rate));
+    step = Math.min(step, forces.longestStep(phase, time, state));
     if (straight) {
       forces.freeze(x, y);
       step = Math.min(step, -size / rate);
@@ -322,8 +329,11 @@ final class PathIntegrator {
   private void bounce(ChipModel model) {
     double dampingXy = flights == 1 ? model.dampingXyFirstHop() : model.dampingXyOtherHops();
     double dampingZ = model.dampingZ();
+    forces.setHop(flights);
     BallMotion arrival = forces.motion(time, state, true);
+    double turn = 0;
     for (Bounce effect : effects.bounces) {
+      turn += effect.turn(arrival);
       dampingZ = effect.dampingZ(arrival, dampingZ);
       dampingXy = effect.dampingXy(arrival, dampingXy);
     }
@@ -340,6 +350,10 @@ final class PathIntegrator {
       useKickSpin(Math.max(0, 1 - model.dampingXyFirstHop()));
     }
     state[5] = -dampingZ * state[5];
+    if (turn != 0) {
+      turn(3, turn);
+      turn(6, turn);
+    }
   }
 
   /** The fixed loss of an impact, and the spin that it gives to a ball that was kicked without. */
@@ -371,6 +385,15 @@ final class PathIntegrator {
     kickSpinY *= left;
     state[6] += kickSpinX;
     state[7] += kickSpinY;
+  }
+
+  /** Turns a horizontal vector of the state. */
+  private void turn(int at, double angle) {
+    double c = Math.cos(angle);
+    double s = Math.sin(angle);
+    double x = state[at];
+    state[at] = c * x - s * state[at + 1];
+    state[at + 1] = s * x + c * state[at + 1];
   }
 
   /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; tells whether it was made whole. */

@@ -1,8 +1,8 @@
 package fieldcal.effect;
 
 import fieldcal.camera.Camera;
+import fieldcal.effect.MeasurementEffect.Displacement;
 import fieldcal.effect.MeasurementEffect.Refraction;
-import fieldcal.effect.MeasurementEffect.Shift;
 import fieldcal.effect.MeasurementEffect.Timing;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -21,7 +21,7 @@ final class View {
   private final MeasurementEffect[] effects;
   private final Timing[] timings;
   private final Refraction[] refractions;
-  private final Shift[] shifts;
+  private final Displacement[] displacements;
 
   /** Where vision believes the camera, m. */
   private final double publishedX;
@@ -49,7 +49,7 @@ final class View {
     List<MeasurementEffect> concerning = new ArrayList<>(all.size());
     List<Timing> late = new ArrayList<>(1);
     List<Refraction> bending = new ArrayList<>(1);
-    List<Shift> moving = new ArrayList<>(1);
+    List<Displacement> displacing = new ArrayList<>(1);
     for (MeasurementEffect e : all) {
       if (!e.isAbsent() && e.isApplicable(observer) && e.concerns(observer)) {
         concerning.add(e);
@@ -59,15 +59,15 @@ final class View {
         if (e instanceof Refraction refraction) {
           bending.add(refraction);
         }
-        if (e instanceof Shift shift) {
-          moving.add(shift);
+        if (e instanceof Displacement displacement) {
+          displacing.add(displacement);
         }
       }
     }
     effects = concerning.toArray(MeasurementEffect[]::new);
     timings = late.toArray(Timing[]::new);
     refractions = bending.toArray(Refraction[]::new);
-    shifts = moving.toArray(Shift[]::new);
+    displacements = displacing.toArray(Displacement[]::new);
     prepare(new Sight(observer));
   }
 
@@ -108,12 +108,16 @@ final class View {
     return timings.length > 0;
   }
 
-  /** Where a ball is reported under a time stamp of the session: x and y into two places of {@code ground} from {@code at} on. */
-  void report(double stamp, double ballX, double ballY, double ballZ, double[] ground, int at) {
+  /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on; the stamp since the session's begin, s, NaN = unknown. */
+  void report(
+      double ballX, double ballY, double ballZ, double stamp, double[] ground, int at) {
     project(ballX, ballY, ballZ, ground, at);
-    for (Shift effect : shifts) {
-      ground[at] += effect.shiftX(observer, stamp);
-      ground[at + 1] += effect.shiftY(observer, stamp);
+    if (displacements.length > 0) {
+      double reportedX = ground[at];
+      double reportedY = ground[at + 1];
+      for (Displacement effect : displacements) {
+        effect.displace(observer, reportedX, reportedY, stamp, ground, at);
+      }
     }
   }
 

@@ -4,7 +4,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
-import fieldcal.effect.MeasurementEffect.Shift;
+import fieldcal.effect.MeasurementEffect.Displacement;
 import fieldcal.effect.ObservedCamera;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +17,7 @@ import java.util.List;
  * @param at from when on, s since the session's begin
  * @param camera which camera, by id
  */
-public record CameraMoved(double xMm, double yMm, double at, int camera) implements Shift {
+public record CameraMoved(double xMm, double yMm, double at, int camera) implements Displacement {
   private static final String ID = "camera_moved";
   private static final double MILLI = 1e-3;
 
@@ -76,7 +76,7 @@ public record CameraMoved(double xMm, double yMm, double at, int camera) impleme
 
   @Override
   public boolean canShowIn(Arena arena) {
-    return Shift.super.canShowIn(arena) && arena.kickTimes().length > 1;
+    return Displacement.super.canShowIn(arena) && arena.kickTimes().length > 1;
   }
 
   @Override
@@ -101,12 +101,12 @@ public record CameraMoved(double xMm, double yMm, double at, int camera) impleme
   }
 
   @Override
-  public double shiftX(ObservedCamera observer, double sessionTime) {
-    return sessionTime >= at ? MILLI * xMm : 0;
-  }
-
-  @Override
-  public double shiftY(ObservedCamera observer, double sessionTime) {
-    return sessionTime >= at ? MILLI * yMm : 0;
+  public void displace(
+      ObservedCamera observer, double x, double y, double sessionTime, double[] ground, int to) {
+    // Of an unknown time the latest is meant: what changed during the session has happened.
+    if (!(sessionTime < at)) {
+      ground[to] += MILLI * xMm;
+      ground[to + 1] += MILLI * yMm;
+    }
   }
 }

@@ -1,0 +1,178 @@
+package fieldcal.effect.learned;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * What a learned term says, with bounds, over the range where data lie: points of a curve, or a table of a place. Immutable.
+ *
+ * <p>The error of a point is {@code √(φᵀCφ)} with the functions' values φ there and the covariance C of the coefficients; errors of neighbouring points go together, for
+ * a curve has no more independent numbers than coefficients.
+ *
+ * @param family what depends on what
+ * @param component 0, or 1 for the y of a shift
+ * @param points by x, of a table by y and then by x
+ */
+public record LearnedCurve(LearnedFamily family, int component, List<Point> points) {
+  /** Points of a curve and rows of a table; chosen, enough for a plot. */
+  private static final int POINTS = 33;
+
+  private static final int TABLE = 9;
+
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when there is no such component or no point
+   */
+  public LearnedCurve {
+    points = List.copyOf(points);
+    if (component < 0 || component >= family.quantity().components() || points.isEmpty()) {
+      throw new IllegalArgumentException(
+          family.key() + ": component " + component + " with " + points.size() + " points");
+    }
+  }
+
+  /**
+   * A point.
+   *
+   * @param x first number of the basis
+   * @param y second number of a place, else 0
+   * @param value of the term there, in the quantity's unit
+   * @param error its standard error
+   */
+  public record Point(double x, double y, double value, double error) {}
+
+  /**
+   * Where data lie.
+   *
+   * @param fromX smallest first number
+   * @param toX largest first number
+   * @param fromY smallest second number; not used when there is one
+   * @param toY largest second number
+   */
+  public record Support(double fromX, double toX, double fromY, double toY) {
+    /**
+     * Checks the numbers. {@inheritDoc}
+     *
+     * @throws IllegalArgumentException when a range is not finite or not in order
+     */
+    public Support {
+      if (!(fromX <= toX && fromY <= toY && Double.isFinite(toX - fromX + toY - fromY))) {
+        throw new IllegalArgumentException(
+            "support: " + fromX + ", " + toX + ", " + fromY + ", " + toY);
+      }
+    }
+
+    /**
+     * The support of one number.
+     *
+     * @param from smallest
+     * @param to largest
+     * @return the support
+     * @throws IllegalArgumentException when the range is not finite or not in order
+     */
+    public static Support of(double from, double to) {
+      return new Support(from, to, 0, 0);
+    }
+  }
+
+  /**
+   * The curve of a fitted term.
+   *
+   * @param term the term
+   * @param component 0, or 1 for the y of a shift
+   * @param covariance of its coefficients, in their order; NaN where unknown
+   * @param support where data lie
+   * @return the curve
+   * @throws IllegalArgumentException when the covariance has another size than the coefficients or there is no such component
+   */
+  public static LearnedCurve of(
+      LearnedTerm term, int component, double[][] covariance, Support support) {
+    Objects.requireNonNull(support, "support");
+    LearnedFamily family = term.family();
+    if (covariance.length != family.size()) {
+      throw new IllegalArgumentException(
+          "covariance has " + covariance.length + " rows, but coefficients are " + family.size());
+    }
+    List<Point> points = new ArrayList<>();
+    boolean table = family.basis().dimension() == 2;
+    double[] xs = grid(family, support, table);
+    double[] ys = table ? spread(support.fromY(), support.toY(), TABLE) : new double[1];
+    for (double y : ys) {
+      for (double x : xs) {
+        double error = error(family, component, covariance, x, y);
+        points.add(new Point(x, y, term.valueAt(component, x, y), error));
+      }
+    }
+    return new LearnedCurve(family, component, points);
+  }
+
+  private static double[] grid(LearnedFamily family, Support support, boolean table) {
+    if (family.basis() instanceof Levels) {
+      int from = (int) Math.rint(support.fromX());
+      int to = (int) Math.rint(support.toX());
+      return spread(from, to, to - from + 1);
+    }
+    return spread(support.fromX(), support.toX(), table ? TABLE : POINTS);
+  }
+
+  private static double[] spread(double from, double to, int count) {
+    int n = from == to ? 1 : count;
+    double[] values = new double[n];
+    for (int i = 0; i < n; i++) {
+      values[i] = n == 1 ? from : from + (to - from) * i / (n - 1);
+    }
+    return values;
+  }
+
+  private static double error(
+      LearnedFamily family, int component, double[][] covariance, double x, double y) {
+    int n = family.basis().size();
+    double[] phi = new double[n];
+    family.basis().values(x, y, phi);
+    int at = component * n;
+    double variance = 0;
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j < n; j++) {
+        variance += phi[i] * covariance[at + i][at + j] * phi[j];
+      }
+    }
+    return Math.sqrt(Math.max(0, variance));
+  }
+
+  /**
+   * Whether it is a table over a place.
+   *
+   * @return false of a curve
+   */
+  public boolean isTable() {
+    return family.basis().dimension() == 2;
+  }
+
+  /**
+   * The point with the smallest value.
+   *
+   * @return the first of them
+   */
+  public Point lowest() {
+    Point lowest = points.get(0);
+    for (Point p : points) {
+      lowest = p.value() < lowest.value() ? p : lowest;
+    }
+    return lowest;
+  }
+
+  /**
+   * The point with the largest value.
+   *
+   * @return the first of them
+   */
+  public Point highest() {
+    Point highest = points.get(0);
+    for (Point p : points) {
+      highest = p.value() > highest.value() ? p : highest;
+    }
+    return highest;
+  }
+}

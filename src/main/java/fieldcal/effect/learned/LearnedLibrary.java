@@ -1,0 +1,185 @@
+package fieldcal.effect.learned;
+
+import fieldcal.camera.Camera;
+import fieldcal.effect.Arena;
+import fieldcal.effect.ObservedCamera;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The families of smooth terms that a recording is searched for. None has a constant part: that is a parameter of the simple model or a named effect's (camera offset,
+ * time offset).
+ */
+public final class LearnedLibrary {
+  /** Knots of a curve, of a place along x and along y; chosen small: a term is a shape, no fit of noise. */
+  private static final int KNOTS = 6;
+
+  private static final int KNOTS_X = 4;
+  private static final int KNOTS_Y = 3;
+
+  /** Knots over the session; a session of an hour is divided into pieces of a quarter. */
+  private static final int KNOTS_TIME = 5;
+
+  /** Harmonics of an angle: slope, nap and a preferred axis. */
+  private static final int HARMONICS = 2;
+
+  /** Degree of a lens' or pose's error over the place. */
+  private static final int DEGREE = 3;
+
+  /** How far a ball rolls during one turn, m: its circumference. */
+  private static final double TURN = 2 * Math.PI * Camera.BALL_RADIUS;
+
+  /** Impacts from the second on that are told apart; chosen, because later hops are millimetres high. */
+  private static final int HOPS = 3;
+
+  /** How far to each side a camera sees per height above the field; one at 4 m sees a quarter of a field of 12 m × 9 m, ±3 m, and with one camera ±6 m from 6 m; rounded up. */
+  private static final double VIEW_PER_HEIGHT = 1.2;
+
+  /** Narrowest range of a place or time, so that a curve exists, m and s; chosen. */
+  private static final double NARROWEST = 1;
+
+  private LearnedLibrary() {}
+
+  /**
+   * How far the variables reach in a recording. A curve is constant beyond.
+   *
+   * @param speed fastest kick, m/s
+   * @param slip largest slip, m/s
+   * @param time longest time since a kick, s
+   * @param verticalSpeed fastest impact, m/s
+   * @param groundSpeed fastest chip over the ground, m/s
+   */
+  public record Ranges(
+      double speed, double slip, double time, double verticalSpeed, double groundSpeed) {
+
+    /**
+     * Checks the numbers. {@inheritDoc}
+     *
+     * @throws IllegalArgumentException when one is not positive and finite
+     */
+    public Ranges {
+      for (double end : new double[] {speed, slip, time, verticalSpeed, groundSpeed}) {
+        Basis.requireRange("range", 0, end);
+      }
+    }
+
+    /**
+     * What the league's rules allow: kicks of 6.5 m/s; a ball that starts with backspin slips faster than that, and one rolls for at most some ten seconds.
+     *
+     * @return the ranges
+     */
+    public static Ranges typical() {
+      return new Ranges(6.5, 8, 8, 5, 5);
+    }
+  }
+
+  /**
+   * All families with what the rules allow.
+   *
+   * @param arena what was recorded
+   * @return absent terms that can show in the recording
+   */
+  public static List<LearnedTerm> of(Arena arena) {
+    return of(arena, Ranges.typical());
+  }
+
+  /**
+   * All families.
+   *
+   * @param arena what was recorded
+   * @param ranges how far the variables reach
+   * @return absent terms that can show in the recording, one per family
+   */
+  public static List<LearnedTerm> of(Arena arena, Ranges ranges) {
+    List<LearnedFamily> all = new ArrayList<>();
+    ground(arena, ranges, all);
+    impact(arena, ranges, all);
+    all.add(LearnedFamily.of(Quantity.SPIN, Variable.SPEED, curve(0, ranges.speed(), KNOTS)));
+    all.add(LearnedFamily.of(Quantity.SPIN, Variable.HEADING, Harmonics.ofAngle(HARMONICS)));
+    for (ObservedCamera camera : arena.cameras()) {
+      camera(arena, camera, all);
+    }
+    return all.stream()
+        .map(LearnedFamily::absent)
+        .filter(term -> term.canShowIn(arena))
+        .toList();
+  }
+
+  private static void ground(Arena arena, Ranges ranges, List<LearnedFamily> all) {
+    Quantity along = Quantity.ACCELERATION_ALONG;
+    Quantity across = Quantity.ACCELERATION_ACROSS;
+    Basis speed = curve(0, ranges.speed(), KNOTS);
+    Basis heading = Harmonics.ofAngle(HARMONICS);
+    all.add(LearnedFamily.of(along, Variable.SPEED, speed));
+    all.add(LearnedFamily.of(along, Variable.SLIP, curve(0, ranges.slip(), KNOTS)));
+    all.add(LearnedFamily.of(along, Variable.TIME_SINCE_KICK, curve(0, ranges.time(), KNOTS)));
+    all.add(LearnedFamily.of(along, Variable.SESSION_TIME, session(arena)));
+    all.add(LearnedFamily.of(along, Variable.HEADING, heading));
+    all.add(LearnedFamily.of(along, Variable.PLACE, place(arena)));
+    all.add(LearnedFamily.of(along, Variable.DISTANCE_ROLLED, new Harmonics(HARMONICS, TURN)));
+    all.add(LearnedFamily.of(across, Variable.SPEED, speed));
+    all.add(LearnedFamily.of(across, Variable.HEADING, heading));
+    all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));
+  }
+
+  private static void impact(Arena arena, Ranges ranges, List<LearnedFamily> all) {
+    Basis vertical = curve(0, ranges.verticalSpeed(), KNOTS);
+    Basis speed = curve(0, ranges.groundSpeed(), KNOTS);
+    for (Quantity q :
+        List.of(Quantity.VERTICAL_RESTITUTION, Quantity.TANGENTIAL_RESTITUTION)) {
+      // Of e_xy the model tells the first impact from all later ones, of e_z none.
+      boolean firstIsApart = q == Quantity.TANGENTIAL_RESTITUTION;
+      Basis hops = firstIsApart ? new Levels(3, HOPS - 1) : new Levels(2, HOPS);
+      all.add(LearnedFamily.of(q, Variable.VERTICAL_SPEED, vertical));
+      all.add(LearnedFamily.of(q, Variable.GROUND_SPEED, speed));
+      all.add(LearnedFamily.of(q, Variable.HOP, hops));
+      all.add(LearnedFamily.of(q, Variable.PLACE, place(arena)));
+      all.add(LearnedFamily.of(q, Variable.SESSION_TIME, session(arena)));
+    }
+    all.add(LearnedFamily.of(Quantity.TURN, Variable.HEADING, Harmonics.ofAngle(HARMONICS)));
+    all.add(LearnedFamily.of(Quantity.TURN, Variable.PLACE, place(arena)));
+  }
+
+  private static void camera(Arena arena, ObservedCamera camera, List<LearnedFamily> all) {
+    int id = camera.id();
+    if (camera.camera().isPresent()) {
+      Camera below = camera.camera().get();
+      double view = VIEW_PER_HEIGHT * below.positionZ();
+      double[] x = seen(arena.x0() - below.positionX(), arena.x1() - below.positionX(), view);
+      double[] y = seen(arena.y0() - below.positionY(), arena.y1() - below.positionY(), view);
+      Basis area = new Polynomial(DEGREE, x[0], x[1], y[0], y[1]);
+      all.add(LearnedFamily.of(Quantity.SHIFT, Variable.IMAGE_POSITION, area, id));
+    }
+    all.add(LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, session(arena), id));
+    all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, session(arena), id));
+  }
+
+  private static Basis curve(double from, double to, int knots) {
+    return new Spline(from, to, knots, true);
+  }
+
+  private static Basis session(Arena arena) {
+    double[] times = arena.kickTimes();
+    double[] range =
+        times.length == 0 ? new double[] {0, NARROWEST} : wide(times[0], times[times.length - 1]);
+    return curve(range[0], range[1], KNOTS_TIME);
+  }
+
+  private static Basis place(Arena arena) {
+    double[] x = wide(arena.x0(), arena.x1());
+    double[] y = wide(arena.y0(), arena.y1());
+    return new Surface(
+        new Spline(x[0], x[1], KNOTS_X, false), new Spline(y[0], y[1], KNOTS_Y, false), true);
+  }
+
+  private static double[] seen(double from, double to, double view) {
+    double begin = Math.max(from, -view);
+    double end = Math.min(to, view);
+    return begin < end ? wide(begin, end) : wide(from, to);
+  }
+
+  private static double[] wide(double from, double to) {
+    double missing = Math.max(0, NARROWEST - (to - from)) / 2;
+    return new double[] {from - missing, to + missing};
+  }
+}

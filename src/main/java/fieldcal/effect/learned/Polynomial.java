@@ -1,0 +1,96 @@
+package fieldcal.effect.learned;
+
+import java.util.Arrays;
+
+/**
+ * Products of Legendre polynomials P_i(u)·P_j(v) with 1 ≤ i + j ≤ degree over a rectangle, first by the sum i + j, then by j; without the constant, and constant beyond the
+ * rectangle's sides.
+ *
+ * @param degree 1 to 3
+ * @param fromX begin of the first number's range
+ * @param toX its end
+ * @param fromY begin of the second number's range
+ * @param toY its end
+ */
+public record Polynomial(int degree, double fromX, double toX, double fromY, double toY)
+    implements Basis {
+  static final String TYPE = "polynomial";
+  private static final int MOST = 3;
+
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when a range is empty or the degree out of its range
+   */
+  public Polynomial {
+    if (degree < 1 || degree > MOST) {
+      throw new IllegalArgumentException(
+          "degree: must be within 1 and " + MOST + ", but is " + degree);
+    }
+    Basis.requireRange("range", fromX, toX);
+    Basis.requireRange("range_y", fromY, toY);
+  }
+
+  @Override
+  public String type() {
+    return TYPE;
+  }
+
+  @Override
+  public int dimension() {
+    return 2;
+  }
+
+  @Override
+  public int size() {
+    return (degree + 1) * (degree + 2) / 2 - 1;
+  }
+
+  @Override
+  public double resolution(int axis) {
+    // A quarter of the range, over which a cubic is integrated to a hundredth.
+    return (axis == 0 ? toX - fromX : toY - fromY) / 4;
+  }
+
+  @Override
+  public void values(double u, double v, double[] values) {
+    double x = scaled(u, fromX, toX);
+    double y = scaled(v, fromY, toY);
+    int n = 0;
+    for (int sum = 1; sum <= degree; sum++) {
+      for (int j = 0; j <= sum; j++) {
+        values[n++] = legendre(sum - j, x) * legendre(j, y);
+      }
+    }
+  }
+
+  @Override
+  public Curve curve(double[] coefficients, int from) {
+    double[] c = Arrays.copyOfRange(coefficients, from, from + size());
+    return (u, v) -> {
+      double x = scaled(u, fromX, toX);
+      double y = scaled(v, fromY, toY);
+      double total = 0;
+      int n = 0;
+      for (int sum = 1; sum <= degree; sum++) {
+        for (int j = 0; j <= sum; j++) {
+          total += c[n++] * legendre(sum - j, x) * legendre(j, y);
+        }
+      }
+      return total;
+    };
+  }
+
+  private static double scaled(double u, double from, double to) {
+    return Math.max(-1, Math.min(1, (2 * u - from - to) / (to - from)));
+  }
+
+  private static double legendre(int order, double x) {
+    return switch (order) {
+      case 0 -> 1;
+      case 1 -> x;
+      case 2 -> 1.5 * x * x - 0.5;
+      default -> (2.5 * x * x - 1.5) * x;
+    };
+  }
+}

@@ -1,0 +1,136 @@
+package fieldcal.effect.learned;
+
+import java.util.Optional;
+
+/** What a learned term changes, with its unit and the usual size of such changes. */
+public enum Quantity {
+  /** Acceleration along the path, sliding or rolling, m/s²; positive makes the ball faster. */
+  ACCELERATION_ALONG("ground", "acceleration_along", "m/s²", 1, 0.05, 3, "accRoll is −0.3 m/s²"),
+
+  /** Acceleration across the path, sliding or rolling, m/s²; positive turns the ball to its left. */
+  ACCELERATION_ACROSS(
+      "ground", "acceleration_across", "m/s²", 1, 0.05, 3, "a slope of 0.5 % pulls so much"),
+
+  /** Change of the vertical restitution e_z (–). */
+  VERTICAL_RESTITUTION(
+      "impact", "vertical_restitution", "", 1, 0.03, 0.5, "0.47 and 0.38 in matches of 2026"),
+
+  /** Change of the tangential restitution e_xy (–). */
+  TANGENTIAL_RESTITUTION(
+      "impact", "tangential_restitution", "", 1, 0.03, 0.5, "0.70 and 0.87 in matches of 2026"),
+
+  /** Turn of the path at an impact, rad; positive to the ball's left. */
+  TURN("impact", "turn", "rad", 1, 0.02, 0.5, "chosen: a degree"),
+
+  /** Spin right after the kick about the rolling axis, as a fraction of rolling spin (–). */
+  SPIN("kick", "spin", "", 1, 0.1, 2, "kSwitch scatters by 0.075 in matches of 2026"),
+
+  /** Error of the reported position along x and y, mm: the coefficients of x come first, then those of y. */
+  SHIFT("measurement", "shift", "mm", 2, 5, 200, "cameras disagree by 20 mm in matches of 2026"),
+
+  /** Error of the time stamp, ms; positive = the stamp is late. */
+  TIME_ERROR("measurement", "time_error", "ms", 1, 1, 50, "jitter of 0.2 to 1.3 ms in 2026");
+
+  private final String actsOn;
+  private final String label;
+  private final String unit;
+  private final int components;
+  private final double scale;
+  private final double limit;
+  private final String source;
+
+  Quantity(
+      String actsOn,
+      String label,
+      String unit,
+      int components,
+      double scale,
+      double limit,
+      String source) {
+    this.actsOn = actsOn;
+    this.label = label;
+    this.unit = unit;
+    this.components = components;
+    this.scale = scale;
+    this.limit = limit;
+    this.source = source;
+  }
+
+  /**
+   * Where it acts.
+   *
+   * @return "ground", "impact", "kick" or "measurement"
+   */
+  public String actsOn() {
+    return actsOn;
+  }
+
+  /**
+   * The name in files.
+   *
+   * @return lower case with underscores
+   */
+  public String label() {
+    return label;
+  }
+
+  /**
+   * The unit.
+   *
+   * @return empty when it has none
+   */
+  public String unit() {
+    return unit;
+  }
+
+  /**
+   * How many numbers it is.
+   *
+   * @return 2 of a shift in the plane, else 1
+   */
+  public int components() {
+    return components;
+  }
+
+  /**
+   * The usual size of a change, the prior's standard deviation of a coefficient.
+   *
+   * @return in the unit
+   */
+  public double scale() {
+    return scale;
+  }
+
+  /**
+   * The largest coefficient that an estimator may answer.
+   *
+   * @return in the unit
+   */
+  public double limit() {
+    return limit;
+  }
+
+  /**
+   * Where the scale comes from.
+   *
+   * @return a few words
+   */
+  public String source() {
+    return source;
+  }
+
+  /**
+   * The quantity of a name.
+   *
+   * @param label as in {@link #label}
+   * @return empty when there is none
+   */
+  public static Optional<Quantity> of(String label) {
+    for (Quantity quantity : values()) {
+      if (quantity.label.equals(label)) {
+        return Optional.of(quantity);
+      }
+    }
+    return Optional.empty();
+  }
+}

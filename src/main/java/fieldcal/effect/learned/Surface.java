@@ -1,0 +1,114 @@
+package fieldcal.effect.learned;
+
+/**
+ * Tensor product of two splines, for what depends on a place. Centred, it is made of the products of both splines' waves without the constant.
+ *
+ * @param x over the first number, not centred
+ * @param y over the second number, not centred
+ * @param centred whether the constant is left out
+ */
+public record Surface(Spline x, Spline y, boolean centred) implements Basis {
+  static final String TYPE = "surface";
+
+  /**
+   * Checks the splines. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one of the splines is centred
+   */
+  public Surface {
+    if (x.centred() || y.centred()) {
+      throw new IllegalArgumentException("splines of a surface must not be centred on their own");
+    }
+  }
+
+  @Override
+  public String type() {
+    return TYPE;
+  }
+
+  @Override
+  public int dimension() {
+    return 2;
+  }
+
+  @Override
+  public int size() {
+    return x.knots() * y.knots() - (centred ? 1 : 0);
+  }
+
+  @Override
+  public double resolution(int axis) {
+    return axis == 0 ? x.resolution(0) : y.resolution(0);
+  }
+
+  @Override
+  public void values(double u, double v, double[] values) {
+    double[] alongX = new double[x.knots()];
+    double[] alongY = new double[y.knots()];
+    x.hats(u, alongX);
+    y.hats(v, alongY);
+    double[] ofX = centred ? waves(x, alongX) : alongX;
+    double[] ofY = centred ? waves(y, alongY) : alongY;
+    int skipped = centred ? 1 : 0;
+    for (int n = skipped; n < ofX.length * ofY.length; n++) {
+      values[n - skipped] = ofX[n / ofY.length] * ofY[n % ofY.length];
+    }
+  }
+
+  private static double[] waves(Spline spline, double[] hats) {
+    double[] waves = new double[hats.length];
+    for (int j = 0; j < waves.length; j++) {
+      for (int i = 0; i < hats.length; i++) {
+        waves[j] += spline.cosine(j, i) * hats[i];
+      }
+    }
+    return waves;
+  }
+
+  @Override
+  public Curve curve(double[] coefficients, int from) {
+    int nx = x.knots();
+    int ny = y.knots();
+    double[][] control = new double[nx + 2][ny + 2];
+    for (int i = 0; i < nx; i++) {
+      for (int j = 0; j < ny; j++) {
+        control[i + 1][j + 1] =
+            centred ? sumOfWaves(coefficients, from, i, j) : coefficients[from + i * ny + j];
+      }
+    }
+    for (int i = 1; i <= nx; i++) {
+      control[i][0] = control[i][2];
+      control[i][ny + 1] = control[i][ny - 1];
+    }
+    control[0] = control[2];
+    control[nx + 1] = control[nx - 1];
+    return (u, v) -> at(control, x.position(u), y.position(v));
+  }
+
+  private double sumOfWaves(double[] coefficients, int from, int i, int j) {
+    double sum = 0;
+    int ny = y.knots();
+    for (int n = 1; n < x.knots() * ny; n++) {
+      sum += coefficients[from + n - 1] * x.cosine(n / ny, i) * y.cosine(n % ny, j);
+    }
+    return sum;
+  }
+
+  private double at(double[][] control, double p, double q) {
+    int i = x.interval(p);
+    int j = y.interval(q);
+    double t = q - j;
+    double w0 = Spline.weight(0, t);
+    double w1 = Spline.weight(1, t);
+    double w2 = Spline.weight(2, t);
+    double w3 = Spline.weight(3, t);
+    double sum = 0;
+    for (int k = 0; k < 4; k++) {
+      double[] row = control[i + k];
+      sum +=
+          Spline.weight(k, p - i)
+              * (w0 * row[j] + w1 * row[j + 1] + w2 * row[j + 2] + w3 * row[j + 3]);
+    }
+    return sum;
+  }
+}
