@@ -205,10 +205,10 @@ public record EffectSetting(SimulatedEffect effect, Map<String, String> values) 
    * Whether a camera is meant.
    *
    * @param id the camera
-   * @return true when the setting names it (0 when it names none) or all
+   * @return true when the setting names it or all; of a setting that names none, see {@link SimulatedEffect}
    */
   public boolean concernsCamera(int id) {
-    String value = values.getOrDefault("camera", "0");
+    String value = values.getOrDefault("camera", effect.allCamerasUnlessSaid() ? ALL : "0");
     return value.equals(ALL) || (int) Double.parseDouble(value) == id;
   }
 

@@ -3,8 +3,22 @@ package fieldcal.simulation;
 import fieldcal.simulation.KickBehaviour.Bias;
 import fieldcal.simulation.imaging.CameraErrors;
 import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.physics.AirLaw;
+import fieldcal.simulation.physics.BallChange;
 import fieldcal.simulation.physics.BallPhysics;
+import fieldcal.simulation.physics.ExtraLaw;
 import fieldcal.simulation.physics.GroundLaw;
+import fieldcal.simulation.physics.ImpactLaw.Contact;
+import fieldcal.simulation.physics.Seam;
+import fieldcal.simulation.physics.UnnamedCause.FadingFriction;
+import fieldcal.simulation.physics.UnnamedCause.FourWays;
+import fieldcal.simulation.physics.UnnamedCause.LossByImpactSpeed;
+import fieldcal.simulation.physics.UnnamedCause.OncePerTurn;
+import fieldcal.simulation.physics.UnnamedCause.Patches;
+import fieldcal.simulation.physics.UnnamedCause.RestitutionByPlace;
+import fieldcal.simulation.physics.UnnamedCause.Ring;
+import fieldcal.simulation.physics.UnnamedCause.RollBump;
+import fieldcal.simulation.physics.UnnamedCause.SideForce;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.vision.Team;
 import java.util.ArrayList;
@@ -31,10 +45,64 @@ final class Effects {
                 p.withImpact(p.impact().withSpeedSlope(e.number("slope")));
             case BOUNCE_SPIN_COUPLING ->
                 p.withImpact(p.impact().withSpinCoupling(e.number("coefficient")));
-            default -> p.withGround(ground(p.ground(), e));
+            case CONTACT_IMPACTS ->
+                e.number("friction") == 0
+                    ? p
+                    : p.withImpact(
+                        p.impact()
+                            .withTangential(
+                                new Contact(e.number("reversed"), e.number("friction"), 0)));
+            case WIND -> p.withAir(wind(p.air(), e));
+            case BALL_CHANGED ->
+                e.number("roll") == 0 && e.number("slide") == 0
+                    ? p
+                    : p.withExtra(
+                        new BallChange(e.number("roll"), e.number("slide"), e.number("at")));
+            case CARPET_SEAM ->
+                e.number("loss") == 0 && e.number("turn") == 0
+                    ? p
+                    : p.withSeam(
+                        new Seam(
+                            e.number("loss"),
+                            e.number("turn"),
+                            e.number("normal"),
+                            e.number("distance")));
+            default ->
+                unnamed(e, p.ball().radius())
+                    .map(p::withExtra)
+                    .orElse(p.withGround(ground(p.ground(), e)));
           };
     }
     return p;
+  }
+
+  private static AirLaw wind(AirLaw air, EffectSetting e) {
+    double speed = e.number("speed");
+    double direction = e.number("direction");
+    return air.withWind(
+        air.windX() + speed * Math.cos(direction), air.windY() + speed * Math.sin(direction));
+  }
+
+  /** The law of a cause that has no name; empty for other effects and at zero. */
+  private static Optional<ExtraLaw> unnamed(EffectSetting e, double radius) {
+    double size = e.number(e.effect().parameters().get(0).name());
+    if (size == 0) {
+      return Optional.empty();
+    }
+    return Optional.ofNullable(
+        switch (e.effect()) {
+          case UNNAMED_RESTITUTION_PLACE -> new RestitutionByPlace(size, e.number("direction"));
+          case UNNAMED_ROLL_BUMP ->
+              new RollBump(size, e.number("speed", 1.5), e.number("width", 0.4));
+          case UNNAMED_FADING_FRICTION -> new FadingFriction(size, e.number("duration", 0.3));
+          case UNNAMED_RING -> new Ring(size, e.number("inner", 1.5), e.number("outer", 2.5));
+          case UNNAMED_ONCE_PER_TURN -> new OncePerTurn(size, radius);
+          case UNNAMED_FOUR_WAYS -> new FourWays(size, e.number("direction"));
+          case UNNAMED_IMPACT_SPEED -> new LossByImpactSpeed(size);
+          case UNNAMED_SIDE_FORCE -> new SideForce(size);
+          case UNNAMED_PATCHES -> new Patches(size, e.number("pitch", 0.8));
+          default -> null;
+        });
   }
 
   private static GroundLaw ground(GroundLaw g, EffectSetting e) {
@@ -44,6 +112,9 @@ final class Effects {
       case SPEED_DEPENDENT_ROLL ->
           g.withSpeedDependentRoll(
               g.rollingPerSpeed() + e.number("slope"), g.rollingPerSpeedSquared());
+      case UNNAMED_ROLL_SQUARE ->
+          g.withSpeedDependentRoll(
+              g.rollingPerSpeed(), g.rollingPerSpeedSquared() + e.number("slope"));
       case WORN_REGION -> g.withWornRegion(e.number("change"), e.region());
       case DRIFT -> g.withDrift(e.number("percent_per_10min") / 100 / 600);
       case SLIP_DEPENDENT_FRICTION -> g.withSlipSlope(e.number("slope"));
@@ -134,6 +205,9 @@ final class Effects {
       case LENS_DISTORTION_ERROR -> none.withDistortion(e.number("delta"));
       case CLOCK_SKEW -> none.withTiming(0, 1e-6 * e.number("ppm"));
       case CAMERA_SHAKE -> none.withShake(MILLI * e.number("amplitude_mm"), e.number("hz", 1));
+      case CAMERA_MOVED ->
+          none.withKnock(MILLI * e.number("x_mm"), MILLI * e.number("y_mm"), e.number("at"));
+      case UNNAMED_LENS_SHEAR -> none.withShear(MILLI * e.number("mm"));
       default -> none;
     };
   }

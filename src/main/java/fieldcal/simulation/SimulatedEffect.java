@@ -27,7 +27,7 @@ public enum SimulatedEffect {
   KICK_SPIN(number("fraction", -5, 5), number("scatter", 0, 5)),
   /** Spin right after the kick about the direction of travel; its mean and its scatter from kick to kick. */
   SIDE_SPIN(number("fraction", -5, 5), number("scatter", 0, 5)),
-  /** The field is not level; a rolling ball feels 1/(1+β) of it. */
+  /** The field is not level; a flying or sliding ball feels all of it, a rolling one 1/(1+β). */
   FIELD_SLOPE(number("percent", -20, 20), number("direction", -10, 10)),
   /** Rolling resistance depends on the direction of travel. */
   CARPET_NAP(number("amplitude", -0.9, 0.9), number("direction", -10, 10)),
@@ -47,7 +47,7 @@ public enum SimulatedEffect {
       number("shift_x_mm", -500, 500),
       number("shift_y_mm", -500, 500),
       camera()),
-  /** One camera's published distortion differs from the true one. */
+  /** One camera's published distortion differs from the true one; without a camera that of all. */
   LENS_DISTORTION_ERROR(number("delta", -0.2, 0.2), camera()),
   /** Vision projects balls onto a plane that is too high. */
   BALL_HEIGHT_ERROR(number("mm", -100, 100)),
@@ -67,15 +67,68 @@ public enum SimulatedEffect {
   TORQUE_LIMITED(number("coefficient", 0, 0.95), team()),
   /** Robots accelerate less sideways. */
   DIRECTIONAL(number("coefficient", 0, 0.95), team()),
-  /** Not in the catalogue: sliding friction grows with the speed of slipping. */
-  SLIP_DEPENDENT_FRICTION(number("slope", -0.1, 1)),
+  /** The air moves, towards a direction; nothing without drag. */
+  WIND(number("speed", -20, 20), number("direction", -10, 10)),
+  /** Sliding friction depends on the speed of slipping. */
+  SLIP_DEPENDENT_FRICTION(number("slope", -0.45, 1)),
+  /** One camera was knocked at a time of the session. */
+  CAMERA_MOVED(
+      number("x_mm", -500, 500), number("y_mm", -500, 500), number("at", 0, 1e6), camera()),
+  /** Another ball from a time of the session on. */
+  BALL_CHANGED(number("roll", -0.9, 5), number("slide", -0.9, 5), number("at", 0, 1e6)),
+  /** Impacts are contacts: the part 1 + reversed of the slip is undone, as far as friction can; nothing without friction. */
+  CONTACT_IMPACTS(number("reversed", -1, 1), number("friction", 0, 5)),
+  /** A seam of the carpet takes speed and turns paths. */
+  CARPET_SEAM(
+      number("loss", -0.5, 0.9),
+      number("turn", -1, 1),
+      number("normal", -10, 10),
+      number("distance", -100, 100)),
   /** Not in the catalogue: strips of carpet, 1 m wide each unless said otherwise, roll differently. */
   CARPET_WAVES(number("amplitude", -0.9, 0.9), number("wavelength", 0.05, 100)),
   /** Not in the catalogue: one camera's mount swings, at 1 Hz unless said otherwise. */
-  CAMERA_SHAKE(number("amplitude_mm", -100, 100), number("hz", 0.01, 30), camera());
+  CAMERA_SHAKE(number("amplitude_mm", -100, 100), number("hz", 0.01, 30), camera()),
+  /** Not in the catalogue: vertical restitution depends on the place. */
+  UNNAMED_RESTITUTION_PLACE(number("change", -0.9, 0.9), number("direction", -10, 10)),
+  /** Not in the catalogue: rolling resistance grows with the square of the speed, 1/m. */
+  UNNAMED_ROLL_SQUARE(number("slope", -0.05, 2)),
+  /** Not in the catalogue: rolling resistance is larger at one speed, 1.5 m/s and 0.4 m/s wide unless said otherwise. */
+  UNNAMED_ROLL_BUMP(number("height", -0.9, 10), number("speed", 0, 10), number("width", 0.05, 10)),
+  /** Not in the catalogue: sliding friction fades after the kick, within 0.3 s unless said otherwise. */
+  UNNAMED_FADING_FRICTION(number("change", -0.9, 10), number("duration", 0.01, 100)),
+  /** Not in the catalogue: a rough ring around the centre, from 1.5 m to 2.5 m unless said otherwise. */
+  UNNAMED_RING(number("change", -0.9, 10), number("inner", 0, 100), number("outer", 0, 100)),
+  /** Not in the catalogue: resistance varies once per turn of the rolling ball. */
+  UNNAMED_ONCE_PER_TURN(number("amplitude", -50, 50)),
+  /** Not in the catalogue: friction is larger along four directions. */
+  UNNAMED_FOUR_WAYS(number("amplitude", -0.9, 0.9), number("direction", -10, 10)),
+  /** Not in the catalogue: what an impact takes along the carpet depends on its speed. */
+  UNNAMED_IMPACT_SPEED(number("slope", -0.15, 0.15)),
+  /** Not in the catalogue: a force to the left, proportional to the speed. */
+  UNNAMED_SIDE_FORCE(number("rate", -2, 2)),
+  /** Not in the catalogue: sticky patches in a grid, 0.8 m apart unless said otherwise. */
+  UNNAMED_PATCHES(number("change", -0.9, 20), number("pitch", 0.3, 10)),
+  /** Not in the catalogue: an error of one camera's lens that is not radial, x shifted by that much times ξ²η. */
+  UNNAMED_LENS_SHEAR(number("mm", -500, 500), camera());
+
+  private static final Set<SimulatedEffect> ALL_CAMERAS_UNLESS_SAID =
+      EnumSet.of(LENS_DISTORTION_ERROR);
 
   private static final Set<SimulatedEffect> UNKNOWN_TO_THE_CATALOGUE =
-      EnumSet.of(SLIP_DEPENDENT_FRICTION, CARPET_WAVES, CAMERA_SHAKE);
+      EnumSet.of(
+          CARPET_WAVES,
+          CAMERA_SHAKE,
+          UNNAMED_RESTITUTION_PLACE,
+          UNNAMED_ROLL_SQUARE,
+          UNNAMED_ROLL_BUMP,
+          UNNAMED_FADING_FRICTION,
+          UNNAMED_RING,
+          UNNAMED_ONCE_PER_TURN,
+          UNNAMED_FOUR_WAYS,
+          UNNAMED_IMPACT_SPEED,
+          UNNAMED_SIDE_FORCE,
+          UNNAMED_PATCHES,
+          UNNAMED_LENS_SHEAR);
 
   private final List<EffectParameter> parameters;
 
@@ -99,6 +152,11 @@ public enum SimulatedEffect {
    */
   public boolean catalogued() {
     return !UNKNOWN_TO_THE_CATALOGUE.contains(this);
+  }
+
+  /** Whether it concerns all cameras when none is given; else camera 0. */
+  boolean allCamerasUnlessSaid() {
+    return ALL_CAMERAS_UNLESS_SAID.contains(this);
   }
 
   /**

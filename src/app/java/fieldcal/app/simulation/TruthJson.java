@@ -16,6 +16,7 @@ import fieldcal.simulation.physics.BallEvent;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.GroundLaw;
 import fieldcal.simulation.physics.ImpactLaw;
+import fieldcal.simulation.physics.Seam;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.truth.BallHold;
 import fieldcal.simulation.truth.CameraTruth;
@@ -50,7 +51,7 @@ public final class TruthJson {
     root.put("seed", settings.seed());
     root.put("null", settings.effects().isEmpty());
     ObjectNode effects = root.putObject("effects");
-    settings.effects().forEach(effect -> effects.set(effect.effect().id(), effect(effect)));
+    settings.effects().forEach(effect -> add(effects, effect));
     root.put(
         "units",
         "positions mm where the name says so, else SI; z is the height of the ball centre");
@@ -79,6 +80,19 @@ public final class TruthJson {
     ArrayNode kicks = root.putArray("kicks");
     truth.kicks().forEach(kick -> kicks.add(kick(kick, truth)));
     return root;
+  }
+
+  /** An effect that is set several times, of several cameras for example, becomes an array. */
+  private static void add(ObjectNode effects, EffectSetting setting) {
+    String id = setting.effect().id();
+    ObjectNode node = effect(setting);
+    if (!effects.has(id)) {
+      effects.set(id, node);
+    } else if (effects.get(id) instanceof ArrayNode several) {
+      several.add(node);
+    } else {
+      effects.set(id, JSON.arrayNode().add(effects.get(id)).add(node));
+    }
   }
 
   private static ObjectNode effect(EffectSetting setting) {
@@ -147,6 +161,18 @@ public final class TruthJson {
     node.put("magnus_cl", air.liftCoefficient());
     node.put("air_density", air.density());
     node.put("spin_decay", air.spinDecay());
+    node.put("wind_x", air.windX());
+    node.put("wind_y", air.windY());
+    ArrayNode seams = node.putArray("seams");
+    for (Seam seam : physics.seams()) {
+      ObjectNode s = seams.addObject();
+      s.put("loss", seam.loss());
+      s.put("turn", seam.turn());
+      s.put("normal", seam.normal());
+      s.put("distance", seam.distance());
+    }
+    ArrayNode extras = node.putArray("extras");
+    physics.extras().forEach(extra -> extras.add(extra.toString()));
     return node;
   }
 
@@ -184,6 +210,7 @@ public final class TruthJson {
             && p.impact().speedSlope() == 0
             && p.impact().spinCoupling() == 0
             && p.impact().dampingZFirstHop() == p.impact().dampingZOtherHops();
+    boolean nothingElse = p.extras().isEmpty() && p.seams().isEmpty();
     ObjectNode node = JSON.objectNode();
     node.put("acc_slide", -g.slidingFriction() * BallPhysics.GRAVITY);
     node.put("acc_roll", -g.rollingDeceleration());
@@ -196,8 +223,8 @@ public final class TruthJson {
       node.putNull("damping_xy_other_hops");
     }
     node.put("damping_z", p.impact().dampingZFirstHop());
-    node.put("exact_flat", noAir && plainGround && noSpin);
-    node.put("exact_chip", noAir && plainGround && fixedLoss);
+    node.put("exact_flat", noAir && plainGround && noSpin && nothingElse);
+    node.put("exact_chip", noAir && plainGround && fixedLoss && noSpin && nothingElse);
     return node;
   }
 
@@ -291,6 +318,14 @@ public final class TruthJson {
     node.put("clock_skew_ppm", 1e6 * e.clockSkew());
     node.put("shake_mm", 1000 * e.shakeAmplitude());
     node.put("shake_hz", e.shakeRate());
+    node.put("shear_mm", 1000 * e.shear());
+    ArrayNode knocks = node.putArray("knocks");
+    for (CameraErrors.Knock knock : e.knocks()) {
+      ObjectNode k = knocks.addObject();
+      k.put("x_mm", 1000 * knock.x());
+      k.put("y_mm", 1000 * knock.y());
+      k.put("at", knock.at());
+    }
     return node;
   }
 

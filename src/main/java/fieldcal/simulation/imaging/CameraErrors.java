@@ -1,5 +1,8 @@
 package fieldcal.simulation.imaging;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * What is wrong with one camera: published minus true, and time stamps. Start from {@link #NONE}.
  *
@@ -15,6 +18,8 @@ package fieldcal.simulation.imaging;
  * @param clockSkew its clock gains that much per second (–)
  * @param shakeAmplitude everything it reports swings along x by that much, m
  * @param shakeRate how often it swings, 1/s
+ * @param knocks what moved it during the session
+ * @param shear an error of the lens that is not radial: what it reports is shifted along x by shear·ξ²·η, with ξ, η = place relative to the point below the camera over its height, m
  */
 public record CameraErrors(
     double tilt,
@@ -28,10 +33,27 @@ public record CameraErrors(
     double timeOffset,
     double clockSkew,
     double shakeAmplitude,
-    double shakeRate) {
+    double shakeRate,
+    List<Knock> knocks,
+    double shear) {
 
   /** Nothing is wrong. */
-  public static final CameraErrors NONE = new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  public static final CameraErrors NONE = 
+      new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, List.of(), 0);
+
+  /** Copies the list. {@inheritDoc} */
+  public CameraErrors {
+    knocks = List.copyOf(knocks);
+  }
+
+  /**
+   * Somebody knocked the camera: from then on everything it reports is shifted.
+   *
+   * @param x m
+   * @param y m
+   * @param at session time, s
+   */
+  public record Knock(double x, double y, double at) {}
 
   /**
    * Another tilt of the published pose.
@@ -53,7 +75,9 @@ public record CameraErrors(
         timeOffset,
         clockSkew,
         shakeAmplitude,
-        shakeRate);
+        shakeRate,
+        knocks,
+        shear);
   }
 
   /**
@@ -77,7 +101,9 @@ public record CameraErrors(
         timeOffset,
         clockSkew,
         shakeAmplitude,
-        shakeRate);
+        shakeRate,
+        knocks,
+        shear);
   }
 
   /**
@@ -99,7 +125,9 @@ public record CameraErrors(
         timeOffset,
         clockSkew,
         shakeAmplitude,
-        shakeRate);
+        shakeRate,
+        knocks,
+        shear);
   }
 
   /**
@@ -122,7 +150,9 @@ public record CameraErrors(
         timeOffset,
         clockSkew,
         shakeAmplitude,
-        shakeRate);
+        shakeRate,
+        knocks,
+        shear);
   }
 
   /**
@@ -145,7 +175,9 @@ public record CameraErrors(
         offset,
         skew,
         shakeAmplitude,
-        shakeRate);
+        shakeRate,
+        knocks,
+        shear);
   }
 
   /**
@@ -168,7 +200,51 @@ public record CameraErrors(
         timeOffset,
         clockSkew,
         amplitude,
-        rate);
+        rate,
+        knocks,
+        shear);
+  }
+
+  /**
+   * Knocked once more.
+   *
+   * @param x shift, m
+   * @param y shift, m
+   * @param at session time, s
+   * @return the changed errors
+   */
+  public CameraErrors withKnock(double x, double y, double at) {
+    List<Knock> all = new ArrayList<>(knocks);
+    all.add(new Knock(x, y, at));
+    return with(all, shear);
+  }
+
+  /**
+   * Another error of the lens that is not radial.
+   *
+   * @param metres shift along x at ξ = η = 1, m
+   * @return the changed errors
+   */
+  public CameraErrors withShear(double metres) {
+    return with(knocks, metres);
+  }
+
+  private CameraErrors with(List<Knock> newKnocks, double newShear) {
+    return new CameraErrors(
+        tilt,
+        tiltAxis,
+        heightError,
+        shiftX,
+        shiftY,
+        distortionError,
+        offsetX,
+        offsetY,
+        timeOffset,
+        clockSkew,
+        shakeAmplitude,
+        shakeRate,
+        newKnocks,
+        newShear);
   }
 
   /**
@@ -180,7 +256,10 @@ public record CameraErrors(
   public CameraErrors plus(CameraErrors other) {
     CameraErrors tilted = Math.abs(tilt) >= Math.abs(other.tilt) ? this : other;
     CameraErrors shaken = Math.abs(shakeAmplitude) >= Math.abs(other.shakeAmplitude) ? this : other;
-    return NONE.withTilt(tilted.tilt, tilted.tiltAxis)
+    List<Knock> all = new ArrayList<>(knocks);
+    all.addAll(other.knocks);
+    return NONE.with(all, shear + other.shear)
+        .withTilt(tilted.tilt, tilted.tiltAxis)
         .withShift(shiftX + other.shiftX, shiftY + other.shiftY, heightError + other.heightError)
         .withDistortion(distortionError + other.distortionError)
         .withOffset(offsetX + other.offsetX, offsetY + other.offsetY)
@@ -191,5 +270,23 @@ public record CameraErrors(
   /** Where the swing is at a time, m. */
   double shakeAt(double time) {
     return shakeAmplitude == 0 ? 0 : shakeAmplitude * Math.sin(2 * Math.PI * shakeRate * time);
+  }
+
+  /** By how much what is reported of a place is shifted along x at a time, m. */
+  double shiftXAt(double time, double xi, double eta) {
+    double shift = offsetX + shakeAt(time) + shear * xi * xi * eta;
+    for (Knock knock : knocks) {
+      shift += time < knock.at() ? 0 : knock.x();
+    }
+    return shift;
+  }
+
+  /** By how much what is reported is shifted along y at a time, m. */
+  double shiftYAt(double time) {
+    double shift = offsetY;
+    for (Knock knock : knocks) {
+      shift += time < knock.at() ? 0 : knock.y();
+    }
+    return shift;
   }
 }

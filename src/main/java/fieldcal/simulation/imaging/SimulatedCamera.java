@@ -248,13 +248,21 @@ public final class SimulatedCamera {
       return null;
     }
     return new BallDetection(
-        Millimetres.rounded(ground[0] + errors.offsetX() + errors.shakeAt(exposure)),
-        Millimetres.rounded(ground[1] + errors.offsetY()),
+        Millimetres.rounded(ground[0] + shiftX()),
+        Millimetres.rounded(ground[1] + errors.shiftYAt(exposure)),
         Double.NaN,
         (float) confidence,
         area,
         pixelX,
         pixelY);
+  }
+
+  /** By how much what is seen at the present place on the ground is reported along x, m. */
+  private double shiftX() {
+    double height = publishedCamera.positionZ();
+    double xi = (ground[0] - publishedCalibration.derivedWorldX()) / height;
+    double eta = (ground[1] - publishedCalibration.derivedWorldY()) / height;
+    return errors.shiftXAt(exposure, xi, eta);
   }
 
   /** Where a point of the world appears in the image; false when it does not. */
@@ -280,8 +288,8 @@ public final class SimulatedCamera {
     detections.add(
         new RobotDetection(
             robot.id(),
-            Millimetres.rounded(ground[0] + errors.offsetX() + errors.shakeAt(exposure) + noiseX),
-            Millimetres.rounded(ground[1] + errors.offsetY() + noiseY),
+            Millimetres.rounded(ground[0] + shiftX() + noiseX),
+            Millimetres.rounded(ground[1] + errors.shiftYAt(exposure) + noiseY),
             (float) turn,
             (float) confidence,
             Millimetres.rounded(robot.height())));

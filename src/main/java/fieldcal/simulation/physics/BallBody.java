@@ -7,8 +7,16 @@ public final class BallBody {
   /** Position (m; z is the lowest point's height), velocity (m/s), spin (rad/s). */
   final double[] state = new double[9];
 
+  /** The part of the spin about x and y that a ball launched without spin would not have, rad/s. */
+  final double[] givenSpin = new double[2];
+
+  /** What impacts have made of the given spin so far: the part of the velocity that a ball launched without spin would not have, m/s. */
+  final double[] gainedVelocity = new double[2];
+
   private MotionPhase phase = MotionPhase.RESTING;
   private int impacts;
+  private double launchTime = Double.NaN;
+  private double path;
 
   /** A ball at rest at the field's centre. */
   public BallBody() {}
@@ -25,8 +33,16 @@ public final class BallBody {
     Arrays.fill(state, 0);
     state[0] = x;
     state[1] = y;
+    Arrays.fill(givenSpin, 0);
     phase = MotionPhase.RESTING;
+    begin();
+  }
+
+  private void begin() {
+    Arrays.fill(gainedVelocity, 0);
     impacts = 0;
+    launchTime = Double.NaN;
+    path = 0;
   }
 
   /**
@@ -45,7 +61,9 @@ public final class BallBody {
       Check.finite("velocity or spin", values[i]);
       state[3 + i] = values[i];
     }
-    impacts = 0;
+    givenSpin[0] = spinX;
+    givenSpin[1] = spinY;
+    begin();
     if (vz > 0 || state[2] > 0) {
       phase = MotionPhase.FLYING;
     } else {
@@ -181,6 +199,23 @@ public final class BallBody {
    */
   public int impacts() {
     return impacts;
+  }
+
+  /** Session time of the launch, s; the first time asked for is it. */
+  double launchTime(double now) {
+    if (Double.isNaN(launchTime)) {
+      launchTime = now;
+    }
+    return launchTime;
+  }
+
+  /** Way on the carpet since the launch, m. */
+  double path() {
+    return path;
+  }
+
+  void addPath(double way) {
+    path += way;
   }
 
   void setPhase(MotionPhase next) {

@@ -34,6 +34,8 @@ public record BallEvent(
     LAND,
     /** Its contact point stopped slipping. */
     SLIDE_TO_ROLL,
+    /** It crossed a seam of the carpet. */
+    SEAM,
     /** It came to rest. */
     STOP
   }

@@ -55,13 +55,24 @@ public final class BallIntegrator {
     while (to - time > TIME_RESOLUTION) {
       double step = Math.min(MAX_STEP, to - time);
       forces.enterStep(ball, time);
-      time +=
+      double x = ball.x();
+      double y = ball.y();
+      boolean flew = ball.phase() == MotionPhase.FLYING;
+      double taken =
           switch (ball.phase()) {
             case RESTING -> rest(ball, to - time);
             case FLYING -> fly(ball, time, step, trace);
             case SLIDING -> slide(ball, time, step, trace);
             case ROLLING -> roll(ball, time, step, trace);
           };
+      time += taken;
+      if (flew) {
+        double kept = Math.exp(-forces.spinDecay() * taken);
+        ball.givenSpin[0] *= kept;
+        ball.givenSpin[1] *= kept;
+      } else {
+        ball.addPath(Math.hypot(ball.x() - x, ball.y() - y));
+      }
       trace.node(time, ball);
     }
   }
@@ -121,6 +132,7 @@ public final class BallIntegrator {
     if (used > 0) {
       taken = stepWithinRegion(state, used);
       commit(state);
+      meetSeam(ball, time + taken, trace);
     }
     if (ends && taken == used) {
       settleIntoRolling(ball);
@@ -143,6 +155,7 @@ public final class BallIntegrator {
     double taken = stepWithinRegion(state, used);
     commit(state);
     forces.makeRolling(state);
+    meetSeam(ball, time + taken, trace);
     if (ends && taken == used) {
       Arrays.fill(state, 3, 9, 0);
       if (forces.holds()) {
@@ -153,7 +166,25 @@ public final class BallIntegrator {
     return taken;
   }
 
-  /** A step that ends at the edge of the worn region when it would cross it; returns its length. */
+  private void meetSeam(BallBody ball, double time, BallTrace trace) {
+    double[] s = ball.state;
+    Seam seam = forces.crossed(s);
+    if (seam == null) {
+      return;
+    }
+    // The jolt is between two nodes of the same time, as an impact is.
+    trace.node(time, ball);
+    double vx = s[3];
+    double vy = s[4];
+    seam.cross(s);
+    if (ball.phase() == MotionPhase.ROLLING) {
+      forces.makeRolling(s);
+    }
+    trace.event(
+        new BallEvent(BallEvent.Kind.SEAM, time, s[0], s[1], vx, vy, s[5], s[3], s[4], s[5]));
+  }
+
+  /** A step that ends at the edge of the worn region or at a seam when it would cross it; returns its length. */
   private double stepWithinRegion(double[] state, double step) {
     rungeKutta.step(state, step, trial);
     if (forces.sameRegion(trial)) {
@@ -192,12 +223,21 @@ public final class BallIntegrator {
     double vx = s[3];
     double vy = s[4];
     double vz = s[5];
-    double dampingZ = law.dampingZ(first, -vz);
+    forces.moment(0, s);
+    double dampingZ =
+        Math.max(0, Math.min(0.98, law.dampingZ(first, -vz) * forces.extraRestitution()));
+    double along = forces.extraAlong();
     if (law.tangential() instanceof FixedLoss loss) {
-      loseFixedShare(s, first ? loss.firstHop() : loss.otherHops(), law.spinCoupling());
+      double damping = first ? loss.firstHop() : loss.otherHops();
+      double limit = physics.ground().slidingFriction() * (1 + dampingZ) * Math.abs(vz);
+      loseFixedShare(ball, damping, spinShare(loss), limit);
     } else {
       touch(s, (Contact) law.tangential(), law.spinCoupling(), dampingZ);
     }
+    s[3] *= along;
+    s[4] *= along;
+    ball.gainedVelocity[0] *= along;
+    ball.gainedVelocity[1] *= along;
     s[5] = -dampingZ * vz;
     ball.countImpact();
     boolean lands = s[5] * s[5] < 2 * BallPhysics.GRAVITY * law.minHopHeight();
@@ -205,8 +245,11 @@ public final class BallIntegrator {
       s[5] = 0;
       ball.setPhase(MotionPhase.SLIDING);
       if (law.tangential() instanceof FixedLoss) {
+        boolean spins = ball.givenSpin[0] != 0 || ball.givenSpin[1] != 0;
+        remove(s, ball.gainedVelocity, ball.givenSpin);
         forces.makeRolling(s);
-        ball.setPhase(MotionPhase.ROLLING);
+        restore(s, ball.gainedVelocity, ball.givenSpin);
+        ball.setPhase(spins ? MotionPhase.SLIDING : MotionPhase.ROLLING);
       }
     }
     trace.event(
@@ -223,12 +266,32 @@ public final class BallIntegrator {
             s[5]));
   }
 
-  private void loseFixedShare(double[] s, double damping, double coupling) {
-    double e = Math.max(0, damping - coupling * forces.spinFraction(s));
+  /**
+   * The fixed damping of a ball that was launched without spin, and on top of it what given spin changes: the difference of the two balls' velocities u and surface velocities w obeys the contact law, by which
+   * the part (1 + ρ)·β/(1+β) of the slip u − w of the contact point is taken from u, and 1/β of that given to w (Garwin, Am. J. Phys. 37, 88 (1969); Cross, Am. J. Phys. 70, 1093 (2002)). Of a ball that does not
+   * spin, all velocity is slip, so that part is 1 − e_xy1. Without given spin the damping holds exactly.
+   *
+   * @param share of the slip that is taken from the velocity
+   * @param limit of Coulomb friction on the change of the velocity, m/s; what the damping itself takes is always within it
+   */
+  private void loseFixedShare(BallBody ball, double damping, double share, double limit) {
+    double[] s = ball.state;
+    double[] spin = ball.givenSpin;
+    double[] gained = ball.gainedVelocity;
+    double e = Math.max(0, damping - physics.impact().spinCoupling() * forces.spinFraction(s));
+    double lostX = (1 - e) * (s[3] - gained[0]);
+    double lostY = (1 - e) * (s[4] - gained[1]);
+    double addedX = share * (forces.radius() * spin[1] - gained[0]);
+    double addedY = share * (-forces.radius() * spin[0] - gained[1]);
+    double change = Math.hypot(addedX - lostX, addedY - lostY);
+    double most = Math.max(limit, Math.hypot(lostX, lostY));
+    if (change > most) {
+      addedX = lostX + most / change * (addedX - lostX);
+      addedY = lostY + most / change * (addedY - lostY);
+    }
+    remove(s, gained, spin);
     double beforeX = forces.slipX(s);
     double beforeY = forces.slipY(s);
-    double lostX = (1 - e) * s[3];
-    double lostY = (1 - e) * s[4];
     s[3] -= lostX;
     s[4] -= lostY;
     forces.addSpinOfImpulse(s, -lostX, -lostY);
@@ -238,6 +301,32 @@ public final class BallIntegrator {
     if (rolled || forces.slipX(s) * beforeX + forces.slipY(s) * beforeY < 0) {
       forces.makeRolling(s);
     }
+    double turn = 1 / (forces.inertiaFactor() * forces.radius());
+    spin[0] += turn * addedY;
+    spin[1] -= turn * addedX;
+    gained[0] += addedX;
+    gained[1] += addedY;
+    restore(s, gained, spin);
+  }
+
+  private static void remove(double[] s, double[] velocity, double[] spin) {
+    s[3] -= velocity[0];
+    s[4] -= velocity[1];
+    s[6] -= spin[0];
+    s[7] -= spin[1];
+  }
+
+  private static void restore(double[] s, double[] velocity, double[] spin) {
+    s[3] += velocity[0];
+    s[4] += velocity[1];
+    s[6] += spin[0];
+    s[7] += spin[1];
+  }
+
+  /** Between no contact and a super ball's. */
+  private double spinShare(FixedLoss loss) {
+    double superBall = 2 * forces.inertiaFactor() / (1 + forces.inertiaFactor());
+    return Math.max(0, Math.min(superBall, 1 - loss.firstHop()));
   }
 
   private void touch(double[] s, Contact contact, double coupling, double dampingZ) {

@@ -1,5 +1,8 @@
 package fieldcal.simulation.physics;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * All laws that the simulated ball obeys.
  *
@@ -7,14 +10,40 @@ package fieldcal.simulation.physics;
  * @param ground the carpet
  * @param impact the bounce
  * @param air drag, lift
+ * @param extras what changes these laws
+ * @param seams lines that balls on the ground cross with a jolt
  */
-public record BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw air) {
+public record BallPhysics(
+    Ball ball,
+    GroundLaw ground,
+    ImpactLaw impact,
+    AirLaw air,
+    List<ExtraLaw> extras,
+    List<Seam> seams) {
 
   /** Acceleration of free fall, m/s². */
   public static final double GRAVITY = 9.81;
 
   /** A carpet and ball as measured at tournaments of 2026 in an ideal world: −3.1, −0.28 m/s², 0.65; 0.75, 0.95, 0.52. */
   public static final BallPhysics IDEAL = ideal(-3.1, -0.28, 0.65, 0.75, 0.95, 0.52);
+
+  /** Copies the lists. {@inheritDoc} */
+  public BallPhysics {
+    extras = List.copyOf(extras);
+    seams = List.copyOf(seams);
+  }
+
+  /**
+   * Laws without extras and seams.
+   *
+   * @param ball the body
+   * @param ground the carpet
+   * @param impact the bounce
+   * @param air drag, lift
+   */
+  public BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw air) {
+    this(ball, ground, impact, air, List.of(), List.of());
+  }
 
   /**
    * A world in which a kick without spin obeys the league's two-phase law exactly and a chip the fixed-loss law: friction and inertia are chosen so that they do.
@@ -69,7 +98,7 @@ public record BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw 
    * @return the changed laws
    */
   public BallPhysics withBall(Ball newBall) {
-    return new BallPhysics(newBall, ground, impact, air);
+    return new BallPhysics(newBall, ground, impact, air, extras, seams);
   }
 
   /**
@@ -79,7 +108,7 @@ public record BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw 
    * @return the changed laws
    */
   public BallPhysics withGround(GroundLaw law) {
-    return new BallPhysics(ball, law, impact, air);
+    return new BallPhysics(ball, law, impact, air, extras, seams);
   }
 
   /**
@@ -89,7 +118,7 @@ public record BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw 
    * @return the changed laws
    */
   public BallPhysics withImpact(ImpactLaw law) {
-    return new BallPhysics(ball, ground, law, air);
+    return new BallPhysics(ball, ground, law, air, extras, seams);
   }
 
   /**
@@ -99,6 +128,30 @@ public record BallPhysics(Ball ball, GroundLaw ground, ImpactLaw impact, AirLaw 
    * @return the changed laws
    */
   public BallPhysics withAir(AirLaw law) {
-    return new BallPhysics(ball, ground, impact, law);
+    return new BallPhysics(ball, ground, impact, law, extras, seams);
+  }
+
+  /**
+   * One law more.
+   *
+   * @param law what it changes
+   * @return the changed laws
+   */
+  public BallPhysics withExtra(ExtraLaw law) {
+    List<ExtraLaw> all = new ArrayList<>(extras);
+    all.add(law);
+    return new BallPhysics(ball, ground, impact, air, all, seams);
+  }
+
+  /**
+   * One seam more.
+   *
+   * @param seam where and how
+   * @return the changed laws
+   */
+  public BallPhysics withSeam(Seam seam) {
+    List<Seam> all = new ArrayList<>(seams);
+    all.add(seam);
+    return new BallPhysics(ball, ground, impact, air, extras, all);
   }
 }

@@ -12,9 +12,20 @@ final class Forces {
   private final double dragFactor;
   private final double liftFactor;
   private final double spinDecay;
+  private final double windX;
+  private final double windY;
+  private final ExtraLaw[] extras;
+  private final Seam[] seams;
+  private final boolean[] beyond;
+  private final BallMoment moment = new BallMoment();
+  private final double[] push = new double[2];
 
   private MotionPhase phase = MotionPhase.RESTING;
   private double stepTime;
+  private double launchTime;
+  private double startX;
+  private double startY;
+  private double startPath;
   private boolean worn;
   private double wear = 1;
   private boolean frozen;
@@ -36,12 +47,24 @@ final class Forces {
     dragFactor = pressure * air.dragCoefficient();
     liftFactor = pressure * radius * air.liftCoefficient();
     spinDecay = air.spinDecay();
+    windX = air.windX();
+    windY = air.windY();
+    extras = physics.extras().toArray(new ExtraLaw[0]);
+    seams = physics.seams().toArray(new Seam[0]);
+    beyond = new boolean[seams.length];
   }
 
   /** Fixes phase, session time and friction for the coming step. */
   void enterStep(BallBody ball, double time) {
     phase = ball.phase();
     stepTime = time;
+    launchTime = ball.launchTime(time);
+    startX = ball.state[0];
+    startY = ball.state[1];
+    startPath = ball.path();
+    for (int i = 0; i < seams.length; i++) {
+      beyond[i] = seams[i].beyond(startX, startY);
+    }
     frozen = false;
     worn = ground.wornAt(ball.state[0], ball.state[1]);
     wear = worn ? 1 + ground.wornChange() : 1;
@@ -54,8 +77,83 @@ final class Forces {
     frozenY = y;
   }
 
+  /** Whether a state is on the same side of all edges and seams as the step's start. */
   boolean sameRegion(double[] s) {
+    for (int i = 0; i < seams.length; i++) {
+      if (seams[i].beyond(s[0], s[1]) != beyond[i]) {
+        return false;
+      }
+    }
     return ground.wornAt(s[0], s[1]) == worn;
+  }
+
+  /** The seam between a state and the step's start; null when there is none. */
+  Seam crossed(double[] s) {
+    for (int i = 0; i < seams.length; i++) {
+      if (seams[i].beyond(s[0], s[1]) != beyond[i]) {
+        return seams[i];
+      }
+    }
+    return null;
+  }
+
+  /** What {@link ExtraLaw}s may know of a state. */
+  BallMoment moment(double offset, double[] s) {
+    moment.x = s[0];
+    moment.y = s[1];
+    moment.vx = s[3];
+    moment.vy = s[4];
+    moment.vz = s[5];
+    moment.slip = phase == MotionPhase.SLIDING ? Math.hypot(slipX(s), slipY(s)) : 0;
+    moment.sessionTime = stepTime + offset;
+    moment.sinceKick = moment.sessionTime - launchTime;
+    moment.path =
+        phase == MotionPhase.FLYING
+            ? startPath
+            : startPath + Math.hypot(s[0] - startX, s[1] - startY);
+    return moment;
+  }
+
+  private double extraSliding() {
+    double factor = 1;
+    for (ExtraLaw law : extras) {
+      factor *= Math.max(0, law.slidingFactor(moment));
+    }
+    return factor;
+  }
+
+  private double extraRolling() {
+    double factor = 1;
+    for (ExtraLaw law : extras) {
+      factor *= Math.max(0, law.rollingFactor(moment));
+    }
+    return factor;
+  }
+
+  /** Factor on e_z of an impact of the moment that was asked for last. */
+  double extraRestitution() {
+    double factor = 1;
+    for (ExtraLaw law : extras) {
+      factor *= law.restitutionFactor(moment);
+    }
+    return factor;
+  }
+
+  /** Factor on the velocity along the carpet after an impact of the moment that was asked for last. */
+  double extraAlong() {
+    double factor = 1;
+    for (ExtraLaw law : extras) {
+      factor *= law.alongFactor(moment);
+    }
+    return factor;
+  }
+
+  double spinDecay() {
+    return spinDecay;
+  }
+
+  double radius() {
+    return radius;
   }
 
   double inertiaFactor() {
@@ -92,7 +190,7 @@ final class Forces {
   boolean holds() {
     double push = Math.hypot(externalX, externalY) / (1 + beta);
     return push
-        <= wear * ground.rollingDecelerationAt(externalX * 1e-9, externalY * 1e-9, stepTime);
+        <= wear * extraRolling() * ground.rollingDecelerationAt(externalX * 1e-9, externalY * 1e-9, stepTime);
   }
 
   /** Rate of change of position, velocity and spin, {@code offset} seconds after the step's start. */
@@ -100,7 +198,10 @@ final class Forces {
     rate[0] = s[3];
     rate[1] = s[4];
     rate[2] = s[5];
-    air(s);
+    if (extras.length > 0) {
+      moment(offset, s);
+    }
+    external(s);
     switch (phase) {
       case FLYING -> fly(s, rate);
       case SLIDING -> slide(s, rate);
@@ -108,14 +209,19 @@ final class Forces {
     }
   }
 
-  private void air(double[] s) {
-    double drag = dragFactor * Math.sqrt(s[3] * s[3] + s[4] * s[4] + s[5] * s[5]);
-    externalX = liftFactor * (s[7] * s[5] - s[8] * s[4]) - drag * s[3];
-    externalY = liftFactor * (s[8] * s[3] - s[6] * s[5]) - drag * s[4];
+  private void external(double[] s) {
+    double x = s[3] - windX;
+    double y = s[4] - windY;
+    double drag = dragFactor * Math.sqrt(x * x + y * y + s[5] * s[5]);
+    externalX = liftFactor * (s[7] * s[5] - s[8] * s[4]) - drag * x + G * ground.slopeX();
+    externalY = liftFactor * (s[8] * s[3] - s[6] * s[5]) - drag * y + G * ground.slopeY();
     externalZ = liftFactor * (s[6] * s[4] - s[7] * s[3]) - drag * s[5];
-    if (phase != MotionPhase.FLYING) {
-      externalX += G * ground.slopeX();
-      externalY += G * ground.slopeY();
+    for (ExtraLaw law : extras) {
+      push[0] = 0;
+      push[1] = 0;
+      law.push(moment, push);
+      externalX += push[0];
+      externalY += push[1];
     }
   }
 
@@ -140,8 +246,9 @@ final class Forces {
     }
     double friction =
         ground.slidingFriction()
-            * (1 + ground.slipSlope() * slip)
+            * ground.slipFactor(slip)
             * wear
+            * extraSliding()
             * Math.max(0, G - externalZ);
     double frictionX = -friction * directionX;
     double frictionY = -friction * directionY;
@@ -169,6 +276,7 @@ final class Forces {
     double deceleration =
         wear
             * ground.waveAt(s[0])
+            * extraRolling()
             * pressure
             * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
     rate[3] = -deceleration * directionX + externalX / (1 + beta);

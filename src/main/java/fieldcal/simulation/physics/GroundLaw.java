@@ -2,7 +2,7 @@ package fieldcal.simulation.physics;
 
 /**
  * What the carpet does to a ball that touches it. Coulomb friction μ·N acts against the slip of the contact point until the ball rolls; then the rolling resistance acts against the velocity.
- * N is the weight, changed by a Magnus force. Field slope and air drag accelerate a sliding ball fully and a rolling one by 1/(1+β), because friction has to turn it.
+ * N is the weight, changed by a Magnus force. A tilted field and air drag accelerate a sliding ball fully and a rolling one by 1/(1+β), because friction has to turn it; a flying ball feels them fully, too.
  *
  * @param slidingFriction μ (–)
  * @param rollingDeceleration deceleration of a rolling ball at low speed, m/s², positive
@@ -16,7 +16,7 @@ package fieldcal.simulation.physics;
  * @param wornChange relative change of friction in the rectangle (–)
  * @param driftPerSecond relative change of the rolling deceleration per second of session time, 1/s
  * @param verticalSpinDecay deceleration of spin about the vertical while on the ground, 1/s
- * @param slipSlope growth of μ with the slip speed, relative, s/m
+ * @param slipSlope growth of μ with the slip speed about {@link #REFERENCE_SLIP}, relative, s/m
  * @param waveAmplitude rolling deceleration is multiplied by 1 + waveAmplitude·sin(2π·x/waveLength): strips of carpet laid side by side
  * @param waveLength m
  */
@@ -37,6 +37,12 @@ public record GroundLaw(
     double waveAmplitude,
     double waveLength) {
 
+  /** Speed of slip at which {@code slipSlope} changes nothing, m/s (the value that DESIGN fixes). */
+  public static final double REFERENCE_SLIP = 2;
+
+  /** What is left of friction at least, however steep the dependence on slip is (–). */
+  private static final double LEAST_FRICTION = 0.05;
+
   /**
    * Checks the ranges. {@inheritDoc}
    *
@@ -54,7 +60,7 @@ public record GroundLaw(
     Check.range("wornChange", wornChange, -0.9, 10);
     Check.range("driftPerSecond", driftPerSecond, -0.1, 0.1);
     Check.range("verticalSpinDecay", verticalSpinDecay, 0, 1000);
-    Check.range("slipSlope", slipSlope, -0.1, 1);
+    Check.range("slipSlope", slipSlope, -0.45, 1);
     Check.range("waveAmplitude", waveAmplitude, -0.9, 0.9);
     Check.range("waveLength", waveLength, 0.05, 100);
   }
@@ -201,7 +207,7 @@ public record GroundLaw(
   }
 
   /**
-   * Lets sliding friction depend on how fast the contact point slips; in no catalogue of causes, so a diagnosis must not name one.
+   * Lets sliding friction depend on how fast the contact point slips.
    *
    * @param slope relative growth per m/s of slip, s/m
    * @return the changed law
@@ -249,6 +255,13 @@ public record GroundLaw(
         slipSlope,
         amplitude,
         length);
+  }
+
+  /** Factor on the sliding friction at a speed of slip. */
+  double slipFactor(double slip) {
+    return slipSlope == 0
+        ? 1
+        : Math.max(LEAST_FRICTION, 1 + slipSlope * (slip - REFERENCE_SLIP));
   }
 
   /** Factor on the rolling deceleration at a place. */

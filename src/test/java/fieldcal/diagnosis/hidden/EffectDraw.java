@@ -20,6 +20,9 @@ import java.util.Set;
 final class EffectDraw {
   private static final double USUAL_NOISE = 0.0015;
 
+  /** Session time of a kick of the calibration scenarios, s (measured). */
+  private static final double SECONDS_PER_KICK = 6;
+
   private static final Set<SimulatedEffect> ON_THE_BALL =
       EnumSet.of(
           SimulatedEffect.AIR_DRAG,
@@ -33,7 +36,19 @@ final class EffectDraw {
           SimulatedEffect.BOUNCE_SPIN_COUPLING,
           SimulatedEffect.DRIFT,
           SimulatedEffect.SLIP_DEPENDENT_FRICTION,
-          SimulatedEffect.CARPET_WAVES);
+          SimulatedEffect.WIND,
+          SimulatedEffect.BALL_CHANGED,
+          SimulatedEffect.CARPET_SEAM,
+          SimulatedEffect.CONTACT_IMPACTS,
+          SimulatedEffect.CARPET_WAVES,
+          SimulatedEffect.UNNAMED_ROLL_SQUARE,
+          SimulatedEffect.UNNAMED_ROLL_BUMP,
+          SimulatedEffect.UNNAMED_FADING_FRICTION,
+          SimulatedEffect.UNNAMED_RING,
+          SimulatedEffect.UNNAMED_ONCE_PER_TURN,
+          SimulatedEffect.UNNAMED_FOUR_WAYS,
+          SimulatedEffect.UNNAMED_SIDE_FORCE,
+          SimulatedEffect.UNNAMED_PATCHES);
 
   /** Seen on the carpet only. */
   private static final Set<SimulatedEffect> NEEDS_FLAT =
@@ -46,10 +61,25 @@ final class EffectDraw {
           SimulatedEffect.WORN_REGION,
           SimulatedEffect.DRIFT,
           SimulatedEffect.SLIP_DEPENDENT_FRICTION,
-          SimulatedEffect.CARPET_WAVES);
+          SimulatedEffect.BALL_CHANGED,
+          SimulatedEffect.CARPET_SEAM,
+          SimulatedEffect.CARPET_WAVES,
+          SimulatedEffect.UNNAMED_ROLL_SQUARE,
+          SimulatedEffect.UNNAMED_ROLL_BUMP,
+          SimulatedEffect.UNNAMED_FADING_FRICTION,
+          SimulatedEffect.UNNAMED_RING,
+          SimulatedEffect.UNNAMED_ONCE_PER_TURN,
+          SimulatedEffect.UNNAMED_FOUR_WAYS,
+          SimulatedEffect.UNNAMED_SIDE_FORCE,
+          SimulatedEffect.UNNAMED_PATCHES);
 
   private static final Set<SimulatedEffect> NEEDS_CHIP =
-      EnumSet.of(SimulatedEffect.SPEED_DEPENDENT_RESTITUTION, SimulatedEffect.BOUNCE_SPIN_COUPLING);
+      EnumSet.of(
+          SimulatedEffect.SPEED_DEPENDENT_RESTITUTION,
+          SimulatedEffect.BOUNCE_SPIN_COUPLING,
+          SimulatedEffect.CONTACT_IMPACTS,
+          SimulatedEffect.UNNAMED_RESTITUTION_PLACE,
+          SimulatedEffect.UNNAMED_IMPACT_SPEED);
 
   /** Means nothing with a single camera, or is absorbed by the model. */
   private static final Set<SimulatedEffect> SEVERAL_CAMERAS =
@@ -59,7 +89,9 @@ final class EffectDraw {
           SimulatedEffect.CAMERA_POSE_ERROR,
           SimulatedEffect.LENS_DISTORTION_ERROR,
           SimulatedEffect.BALL_HEIGHT_ERROR,
-          SimulatedEffect.CLOCK_SKEW);
+          SimulatedEffect.CLOCK_SKEW,
+          SimulatedEffect.CAMERA_MOVED,
+          SimulatedEffect.UNNAMED_LENS_SHEAR);
 
   private static final List<SimulatedEffect> CATALOGUED =
       List.of(SimulatedEffect.values()).stream()
@@ -81,7 +113,10 @@ final class EffectDraw {
               SimulatedEffect.FIELD_SLOPE,
               SimulatedEffect.CARPET_NAP,
               SimulatedEffect.WORN_REGION,
-              SimulatedEffect.DRIFT),
+              SimulatedEffect.DRIFT,
+              SimulatedEffect.BALL_CHANGED),
+          EnumSet.of(SimulatedEffect.WIND, SimulatedEffect.FIELD_SLOPE),
+          EnumSet.of(SimulatedEffect.CONTACT_IMPACTS, SimulatedEffect.BOUNCE_SPIN_COUPLING),
           EnumSet.of(
               SimulatedEffect.CAMERA_TIME_OFFSET,
               SimulatedEffect.CLOCK_SKEW,
@@ -210,7 +245,58 @@ final class EffectDraw {
       }
       case CLOCK_SKEW -> set(effect, "ppm", about(75)).with("camera", camera());
       case ROLLING_SHUTTER -> set(effect, "ms", limited(positive(9), 0, 30));
-      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(positive(0.4), 0, 1));
+      case WIND ->
+          set(effect, "speed", limited(positive(0.9), 0.1, 5)).with("direction", number(angle()));
+      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(about(0.15), -0.3, 0.7));
+      case CAMERA_MOVED -> {
+        double size = positive(8);
+        double direction = angle();
+        yield set(effect, "x_mm", size * Math.cos(direction))
+            .with("y_mm", number(size * Math.sin(direction)))
+            .with("at", number(duringTheSession()))
+            .with("camera", camera());
+      }
+      case BALL_CHANGED ->
+          set(effect, "roll", limited(about(0.05), -0.5, 1))
+              .with("slide", number(limited(about(0.02), -0.4, 0.6)))
+              .with("at", number(duringTheSession()));
+      // Between a ball that sticks and half a super ball, on a carpet: what engines that integrate the contact show.
+      case CONTACT_IMPACTS ->
+          set(effect, "reversed", random.uniform(-0.35, 0.1))
+              .with("friction", number(random.uniform(0.25, 0.6)));
+      // Through the middle, where most kicks cross it.
+      case CARPET_SEAM ->
+          set(effect, "loss", limited(positive(0.015), 0, 0.5))
+              .with("turn", number(limited(about(0.003), -0.2, 0.2)))
+              .with("normal", number(angle()))
+              .with("distance", number(random.uniform(-1.2, 1.2)));
+      case UNNAMED_RESTITUTION_PLACE ->
+          set(effect, "change", limited(about(0.05), -0.3, 0.3))
+              .with("direction", number(angle()));
+      case UNNAMED_ROLL_SQUARE -> set(effect, "slope", limited(positive(0.012), 0, 0.3));
+      case UNNAMED_ROLL_BUMP ->
+          set(effect, "height", limited(about(0.25), -0.7, 3))
+              .with("speed", number(random.uniform(0.8, 2.5)))
+              .with("width", number(random.uniform(0.25, 0.6)));
+      case UNNAMED_FADING_FRICTION ->
+          set(effect, "change", limited(about(0.12), -0.6, 2))
+              .with("duration", number(random.uniform(0.1, 0.4)));
+      case UNNAMED_RING -> {
+        double inner = random.uniform(0.8, 2);
+        yield set(effect, "change", limited(about(0.2), -0.6, 3))
+            .with("inner", number(inner))
+            .with("outer", number(inner + random.uniform(0.4, 1)));
+      }
+      case UNNAMED_ONCE_PER_TURN -> set(effect, "amplitude", limited(positive(2), 0, 6));
+      case UNNAMED_FOUR_WAYS ->
+          set(effect, "amplitude", limited(about(0.04), -0.5, 0.5))
+              .with("direction", number(angle()));
+      case UNNAMED_IMPACT_SPEED -> set(effect, "slope", limited(about(0.03), -0.1, 0.1));
+      case UNNAMED_SIDE_FORCE -> set(effect, "rate", limited(about(0.006), -0.5, 0.5));
+      case UNNAMED_PATCHES ->
+          set(effect, "change", limited(positive(0.6), 0, 6))
+              .with("pitch", number(random.uniform(0.6, 1.5)));
+      case UNNAMED_LENS_SHEAR -> set(effect, "mm", about(40)).with("camera", camera());
       case CARPET_WAVES ->
           set(effect, "amplitude", limited(positive(0.09), 0, 0.85))
               .with("wavelength", number(random.uniform(1.2, 4)));
@@ -237,6 +323,11 @@ final class EffectDraw {
             .with("shift_y_mm", number(size * Math.sin(direction)));
       }
     };
+  }
+
+  /** Some time in the middle: a kick, with what is before and after it, takes about that long. */
+  private double duringTheSession() {
+    return world.scenario().kicks() * SECONDS_PER_KICK * random.uniform(0.3, 0.7);
   }
 
   private int camera() {

@@ -49,6 +49,9 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
   /** Detections so near the end of a flight may be of something else, s. */
   private static final double END = 0.03;
 
+  /** Damping along the carpet after the first impact of a contact, between the second's 0.91 to 0.95 and later ones' 0.975 and more (–). */
+  private static final double LATER_IMPACTS_OF_A_CONTACT = 0.95;
+
   /** A kick that fits so much worse on its own than the others has too many hops or too few, σ. */
   private static final double WRONG_MINIMUM = 6;
 
@@ -137,10 +140,21 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
 
   private static ChipModel chipOf(Truth truth) {
     BallPhysics physics = truth.settings().physics();
-    ImpactLaw.FixedLoss loss = (ImpactLaw.FixedLoss) physics.impact().tangential();
+    double first;
+    double other;
+    if (physics.impact().tangential() instanceof ImpactLaw.FixedLoss loss) {
+      first = loss.firstHop();
+      other = loss.otherHops();
+    } else {
+      // A contact takes this share of a velocity that is all slip, and little later.
+      ImpactLaw.Contact contact = (ImpactLaw.Contact) physics.impact().tangential();
+      double beta = physics.ball().inertiaFactor();
+      first = 1 - (1 + contact.restitution()) * beta / (1 + beta);
+      other = LATER_IMPACTS_OF_A_CONTACT;
+    }
     return new ChipModel(
-        loss.firstHop(),
-        loss.otherHops(),
+        first,
+        other,
         physics.impact().dampingZOtherHops(),
         -physics.ground().rollingDeceleration());
   }

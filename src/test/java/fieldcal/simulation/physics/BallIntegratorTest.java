@@ -254,7 +254,7 @@ class BallIntegratorTest {
     BallPhysics coupled =
         BallPhysics.IDEAL.withImpact(BallPhysics.IDEAL.impact().withSpinCoupling(0.2));
     assertThat(kick(coupled, 3, 0, 3, 0.5, 0, 2).first(Kind.BOUNCE).vxAfter())
-        .isEqualTo(3 * (0.75 - 0.2 * 0.5), within(1e-9));
+        .isEqualTo(3 * (0.75 - 0.2 * 0.5 + 0.25 * 0.5), within(1e-9));
   }
 
   @Test
@@ -307,7 +307,7 @@ class BallIntegratorTest {
     return trace.first(Kind.BOUNCE).time();
   }
 
-  private static RecordedTrace kick(
+  static RecordedTrace kick(
       BallPhysics physics,
       double speed,
       double angle,

@@ -1,0 +1,115 @@
+package fieldcal.simulation.physics;
+
+/** What an {@link ExtraLaw} may depend on: where the ball is, how it moves, and since when. Reused from step to step: read it, do not keep it. For one thread. */
+public final class BallMoment {
+  double x;
+  double y;
+  double vx;
+  double vy;
+  double vz;
+  double slip;
+  double sessionTime;
+  double sinceKick;
+  double path;
+
+  BallMoment() {}
+
+  /**
+   * Position.
+   *
+   * @return m
+   */
+  public double x() {
+    return x;
+  }
+
+  /**
+   * Position.
+   *
+   * @return m
+   */
+  public double y() {
+    return y;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return m/s
+   */
+  public double vx() {
+    return vx;
+  }
+
+  /**
+   * Velocity.
+   *
+   * @return m/s
+   */
+  public double vy() {
+    return vy;
+  }
+
+  /**
+   * Velocity, at an impact that before it.
+   *
+   * @return m/s
+   */
+  public double vz() {
+    return vz;
+  }
+
+  /**
+   * Horizontal speed.
+   *
+   * @return m/s
+   */
+  public double groundSpeed() {
+    return Math.hypot(vx, vy);
+  }
+
+  /**
+   * Direction of travel.
+   *
+   * @return rad, 0 at standstill
+   */
+  public double heading() {
+    return Math.atan2(vy, vx);
+  }
+
+  /**
+   * Speed at which the contact point slips.
+   *
+   * @return m/s, 0 when rolling
+   */
+  public double slip() {
+    return slip;
+  }
+
+  /**
+   * Session time.
+   *
+   * @return s
+   */
+  public double sessionTime() {
+    return sessionTime;
+  }
+
+  /**
+   * Time since the ball was launched last.
+   *
+   * @return s
+   */
+  public double sinceKick() {
+    return sinceKick;
+  }
+
+  /**
+   * Way on the carpet since the ball was launched last.
+   *
+   * @return m
+   */
+  public double path() {
+    return path;
+  }
+}
