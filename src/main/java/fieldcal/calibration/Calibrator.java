@@ -123,8 +123,8 @@ public final class Calibrator {
             .skip(noise.size() / 2)
             .findFirst()
             .orElse(CameraView.DEFAULT_NOISE);
-    CameraViews measured =
-        problem.cameras().map(v -> v.withNoise(noise.getOrDefault(v.id(), typical)));
+    CameraViews alike = problem.cameras().map(v -> v.withNoise(typical));
+    CameraViews measured = CameraNoise.measured(problem.kicks(), alike);
     return OverlapOffsets.estimate(problem.kicks(), measured);
   }
 

@@ -4,14 +4,17 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.Observations;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
  * Measures each camera's noise on the ball that rests before a kick: there every deviation from the mean is noise.
  *
- * <p>The scale is the median of the squared whitened deviations, so that a few false detections do not matter.
+ * <p>The scale is the median of the squared whitened deviations, so that a few false detections do not matter. It is never below {@link #FLOOR}, nor below what a
+ * grid of the coordinates adds: a ball that rests in one cell of a grid does not scatter at all, and is half a cell off.
  */
 public final class CameraNoise {
   /** Fewer resting detections per kick say little, since their own mean is taken off. */
@@ -20,10 +23,97 @@ public final class CameraNoise {
   /** Fewer in all leave the noise 10 % uncertain. */
   private static final int FEWEST = 50;
 
+  /**
+   * Least noise of any camera per axis, m. Chosen below the 0.7 mm of good real cameras on a resting ball, and below the 1.1 mm that good fits of ten real matches
+   * leave besides (1.3 mm RMS; DESIGN, section 6): the closed forms are never right to less, so that cleaner data cannot say more.
+   */
+  public static final double FLOOR = 3e-4;
+
+  /** Coordinates are compared in these units, m: the resolution of vision's 32-bit millimetres at the field's end. */
+  private static final double RESOLUTION = 1e-6;
+
+  /** A finer grid adds less than a third of the floor, m. */
+  private static final double FINEST_GRID = 3e-4;
+
+  /** So many different coordinates that have a common divisor by chance are all even once in four thousand cameras. */
+  private static final int FEWEST_VALUES = 12;
+
   private CameraNoise() {}
 
   /**
-   * Noise per axis, straight below each camera.
+   * The cameras with the noise that the kicks show; those that saw too little at rest keep theirs. None is below its least, see {@link #least}.
+   *
+   * @param kicks any kind
+   * @param views the cameras
+   * @return the views with their noise
+   */
+  public static CameraViews measured(List<Kick> kicks, CameraViews views) {
+    Map<Integer, Double> noise = atRest(kicks, views);
+    Map<Integer, Double> least = least(kicks);
+    return views.map(
+        v ->
+            v.withNoise(
+                Math.max(
+                    noise.getOrDefault(v.id(), v.noise()), least.getOrDefault(v.id(), FLOOR))));
+  }
+
+  /**
+   * What a camera's noise cannot be below: {@link #FLOOR} and, where all its coordinates are multiples of a step q, the standard deviation q/√12 of rounding to it.
+   *
+   * @param kicks any kind
+   * @return m, by camera id
+   */
+  public static Map<Integer, Double> least(List<Kick> kicks) {
+    Map<Integer, Grid> grids = new TreeMap<>();
+    for (Kick kick : kicks) {
+      Observations seen = kick.observations();
+      for (int i = 0; i < seen.size(); i++) {
+        grids.computeIfAbsent(seen.camera(i), c -> new Grid()).add(seen.x(i), seen.y(i));
+      }
+    }
+    Map<Integer, Double> least = new TreeMap<>();
+    grids.forEach((camera, grid) -> least.put(camera, Math.hypot(FLOOR, grid.step() / ROUNDING)));
+    return least;
+  }
+
+  /** A uniform distribution's width is that many standard deviations. */
+  private static final double ROUNDING = Math.sqrt(12);
+
+  /** The largest step that all coordinates of a camera are multiples of. */
+  private static final class Grid {
+    private final Set<Long> values = new HashSet<>();
+    private long divisor;
+
+    void add(double x, double y) {
+      add(x);
+      add(y);
+    }
+
+    private void add(double coordinate) {
+      if (divisor == 1) {
+        return;
+      }
+      long value = Math.abs(Math.round(coordinate / RESOLUTION));
+      long rest = value;
+      while (rest != 0) {
+        long next = divisor % rest;
+        divisor = rest;
+        rest = next;
+      }
+      if (values.size() < FEWEST_VALUES) {
+        values.add(value);
+      }
+    }
+
+    /** m; 0 without a grid, or when too few different values were seen to tell. */
+    double step() {
+      double step = divisor * RESOLUTION;
+      return values.size() >= FEWEST_VALUES && step >= FINEST_GRID ? step : 0;
+    }
+  }
+
+  /**
+   * Noise per axis, straight below each camera, at least its {@link #least}.
    *
    * @param kicks any kind; those that did not begin at rest are passed over
    * @param views the cameras; their own noise is not used
@@ -41,12 +131,14 @@ public final class CameraNoise {
         }
       }
     }
+    Map<Integer, Double> least = least(kicks);
     Map<Integer, Double> noise = new TreeMap<>();
     squares.forEach(
         (camera, values) -> {
           if (values.size() >= FEWEST) {
             double[] squared = values.stream().mapToDouble(v -> v).toArray();
-            noise.put(camera, Math.max(1e-5, RobustScale.ofSquaredDistances(squared)));
+            double at = RobustScale.ofSquaredDistances(squared);
+            noise.put(camera, Math.max(at, least.getOrDefault(camera, FLOOR)));
           }
         });
     return noise;

@@ -57,10 +57,10 @@ public record CameraView(
   /**
    * The same camera with another noise.
    *
-   * @param sigma standard deviation per axis, m
+   * @param sigma standard deviation per axis, m; raised to {@link CameraNoise#FLOOR} when it is below
    * @return the changed copy
    */
   public CameraView withNoise(double sigma) {
-    return new CameraView(id, camera, offsetX, offsetY, sigma);
+    return new CameraView(id, camera, offsetX, offsetY, Math.max(sigma, CameraNoise.FLOOR));
   }
 }

@@ -7,6 +7,7 @@ import java.util.Locale;
  *
  * @param observations how many detections the kick has
  * @param used how many took part in the last fit
+ * @param lackOfFit how many of those the model does not explain, see {@link Screening.Verdict#LACK_OF_FIT}
  * @param rmsMm residual per axis in the ground plane over those, mm
  * @param chiSquare sum of their squared whitened residuals
  * @param degreesOfFreedom twice the used observations minus the free unknowns
@@ -21,6 +22,7 @@ import java.util.Locale;
 public record FitStatistics(
     int observations,
     int used,
+    int lackOfFit,
     double rmsMm,
     double chiSquare,
     int degreesOfFreedom,
@@ -32,9 +34,15 @@ public record FitStatistics(
     String stop,
     long seed) {
 
+  /** A model that explains a kick to within that many times the noise is right: no other one explains it better than noise lets it. */
+  private static final double EXPLAINED_SCALE = 1.5;
+
+  /** More than that share of the detections off the path are not false ones alone, of which good cameras report less than 1 %. */
+  private static final double FEW_UNEXPLAINED = 0.03;
+
   static FitStatistics none(long seed) {
     return new FitStatistics(
-        0, 0, Double.NaN, Double.NaN, 0, Double.NaN, Double.NaN, 0, 0, 0, "not fitted", seed);
+        0, 0, 0, Double.NaN, Double.NaN, 0, Double.NaN, Double.NaN, 0, 0, 0, "not fitted", seed);
   }
 
   /**
@@ -46,15 +54,26 @@ public record FitStatistics(
     return chiSquare / degreesOfFreedom;
   }
 
+  /**
+   * Whether the model explains what was seen, and not only the most of it: few detections are far from the path, be they outliers or not.
+   *
+   * @return true when more than 97 % of the detections are on the path and a typical residual is at most 1.5 times the cameras' noise
+   */
+  public boolean explained() {
+    return robustScale < EXPLAINED_SCALE
+        && observations - used + lackOfFit < FEW_UNEXPLAINED * observations;
+  }
+
   @Override
   public String toString() {
     return String.format(
         Locale.ROOT,
-        "%.2f mm RMS, %d of %d observations, chi²/dof %.2f, %d evaluations, %s after %d steps, seed"
-            + " %d",
+        "%.2f mm RMS, %d of %d observations%s, chi²/dof %.2f, %d evaluations, %s after %d steps,"
+            + " seed %d",
         rmsMm,
         used,
         observations,
+        lackOfFit == 0 ? "" : " (" + lackOfFit + " not explained)",
         reducedChiSquare(),
         evaluations,
         stop,

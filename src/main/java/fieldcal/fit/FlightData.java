@@ -8,6 +8,7 @@ import fieldcal.kick.Observations;
  */
 final class FlightData {
   final int size;
+  final int[] camera;
   final double[] time;
   final double[] x;
   final double[] y;
@@ -20,6 +21,7 @@ final class FlightData {
 
   private FlightData(int size) {
     this.size = size;
+    camera = new int[size];
     time = new double[size];
     x = new double[size];
     y = new double[size];
@@ -36,6 +38,7 @@ final class FlightData {
     Whitening whitening = new Whitening();
     for (int i = 0; i < data.size; i++) {
       CameraView view = views.get(observations.camera(i));
+      data.camera[i] = observations.camera(i);
       data.time[i] = observations.time(i);
       data.x[i] = observations.x(i) - view.offsetX();
       data.y[i] = observations.y(i) - view.offsetY();
@@ -52,11 +55,19 @@ final class FlightData {
     return data;
   }
 
+  /** Squared whitened length of a vector in the ground plane at an observation. */
+  double squared(int i, double dx, double dy) {
+    double r1 = w11[i] * dx;
+    double r2 = w21[i] * dx + w22[i] * dy;
+    return r1 * r1 + r2 * r2;
+  }
+
   /** These observations only. */
   FlightData pick(int[] indices) {
     FlightData part = new FlightData(indices.length);
     for (int k = 0; k < indices.length; k++) {
       int i = indices[k];
+      part.camera[k] = camera[i];
       part.time[k] = time[i];
       part.x[k] = x[i];
       part.y[k] = y[i];

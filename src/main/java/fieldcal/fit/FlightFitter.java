@@ -32,6 +32,9 @@ final class FlightFitter {
   /** Enough observations to tell numbers of flights apart. */
   private static final int MEDIUM_OBSERVATIONS = 200;
 
+  /** Outliers settle within two or three screenings; more would be a circle. */
+  private static final int MOST_SCREENINGS = 6;
+
   private final FitProblem problem;
   private final KickKind kind;
   private final FlightData data;
@@ -220,29 +223,27 @@ final class FlightFitter {
     FlightProblem flight = best.flight;
     double[] theta = best.theta;
     LevenbergMarquardt solver = new LevenbergMarquardt(parameters);
-    double scale = leaveOutliersOut(flight, theta, solver);
+    leaveOutliersOut(flight, theta, solver);
     String[] reasons = tieUndetermined(flight, theta, solver);
     double[] rx = new double[data.size];
     double[] ry = new double[data.size];
     flight.residuals(theta, rx, ry);
     evaluations += flight.evaluations();
-    return result(best, solver, reasons, scale, rx, ry);
+    return result(best, solver, reasons, rx, ry);
   }
 
-  /** Plain least squares on what is not an outlier, repeated until the outliers are the same; returns the robust scale. */
-  private double leaveOutliersOut(FlightProblem flight, double[] theta, LevenbergMarquardt solver) {
-    double[] squared = new double[data.size];
+  /** Plain least squares on what is not an outlier, repeated until the outliers are the same. */
+  private void leaveOutliersOut(FlightProblem flight, double[] theta, LevenbergMarquardt solver) {
+    double[] rx = new double[data.size];
+    double[] ry = new double[data.size];
     boolean[] used = flight.used();
-    double scale = 1;
-    for (int round = 0; round < 6; round++) {
-      flight.squaredDistances(theta, squared);
-      scale = RobustScale.ofSquaredDistances(squared);
-      double limit = settings.outlierDistance() * Math.max(1, scale);
+    for (int round = 0; round < MOST_SCREENINGS; round++) {
+      flight.residuals(theta, rx, ry);
+      Screening screening = Screening.of(data, rx, ry, settings.outlierDistance());
       boolean changed = round == 0;
       for (int i = 0; i < used.length; i++) {
-        boolean in = squared[i] <= limit * limit;
-        changed |= in != used[i];
-        used[i] = in;
+        changed |= screening.kept(i) != used[i];
+        used[i] = screening.kept(i);
       }
       if (!changed) {
         break;
@@ -250,7 +251,6 @@ final class FlightFitter {
       flight.lossScale(Double.POSITIVE_INFINITY);
       solver.minimize(flight, theta);
     }
-    return scale;
   }
 
   /**
@@ -312,7 +312,6 @@ final class FlightFitter {
       Candidate best,
       LevenbergMarquardt solver,
       String[] reasons,
-      double scale,
       double[] rx,
       double[] ry) {
     boolean[] used = best.flight.used();
@@ -323,6 +322,11 @@ final class FlightFitter {
         count++;
         sum += rx[i] * rx[i] + ry[i] * ry[i];
       }
+    }
+    Screening screening = Screening.of(data, rx, ry, settings.outlierDistance());
+    int lackOfFit = 0;
+    for (int i = 0; i < used.length; i++) {
+      lackOfFit += used[i] && screening.verdict(i) != Screening.Verdict.FITS ? 1 : 0;
     }
     int unknowns = (int) parameters.stream().filter(Parameter::estimated).count();
     int degrees = Math.max(1, 2 * count - unknowns);
@@ -348,10 +352,11 @@ final class FlightFitter {
         new FitStatistics(
             data.size,
             count,
+            lackOfFit,
             1000 * Math.sqrt(sum / (2.0 * Math.max(1, count))),
             chiSquare,
             degrees,
-            scale,
+            screening.robustScale(),
             meanLoss(best),
             best.flights,
             evaluations,

@@ -213,11 +213,12 @@ final class JointKick {
 
   /** Leaves outliers out anew. */
   void leaveOutliersOut(double[] sharedValues, double outlierDistance) {
-    double[] squared = new double[data.size];
-    problem.squaredDistances(at(ownValues, sharedValues), squared);
-    double limit = outlierDistance * Math.max(1, RobustScale.ofSquaredDistances(squared));
+    double[] rx = new double[data.size];
+    double[] ry = new double[data.size];
+    problem.residuals(at(ownValues, sharedValues), rx, ry);
+    Screening screening = Screening.of(data, rx, ry, outlierDistance);
     for (int i = 0; i < data.size; i++) {
-      problem.used()[i] = squared[i] <= limit * limit;
+      problem.used()[i] = screening.kept(i);
     }
   }
 

@@ -19,11 +19,6 @@ public final class KickFitter {
   /** Fewer detections after the kick than that are not a kick that anything can be learnt from. */
   private static final int FEWEST = 12;
 
-  /** A flat model that explains a kick to within that many times the noise needs no chip beside it. */
-  private static final double FLAT_ENOUGH = 1.5;
-
-  private static final double FEW_OUTLIERS = 0.03;
-
   /** A ball that leaves slower upwards hops less than 13 mm: no chip, m/s. */
   private static final double LOWEST_CHIP = 0.5;
 
@@ -55,7 +50,7 @@ public final class KickFitter {
    */
   public KickFit fit(FitProblem problem) {
     KickFit flat = fit(problem, KickKind.FLAT);
-    if (flat.failure().isEmpty() && flatEnough(flat.statistics())) {
+    if (flat.failure().isEmpty() && flat.statistics().explained()) {
       return flat;
     }
     if (!seesHeights(problem)) {
@@ -89,12 +84,6 @@ public final class KickFitter {
     boolean elastic =
         damping.atBound() || damping.undetermined().isEmpty() && damping.value() > MOST_ELASTIC;
     return vz > LOWEST_CHIP && vz > FLATTEST_CHIP * ground && !elastic;
-  }
-
-  /** A good fit to most of a chip, its hops called outliers, is not enough. */
-  private static boolean flatEnough(FitStatistics s) {
-    return s.robustScale() < FLAT_ENOUGH
-        && s.observations() - s.used() < FEW_OUTLIERS * s.observations();
   }
 
   /**

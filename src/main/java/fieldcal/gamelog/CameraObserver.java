@@ -21,7 +21,8 @@ final class CameraObserver {
   private final RestingBallNoise noise = new RestingBallNoise();
   private final QuantileSketch intervals = new QuantileSketch(1e-4, MAX_INTERVAL);
   private final QuantileSketch deviations = new QuantileSketch(NANOSECOND, MAX_INTERVAL);
-  private final QuantileSketch latencies = new QuantileSketch(1e-5, 100);
+  private final ClockComparison clock = new ClockComparison();
+  private final QuantileSketch latencies = new QuantileSketch(1e-5, 10 * ClockComparison.MAX_DELAY);
   private final long[] steps = new long[MAX_STEP + 1];
   private long frames;
   private long balls;
@@ -47,6 +48,7 @@ final class CameraObserver {
     robots += frame.robots().size();
     lastTime = frame.captureTime();
     lastNumber = frame.frameNumber();
+    clock.add(frame.captureTime(), receivedTime);
     latencies.add(Math.max(receivedTime - frame.captureTime(), 0));
     noise.add(frame);
   }
@@ -54,6 +56,7 @@ final class CameraObserver {
   /** The next interval is of two clocks. */
   void clockJumped() {
     lastTime = Double.NaN;
+    clock.jumped();
   }
 
   CameraStatistics statistics() {
@@ -66,7 +69,9 @@ final class CameraObserver {
         gaps,
         longestGap,
         enough ? MAD_TO_SIGMA * INTERVAL_TO_TIME * deviations.quantile(0.5) : Double.NaN,
-        enough ? latencies.quantile(0.5) : Double.NaN,
+        enough && !clock.differ() ? latencies.quantile(0.5) : Double.NaN,
+        clock.difference(),
+        clock.rate(),
         balls,
         robots,
         noise.standardDeviation(),

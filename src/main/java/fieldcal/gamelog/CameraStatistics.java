@@ -10,7 +10,9 @@ package fieldcal.gamelog;
  * @param gaps how often it was silent for more than {@link RecordingStatistics#GAP}
  * @param longestGap s; 0 without gaps
  * @param jitter standard deviation of the capture times about an even pace, robust, s; NaN if too few
- * @param latency median delay from capture to reception, s; it contains the difference of the clocks; NaN if too few
+ * @param latency median delay from capture to reception, s; NaN if too few, or if the clocks differ by more than a delay can be
+ * @param clockDifference mean of reception, on the recorder's clock, minus capture, on the camera's, s; the latency is a part of it; NaN without frames
+ * @param clockRate seconds of the recorder's clock per second of the camera's; NaN if too little was seen
  * @param ballDetections how many balls, true and false, it reported
  * @param robotDetections how many robots it reported
  * @param ballNoise standard deviation per axis of the position of a resting ball, robust, m; NaN if none rested long enough
@@ -25,10 +27,21 @@ public record CameraStatistics(
     double longestGap,
     double jitter,
     double latency,
+    double clockDifference,
+    double clockRate,
     long ballDetections,
     long robotDetections,
     double ballNoise,
     long restingBlocks) {
+
+  /**
+   * Whether the camera's clock and the recorder's show different times, by more than frames are delayed.
+   *
+   * @return true when the difference is above {@link ClockComparison#MAX_DELAY} or negative
+   */
+  public boolean clocksDiffer() {
+    return ClockComparison.isNoDelay(clockDifference);
+  }
 
   /**
    * The share of frames that is missing.

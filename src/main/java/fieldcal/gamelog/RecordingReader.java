@@ -203,7 +203,7 @@ public final class RecordingReader implements Closeable {
     if (next == geometry || next.equals(geometry)) {
       return;
     }
-    if (geometry != null) {
+    if (geometry != null && !next.completes(geometry)) {
       FieldGeometry before = geometry;
       problem(LogProblem.GEOMETRY_CHANGED, () -> difference(before, next));
     }

@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 
@@ -111,12 +110,9 @@ final class CameraAlignment {
   private void learn() {
     List<Kick> kicks = List.copyOf(recent);
     CameraViews all = withUnpublished(kicks);
-    Map<Integer, Double> noise = CameraNoise.atRest(kicks, all);
+    CameraViews known = all.map(v -> v.withNoise(views.get(v.id()).noise()));
     before = views;
-    views =
-        OverlapOffsets.estimate(
-            kicks,
-            all.map(v -> v.withNoise(noise.getOrDefault(v.id(), views.get(v.id()).noise()))));
+    views = OverlapOffsets.estimate(kicks, CameraNoise.measured(kicks, known));
   }
 
   private CameraViews withUnpublished(List<Kick> kicks) {

@@ -41,12 +41,6 @@ final class KickJudge {
   /** Evaluations of a search near the published model. */
   private static final int SHORT_SEARCH = 50;
 
-  /** A fit to within that many times the noise … */
-  private static final double EXPLAINED = 1.5;
-
-  /** … that leaves out no larger part of the detections is right: no other model explains the kick better than noise lets it. */
-  private static final double FEW_OUTLIERS = 0.03;
-
   /** So precisely the beginning of rolling is looked for, s. */
   private static final double ROLLING_STEP = 0.01;
 
@@ -106,11 +100,7 @@ final class KickJudge {
   /** Most kicks of a match are flat and much like the published model: what is near it and explains the kick needs no long search. */
   private KickFit fit(FitProblem problem) {
     KickFit flat = nearby.fit(problem, KickKind.FLAT);
-    FitStatistics s = flat.statistics();
-    boolean explained =
-        flat.failure().isEmpty()
-            && s.robustScale() < EXPLAINED
-            && s.observations() - s.used() < FEW_OUTLIERS * s.observations();
+    boolean explained = flat.failure().isEmpty() && flat.statistics().explained();
     return explained ? flat : fitter.fit(problem);
   }
 

@@ -3,6 +3,8 @@ package fieldcal.vision;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.camera.CameraCalibration;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -101,6 +103,46 @@ public record FieldGeometry(
    */
   public Optional<CameraCalibration> camera(int id) {
     return cameras.stream().filter(camera -> camera.id() == id).findFirst();
+  }
+
+  /**
+   * What is known after another message. Some sources put one camera's calibration into each message (grSim, a vision with one process for each camera): a message
+   * of the same field that names one camera is a part, which replaces what was known of that camera and leaves the others. Any other message is the whole.
+   *
+   * @param message the next one
+   * @return the geometry from then on; this very object when nothing is new
+   */
+  public FieldGeometry updated(FieldGeometry message) {
+    if (message.cameras.size() != 1 || !isSameField(message)) {
+      return message.equals(this) ? this : message;
+    }
+    CameraCalibration part = message.cameras.get(0);
+    List<CameraCalibration> all = new ArrayList<>(cameras);
+    all.removeIf(camera -> camera.id() == part.id());
+    all.add(part);
+    all.sort(Comparator.comparingInt(CameraCalibration::id));
+    FieldGeometry next =
+        message.withCameras(all).withModels(message.flat.or(() -> flat), message.chip.or(() -> chip));
+    return next.equals(this) ? this : next;
+  }
+
+  /**
+   * Whether this is an earlier geometry with more of its cameras known, and nothing else changed.
+   *
+   * @param earlier the geometry before
+   * @return true when all that it says still holds
+   */
+  public boolean completes(FieldGeometry earlier) {
+    return isSameField(earlier)
+        && flat.equals(earlier.flat)
+        && chip.equals(earlier.chip)
+        && cameras.containsAll(earlier.cameras);
+  }
+
+  private boolean isSameField(FieldGeometry other) {
+    return withCameras(List.of())
+        .withModels(Optional.empty(), Optional.empty())
+        .equals(other.withCameras(List.of()).withModels(Optional.empty(), Optional.empty()));
   }
 
   /**

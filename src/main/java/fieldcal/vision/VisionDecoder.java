@@ -4,15 +4,18 @@ import com.google.protobuf.CodedInputStream;
 import com.google.protobuf.WireFormat;
 import fieldcal.proto.SSL_WrapperPacket;
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
  * From the bytes of vision's packets ({@code SSL_WrapperPacket}) to values in SI units.
  *
- * <p>Never throws on bad data: what is unusable is left out and counted by reason. Geometry is sent over and over; the same bytes
- * give the same object. Not thread-safe.
+ * <p>Never throws on bad data: what is unusable is left out and counted by reason. Geometry is sent over and over; while it says the same, it is the
+ * same object. What some sources split over several messages is put together, see {@link FieldGeometry#updated}. Not thread-safe.
  */
 public final class VisionDecoder {
   /** The largest camera number taken for one: the league uses 0 … 7, and a damaged packet must not make room for millions. */
@@ -31,8 +34,22 @@ public final class VisionDecoder {
 
   private final DecodingCounts counts = new DecodingCounts();
   private final FrameReader frames;
-  private byte[] geometryBytes; // null before the first geometry
+  private final Map<ByteBuffer, Optional<FieldGeometry>> messages = new RecentMessages();
   private Optional<FieldGeometry> geometry = Optional.empty();
+
+  /** The last different geometry messages by their bytes, decoded. */
+  private static final class RecentMessages
+      extends LinkedHashMap<ByteBuffer, Optional<FieldGeometry>> {
+    private static final long serialVersionUID = 1;
+
+    /** A source that splits its geometry sends as many as it has cameras; the league has eight at most. */
+    private static final int MOST = 16;
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<ByteBuffer, Optional<FieldGeometry>> eldest) {
+      return size() > MOST;
+    }
+  }
 
   /**
    * Creates a decoder.
@@ -103,11 +120,18 @@ public final class VisionDecoder {
   }
 
   private Optional<FieldGeometry> geometry(byte[] buffer, int start, int size) throws IOException {
-    if (geometryBytes == null
-        || !Arrays.equals(buffer, start, start + size, geometryBytes, 0, geometryBytes.length)) {
-      geometry = GeometryReader.read(CodedInputStream.newInstance(buffer, start, size), counts);
-      geometryBytes = Arrays.copyOfRange(buffer, start, start + size);
+    Optional<FieldGeometry> message = messages.get(ByteBuffer.wrap(buffer, start, size));
+    if (message == null) {
+      message = GeometryReader.read(CodedInputStream.newInstance(buffer, start, size), counts);
+      messages.put(
+          ByteBuffer.wrap(Arrays.copyOfRange(buffer, start, start + size)).asReadOnlyBuffer(),
+          message);
     }
+    if (message.isEmpty()) {
+      return message;
+    }
+    FieldGeometry next = message.get();
+    geometry = Optional.of(geometry.map(known -> known.updated(next)).orElse(next));
     return geometry;
   }
 }

@@ -137,6 +137,7 @@ final class CalibrationJson {
 
   private void fitted(ObjectNode node, KickFit fit) {
     node.put("rejected_observations", fit.statistics().observations() - fit.statistics().used());
+    node.put("unexplained_observations", fit.statistics().lackOfFit());
     put(node, "rms_mm", fit.rmsMm());
     node.set("kick_position", pair(fit.estimate("x").value(), fit.estimate("y").value()));
     double vz = fit.kind() == KickKind.CHIP ? fit.estimate("vz").value() : 0;

@@ -55,6 +55,8 @@ final class InfoJson {
       put(node, "longest_gap_s", camera.longestGap());
       put(node, "jitter_ms", 1e3 * camera.jitter());
       put(node, "latency_ms", 1e3 * camera.latency());
+      put(node, "clock_difference_s", camera.clockDifference());
+      put(node, "clock_rate", camera.clockRate());
       node.put("balls", camera.ballDetections());
       node.put("robots", camera.robotDetections());
       put(node, "noise_mm", 1e3 * camera.ballNoise());

@@ -124,6 +124,7 @@ final class InfoText {
                   1e3 * camera.ballNoise(),
                   camera.restingBlocks()));
     }
+    new ClockNotes(info.cameras()).lines().forEach(note -> line("  %6s  %s", "clocks", note));
     List<CameraCalibration> published =
         info.summary().geometry().map(FieldGeometry::cameras).orElse(List.of());
     for (CameraCalibration calibration : published) {

@@ -5,6 +5,7 @@ import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
+import fieldcal.gamelog.ClockComparison;
 import fieldcal.gamelog.GameLogException;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.ProblemAccount;
@@ -27,6 +28,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -176,6 +178,7 @@ public final class KickCollector {
     count(log, counts.deflections(), "balls that only bounced off a robot, no kicks");
     count(log, counts.carried(), "balls that a robot pushed or dribbled, no kicks");
     count(log, counts.tooShort(), "kicks of which too little was seen");
+    one.clocks.forEach((id, clock) -> addClock(log, id, clock));
     if (one.finder.counts().recordingGaps() > 0) {
       problems.add(
           new DataProblem(
@@ -183,6 +186,17 @@ public final class KickCollector {
               "all cameras silent for more than 0.25 s",
               one.finder.counts().recordingGaps(),
               ""));
+    }
+  }
+
+  /** The fit uses the cameras' seconds alone; when they are none, speeds and accelerations are wrong. */
+  private void addClock(Path log, int camera, ClockComparison clock) {
+    if (clock.ratesDiffer()) {
+      String what =
+          String.format(
+              Locale.ROOT, "a second of its time stamps takes %.3f s by the recorder", clock.rate());
+      String advice = "if vision's clock is wrong, so are speeds and accelerations";
+      problems.add(new DataProblem(log + ", camera " + camera, what, 1, advice));
     }
   }
 
@@ -203,6 +217,7 @@ public final class KickCollector {
     private final Set<Integer> ids = new HashSet<>();
 
     private final Set<Integer> seen = new HashSet<>();
+    private final Map<Integer, ClockComparison> clocks = new TreeMap<>();
     private int found;
 
     OneRecording(Path log) {
@@ -219,7 +234,7 @@ public final class KickCollector {
 
     @Override
     public void onGeometry(FieldGeometry next) {
-      if (geometry.isEmpty()) {
+      if (geometry.isEmpty() || next.completes(geometry.get())) {
         geometry = Optional.of(next);
       }
       FieldGeometry first = geometry.get();
@@ -298,6 +313,14 @@ public final class KickCollector {
       seen.add(number);
       streams.computeIfAbsent(number, id -> new CameraStream()).accept(known);
       finder.accept(known);
+      clocks
+          .computeIfAbsent(frame.cameraId(), id -> new ClockComparison())
+          .add(frame.captureTime(), receivedTime);
+    }
+
+    @Override
+    public void onClockJump(int cameraId, double jump) {
+      clocks.computeIfAbsent(cameraId, id -> new ClockComparison()).jumped();
     }
 
     private VisionFrame renumbered(VisionFrame f, int number) {
