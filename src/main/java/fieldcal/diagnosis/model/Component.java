@@ -68,7 +68,10 @@ public final class Component {
     // Along an axis a magnitude has either sign.
     double min = axis.isEmpty() ? p.min() : -p.max();
     coordinates.add(named(p.withBounds(min, p.max()).withValue(value).free(), axis));
-    priors.add(Prior.aboutZero(EXPECTED * p.scale()));
+    double deviation = EXPECTED * p.scale();
+    // A law that replaces another has no absence to be near to: about where it starts.
+    double mean = template.starts().isEmpty() ? 0 : value;
+    priors.add(new Prior(mean, 1 / (deviation * deviation)));
   }
 
   private Parameter named(Parameter p, String axis) {

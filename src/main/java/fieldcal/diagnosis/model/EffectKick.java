@@ -309,6 +309,21 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   @Override
+  public List<Restart<ModelState>> restarts(double[] own) {
+    double[] first = own.clone();
+    System.arraycopy(record.start, 0, first, 0, record.start.length);
+    if (record.kind == KickKind.FLAT) {
+      return List.of(new Restart<>(this, first));
+    }
+    List<Restart<ModelState>> all = new ArrayList<>();
+    for (int n = 1; n <= ChipModel.MAX_FLIGHTS; n++) {
+      all.add(new Restart<>(withFlights(n), first));
+      all.add(new Restart<>(withFlights(n), own));
+    }
+    return all;
+  }
+
+  @Override
   public double penalty(double[] own, ModelState state) {
     if (record.kind == KickKind.FLAT) {
       return 0;

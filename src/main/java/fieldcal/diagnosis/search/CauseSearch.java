@@ -24,10 +24,10 @@ public final class CauseSearch {
    * What an effect must gain at least, in units of chi-square. Of a hundred independent columns noise makes the best gain 13 (the 99 % quantile of the largest of a hundred chi-square variables); the search may be generous, since the decision
    * judges once more.
    */
-  private static final double PENALTY = 14;
+  private static final double PENALTY = 8;
 
-  /** What each further coordinate must gain; twice the expectation under noise, as Akaike's criterion. */
-  private static final double PENALTY_PER_COORDINATE = 2;
+  /** What each coordinate must gain besides: the logarithm of the number of blocks that say something of it, some hundreds (Schwarz's criterion). */
+  private static final double PENALTY_PER_COORDINATE = 6;
 
   /** What else may come at once with the best: that share of its gain. What gains less may be its shadow, and waits for the refit. */
   private static final double TOGETHER = 0.2;
@@ -85,18 +85,14 @@ public final class CauseSearch {
    */
   public FittedModel search(FittedModel start) {
     best = start;
-    boolean lawsTried = false;
-    // Each round adds something or ends the search, but for those that reject or remove.
-    for (int round = 0; round < 4 * maxComponents + 4; round++) {
-      boolean changed = addLaws(round == 0) || addBest();
-      if (!changed && !lawsTried) {
-        lawsTried = true;
-        changed = round > 0 && addLaws(true);
+    addLaws();
+    // Each round adds something, or rejects or removes it.
+    for (int round = 0; round < 4 * maxComponents && addBest(); round++) {
+      if (trace.get(trace.size() - 1).action() == Action.ADDED) {
+        movePlaces();
+        addLaws();
+        prune();
       }
-      if (!changed) {
-        break;
-      }
-      prune();
     }
     return best;
   }
@@ -128,7 +124,11 @@ public final class CauseSearch {
           continue;
         }
         double gain = scorer.gain(p, sweep);
-        double net = gain - penalty(p);
+        if (gain - penalty(p) <= topNet) {
+          continue;
+        }
+        double net =
+            scorer.evenGain(p, sweep, gain) - penalty(p.group() ? members(p, scorer, sweep) : p.components());
         if (net > topNet) {
           topNet = net;
           topGain = gain;
@@ -174,7 +174,7 @@ public final class CauseSearch {
           top = c;
         }
       }
-      if (top == null || !members.isEmpty() && most < PENALTY) {
+      if (top == null || !members.isEmpty() && most < penalty(List.of(top))) {
         break;
       }
       members.add(top);
@@ -189,7 +189,7 @@ public final class CauseSearch {
   private boolean tryAdding(List<Component> chosen, List<Proposal> from, double expected) {
     FittedModel next = fitted(added(best.model().components(), chosen));
     double gained = weightedGain(best, next);
-    double penalty = from.stream().mapToDouble(CauseSearch::penalty).sum();
+    double penalty = penalty(chosen);
     boolean good = gained > penalty && gained > REALISED * expected;
     trace.add(
         new SearchStep(
@@ -255,11 +255,19 @@ public final class CauseSearch {
     return gain;
   }
 
+  /** The least that a proposal must gain; a group must gain it for each member that is needed. */
   static double penalty(Proposal p) {
-    // A value for each kick is paid for by the marginal likelihood; mean and scatter are two.
-    int size = p.group() ? p.components().get(0).size() : p.size();
-    boolean perKick = p.components().get(0).isPerKick();
-    return PENALTY + PENALTY_PER_COORDINATE * (perKick ? size + 1 : size);
+    return penalty(p.group() ? p.components().subList(0, 1) : p.components());
+  }
+
+  static double penalty(List<Component> components) {
+    double penalty = 0;
+    for (Component c : components) {
+      // A value for each kick is paid for by the marginal likelihood; mean and scatter are two.
+      int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
+      penalty += PENALTY + PENALTY_PER_COORDINATE * size;
+    }
+    return penalty;
   }
 
   private static boolean clashes(Proposal p, List<Component> chosen) {
@@ -299,12 +307,35 @@ public final class CauseSearch {
     return better;
   }
 
-  /** Tries laws that replace another: they cannot be score-tested. */
-  private boolean addLaws(boolean now) {
-    if (!now || best.model().components().size() >= maxComponents) {
-      return false;
+  /** Fits the places of what is in the model together with everything else. */
+  private void movePlaces() {
+    List<Component> components = best.model().components();
+    if (components.stream().noneMatch(Component::hasPlace)) {
+      return;
     }
-    boolean changed = false;
+    List<Component> freed = new ArrayList<>();
+    for (Component c : started(components)) {
+      freed.add(c.hasPlace() ? c.withPlaceFree() : c);
+    }
+    FittedModel moved = fitted(freed);
+    double gained = weightedGain(best, moved);
+    if (gained > 0) {
+      trace.add(new SearchStep("places", Action.MOVED, Double.NaN, gained));
+      List<Component> held = new ArrayList<>();
+      for (int i = 0; i < freed.size(); i++) {
+        held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
+      }
+      EffectModel model =
+          best.model().startingAt(best.solution().values(), new double[0]).with(held);
+      best = fitter.fit(model, moved, true, solver);
+    }
+  }
+
+  /** Tries laws that replace another: they cannot be score-tested. */
+  private void addLaws() {
+    if (best.model().components().size() >= maxComponents) {
+      return;
+    }
     for (Effect law : dictionary.laws(best.model())) {
       FittedModel top = null;
       double most = 0;
@@ -329,10 +360,9 @@ public final class CauseSearch {
           new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
       if (good) {
         best = top;
-        changed = true;
+        rejected.clear();
       }
     }
-    return changed;
   }
 
   /** Removes what is not needed any more, the weakest first. */
@@ -342,7 +372,7 @@ public final class CauseSearch {
       int weakest = -1;
       double least = Double.POSITIVE_INFINITY;
       for (int i = 0; i < components.size(); i++) {
-        double loss = loss(best, i) - penalty(Proposal.of(components.get(i)));
+        double loss = loss(best, i) - penalty(List.of(components.get(i)));
         if (loss < least) {
           least = loss;
           weakest = i;
@@ -355,7 +385,7 @@ public final class CauseSearch {
       Component removed = without.remove(weakest);
       FittedModel next = fitted(without);
       double lost = weightedGain(next, best);
-      if (lost > penalty(Proposal.of(removed))) {
+      if (lost > penalty(List.of(removed))) {
         return;
       }
       trace.add(new SearchStep(removed.toString(), Action.REMOVED, least, -lost));

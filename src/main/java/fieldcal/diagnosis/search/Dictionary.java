@@ -87,7 +87,7 @@ public final class Dictionary {
     for (Component c : p.components()) {
       // Of a group the members that the model has are left out when it is tried.
       boolean known =
-          !p.group() && model.components().stream().anyMatch(m -> covers(m, c) && !isMore(c, m));
+          !p.group() && model.components().stream().anyMatch(m -> m.isSameCause(c) && !isMore(c, m));
       boolean alone =
           c.template().companions().stream()
               .anyMatch(
@@ -99,10 +99,6 @@ public final class Dictionary {
       }
     }
     return true;
-  }
-
-  private static boolean covers(Component had, Component proposed) {
-    return had.isSameCause(proposed) && (!had.hasPlace() || had.template().equals(proposed.template()));
   }
 
   /** Whether a component frees what the one in the model holds: more magnitudes, or a value for each kick. */

@@ -11,12 +11,13 @@ import java.util.List;
 /**
  * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the slip of the contact
  * point u = v − s, s the spin as a velocity: the impulse along the ground undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, but is at most friction times the normal impulse, |Δv| ≤ friction·(1 + e_z)·|v_z|; its torque turns the
- * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less.
+ * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet swallows beside that is a part of the speed over the ground.
  *
  * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
+ * @param loss part of the speed over the ground that each impact takes besides (–)
  */
-public record ContactImpacts(double reversed, double friction) implements ImpactLaw {
+public record ContactImpacts(double reversed, double friction, double loss) implements ImpactLaw {
   private static final String ID = "contact_impacts";
 
   /**
@@ -25,7 +26,7 @@ public record ContactImpacts(double reversed, double friction) implements Impact
    * @throws IllegalArgumentException when one is not finite
    */
   public ContactImpacts {
-    EffectParameters.requireFinite(ID, reversed, friction);
+    EffectParameters.requireFinite(ID, reversed, friction, loss);
   }
 
   @Override
@@ -58,13 +59,15 @@ public record ContactImpacts(double reversed, double friction) implements Impact
             0,
             2,
             true,
-            "sliding on the carpet shows 0.3 to 0.35; impacts press fibres down and grip more"));
+            "sliding on the carpet shows 0.3 to 0.35; impacts press fibres down and grip more"),
+        new Parameter(
+            "loss", "", loss, 0.02, -0.1, 0.3, true, "a few hundredths on carpets; chosen wide"));
   }
 
   @Override
   public ContactImpacts withParameters(double... values) {
-    double[] v = EffectParameters.require(ID, values, 2);
-    return new ContactImpacts(v[0], v[1]);
+    double[] v = EffectParameters.require(ID, values, 3);
+    return new ContactImpacts(v[0], v[1], v[2]);
   }
 
   @Override
@@ -74,7 +77,7 @@ public record ContactImpacts(double reversed, double friction) implements Impact
 
   @Override
   public List<String> magnitudes() {
-    return List.of("reversed", "friction");
+    return List.of("reversed", "friction", "loss");
   }
 
   @Override
@@ -86,7 +89,9 @@ public record ContactImpacts(double reversed, double friction) implements Impact
   @Override
   public List<Effect> starts() {
     return List.of(
-        new ContactImpacts(-0.2, 0.3), new ContactImpacts(0, 0.2), new ContactImpacts(0, 0.6));
+        new ContactImpacts(-0.2, 0.3, 0.02),
+        new ContactImpacts(0, 0.2, 0),
+        new ContactImpacts(0, 0.6, 0));
   }
 
   /** The law does not grow from its absence: it takes the place of another. */
@@ -98,7 +103,10 @@ public record ContactImpacts(double reversed, double friction) implements Impact
   @Override
   public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
     double slip = arrival.slip();
+    double kept = 1 - loss;
     if (slip == 0) {
+      after[0] *= kept;
+      after[1] *= kept;
       return;
     }
     double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
@@ -106,8 +114,8 @@ public record ContactImpacts(double reversed, double friction) implements Impact
     double perSlip = -Math.min(wanted, most) / slip;
     double dx = perSlip * (after[0] - after[2]);
     double dy = perSlip * (after[1] - after[3]);
-    after[0] += dx;
-    after[1] += dy;
+    after[0] = kept * (after[0] + dx);
+    after[1] = kept * (after[1] + dy);
     after[2] -= dx / inertiaFactor;
     after[3] -= dy / inertiaFactor;
   }

@@ -110,6 +110,25 @@ public interface KickTerm<S> {
   }
 
   /**
+   * Where else the own parameters may start, and with which value of the discrete unknown, when a kick is explained much worse than its fellows: it may be in a local minimum.
+   *
+   * @param own where it is now
+   * @return other starts; empty when there are none
+   */
+  default List<Restart<S>> restarts(double[] own) {
+    return List.of();
+  }
+
+  /**
+   * Another start.
+   *
+   * @param term with its value of the discrete unknown
+   * @param own parameters
+   * @param <S> what the global parameters amount to
+   */
+  record Restart<S>(KickTerm<S> term, double[] own) {}
+
+  /**
    * What this value of the discrete unknown costs, in units of chi-square, at a point.
    *
    * @param own the kick's own parameters

@@ -36,6 +36,12 @@ public final class SharedSolver {
 
   private static final int VARIANT_ROUNDS = 3;
 
+  /** A kick that is explained that many times worse than the median kick may be in a local minimum. */
+  private static final double STUCK = 4;
+
+  /** Another start that leaves less than that share of chi-square was worth it. */
+  private static final double IMPROVED = 0.8;
+
   private final int maxIterations;
   private final double tolerance;
   private final boolean settlesVariants;
@@ -165,14 +171,26 @@ public final class SharedSolver {
    */
   public record OwnFit<S>(KickTerm<S> term, double[] own, double cost, double chiSquare) {}
 
-  /** The better of a kick and its neighbours in the discrete unknown. */
+  /**
+   * The best of a kick and its neighbours in the discrete unknown.
+   *
+   * @param stuck whether it is explained so much worse than its fellows that other starts are tried, too
+   */
   <S> OwnFit<S> bestVariant(
-      KickTerm<S> term, double[] own, S state, double[] means, double[] scatters) {
+      KickTerm<S> term, double[] own, S state, double[] means, double[] scatters, boolean stuck) {
     OwnFit<S> best = fitOwn(term, own, state, means, scatters);
     double bestPriced = best.cost + term.penalty(best.own, state);
     for (KickTerm<S> other : term.neighbours()) {
       OwnFit<S> tried = fitOwn(other, own, state, means, scatters);
       double priced = tried.cost + other.penalty(tried.own, state);
+      if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {
+        best = tried;
+        bestPriced = priced;
+      }
+    }
+    for (KickTerm.Restart<S> other : stuck ? term.restarts(own) : List.<KickTerm.Restart<S>>of()) {
+      OwnFit<S> tried = fitOwn(other.term(), other.own(), state, means, scatters);
+      double priced = tried.cost + other.term().penalty(tried.own, state);
       if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {
         best = tried;
         bestPriced = priced;
@@ -289,6 +307,14 @@ public final class SharedSolver {
     private boolean settle() {
       S state = problem.model().at(values);
       double[] means = means(values);
+      double[] reduced = new double[kicks.size()];
+      for (int k = 0; k < reduced.length; k++) {
+        reduced[k] =
+            blocks[k].chiSquare / (problem.weights()[k] * Math.max(1, kicks.get(k).rows()));
+      }
+      double[] sorted = reduced.clone();
+      Arrays.sort(sorted);
+      double limit = STUCK * Math.max(1, sorted[sorted.length / 2]);
       List<OwnFit<S>> fits =
           IntStream.range(0, kicks.size())
               .parallel()
@@ -296,15 +322,21 @@ public final class SharedSolver {
                   k ->
                       kicks.get(k).neighbours().isEmpty()
                           ? null
-                          : bestVariant(kicks.get(k), own.get(k), state, means, scatters))
+                          : bestVariant(
+                              kicks.get(k),
+                              own.get(k),
+                              state,
+                              means,
+                              scatters,
+                              reduced[k] > limit))
               .toList();
       boolean changed = false;
       for (int k = 0; k < fits.size(); k++) {
         OwnFit<S> fit = fits.get(k);
-        if (fit != null && fit.term() != kicks.get(k)) {
+        if (fit != null && (fit.term() != kicks.get(k) || reduced[k] > limit)) {
+          changed |= fit.term() != kicks.get(k) || fit.chiSquare() < IMPROVED * reduced[k] * fit.term().rows();
           kicks.set(k, fit.term());
           own.set(k, fit.own());
-          changed = true;
         }
       }
       return changed;
