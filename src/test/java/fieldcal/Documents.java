@@ -67,7 +67,8 @@ final class Documents {
     for (String line : prose(document)) {
       Matcher matcher = HEADING.matcher(line);
       if (matcher.matches()) {
-        String kept = matcher.group(1).toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{N} _-]", "");
+        String kept =
+            matcher.group(1).toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{N} _-]", "");
         anchors.add(kept.strip().replace(' ', '-'));
       }
     }

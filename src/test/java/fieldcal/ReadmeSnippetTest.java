@@ -211,8 +211,7 @@ class ReadmeSnippetTest {
   void everyLinkLeadsSomewhere(Path document) throws IOException {
     for (String link : Documents.links(document)) {
       String[] parts = link.split("#", 2);
-      Path target =
-          parts[0].isEmpty() ? document : document.resolveSibling(parts[0]).normalize();
+      Path target = parts[0].isEmpty() ? document : document.resolveSibling(parts[0]).normalize();
       assertThat(target).as("%s in %s", link, document.getFileName()).exists();
       if (parts.length == 2) {
         assertThat(Documents.anchors(target))

@@ -61,7 +61,10 @@ class ReadmeTest {
 
     String[] arguments = words.subList(1, words.size()).toArray(String[]::new);
     assertThatCode(() -> program.parseArgs(arguments)).as(line).doesNotThrowAnyException();
-    assertThat(words.stream().filter(word -> word.startsWith("test-data/")).map(Documents.PROJECT::resolve))
+    assertThat(
+            words.stream()
+                .filter(word -> word.startsWith("test-data/"))
+                .map(Documents.PROJECT::resolve))
         .as(line)
         .allSatisfy(file -> assertThat(file).exists());
   }

@@ -120,7 +120,8 @@ public final class SelectionFile {
     root.put(
         "help",
         "decision: auto = the rules decide, drop = never used, keep = used whatever the rules say;"
-            + " two_sigma_rounds: how often the 2σ rule is applied, null = until nothing leaves");
+            + " two_sigma_rounds: how often the 2σ rule is applied, null = until nothing more is"
+            + " excluded");
     OptionalInt rounds = selection.twoSigmaRounds();
     root.put(ROUNDS, rounds.isPresent() ? rounds.getAsInt() : null);
     ArrayNode kicks = root.putArray("kicks");

@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
     name = "calibrate",
     mixinStandardHelpOptions = true,
     description =
-        "Finds the kicks of one recording or several, fits them, and gives a ball model with"
+        "Finds the kicks of one or more recordings, fits them, and computes a ball model with"
             + " standard errors.")
 final class CalibrateCommand implements Callable<Integer> {
   private static final Epoch UNIX = new Epoch(0);
@@ -52,7 +52,8 @@ final class CalibrateCommand implements Callable<Integer> {
       names = "--commands",
       paramLabel = "CSV",
       description =
-          "what the robots were told: t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg")
+          "CSV file of the robots' commands:"
+              + " t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg")
   private Path commands;
 
   @Option(
@@ -67,8 +68,8 @@ final class CalibrateCommand implements Callable<Integer> {
       names = "--model",
       paramLabel = "FILE",
       description =
-          "extended_model.json of diagnose: its effects are taken out, so that the parameters hold"
-              + " together with them")
+          "extended_model.json of diagnose: its effects are taken out of the detections, so that"
+              + " the parameters are valid together with them")
   private Path model;
 
   @Option(

@@ -42,8 +42,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     sortOptions = false,
     description =
-        "Two robots kick the ball to each other until there are enough good kicks; each is recorded"
-            + " and fitted at once, and a calibrated model comes out.",
+        "Two robots kick the ball to each other until there are enough good kicks. Each kick is"
+            + " recorded and fitted at once. Ends with a calibrated model.",
     footer = {
       "",
       "Example: fieldcal play --sim --kind flat --kicks 12 --out session",
@@ -80,15 +80,15 @@ final class PlayCommand implements Callable<Integer> {
       names = "--kicks",
       required = true,
       paramLabel = "N",
-      description = "how many good kicks; those that determine too little are made again")
+      description = "how many good kicks; kicks that determine too little are repeated")
   private int kicks;
 
   @Option(
       names = "--adaptive",
       description =
-          "each next kick is the one that tells most about the least certain parameter or, with"
-              + " --out, about causes that cannot be told apart yet, instead of speeds spread"
-              + " evenly")
+          "chooses each kick to be most informative about the least certain parameter or, with"
+              + " --out, about causes that cannot be distinguished yet, instead of spreading the"
+              + " speeds evenly")
   private boolean adaptive;
 
   @Option(
@@ -130,7 +130,10 @@ final class PlayCommand implements Callable<Integer> {
       description = "fastest kick (flat 6.5, chip 5.5)")
   private Double speedMax;
 
-  @Option(names = "--elevation", paramLabel = "DEG", description = "of chips (default 45)")
+  @Option(
+      names = "--elevation",
+      paramLabel = "DEG",
+      description = "elevation of chips (default 45)")
   private double elevation = 45;
 
   @Option(
@@ -157,7 +160,8 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "of the kicks' order, and of the simulated field (default ${DEFAULT-VALUE})")
+      description =
+          "seed of the kicks' order and of the simulated field (default ${DEFAULT-VALUE})")
   private long seed = 1;
 
   @Mixin private SimulatedFieldOptions fieldOptions;
@@ -165,19 +169,20 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--troubles",
       paramLabel = "N",
-      description = "simulated field: things that go wrong on the way (default 0)")
+      description = "simulated field: how many things go wrong during the play (default 0)")
   private int troubles;
 
   @Option(
       names = "--pace",
       paramLabel = "X",
-      description = "simulated field: times real time (default as fast as it can)")
+      description =
+          "simulated field: speed in multiples of real time (default as fast as possible)")
   private double pace = Double.POSITIVE_INFINITY;
 
   @Option(
       names = "--referee",
       paramLabel = "ADDR:PORT",
-      description = "simulator: where a referee sends to, whose HALT and STOP are obeyed")
+      description = "simulator: multicast address of a referee whose HALT and STOP are obeyed")
   private String referee;
 
   @Option(

@@ -68,7 +68,9 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "of all luck; same seed, same bytes (default ${DEFAULT-VALUE})")
+      description =
+          "seed of everything random; the same seed gives the same bytes (default"
+              + " ${DEFAULT-VALUE})")
   private long seed = 1;
 
   @Option(
@@ -125,7 +127,9 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--disagreement-mm",
       paramLabel = "MM",
-      description = "by how much neighbouring cameras report the same ball apart (default 0)")
+      description =
+          "distance between the positions that neighbouring cameras report for the same ball"
+              + " (default 0)")
   private Double disagreementMm;
 
   @Option(names = "--division", paramLabel = "A|B", description = "field size (default A)")

@@ -16,7 +16,8 @@ final class SimulatorOptions {
   @Option(
       names = "--vision",
       paramLabel = "ADDR:PORT",
-      description = "on the network: where the simulator's vision goes (default 224.5.23.2:10020)")
+      description =
+          "on the network: multicast address of the simulator's vision (default 224.5.23.2:10020)")
   private String vision = "224.5.23.2:10020";
 
   @Option(

@@ -173,9 +173,9 @@ public final class KickCollector {
             id ->
                 problems.add(new DataProblem(log + ", camera " + id, "never saw the ball", 1, "")));
     KickFinderCounts counts = one.finder.counts();
-    count(log, counts.deflections(), "balls that only bounced off a robot, no kicks");
-    count(log, counts.carried(), "balls that a robot pushed or dribbled, no kicks");
-    count(log, counts.tooShort(), "kicks of which too little was seen");
+    count(log, counts.deflections(), "balls that only bounced off a robot: not kicks");
+    count(log, counts.carried(), "balls that a robot pushed or dribbled: not kicks");
+    count(log, counts.tooShort(), "kicks that were seen too briefly");
     if (one.finder.counts().recordingGaps() > 0) {
       problems.add(
           new DataProblem(
@@ -227,7 +227,7 @@ public final class KickCollector {
         problems.add(
             new DataProblem(
                 log.toString(),
-                "another field than in the recording before",
+                "the field differs from that of the previous recording",
                 1,
                 "a ball model holds for one carpet; calibrate each field on its own"));
       }
@@ -237,7 +237,10 @@ public final class KickCollector {
       } else if (!models.equals(published) && !models.equals(BallModels.NONE)) {
         problems.add(
             new DataProblem(
-                log.toString(), "another published model than before", 1, "compared is the first"));
+                log.toString(),
+                "the published model differs from that of the previous recording",
+                1,
+                "the first one is used for the comparison"));
       }
       Map<Integer, Camera> known = new HashMap<>();
       for (CameraCalibration c : next.cameras()) {
@@ -263,9 +266,9 @@ public final class KickCollector {
         problems.add(
             new DataProblem(
                 log.toString(),
-                "camera " + c.id() + " has another calibration than before",
+                "camera " + c.id() + " has another calibration than in the previous recording",
                 1,
-                "it is called camera " + number + " here"));
+                "it is treated as camera " + number + " here"));
       }
       return number;
     }
@@ -283,7 +286,7 @@ public final class KickCollector {
                 log + ", camera " + number,
                 unusable.getMessage(),
                 1,
-                "its view of airborne balls cannot be used; calibrate it"));
+                "its view of flying balls cannot be used; calibrate the camera"));
       }
     }
 

@@ -48,7 +48,7 @@ export function publishPage(app) {
     $('vision-form').onsubmit = event => { event.preventDefault(); app.run('vision', {vision: view.vision, seconds: view.seconds}); };
     const rows = [];
     if (failure) rows.push(el('p', {class: 'notice bad'}, failure));
-    if (!last) rows.push(el('p', {class: 'note', id: 'vision-unknown'}, 'Not known yet. Listen before you publish: others may have changed the model, or the cameras, since the recordings.'));
+    if (!last) rows.push(el('p', {class: 'note', id: 'vision-unknown'}, 'Not known yet. Listen before you publish: somebody may have changed the model or the cameras since the recordings.'));
     else {
       if (last.lacks) rows.push(el('p', {class: 'notice warn', id: 'vision-lacks'}, last.lacks));
       rows.push(...last.differences.map(words => el('p', {class: 'notice bad vision-difference'}, '⚠ ' + words)), ...last.notes.map(words => el('p', {class: 'note'}, words)));
@@ -114,9 +114,9 @@ export function publishPage(app) {
   async function send() {
     const text = state().model.text;
     const sure = await confirmed('Send this model to ' + view.address + ':' + view.port + '?', [
-      changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: nobody listened' + (heard() ? ' with success' : '') + '.')]),
+      changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: listen to it first.')]),
       ...(heard() ? heard().differences : []).map(words => el('p', {class: 'notice bad'}, '⚠ ' + words)), ...report().warnings.map(warning => el('p', {class: 'notice warn'}, '⚠ ' + warning)),
-      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. Who listens there plays with it from now on.')], 'Send');
+      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. Everybody who listens there uses it from now on.')], 'Send');
     if (sure) await app.run('publish', {address: view.address, port: Number(view.port), format: view.format, confirmed: text});
   }
 

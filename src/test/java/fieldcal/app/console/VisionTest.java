@@ -144,7 +144,7 @@ class VisionTest {
     assertThat(differences).hasSize(recorded.cameras().size() > 1 ? 3 : 2);
     assertThat(differences.get(0)).contains("another field");
     assertThat(differences.get(differences.size() - 1))
-        .startsWith("Camera " + first.id() + " was calibrated anew")
+        .startsWith("Camera " + first.id() + " was calibrated again")
         .contains("40 mm");
     // What is sent as vision sends it carries the field that vision has now.
     try (DatagramSocket socket = new DatagramSocket(0, InetAddress.getByName("127.0.0.1"))) {
