@@ -55,8 +55,8 @@ final class ExtendedModelNotes {
       sentences.add(
           "The league's message carries the parameters, but not the effects they are valid with: "
               + String.join("; ", notInMessage(model))
-              + ". They are for programs that use the extended model; for others calibrate without"
-              + " --model.");
+              + ". Use these parameters only in programs that use the extended model; for others"
+              + " calibrate without --model.");
     }
     if (extended.lastMoveMm() > NOTABLE_MOVE_MM) {
       sentences.add(

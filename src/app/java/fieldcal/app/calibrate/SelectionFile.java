@@ -40,7 +40,7 @@ public final class SelectionFile {
     JsonNode root = JsonFiles.read(file);
     if (!SCHEMA.equals(root.path("schema").asText()) || !root.path("kicks").isArray()) {
       throw new InputException(
-          file + ": no selection file (schema " + SCHEMA + " with a list of kicks)");
+          file + ": not a selection file (schema " + SCHEMA + " with a list of kicks)");
     }
     HandSelection selection = HandSelection.none().withTwoSigmaRounds(rounds(root, file));
     int number = 0;

@@ -61,7 +61,7 @@ final class CalibrateCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
-              + " or a calibration.json; without it, what the recording publishes")
+              + " or a calibration.json; default: the model that the recording publishes")
   private Path initial;
 
   @Option(
@@ -91,10 +91,13 @@ final class CalibrateCommand implements Callable<Integer> {
       paramLabel = "DIR",
       description =
           "writes report.html, calibration.json, geometry_models.pb, geometry_models.txt and"
-              + " selection.json there")
+              + " selection.json to this directory")
   private Path out;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "writes calibration.json there")
+  @Option(
+      names = "--json",
+      paramLabel = "FILE",
+      description = "writes calibration.json to this file")
   private Path json;
 
   @Override

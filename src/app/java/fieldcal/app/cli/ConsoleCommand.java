@@ -71,7 +71,7 @@ final class ConsoleCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
-              + " or a calibration.json; without it, what the recordings publish")
+              + " or a calibration.json; default: the model that the recordings publish")
   private Path initial;
 
   @Option(

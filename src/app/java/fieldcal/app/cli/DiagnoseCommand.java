@@ -66,10 +66,11 @@ final class DiagnoseCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "writes diagnosis.html, diagnosis.json and extended_model.json there")
+      description =
+          "writes diagnosis.html, diagnosis.json and extended_model.json to this directory")
   private Path out;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "writes diagnosis.json there")
+  @Option(names = "--json", paramLabel = "FILE", description = "writes diagnosis.json to this file")
   private Path json;
 
   @Override

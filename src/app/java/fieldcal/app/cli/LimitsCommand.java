@@ -31,10 +31,10 @@ final class LimitsCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "writes limits.html and limits.json there")
+      description = "writes limits.html and limits.json to this directory")
   private Path out;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "writes limits.json there")
+  @Option(names = "--json", paramLabel = "FILE", description = "writes limits.json to this file")
   private Path json;
 
   @Override

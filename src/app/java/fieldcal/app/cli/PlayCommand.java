@@ -58,15 +58,15 @@ final class PlayCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Option(names = "--sim", description = "on the simulated field in this process")
+  @Option(names = "--sim", description = "plays on the simulated field in this process")
   private boolean sim;
 
   @Option(
       names = "--ssl-sim",
       paramLabel = "HOST",
       description =
-          "on a simulator that speaks the league's simulation protocol; its vision comes by"
-              + " multicast")
+          "plays on a simulator that speaks the league's simulation protocol and sends its vision"
+              + " by multicast")
   private String sslSim;
 
   @Option(
@@ -95,16 +95,16 @@ final class PlayCommand implements Callable<Integer> {
       names = "--precision",
       paramLabel = "PERCENT",
       description =
-          "ends before N kicks when every parameter's standard error is that small, for example"
-              + " 0.5")
+          "ends before N kicks when every parameter's standard error is below this percentage, for"
+              + " example 0.5")
   private double precision;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
       description =
-          "recording, commands and results go there; earlier sessions in it are calibrated together"
-              + " with this one")
+          "directory for recording, commands and results; earlier sessions in it are calibrated"
+              + " together with this one")
   private Path out;
 
   @Mixin private SimulatorOptions simulator;
@@ -145,7 +145,7 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--receiver-distance",
       paramLabel = "M",
-      description = "farthest that the receiver waits from the ball (default the line's end)")
+      description = "largest distance between the receiver and the ball (default the line's end)")
   private Double receiverDistance;
 
   @Option(names = "--drive-speed", paramLabel = "M/S", description = "fastest drive (default 2.5)")
@@ -188,7 +188,7 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--interface",
       paramLabel = "NAME",
-      description = "simulator: network interface of both (default all)")
+      description = "simulator: network interface for vision and referee (default all)")
   private String networkInterface;
 
   PlayCommand() {}

@@ -24,7 +24,8 @@ final class SimulatorOptions {
       names = "--port",
       paramLabel = "PORT",
       description =
-          "on the network: the simulator's control; blue and yellow follow (default 10300)")
+          "on the network: the simulator's control port; those of blue and yellow follow (default"
+              + " 10300)")
   private int port = SimulatorPorts.LEAGUE.control();
 
   RobotId[] robots() {

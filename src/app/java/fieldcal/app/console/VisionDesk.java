@@ -111,7 +111,7 @@ final class VisionDesk {
     String vision = Requests.text(body, "vision", LONGEST_PLACE).strip();
     long seconds = Requests.number(body, "seconds").orElse(USUAL_SECONDS);
     if (seconds < 1 || seconds > MOST_SECONDS) {
-      throw ApiException.badRequest("seconds must be 1 to " + MOST_SECONDS);
+      throw ApiException.badRequest("seconds must be from 1 to " + MOST_SECONDS);
     }
     NetworkPlace place;
     try {

@@ -98,7 +98,7 @@ public final class KickCollector {
                 log.toString(),
                 "named twice; read once",
                 1,
-                "the same kicks twice would only shrink the errors"));
+                "counting the same kicks twice would only make the errors too small"));
         continue;
       }
       try (RecordingReader recording =

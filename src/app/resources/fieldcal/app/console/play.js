@@ -117,7 +117,7 @@ export function playPage(app) {
   }
 
   async function abort() {
-    if (await confirmed('Abort the play?', [el('p', {}, 'Both robots stand. What was recorded stays in the session.')], 'Abort')) app.run('play/word', {word: 'abort'});
+    if (await confirmed('Abort the play?', [el('p', {}, 'Both robots stop. The recording stays in the session.')], 'Abort')) app.run('play/word', {word: 'abort'});
   }
 
   function showKicks() {

@@ -92,7 +92,7 @@ export function publishPage(app) {
     $('send-note').textContent = !complete() ? 'There is no complete model: record more kicks.' : !state().settled ? 'The joint fit is being refined after the last decision …'
       : missing() ? missing() : '';
     const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text'}, p.format), el('td', {class: 'text', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
-    $('published').replaceChildren(rows.length ? el('table', {}, el('thead', {}, el('tr', {}, ['Sent (UTC)', 'To', 'As', 'What'].map(h => el('th', {scope: 'col', class: 'text'}, h)))), el('tbody', {}, rows)) : el('p', {class: 'note'}, 'Nothing was sent yet.'));
+    $('published').replaceChildren(rows.length ? el('table', {}, el('thead', {}, el('tr', {}, ['Sent (UTC)', 'To', 'As', 'What'].map(h => el('th', {scope: 'col', class: 'text'}, h)))), el('tbody', {}, rows)) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
   }
 
   const missing = () => !state().model.flat ? 'Only the chip model is complete; the flat one is not sent.' : !state().model.chip ? 'Only the flat model is complete; the chip one is not sent.' : '';

@@ -197,7 +197,7 @@ class VisionTest {
     assertThat(twice.status()).isEqualTo(409);
     assertThat(console.post("/api/vision/end", "{}").status()).isEqualTo(200);
     JsonNode state = console.await("ended", s -> !s.at("/vision/running").asBoolean());
-    assertThat(state.at("/vision/heard/lacks").asText()).contains("ended");
+    assertThat(state.at("/vision/heard/lacks").asText()).contains("stopped");
   }
 
   @Test
