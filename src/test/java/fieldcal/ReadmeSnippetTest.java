@@ -10,6 +10,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.camera.Camera;
+import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.ExtendedModelDocument;
 import fieldcal.effect.ExtendedTrajectory;
@@ -56,16 +57,21 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
-/** The README's Java is this test's Java, and it works. */
+/** The Java of the README and of docs/ is this test's Java, and it works; their links lead somewhere. */
 class ReadmeSnippetTest {
-  private static final Path PROJECT = Path.of(System.getProperty("fieldcal.projectDir", "."));
+  /** Words; chosen, so that a newcomer reads all of it. */
+  private static final int LONGEST_README = 1500;
 
   @Test
   void theLibraryIsUsedAsTheReadmeShows() {
@@ -90,7 +96,9 @@ class ReadmeSnippetTest {
     KickFit fit =
         fitter.fit(FitProblem.of(kicks.get(0), views, FlatModel.typical(), ChipModel.typical()));
 
-    FlatModel model = new FlatModel(-3.1, -0.28, 0.65);
+    FlatModel model =
+        new FlatModel(
+            -3.1, -0.28, 0.65); // acc_slide, acc_roll (m/s²) and k_switch of calibration.json
     double speed = model.kickSpeedToArrive(4.0, 1.5); // m/s, to arrive 4 m away with 1.5 m/s
     FlatTrajectory path = FlatTrajectory.fromKick(model, 0, 0, 0, speed, 0);
     double arrival = path.timeAtDistance(4.0).orElseThrow(); // s
@@ -118,7 +126,7 @@ class ReadmeSnippetTest {
     Map<?, ?> document = new ObjectMapper().readValue(file, Map.class); // extended_model.json
     ExtendedModel model =
         ExtendedModelDocument.read(
-            document); // kicks told in Unix time; IllegalArgumentException names a damaged field
+            document); // kick times in Unix time; IllegalArgumentException names a damaged field
     ExtendedTrajectory pass =
         model.flatPath(t0, x, y, vx, vy); // right after the kick, in vision's field frame
     BallState ball = pass.stateAt(t0 + 0.5);
@@ -146,7 +154,7 @@ class ReadmeSnippetTest {
         new LiveListener() {
           @Override
           public void warningRaised(LiveWarning warning) {
-            screen.accept(warning.text()); // in your own way; told once, until warningCleared
+            screen.accept(warning.text()); // raised once, until warningCleared
           }
         };
     ExecutorService fits =
@@ -158,7 +166,7 @@ class ReadmeSnippetTest {
     for (byte[] packet : packets) { // your vision thread
       VisionPacket vision = decoder.decode(packet);
       vision.geometry().ifPresent(monitor::geometry);
-      monitor.phase(PlayPhase.RUNNING); // what the referee says; without, everything counts
+      monitor.phase(PlayPhase.RUNNING); // from the referee; without it, everything counts
       vision.frame().ifPresent(monitor::accept);
     }
 
@@ -178,24 +186,63 @@ class ReadmeSnippetTest {
     assertThat(kept).containsKey("samples");
   }
 
-  @Test
-  void everyLineOfTheReadmeStandsHere() throws IOException {
-    Path tests = PROJECT.resolve("src/test/java/fieldcal");
+  @ParameterizedTest
+  @MethodSource("fieldcal.Documents#all")
+  void everyLineOfASnippetStandsHere(Path document) throws IOException {
+    Path tests = Documents.PROJECT.resolve("src/test/java/fieldcal");
     String source =
         squeezed(
             Files.readString(tests.resolve("ReadmeSnippetTest.java"))
                 + Files.readString(tests.resolve("play/HostAdapterTest.java")));
-    boolean inside = false;
-    int lines = 0;
-    for (String line : Files.readAllLines(PROJECT.resolve("README.md"))) {
-      if (line.startsWith("```")) {
-        inside = line.equals("```java");
-      } else if (inside && !line.isBlank() && !line.startsWith("System.out")) {
-        lines++;
-        assertThat(source).as(line).contains(squeezed(line));
+    assertThat(Documents.code(document, "java"))
+        .filteredOn(line -> !line.startsWith("System.out"))
+        .allSatisfy(line -> assertThat(source).as(line).contains(squeezed(line)));
+  }
+
+  @Test
+  void readmeAndLibraryHaveSnippets() throws IOException {
+    for (String name : List.of("README.md", "docs/library.md")) {
+      assertThat(Documents.code(Documents.PROJECT.resolve(name), "java")).as(name).isNotEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("fieldcal.Documents#all")
+  void everyLinkLeadsSomewhere(Path document) throws IOException {
+    for (String link : Documents.links(document)) {
+      String[] parts = link.split("#", 2);
+      Path target = parts[0].isEmpty() ? document : document.resolveSibling(parts[0]).normalize();
+      assertThat(target).as("%s in %s", link, document.getFileName()).exists();
+      if (parts.length == 2) {
+        assertThat(Documents.anchors(target))
+            .as("%s in %s", link, document.getFileName())
+            .contains(parts[1]);
       }
     }
-    assertThat(lines).isPositive();
+  }
+
+  @Test
+  void everyDocumentIsReachedFromTheReadme() throws IOException {
+    Set<Path> reached = new TreeSet<>();
+    for (String link : Documents.links(Documents.PROJECT.resolve("README.md"))) {
+      reached.add(Documents.PROJECT.resolve(link.split("#", 2)[0]).normalize());
+    }
+    List<Path> documents = new ArrayList<>(Documents.all());
+    documents.remove(Documents.PROJECT.resolve("README.md"));
+    assertThat(reached).containsAll(documents);
+  }
+
+  @Test
+  void everyCauseHasItsSection() throws IOException {
+    String text = Files.readString(Documents.PROJECT.resolve("docs/effects.md"));
+    assertThat(EffectCatalogue.all())
+        .allSatisfy(effect -> assertThat(text).contains("\n`" + effect.id() + "`:"));
+  }
+
+  @Test
+  void theReadmeIsShort() throws IOException {
+    String text = Files.readString(Documents.PROJECT.resolve("README.md"));
+    assertThat(text.strip().split("\\s+")).hasSizeLessThanOrEqualTo(LONGEST_README);
   }
 
   /** The formatter breaks lines where it likes. */

@@ -13,36 +13,41 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
 
-/** What the README tells the operator to type is understood, and the files it names are there. */
+/** What the README and docs/ tell the operator to type is understood, and the files it names are there. */
 class ReadmeTest {
 
-  /** Commands of the design. The README may speak of one before it exists; its test is skipped until then. */
+  /** Commands of the design. A document may speak of one before it exists; its test is skipped until then. */
   private static final Set<String> PLANNED =
-      Set.of("info", "calibrate", "diagnose", "limits", "monitor", "play", "simulate", "console");
+      Set.of(
+          "info",
+          "calibrate",
+          "diagnose",
+          "limits",
+          "monitor",
+          "play",
+          "simulate",
+          "console",
+          "record",
+          "twin",
+          "compare",
+          "export",
+          "archive");
 
-  private static final Path PROJECT = Path.of(System.getProperty("fieldcal.projectDir", "."));
+  private static final Path README = Documents.PROJECT.resolve("README.md");
 
-  static Stream<String> commands() throws IOException {
-    return codeLines().filter(line -> line.startsWith("./fieldcal "));
-  }
-
-  private static Stream<String> codeLines() throws IOException {
-    List<String> code = new ArrayList<>();
-    boolean inside = false;
-    for (String line : Files.readAllLines(PROJECT.resolve("README.md"))) {
-      if (line.startsWith("```")) {
-        inside = !inside;
-      } else if (inside) {
-        code.add(line.strip());
-      }
+  static List<String> commands() throws IOException {
+    List<String> commands = new ArrayList<>();
+    for (Path document : Documents.all()) {
+      Documents.code(document, "").stream()
+          .filter(line -> line.startsWith("./fieldcal "))
+          .forEach(commands::add);
     }
-    return code.stream();
+    return commands;
   }
 
   @ParameterizedTest
@@ -56,20 +61,24 @@ class ReadmeTest {
 
     String[] arguments = words.subList(1, words.size()).toArray(String[]::new);
     assertThatCode(() -> program.parseArgs(arguments)).as(line).doesNotThrowAnyException();
-    assertThat(words.stream().filter(word -> word.startsWith("test-data/")).map(PROJECT::resolve))
+    assertThat(
+            words.stream()
+                .filter(word -> word.startsWith("test-data/"))
+                .map(Documents.PROJECT::resolve))
         .as(line)
         .allSatisfy(file -> assertThat(file).exists());
   }
 
   @Test
   void quickStartHasTheTwoCommands() throws IOException {
-    assertThat(commands()).anyMatch(line -> line.startsWith("./fieldcal calibrate "));
-    assertThat(codeLines()).contains("./gradlew test");
+    List<String> lines = Documents.code(README, "sh");
+    assertThat(lines).anyMatch(line -> line.startsWith("./fieldcal calibrate test-data/"));
+    assertThat(lines).contains("./gradlew test");
   }
 
   @Test
   void everyCommandIsInTheReadme() throws IOException {
-    String readme = Files.readString(PROJECT.resolve("README.md"));
+    String readme = Files.readString(README);
     Set<String> names = new TreeSet<>(new CommandLine(new Main()).getSubcommands().keySet());
     names.remove("help");
     assertThat(names).allSatisfy(name -> assertThat(readme).contains("`" + name + " "));

@@ -155,7 +155,7 @@ final class CalibrationJson {
         parameters.put(name, e.value());
         errors.put(name, e.standardError());
       } else if (e.parameter().estimated()) {
-        undetermined.put(name, e.undetermined().orElse("the estimate ran into its bound"));
+        undetermined.put(name, e.undetermined().orElse("the estimate reached its bound"));
       }
     }
     node.set("undetermined", undetermined);
@@ -204,7 +204,7 @@ final class CalibrationJson {
       } else if (e.usable()) {
         one.put("mean", e.value()).put("standard_error", e.standardError());
       } else {
-        one.put("undetermined", e.undetermined().orElse("the estimate ran into its bound"));
+        one.put("undetermined", e.undetermined().orElse("the estimate reached its bound"));
       }
     }
     return node;

@@ -50,8 +50,8 @@ public final class CalibrationWarnings {
         warnings.add(
             String.format(
                 Locale.ROOT,
-                "Camera %d reports everything %.0f mm aside of the mean of all cameras. It is taken"
-                    + " out here; in the match it is not: calibrate the camera.",
+                "Camera %d reports everything %.0f mm off from the mean of all cameras. This offset"
+                    + " is taken out here, but not in a match: calibrate the camera again.",
                 view.id(),
                 size));
       }
@@ -65,8 +65,8 @@ public final class CalibrationWarnings {
                 warnings.add(
                     String.format(
                         Locale.ROOT,
-                        "Residuals are %.1f times the cameras' noise on the resting ball: the model"
-                            + " does not explain everything.",
+                        "Residuals are %.1f times the cameras' noise on the resting ball: the ball"
+                            + " does not move as the model says. Run diagnose.",
                         Math.sqrt(j.reducedChiSquare()))));
     calibration
         .joint()

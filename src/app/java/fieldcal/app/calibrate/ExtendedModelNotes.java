@@ -38,7 +38,9 @@ final class ExtendedModelNotes {
   /** Comment lines for the text form of the message. */
   static String comments(ExtendedModel model) {
     StringBuilder text = new StringBuilder();
-    text.append("# These numbers hold together with effects that this message has no field for:\n");
+    text.append(
+        "# These numbers are valid only together with effects that this message has no field"
+            + " for:\n");
     notInMessage(model).forEach(e -> text.append("#   ").append(e).append('\n'));
     text.append("# A program that knows this message alone predicts better with the numbers of\n");
     text.append("# calibrate without --model.\n");
@@ -51,10 +53,10 @@ final class ExtendedModelNotes {
     ExtendedModel model = extended.model();
     if (!model.effects().isEmpty()) {
       sentences.add(
-          "The league's message carries the parameters, but not what they hold together with: "
+          "The league's message carries the parameters, but not the effects they are valid with: "
               + String.join("; ", notInMessage(model))
-              + ". They are for programs that use the extended model; for others calibrate without"
-              + " --model.");
+              + ". Use these parameters only in programs that use the extended model; for others"
+              + " calibrate without --model.");
     }
     if (extended.lastMoveMm() > NOTABLE_MOVE_MM) {
       sentences.add(
@@ -72,7 +74,7 @@ final class ExtendedModelNotes {
             .map(EffectName::of)
             .collect(Collectors.joining(", "));
     if (!growing.isEmpty()) {
-      sentences.add("Counted from the begin of these recordings: " + growing + ".");
+      sentences.add("Counted from the beginning of these recordings: " + growing + ".");
     }
     return sentences;
   }
@@ -87,7 +89,7 @@ final class ExtendedModelNotes {
         sentences.add(
             "Of the extended model, "
                 + EffectName.of(effect)
-                + " was left out: these recordings have no such camera, or not its geometry.");
+                + " was left out: these recordings have no such camera, or lack its geometry.");
       }
     }
   }

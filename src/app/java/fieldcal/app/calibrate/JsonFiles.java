@@ -58,7 +58,7 @@ public final class JsonFiles {
       throw new InputException(file + ": no such file");
     }
     if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
-      throw new InputException(file + ": is no file that can be read");
+      throw new InputException(file + ": cannot be read as a file");
     }
     return Files.readAllBytes(file);
   }
@@ -79,7 +79,7 @@ public final class JsonFiles {
           file
               + ", line "
               + (e.getLocation() == null ? 1 : e.getLocation().getLineNr())
-              + ": no valid JSON: "
+              + ": not valid JSON: "
               + e.getOriginalMessage());
     }
   }

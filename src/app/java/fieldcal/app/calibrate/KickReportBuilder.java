@@ -107,7 +107,7 @@ final class KickReportBuilder {
       return new CalibrationReport.KickParameter(
           e.name(), e.value(), e.standardError(), "", dropped);
     }
-    String reason = e.undetermined().orElse("the estimate ran into its bound");
+    String reason = e.undetermined().orElse("the estimate reached its bound");
     return new CalibrationReport.KickParameter(e.name(), Double.NaN, Double.NaN, reason, "");
   }
 

@@ -130,13 +130,13 @@ public final class ReportBuilder {
     Estimate e = roll.get();
     if (!e.parameter().estimated()) {
       return String.format(
-              Locale.ROOT, "Chips roll with accRoll %.4f m/s² of the flat kicks.", e.value())
+              Locale.ROOT, "Chips roll with the accRoll of the flat kicks, %.4f m/s².", e.value())
           .replace('-', '−');
     }
     String why =
         calibration.kicks(KickKind.FLAT).isEmpty()
             ? "There are no flat kicks"
-            : "The flat kicks do not tell accRoll";
+            : "The flat kicks do not determine accRoll";
     return e.usable()
         ? String.format(
             Locale.ROOT,
@@ -144,7 +144,7 @@ public final class ReportBuilder {
             why,
             e.value(),
             e.standardError())
-        : why + ", nor do the chips.";
+        : why + ", and the chips do not determine accRoll either.";
   }
 
   private double published(KickKind kind, String name) {

@@ -40,7 +40,7 @@ public final class SelectionFile {
     JsonNode root = JsonFiles.read(file);
     if (!SCHEMA.equals(root.path("schema").asText()) || !root.path("kicks").isArray()) {
       throw new InputException(
-          file + ": no selection file (schema " + SCHEMA + " with a list of kicks)");
+          file + ": not a selection file (schema " + SCHEMA + " with a list of kicks)");
     }
     HandSelection selection = HandSelection.none().withTwoSigmaRounds(rounds(root, file));
     int number = 0;
@@ -120,7 +120,8 @@ public final class SelectionFile {
     root.put(
         "help",
         "decision: auto = the rules decide, drop = never used, keep = used whatever the rules say;"
-            + " two_sigma_rounds: how often the 2σ rule is applied, null = until nothing leaves");
+            + " two_sigma_rounds: how often the 2σ rule is applied, null = until nothing more is"
+            + " excluded");
     OptionalInt rounds = selection.twoSigmaRounds();
     root.put(ROUNDS, rounds.isPresent() ? rounds.getAsInt() : null);
     ArrayNode kicks = root.putArray("kicks");

@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
     name = "calibrate",
     mixinStandardHelpOptions = true,
     description =
-        "Finds the kicks of one recording or several, fits them, and gives a ball model with"
+        "Finds the kicks of one or more recordings, fits them, and computes a ball model with"
             + " standard errors.")
 final class CalibrateCommand implements Callable<Integer> {
   private static final Epoch UNIX = new Epoch(0);
@@ -52,7 +52,8 @@ final class CalibrateCommand implements Callable<Integer> {
       names = "--commands",
       paramLabel = "CSV",
       description =
-          "what the robots were told: t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg")
+          "CSV file of the robots' commands:"
+              + " t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg")
   private Path commands;
 
   @Option(
@@ -60,15 +61,15 @@ final class CalibrateCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
-              + " or a calibration.json; without it, what the recording publishes")
+              + " or a calibration.json; default: the model that the recording publishes")
   private Path initial;
 
   @Option(
       names = "--model",
       paramLabel = "FILE",
       description =
-          "extended_model.json of diagnose: its effects are taken out, so that the parameters hold"
-              + " together with them")
+          "extended_model.json of diagnose: its effects are taken out of the detections, so that"
+              + " the parameters are valid together with them")
   private Path model;
 
   @Option(
@@ -90,10 +91,13 @@ final class CalibrateCommand implements Callable<Integer> {
       paramLabel = "DIR",
       description =
           "writes report.html, calibration.json, geometry_models.pb, geometry_models.txt and"
-              + " selection.json there")
+              + " selection.json to this directory")
   private Path out;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "writes calibration.json there")
+  @Option(
+      names = "--json",
+      paramLabel = "FILE",
+      description = "writes calibration.json to this file")
   private Path json;
 
   @Override

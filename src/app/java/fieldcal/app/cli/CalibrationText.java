@@ -35,7 +35,7 @@ final class CalibrationText {
       }
     }
     if (calibration.kicks().isEmpty()) {
-      line("No kick found, no model.");
+      line("No kick found, so there is no model.");
     }
     cameras(outcome);
     List<String> warnings = new CalibrationWarnings(outcome).list();

@@ -25,8 +25,8 @@ import picocli.CommandLine.Spec;
     name = "console",
     mixinStandardHelpOptions = true,
     description =
-        "Serves a page on which kicks are looked at, dropped and restored, the ball model is"
-            + " diagnosed and published; ends with Ctrl+C.")
+        "Serves a page in the browser on which you look at kicks, drop and restore them, and"
+            + " diagnose and publish the ball model. Ctrl+C ends it.")
 final class ConsoleCommand implements Callable<Integer> {
   private static final int TOKEN_BYTES = 12;
 
@@ -53,17 +53,17 @@ final class ConsoleCommand implements Callable<Integer> {
       paramLabel = "A",
       defaultValue = ConsoleSettings.LOOPBACK,
       description =
-          "address to listen on; with another than the default, other machines can reach the"
-              + " console, and a token is asked for (default: ${DEFAULT-VALUE})")
+          "address to listen on; with any other than the default, other machines can reach the"
+              + " console and need a token (default: ${DEFAULT-VALUE})")
   private String address;
 
   @Option(
       names = "--token",
       paramLabel = "T",
       description =
-          "what visitors must know, at least "
+          "token that other machines need, at least "
               + ConsoleSettings.SHORTEST_TOKEN
-              + " letters and digits; without it, one is made up when it is needed")
+              + " letters and digits; without it, one is generated when it is needed")
   private String token;
 
   @Option(
@@ -71,7 +71,7 @@ final class ConsoleCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "published model to start from and to compare with: SSL_GeometryModels (binary or text)"
-              + " or a calibration.json; without it, what the recordings publish")
+              + " or a calibration.json; default: the model that the recordings publish")
   private Path initial;
 
   @Option(

@@ -23,8 +23,8 @@ import picocli.CommandLine.Spec;
     name = "diagnose",
     mixinStandardHelpOptions = true,
     description =
-        "Says what the calibrated ball model gets wrong, which cause explains it, how sure that is,"
-            + " and how much better a model with it predicts.")
+        "Finds what the calibrated ball model gets wrong, which causes explain it, how certain that"
+            + " is, and how much better a model with them predicts.")
 final class DiagnoseCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
@@ -35,8 +35,9 @@ final class DiagnoseCommand implements Callable<Integer> {
       names = "--commands",
       paramLabel = "CSV",
       description =
-          "what the robots were told: t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg;"
-              + " without it, kickers cannot be judged")
+          "CSV file of the robots' commands:"
+              + " t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg; without it, kickers"
+              + " cannot be judged")
   private Path commands;
 
   @Option(
@@ -65,10 +66,11 @@ final class DiagnoseCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "writes diagnosis.html, diagnosis.json and extended_model.json there")
+      description =
+          "writes diagnosis.html, diagnosis.json and extended_model.json to this directory")
   private Path out;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "writes diagnosis.json there")
+  @Option(names = "--json", paramLabel = "FILE", description = "writes diagnosis.json to this file")
   private Path json;
 
   @Override

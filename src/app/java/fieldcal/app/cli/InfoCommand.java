@@ -14,7 +14,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "info",
     description =
-        "Tells what is in a recording: duration, cameras, rates, noise on the resting ball, gaps,"
+        "Shows what is in a recording: duration, cameras, rates, noise on the resting ball, gaps,"
             + " geometry, models, referee, problems.",
     mixinStandardHelpOptions = true)
 final class InfoCommand implements Callable<Integer> {

@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     description =
         "Measures velocity, acceleration and braking limits of both teams from the raw detections"
-            + " of matches, and says what one limit for all speeds and directions gets wrong.")
+            + " of matches, and shows where one limit for all speeds and directions is wrong.")
 final class LimitsCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
@@ -31,10 +31,10 @@ final class LimitsCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "writes limits.html and limits.json there")
+      description = "writes limits.html and limits.json to this directory")
   private Path out;
 
-  @Option(names = "--json", paramLabel = "FILE", description = "writes limits.json there")
+  @Option(names = "--json", paramLabel = "FILE", description = "writes limits.json to this file")
   private Path json;
 
   @Override

@@ -72,7 +72,7 @@ final class LimitsText {
 
   private void verdict(String team, TeamLimits limits) {
     if (!limits.acceleration().known() && !limits.braking().known()) {
-      line("%s: too little was seen of its robots.", team);
+      line("%s: its robots were not seen for long enough.", team);
       return;
     }
     for (LimitDeviation d : limits.deviations()) {

@@ -39,9 +39,9 @@ import picocli.CommandLine.Spec;
     name = "monitor",
     mixinStandardHelpOptions = true,
     description =
-        "Watches a match, live or recorded: the ball's model from the last 31 kicks, a warning when"
-            + " it is more than 20 %% from the published one, the movement limits of both teams,"
-            + " how well the cameras do. Ctrl-C ends it with a summary.")
+        "Watches a match, live or recorded: shows the ball model from the last 31 kicks, warns when"
+            + " it is more than 20 %% from the published one, and shows the movement limits of both"
+            + " teams and the state of the cameras. Ctrl-C ends it with a summary.")
 final class MonitorCommand implements Callable<Integer> {
   /** Ctrl-C waits so long for the summary, s. */
   private static final long PATIENCE = 5;
@@ -55,8 +55,8 @@ final class MonitorCommand implements Callable<Integer> {
       names = "--referee",
       paramLabel = "ADDR:PORT",
       description =
-          "where the referee sends to; the league's is 224.5.23.1:10003. Without it everything"
-              + " counts, also what is no play")
+          "multicast address of the referee; the league's is 224.5.23.1:10003. Without it"
+              + " everything counts, including breaks")
   private String referee;
 
   @Option(
@@ -76,15 +76,15 @@ final class MonitorCommand implements Callable<Integer> {
   @Option(
       names = "--json",
       paramLabel = "FILE",
-      description = "writes a line of JSON per change there, as it happens")
+      description = "writes one line of JSON per change to this file, as it happens")
   private Path json;
 
   @Option(
       names = "--state",
       paramLabel = "FILE",
       description =
-          "pools matches on the same carpet: begins with the samples in that file, if it exists,"
-              + " and writes all of them there at the end")
+          "pools matches on the same carpet: starts with the samples in this file, if it exists,"
+              + " and writes all samples back at the end")
   private Path state;
 
   @Option(
@@ -92,7 +92,7 @@ final class MonitorCommand implements Callable<Integer> {
       paramLabel = "TEAM:V,A,B",
       description =
           "what a team's robots are configured to do: velocity m/s, acceleration and braking m/s²,"
-              + " for example yellow:3,3.5,5; warns when they do otherwise. May be repeated")
+              + " for example yellow:3,3.5,5; warns when they move differently. May be repeated")
   private final List<String> robotLimits = new ArrayList<>();
 
   /** One of both. */
@@ -110,7 +110,7 @@ final class MonitorCommand implements Callable<Integer> {
         names = "--multicast",
         required = true,
         paramLabel = "ADDR:PORT",
-        description = "where vision sends to; the league's is 224.5.23.2:10006")
+        description = "multicast address of vision; the league's is 224.5.23.2:10006")
     private String vision;
   }
 

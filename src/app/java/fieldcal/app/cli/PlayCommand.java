@@ -42,8 +42,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     sortOptions = false,
     description =
-        "Two robots kick the ball to each other until there are enough good kicks; each is recorded"
-            + " and fitted at once, and a calibrated model comes out.",
+        "Two robots kick the ball to each other until there are enough good kicks. Each kick is"
+            + " recorded and fitted at once. Ends with a calibrated model.",
     footer = {
       "",
       "Example: fieldcal play --sim --kind flat --kicks 12 --out session",
@@ -58,15 +58,15 @@ final class PlayCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Option(names = "--sim", description = "on the simulated field in this process")
+  @Option(names = "--sim", description = "plays on the simulated field in this process")
   private boolean sim;
 
   @Option(
       names = "--ssl-sim",
       paramLabel = "HOST",
       description =
-          "on a simulator that speaks the league's simulation protocol; its vision comes by"
-              + " multicast")
+          "plays on a simulator that speaks the league's simulation protocol and sends its vision"
+              + " by multicast")
   private String sslSim;
 
   @Option(
@@ -80,31 +80,31 @@ final class PlayCommand implements Callable<Integer> {
       names = "--kicks",
       required = true,
       paramLabel = "N",
-      description = "how many good kicks; those that determine too little are made again")
+      description = "how many good kicks; kicks that determine too little are repeated")
   private int kicks;
 
   @Option(
       names = "--adaptive",
       description =
-          "each next kick is the one that tells most about the least certain parameter or, with"
-              + " --out, about causes that cannot be told apart yet, instead of speeds spread"
-              + " evenly")
+          "chooses each kick to be most informative about the least certain parameter or, with"
+              + " --out, about causes that cannot be distinguished yet, instead of spreading the"
+              + " speeds evenly")
   private boolean adaptive;
 
   @Option(
       names = "--precision",
       paramLabel = "PERCENT",
       description =
-          "ends before N kicks when every parameter's standard error is that small, for example"
-              + " 0.5")
+          "ends before N kicks when every parameter's standard error is below this percentage, for"
+              + " example 0.5")
   private double precision;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
       description =
-          "recording, commands and results go there; earlier sessions in it are calibrated together"
-              + " with this one")
+          "directory for recording, commands and results; earlier sessions in it are calibrated"
+              + " together with this one")
   private Path out;
 
   @Mixin private SimulatorOptions simulator;
@@ -130,7 +130,10 @@ final class PlayCommand implements Callable<Integer> {
       description = "fastest kick (flat 6.5, chip 5.5)")
   private Double speedMax;
 
-  @Option(names = "--elevation", paramLabel = "DEG", description = "of chips (default 45)")
+  @Option(
+      names = "--elevation",
+      paramLabel = "DEG",
+      description = "elevation of chips (default 45)")
   private double elevation = 45;
 
   @Option(
@@ -142,7 +145,7 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--receiver-distance",
       paramLabel = "M",
-      description = "farthest that the receiver waits from the ball (default the line's end)")
+      description = "largest distance between the receiver and the ball (default the line's end)")
   private Double receiverDistance;
 
   @Option(names = "--drive-speed", paramLabel = "M/S", description = "fastest drive (default 2.5)")
@@ -157,7 +160,8 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "of the kicks' order, and of the simulated field (default ${DEFAULT-VALUE})")
+      description =
+          "seed of the kicks' order and of the simulated field (default ${DEFAULT-VALUE})")
   private long seed = 1;
 
   @Mixin private SimulatedFieldOptions fieldOptions;
@@ -165,25 +169,26 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--troubles",
       paramLabel = "N",
-      description = "simulated field: things that go wrong on the way (default 0)")
+      description = "simulated field: how many things go wrong during the play (default 0)")
   private int troubles;
 
   @Option(
       names = "--pace",
       paramLabel = "X",
-      description = "simulated field: times real time (default as fast as it can)")
+      description =
+          "simulated field: speed in multiples of real time (default as fast as possible)")
   private double pace = Double.POSITIVE_INFINITY;
 
   @Option(
       names = "--referee",
       paramLabel = "ADDR:PORT",
-      description = "simulator: where a referee sends to, whose HALT and STOP are obeyed")
+      description = "simulator: multicast address of a referee whose HALT and STOP are obeyed")
   private String referee;
 
   @Option(
       names = "--interface",
       paramLabel = "NAME",
-      description = "simulator: network interface of both (default all)")
+      description = "simulator: network interface for vision and referee (default all)")
   private String networkInterface;
 
   PlayCommand() {}

@@ -73,10 +73,12 @@ final class PlayText {
 
   private void undecided() {
     String how =
-        undecided.inVain() ? "no kick of this play tells" : "the next kick is chosen to tell";
+        undecided.inVain()
+            ? "no kick of this play can distinguish them"
+            : "the next kick is chosen to distinguish them";
     undecided.causes().forEach(causes -> line("     undecided: %s; %s", causes, how));
     if (undecided.causes().isEmpty()) {
-      line("     nothing is undecided any more");
+      line("     all causes are decided now");
     }
   }
 
@@ -123,7 +125,7 @@ final class PlayText {
   }
 
   private void truth(Calibration calibration, JsonNode truth) {
-    line("%nBeside the truth     %12s %12s %12s", "true", "joint fit", "off by");
+    line("%nAgainst the truth    %12s %12s %12s", "true", "joint fit", "off by");
     for (KickKind kind : KickKind.values()) {
       boolean flat = kind == KickKind.FLAT;
       if (calibration.kicks(kind).isEmpty()) {

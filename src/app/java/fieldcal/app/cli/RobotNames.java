@@ -25,6 +25,6 @@ final class RobotNames {
         return new RobotId(team, Integer.parseInt(digits));
       }
     }
-    throw new IllegalArgumentException("a robot is named like yellow3, not '" + name + "'");
+    throw new IllegalArgumentException("a robot is written like yellow3, not '" + name + "'");
   }
 }

@@ -68,13 +68,16 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "of all luck; same seed, same bytes (default ${DEFAULT-VALUE})")
+      description =
+          "seed of everything random; the same seed gives the same bytes (default"
+              + " ${DEFAULT-VALUE})")
   private long seed = 1;
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "NAME.log or NAME.log.gz; NAME.truth.json and NAME.commands.csv come beside it")
+      description =
+          "NAME.log or NAME.log.gz; NAME.truth.json and NAME.commands.csv are written beside it")
   private Path out;
 
   @Mixin private SimulatedFieldOptions field;
@@ -101,7 +104,10 @@ final class SimulateCommand implements Callable<Integer> {
       description = "ideal physics with these parameters, for example 0.75,0.95,0.52")
   private double[] chipModel;
 
-  @Option(names = "--cameras", paramLabel = "N", description = "1 to 8 (default 4)")
+  @Option(
+      names = "--cameras",
+      paramLabel = "N",
+      description = "number of cameras, 1 to 8 (default 4)")
   private Integer cameras;
 
   @Option(
@@ -113,7 +119,7 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--camera-height",
       paramLabel = "M",
-      description = "metres above the carpet (default 5.3)")
+      description = "height of the cameras above the carpet, metres (default 5.3)")
   private Double cameraHeight;
 
   @Option(
@@ -125,7 +131,9 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--disagreement-mm",
       paramLabel = "MM",
-      description = "by how much neighbouring cameras report the same ball apart (default 0)")
+      description =
+          "distance between the positions that neighbouring cameras report for the same ball"
+              + " (default 0)")
   private Double disagreementMm;
 
   @Option(names = "--division", paramLabel = "A|B", description = "field size (default A)")
@@ -166,7 +174,7 @@ final class SimulateCommand implements Callable<Integer> {
 
   @Option(
       names = "--clean",
-      description = "no lost frames, false balls, jitter, shadows: noise only")
+      description = "noise only: no lost frames, false balls, jitter or shadows")
   private boolean clean;
 
   @Option(

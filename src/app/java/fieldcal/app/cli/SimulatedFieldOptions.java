@@ -19,7 +19,7 @@ final class SimulatedFieldOptions {
       names = "--effect",
       paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
       description =
-          "switches an effect of the simulated field on; may be repeated (simulate --help lists"
+          "switches on an effect of the simulated field; may be repeated (simulate --help lists"
               + " them)")
   private final List<String> effects = new ArrayList<>();
 

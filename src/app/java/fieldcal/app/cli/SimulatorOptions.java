@@ -16,14 +16,16 @@ final class SimulatorOptions {
   @Option(
       names = "--vision",
       paramLabel = "ADDR:PORT",
-      description = "on the network: where the simulator's vision goes (default 224.5.23.2:10020)")
+      description =
+          "on the network: multicast address of the simulator's vision (default 224.5.23.2:10020)")
   private String vision = "224.5.23.2:10020";
 
   @Option(
       names = "--port",
       paramLabel = "PORT",
       description =
-          "on the network: the simulator's control; blue and yellow follow (default 10300)")
+          "on the network: the simulator's control port; those of blue and yellow follow (default"
+              + " 10300)")
   private int port = SimulatorPorts.LEAGUE.control();
 
   RobotId[] robots() {

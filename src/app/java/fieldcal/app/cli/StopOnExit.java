@@ -51,7 +51,7 @@ final class StopOnExit implements AutoCloseable {
     if (!ended) {
       return String.format(
           Locale.ROOT,
-          "interrupted, but the robots were not seen to stop for %d s: see to it",
+          "interrupted, but the robots were not seen to stop within %d s: check that they stand",
           PATIENCE / 1000);
     }
     if (session.snapshot().isEmpty()) {

@@ -88,7 +88,8 @@ record Decision(Action action, List<Integer> kicks, String reason, OptionalLong 
       case NO_TWO_SIGMA ->
           history.change("leaving 2σ out", now.withTwoSigmaRounds(OptionalInt.of(0)));
       case ALL_TWO_SIGMA ->
-          history.change("2σ until nothing leaves", now.withTwoSigmaRounds(OptionalInt.empty()));
+          history.change(
+              "2σ until no value is beyond it", now.withTwoSigmaRounds(OptionalInt.empty()));
       case UNDO -> history.undo();
       case REDO -> history.redo();
     }
@@ -101,7 +102,7 @@ record Decision(Action action, List<Integer> kicks, String reason, OptionalLong 
   private static void twoSigma(CalibrationOutcome outcome, SelectionHistory history) {
     HandSelection now = history.now();
     if (KickDesk.wouldLeave(outcome) == 0) {
-      throw ApiException.conflict("Nothing is beyond 2σ any more: no value leaves.");
+      throw ApiException.conflict("No value is beyond 2σ any more.");
     }
     int round = now.twoSigmaRounds().orElseThrow() + 1;
     history.change("round " + round + " of 2σ", now.withTwoSigmaRounds(OptionalInt.of(round)));

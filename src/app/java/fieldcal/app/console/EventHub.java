@@ -62,7 +62,7 @@ final class EventHub {
     Window window = new Window();
     synchronized (this) {
       if (closed || windows.size() >= MOST_WINDOWS) {
-        throw new ApiException(503, "too many windows are open, or the console ends");
+        throw new ApiException(503, "too many windows are open, or the console is ending");
       }
       windows.add(window);
     }

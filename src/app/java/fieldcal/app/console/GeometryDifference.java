@@ -41,7 +41,7 @@ final class GeometryDifference {
           String.format(
               Locale.ROOT,
               "Vision's field is %.2f × %.2f m, that of the recordings %.2f × %.2f m: these kicks"
-                  + " are of another field.",
+                  + " are from another field.",
               now.length(),
               now.width(),
               recorded.length(),
@@ -56,15 +56,14 @@ final class GeometryDifference {
               recorded.goalWidth()));
     }
     missing(recorded, now)
-        .ifPresent(
-            ids -> all.add("Vision does not have " + ids + " any more, which the recordings do."));
+        .ifPresent(ids -> all.add("Vision no longer has " + ids + ", which the recordings have."));
     missing(now, recorded)
-        .ifPresent(ids -> all.add("Vision has " + ids + ", which the recordings do not."));
+        .ifPresent(ids -> all.add("Vision has " + ids + ", which the recordings lack."));
     for (CameraCalibration camera : now.cameras()) {
       recorded
           .camera(camera.id())
           .flatMap(before -> change(before, camera))
-          .ifPresent(how -> all.add("Camera " + camera.id() + " was calibrated anew: " + how));
+          .ifPresent(how -> all.add("Camera " + camera.id() + " was calibrated again: " + how));
     }
     return List.copyOf(all);
   }
@@ -85,7 +84,7 @@ final class GeometryDifference {
     List<String> how = new ArrayList<>();
     double moved = moved(before, now);
     if (moved > SAME_PLACE) {
-      how.add(String.format(Locale.ROOT, "it hangs %.0f mm elsewhere", 1000 * moved));
+      how.add(String.format(Locale.ROOT, "it has moved by %.0f mm", 1000 * moved));
     }
     double turned = turned(before, now);
     if (turned > SAME_ROTATION) {
@@ -95,12 +94,12 @@ final class GeometryDifference {
         Math.abs(now.focalLength() - before.focalLength())
             > SAME_LENS * Math.abs(before.focalLength());
     if (focal || Math.abs(now.distortion() - before.distortion()) > SAME_LENS) {
-      how.add("its lens is another");
+      how.add("its lens is different");
     }
     return how.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            String.join(", ", how) + ". What the recordings say of its offset no longer holds.");
+            String.join(", ", how) + ". Its offset in the recordings is no longer valid.");
   }
 
   private static double moved(CameraCalibration before, CameraCalibration now) {

@@ -273,7 +273,7 @@ final class KickDesk {
   private void requireSeen(long seen) {
     if (seen != decisions) {
       throw ApiException.conflict(
-          "Another window decided something in the meantime. Look again, then repeat.");
+          "A decision was made in another window in the meantime. Look again, then repeat it.");
     }
   }
 

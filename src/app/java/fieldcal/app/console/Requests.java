@@ -33,7 +33,7 @@ final class Requests {
     try {
       body = MAPPER.readTree(bytes);
     } catch (JsonProcessingException e) {
-      throw ApiException.badRequest("the request is no valid JSON: " + e.getOriginalMessage());
+      throw ApiException.badRequest("the request is not valid JSON: " + e.getOriginalMessage());
     }
     if (body == null || !body.isObject()) {
       throw ApiException.badRequest("the request must be a JSON object");

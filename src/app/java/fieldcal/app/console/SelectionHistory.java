@@ -21,7 +21,7 @@ final class SelectionHistory {
     return now;
   }
 
-  /** Decisions of an earlier run; nothing to take back. */
+  /** Decisions of an earlier run; nothing to undo. */
   void restart(HandSelection selection) {
     undo.clear();
     redo.clear();
@@ -46,11 +46,11 @@ final class SelectionHistory {
   }
 
   void undo() {
-    step(undo, redo, "nothing to take back");
+    step(undo, redo, "nothing to undo");
   }
 
   void redo() {
-    step(redo, undo, "nothing to do again");
+    step(redo, undo, "nothing to redo");
   }
 
   private void step(Deque<Step> from, Deque<Step> to, String nothing) {

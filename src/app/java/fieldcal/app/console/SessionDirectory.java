@@ -65,7 +65,7 @@ final class SessionDirectory {
       Files.createDirectory(path);
     }
     if (!Files.isReadable(path) || !Files.isExecutable(path)) {
-      throw new InputException(path + ": is no directory that can be read");
+      throw new InputException(path + ": is not a directory that can be read");
     }
     return new SessionDirectory(path);
   }

@@ -113,7 +113,7 @@ record SessionNotes(
     } catch (IOException e) {
       // Told below: another program's file.
     }
-    throw new InputException(file + ": no notes of a console (schema " + SCHEMA + ")");
+    throw new InputException(file + ": not the notes of a console (schema " + SCHEMA + ")");
   }
 
   void write(Path directory) throws IOException {

@@ -81,23 +81,23 @@ final class VisionDesk {
             : Optional.empty();
       }
       if (ended) {
-        return Optional.of("Nothing was heard before the listening was ended.");
+        return Optional.of("Nothing was received before listening was stopped.");
       }
       if (frames > 0) {
         return Optional.of(
             "Vision sends frames of "
                 + (cameras.size() == 1 ? "camera " : "cameras ")
                 + cameras.stream().map(String::valueOf).collect(Collectors.joining(", "))
-                + ", but sent no geometry: listened to "
+                + ", but no geometry: listened to "
                 + listened
-                + ". Listen longer, or switch publishing the geometry on in vision.");
+                + ". Listen longer, or let vision publish its geometry.");
       }
       return Optional.of(
           senders.isEmpty()
-              ? "Vision is silent: nothing came in, listened to "
+              ? "Vision is silent: nothing was received, listened to "
                   + listened
-                  + ". Is this the address it sends to, and does it run?"
-              : "Something is sent there, but not by vision: listened to " + listened + ".");
+                  + ". Is this its address, and is it running?"
+              : "Packets arrive there, but not from vision: listened to " + listened + ".");
     }
   }
 
@@ -111,7 +111,7 @@ final class VisionDesk {
     String vision = Requests.text(body, "vision", LONGEST_PLACE).strip();
     long seconds = Requests.number(body, "seconds").orElse(USUAL_SECONDS);
     if (seconds < 1 || seconds > MOST_SECONDS) {
-      throw ApiException.badRequest("seconds must be 1 to " + MOST_SECONDS);
+      throw ApiException.badRequest("seconds must be from 1 to " + MOST_SECONDS);
     }
     NetworkPlace place;
     try {

@@ -144,7 +144,7 @@ final class WebServer {
             || request.path().equals("/api/token")
             || request.path().startsWith("/assets/");
     if (!open && !guard.isKnown(request)) {
-      throw new ApiException(401, "the token is missing or wrong: open the console's page anew");
+      throw new ApiException(401, "the token is missing or wrong: reload the console's page");
     }
   }
 
@@ -162,7 +162,7 @@ final class WebServer {
 
   private void token(Context request) throws IOException {
     if (!guard.isToken(Requests.text(Requests.body(request), "token", 1000))) {
-      throw new ApiException(401, "this is not the token");
+      throw new ApiException(401, "this token is wrong");
     }
     guard.welcome(request);
     json(request, "{}");

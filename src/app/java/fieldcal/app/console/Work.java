@@ -66,7 +66,7 @@ final class Work {
         .ifPresent(
             busy -> {
               throw ApiException.conflict(
-                  "busy with “" + busy.title + "”: wait for its end, or cancel it");
+                  "busy with “" + busy.title + "”: wait until it ends, or cancel it");
             });
     put(new Job(task, new Progress(title, true)));
   }

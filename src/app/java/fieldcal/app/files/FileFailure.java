@@ -31,10 +31,10 @@ public final class FileFailure {
       return "may not be read or written";
     }
     if (e instanceof FileAlreadyExistsException) {
-      return "is there already, and is not what it should be";
+      return "exists already and is of another type";
     }
     if (e instanceof NotDirectoryException) {
-      return "is no directory";
+      return "is not a directory";
     }
     return e.getClass().getSimpleName().replace("Exception", "");
   }

@@ -119,7 +119,7 @@ public final class LimitsSession {
                 log.toString(),
                 "named twice; read once",
                 1,
-                "the same movements twice would only shrink the errors"));
+                "counting the same movements twice would only make the errors too small"));
       }
     }
     return different;

@@ -74,8 +74,7 @@ record RecordedMovement(
               log.toString(),
               "no referee message in the recording",
               1,
-              "everything was counted, also what is no play; breaks may lower or spoil the"
-                  + " limits"));
+              "everything was counted, including breaks, which may falsify the limits"));
     } else if (observer.statistics().counted() == 0) {
       list.add(
           new DataProblem(
@@ -85,7 +84,7 @@ record RecordedMovement(
       list.add(
           new DataProblem(
               log.toString(),
-              "detections that cannot be the robot they name",
+              "detections that cannot be of the robot they name",
               observer.statistics().refused(),
               "exchanged identities or jumps; they were left out"));
     }

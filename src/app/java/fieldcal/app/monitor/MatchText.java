@@ -98,11 +98,11 @@ final class MatchText {
 
   private static String referee(MatchStatus status) {
     if (status.referee().isEmpty()) {
-      return "no referee messages: everything counts, also what is no play";
+      return "no referee messages: everything counts, including breaks";
     }
     RefereeState r = status.referee().get();
     String counts =
-        status.snapshot().phase().counts() ? "play counts" : "no play, nothing counts now";
+        status.snapshot().phase().counts() ? "play counts" : "not in play, nothing counts now";
     return String.format(
         Locale.ROOT,
         "%s, %s: %s   %s %d : %d %s",
@@ -141,7 +141,7 @@ final class MatchText {
     String dropped = c.dropped() > 0 ? ", " + c.dropped() + " dropped" : "";
     add(
         lines,
-        "BALL     %d kicks: %d used, %d say nothing, %d waiting%s%s",
+        "BALL     %d kicks: %d used, %d determine nothing, %d waiting%s%s",
         c.found(),
         c.used(),
         c.unused(),
@@ -154,9 +154,9 @@ final class MatchText {
         "",
         "median",
         "published",
-        "ball does",
+        "measured",
         "kicks",
-        "half are within");
+        "middle half");
     for (ParameterEstimate e : ball.parameters()) {
       lines.add(parameter(e));
     }
@@ -174,7 +174,7 @@ final class MatchText {
             e.published().map(MatchText::value).orElse("–"),
             e.enough() ? deviation(e) : e.samples() == 0 ? "" : "too few yet",
             e.enough() ? "" + e.samples() : e.samples() + "/" + SampleTree.ENOUGH,
-            e.maybeSpun() ? "dribbled: spin?" : within)
+            e.maybeSpun() ? "may have spin" : within)
         .stripTrailing();
   }
 
@@ -233,11 +233,13 @@ final class MatchText {
         sentence(lines, named, width);
       }
     }
-    add(
-        lines,
-        "  since %s%s; in brackets the league's, with the noise",
-        clock(movement.countingSince()),
-        movement.breaks() > 0 ? ", anew after a break" : "");
+    String since =
+        String.format(
+            Locale.ROOT,
+            "  since %s%s; in brackets: the league's estimate, with noise",
+            clock(movement.countingSince()),
+            movement.breaks() > 0 ? " (last break)" : "");
+    lines.add(since);
   }
 
   private static String limit(LimitEstimate own, LimitEstimate league) {
@@ -286,7 +288,7 @@ final class MatchText {
     if (s.strayFrames() > 0 || s.clockJumps() > 0) {
       add(
           lines,
-          "  %d frames with a time that fits to no other; time began anew %d times",
+          "  %d frames with times that fit no other; the clock restarted %d times",
           s.strayFrames(),
           s.clockJumps());
     }
@@ -324,6 +326,6 @@ final class MatchText {
         k.speed(),
         k.robot().map(Object::toString).orElse("unknown"),
         what,
-        k.possiblySpinning() ? " (spin?)" : "");
+        k.possiblySpinning() ? " (may have spin)" : "");
   }
 }

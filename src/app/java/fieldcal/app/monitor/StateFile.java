@@ -31,7 +31,8 @@ public final class StateFile {
     }
     JsonNode root = JsonFiles.read(file);
     if (!root.isObject()) {
-      throw new InputException(file + ": is no state of monitor; name another file for --state");
+      throw new InputException(
+          file + ": is not a state file of monitor; name another file for --state");
     }
     try {
       return LiveStateDocument.read(MAPPER.convertValue(root, Map.class));
@@ -59,7 +60,7 @@ public final class StateFile {
           file
               + ": cannot be written, because "
               + place
-              + " is no directory that may be written to");
+              + " is not a directory that may be written to");
     }
   }
 

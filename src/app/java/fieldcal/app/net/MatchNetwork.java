@@ -173,9 +173,9 @@ public final class MatchNetwork implements AutoCloseable {
     }
     if (counts.silentFor() > PATIENCE) {
       line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
-      line.append(", joined anew ").append(counts.rejoined()).append(" times");
+      line.append(", joined again ").append(counts.rejoined()).append(" times");
       if (counts.received() == 0) {
-        line.append("; address, port, --interface right?");
+        line.append("; check address, port and --interface");
       }
     }
     counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));
@@ -205,10 +205,10 @@ public final class MatchNetwork implements AutoCloseable {
       line.append(", cameras ").append(s.cameras().toString().replaceAll("[\\[\\]]", ""));
     }
     if (s.ignored() > 0) {
-      line.append(", ").append(s.ignored()).append(" ignored: another sender says the same");
+      line.append(", ").append(s.ignored()).append(" ignored: another sender has the same cameras");
     }
     if (s.wrong() > 0) {
-      line.append(", ").append(s.wrong()).append(" are no message that belongs here");
+      line.append(", ").append(s.wrong()).append(" of another protocol");
     }
     if (s.silentFor() > PATIENCE) {
       line.append(String.format(Locale.ROOT, ", silent for %.0f s", s.silentFor()));

@@ -28,7 +28,7 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
   public NetworkPlace {
     Objects.requireNonNull(networkInterface, "networkInterface");
     if (address.isUnresolved()) {
-      throw new IllegalArgumentException("'" + address.getHostString() + "' is no address");
+      throw new IllegalArgumentException("'" + address.getHostString() + "' is not an address");
     }
   }
 
@@ -44,7 +44,7 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
     int colon = text.lastIndexOf(':');
     if (colon <= 0) {
       throw new IllegalArgumentException(
-          "'" + text + "' is no address with a port, like 224.5.23.2:10006");
+          "'" + text + "' is not an address with a port, like 224.5.23.2:10006");
     }
     int port;
     try {
@@ -54,7 +54,7 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
     }
     if (port < 0 || port > 65535) {
       throw new IllegalArgumentException(
-          "'" + text.substring(colon + 1) + "' is no port; 0 to 65535 are");
+          "'" + text.substring(colon + 1) + "' is not a port; ports are 0 to 65535");
     }
     String host = text.substring(0, colon);
     try {
@@ -65,7 +65,7 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
       return new NetworkPlace(
           new InetSocketAddress(address, port), Optional.ofNullable(networkInterface));
     } catch (UnknownHostException e) {
-      throw new IllegalArgumentException("'" + host + "' is no address", e);
+      throw new IllegalArgumentException("'" + host + "' is not an address", e);
     } catch (SocketException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }

@@ -7,7 +7,7 @@ import java.util.Optional;
  *
  * @param received packets
  * @param dropped of these, those that nobody took in time; always the oldest
- * @param rejoined how often the group was joined anew because nothing came or the network was away
+ * @param rejoined how often the group was joined again because nothing came or the network was away
  * @param silentFor time since the last packet, or since the beginning when there was none, s
  * @param problem what is wrong with the network now
  */

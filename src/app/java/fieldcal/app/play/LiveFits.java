@@ -112,7 +112,7 @@ final class LiveFits {
         results.set(i, fitted(open.played(), kick.get()));
         judged.add(results.get(i));
       } else if (now - open.played().ended() > FINDER_LAG) {
-        results.set(i, bad(open.played(), Optional.empty(), "no kick is found in the detections"));
+        results.set(i, bad(open.played(), Optional.empty(), "no kick was found in the detections"));
         judged.add(results.get(i));
       }
     }
@@ -150,7 +150,7 @@ final class LiveFits {
       return bad(played, there, fit.failure().get());
     }
     if (fit.rmsMm() > Math.max(BAD_FIT, WORSE_THAN_OTHERS * typicalRms())) {
-      String how = String.format(Locale.ROOT, "fits to %.0f mm only", fit.rmsMm());
+      String how = String.format(Locale.ROOT, "the fit is poor, %.0f mm rms", fit.rmsMm());
       return bad(played, there, how);
     }
     // What a chip's roll is, flat kicks say.

@@ -100,7 +100,7 @@ public final class KickCollector {
                 log.toString(),
                 "named twice; read once",
                 1,
-                "the same kicks twice would only shrink the errors"));
+                "counting the same kicks twice would only make the errors too small"));
         continue;
       }
       try (RecordingReader recording =
@@ -175,9 +175,9 @@ public final class KickCollector {
             id ->
                 problems.add(new DataProblem(log + ", camera " + id, "never saw the ball", 1, "")));
     KickFinderCounts counts = one.finder.counts();
-    count(log, counts.deflections(), "balls that only bounced off a robot, no kicks");
-    count(log, counts.carried(), "balls that a robot pushed or dribbled, no kicks");
-    count(log, counts.tooShort(), "kicks of which too little was seen");
+    count(log, counts.deflections(), "balls that only bounced off a robot: not kicks");
+    count(log, counts.carried(), "balls that a robot pushed or dribbled: not kicks");
+    count(log, counts.tooShort(), "kicks that were seen too briefly");
     one.clocks.forEach((id, clock) -> addClock(log, id, clock));
     if (one.finder.counts().recordingGaps() > 0) {
       problems.add(
@@ -242,7 +242,7 @@ public final class KickCollector {
         problems.add(
             new DataProblem(
                 log.toString(),
-                "another field than in the recording before",
+                "the field differs from that of the previous recording",
                 1,
                 "a ball model holds for one carpet; calibrate each field on its own"));
       }
@@ -252,7 +252,10 @@ public final class KickCollector {
       } else if (!models.equals(published) && !models.equals(BallModels.NONE)) {
         problems.add(
             new DataProblem(
-                log.toString(), "another published model than before", 1, "compared is the first"));
+                log.toString(),
+                "the published model differs from that of the previous recording",
+                1,
+                "the first one is used for the comparison"));
       }
       Map<Integer, Camera> known = new HashMap<>();
       for (CameraCalibration c : next.cameras()) {
@@ -278,9 +281,9 @@ public final class KickCollector {
         problems.add(
             new DataProblem(
                 log.toString(),
-                "camera " + c.id() + " has another calibration than before",
+                "camera " + c.id() + " has another calibration than in the previous recording",
                 1,
-                "it is called camera " + number + " here"));
+                "it is treated as camera " + number + " here"));
       }
       return number;
     }
@@ -298,7 +301,7 @@ public final class KickCollector {
                 log + ", camera " + number,
                 unusable.getMessage(),
                 1,
-                "its view of airborne balls cannot be used; calibrate it"));
+                "its view of flying balls cannot be used; calibrate the camera"));
       }
     }
 

@@ -78,7 +78,7 @@ public record Verdict(Advice advice, String title, List<String> lines) {
       lines.add(
           "None of the kicks found ("
               + report.kicks().size()
-              + ") could be used: see below why each was dropped.");
+              + ") could be used: the table of kicks gives the reasons.");
     }
     return new Verdict(advice, "Ball calibration: " + sources(report), lines);
   }
@@ -156,13 +156,13 @@ public record Verdict(Advice advice, String title, List<String> lines) {
           case PUBLISH -> " — publish it";
           case KEEP -> " — nothing to do";
           case CHECK ->
-              " — but average and joint fit disagree in "
+              " — but the mean and the joint fit disagree in "
                   + estimated.stream()
                       .filter(Verdict::isTorn)
                       .map(ModelParameter::name)
                       .collect(Collectors.joining(", "))
-                  + ": the model does not hold for all kicks, look at their residuals before you"
-                  + " publish";
+                  + ": the model does not hold for all kicks. Look at their residuals, or run"
+                  + " diagnose, before you publish";
           case RECORD_MORE -> " — " + uncertainty(estimated);
           case NO_KICKS -> "";
         };

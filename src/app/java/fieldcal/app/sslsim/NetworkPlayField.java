@@ -139,7 +139,7 @@ public final class NetworkPlayField implements PlayField {
     }
     client.listen();
     if (clockJumped) {
-      throw new IOException("vision's clock went back; was the simulator started anew?");
+      throw new IOException("vision's clock went back; was the simulator restarted?");
     }
     double since = (System.nanoTime() - newestArrived) * 1e-9;
     double estimate = Double.isNaN(newestFrame) ? wallClock() : newestFrame + since;
@@ -196,7 +196,7 @@ public final class NetworkPlayField implements PlayField {
   public List<String> notes() {
     List<String> notes = new ArrayList<>(network.notes());
     if (Double.isNaN(newestFrame)) {
-      notes.add("does the simulator run, and send its vision to " + network + "?");
+      notes.add("is the simulator running, and does it send its vision to " + network + "?");
     }
     notes.addAll(client.notes());
     return notes;

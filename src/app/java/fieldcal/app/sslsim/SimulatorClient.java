@@ -53,10 +53,10 @@ final class SimulatorClient implements Closeable {
     try {
       address = InetAddress.getByName(host);
     } catch (UnknownHostException e) {
-      throw new IOException("'" + host + "' is no host that can be found", e);
+      throw new IOException("'" + host + "' is not a known host", e);
     }
     String name = host + ", ports " + ports.control() + " to " + ports.yellow();
-    silence = "no simulator answers at " + name + ": right host, right --port?";
+    silence = "no simulator answers at " + name + ": check the host and --port";
     control = open(address, ports.control());
     blue = open(address, ports.blue());
     yellow = open(address, ports.yellow());

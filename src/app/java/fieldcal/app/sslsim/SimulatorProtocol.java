@@ -181,7 +181,7 @@ final class SimulatorProtocol {
   }
 
   static byte[] unreadable(boolean ofControl) {
-    SimulatorError error = error("UNREADABLE", "this is no message of the simulation protocol");
+    SimulatorError error = error("UNREADABLE", "this is not a message of the simulation protocol");
     return ofControl
         ? SimulatorResponse.newBuilder().addErrors(error).build().toByteArray()
         : RobotControlResponse.newBuilder().addErrors(error).build().toByteArray();

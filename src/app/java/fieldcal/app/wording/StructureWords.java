@@ -20,7 +20,7 @@ public final class StructureWords {
       case Y -> "the place across the field (y)";
       case DIRECTION -> "the direction of travel";
       case HEIGHT -> "the height of the ball";
-      case CAMERA -> "which camera looks";
+      case CAMERA -> "which camera sees the ball";
       case IMAGE_COLUMN -> "the column in the image";
       case IMAGE_ROW -> "the row in the image";
       case SESSION_TIME -> "the time since the session began";
@@ -65,7 +65,8 @@ public final class StructureWords {
       case HEIGHT -> "Record chips of different height on one line, and flat kicks on the same.";
       case CAMERA, IMAGE_COLUMN, IMAGE_ROW ->
           "Record flat kicks that cross the whole view of each camera, lengthwise and crosswise.";
-      case SESSION_TIME -> "Repeat the same ten kicks at the begin and at the end of the session.";
+      case SESSION_TIME ->
+          "Repeat the same ten kicks at the beginning and at the end of the session.";
       case ROBOT -> "Let each robot do the same kicks from the same place.";
     };
   }

@@ -143,7 +143,7 @@ function showEmpty() {
   const words = !state ? ['Connecting …', []]
     : busy() ? ['Reading the recordings …', [el('p', {}, state.work.text), progress(state.work.done, state.work.total)]]
     : state.failure ? ['The recordings cannot be used', [el('p', {}, state.failure), button('Read again', () => run('read'))]]
-    : ['No recording yet', [el('p', {}, 'Put game logs (*.log, *.log.gz) into ' + state.directory + '; they are calibrated together.'), button('Look again', () => run('read'))]];
+    : ['No recording yet', [el('p', {}, 'Put game logs (*.log, *.log.gz) into ' + state.directory + '. All of them are calibrated together.'), button('Look again', () => run('read'))]];
   $('empty-title').textContent = words[0];
   $('empty-text').replaceChildren(...words[1]);
 }

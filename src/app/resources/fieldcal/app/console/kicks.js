@@ -57,13 +57,13 @@ export function kicksPage(app) {
   function showRules() {
     const {rounds, leftOut, wouldLeave, undo, redo} = state().selection;
     const values = n => n + (n === 1 ? ' value' : ' values');
-    const words = rounds === null ? '2σ rule: until nothing leaves, ' + values(leftOut) + ' left out'
+    const words = rounds === null ? '2σ rule: repeated until no value is beyond 2σ, ' + values(leftOut) + ' excluded'
       : rounds === 0 ? '2σ rule: not applied' + (wouldLeave ? ', ' + values(wouldLeave) + ' beyond 2σ' : '')
-      : '2σ rule: ' + rounds + (rounds === 1 ? ' round, ' : ' rounds, ') + values(leftOut) + ' left out' + (wouldLeave ? '' : ', nothing more beyond 2σ');
+      : '2σ rule: ' + rounds + (rounds === 1 ? ' round, ' : ' rounds, ') + values(leftOut) + ' excluded' + (wouldLeave ? '' : ', no other beyond 2σ');
     refill($('rules'), 
-      button('2σ' + (wouldLeave ? ' (' + wouldLeave + ' would leave)' : ''), twoSigma, {key: 's', id: 'two-sigma', title: 'One more round: what is more than 2σ from the mean leaves', disabled: wouldLeave === 0}),
+      button('2σ' + (wouldLeave ? ' (' + wouldLeave + ' beyond)' : ''), twoSigma, {key: 's', id: 'two-sigma', title: 'One more round: excludes values more than 2σ from the mean', disabled: wouldLeave === 0}),
       el('div', {class: 'choices', role: 'group', 'aria-label': '2σ rule'},
-        button('until nothing leaves', () => app.decide('all_two_sigma'), {id: 'all-two-sigma', pressed: rounds === null}),
+        button('until none is beyond', () => app.decide('all_two_sigma'), {id: 'all-two-sigma', pressed: rounds === null}),
         button('without', () => app.decide('no_two_sigma'), {id: 'no-two-sigma', pressed: rounds === 0, title: 'Start again from all values; then press 2σ as often as you like'})),
       el('span', {id: 'rule-words'}, words));
     refill($('steps'),
@@ -289,7 +289,7 @@ export function kicksPage(app) {
   function actionsOf(kick) {
     const ids = [kick.id], why = CalibrationViews.whyDropped(kick);
     const rules = button('Leave it to the rules', () => app.decide('auto', {kicks: ids}), {id: 'auto', key: 'r'});
-    const keep = button(kick.selected ? 'Use all its values' : 'Use it all the same', () => app.decide('keep', {kicks: ids}), {id: 'keep', key: 'r'});
+    const keep = button(kick.selected ? 'Use all its values' : 'Use it anyway', () => app.decide('keep', {kicks: ids}), {id: 'keep', key: 'r'});
     const dropIt = button('Drop', () => drop(ids), {id: 'drop', key: 'd', strong: true});
     if (hand(kick.id) === 'drop') return [button('Restore', () => app.decide('auto', {kicks: ids}), {id: 'restore', key: 'r', strong: true})];
     if (hand(kick.id) === 'keep') return [dropIt, rules];
@@ -310,7 +310,7 @@ export function kicksPage(app) {
     j: () => table.step(1), k: () => table.step(-1), d: press('drop-marked', 'drop'), r: press('restore-marked', 'restore', 'auto', 'keep'),
     s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
   };
-  page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick; with shift, the arrows mark on their way'], ['Esc', 'no marks'],
+  page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick; shift and an arrow mark several'], ['Esc', 'clear all marks'],
     ['s', 'one more round of 2σ'], ['u, U', 'undo, redo'], ['f', 'write a reason; Enter drops with it']];
   return page;
 }

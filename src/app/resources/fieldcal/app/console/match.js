@@ -45,7 +45,7 @@ export function matchPage(app) {
         select('watch-recording', recordings.map(name => [name, name]), order.recording, value => { order.recording = value; }),
         select('watch-speed', [['0', 'as fast as possible'], ['1', 'at its own speed'], ['10', '10 times as fast']], order.speed, value => { order.speed = value; })]),
       ...(app.state.calibration ? [el('label', {title: 'instead of what vision publishes'}, el('input', {type: 'checkbox', id: 'watch-own', checked: order.own ? '' : null, onchange: event => { order.own = event.target.checked; }}), " compare with this session's model")] : []),
-      ...['yellow', 'blue'].map(team => el('label', {title: 'what the robots of ' + team + ' are configured to do: velocity m/s, acceleration and braking m/s²; warns when they do otherwise'}, team + ' limits ', text(team, 15, 'speed, acc., braking'))),
+      ...['yellow', 'blue'].map(team => el('label', {title: 'what the robots of ' + team + ' are configured to do: velocity m/s, acceleration and braking m/s²; warns when they move differently'}, team + ' limits ', text(team, 15, 'speed, acc., braking'))),
       el('button', {type: 'submit', id: 'watch-start', class: 'strong'}, 'Watch'));
   }
 
@@ -62,7 +62,7 @@ export function matchPage(app) {
     const rows = [];
     if (match().failure) rows.push(el('p', {class: 'notice bad'}, match().failure));
     if (!now) {
-      if (!match().failure) rows.push(el('p', {}, match().running ? 'Waiting for the first frame …' : 'Watches a match: whether the ball still does what is published, what the robots of both teams can do, how well the cameras are.'));
+      if (!match().failure) rows.push(el('p', {}, match().running ? 'Waiting for the first frame …' : 'Watches a match: whether the ball still moves as published, how fast the robots of both teams are, and how good the cameras are.'));
       $('watch-state').replaceChildren(...rows);
       return;
     }
@@ -81,14 +81,14 @@ export function matchPage(app) {
     const r = now.referee;
     const words = r ? r.stage + ', ' + r.command + '; ' + (r.yellow || 'yellow') + ' ' + r.yellowScore + ' : ' + r.blueScore + ' ' + (r.blue || 'blue') : 'no referee: everything counts';
     const c = now.kickCounts;
-    return el('p', {id: 'watch-line'}, badge(match().running ? 'good' : 'warn', match().running ? '● watching' : 'ended'), ' ' + clock(now.time) + ' UTC · ' + words + (now.counts ? '' : ' (no play, nothing counts)'),
-      ' · ' + c.found + ' kicks, ' + c.used + ' used, ' + c.unused + ' say nothing' + (c.waiting ? ', ' + c.waiting + ' waiting' : ''),
+    return el('p', {id: 'watch-line'}, badge(match().running ? 'good' : 'warn', match().running ? '● watching' : 'ended'), ' ' + clock(now.time) + ' UTC · ' + words + (now.counts ? '' : ' (not in play, nothing counts)'),
+      ' · ' + c.found + ' kicks, ' + c.used + ' used, ' + c.unused + ' determine nothing' + (c.waiting ? ', ' + c.waiting + ' waiting' : ''),
       el('span', {class: 'note'}, ' · ' + now.title + (now.notes.length ? ': ' + now.notes.join('; ') : '')));
   }
 
   function showMedians(now) {
-    $('medians-legend').replaceChildren(el('span', {}, swatch('line', theme.accent), 'median'), el('span', {}, swatch('band', theme.accent), 'half of the kicks'), el('span', {}, swatch('dashes', theme.text), 'published'),
-      el('span', {}, swatch('band', theme.good), '± 20 %'), el('span', {}, 'an estimate from ' + now.enough + ' kicks on'));
+    $('medians-legend').replaceChildren(el('span', {}, swatch('line', theme.accent), 'median'), el('span', {}, swatch('band', theme.accent), 'middle half of the kicks'), el('span', {}, swatch('dashes', theme.text), 'published'),
+      el('span', {}, swatch('band', theme.good), '± 20 %'), el('span', {}, 'estimate from ' + now.enough + ' kicks on'));
     const box = content('medians');
     // A kind that nobody kicked yet would only show empty plots.
     const kinds = ['flat', 'chip'].filter(kind => now.parameters.some(p => p.kind === kind && p.samples > 0));
@@ -134,8 +134,8 @@ export function matchPage(app) {
 
   function showKicks(now) {
     const rows = [...now.kicks].reverse().map(k => el('tr', {}, el('td', {}, k.id), el('td', {class: 'text'}, clock(k.time)), el('td', {class: 'text'}, k.kind), el('td', {}, number(k.speed, 1)), el('td', {class: 'text'}, k.robot), el('td', {}, number(k.rmsMm, 1)),
-      el('td', {class: 'text wrap'}, (k.unused ? k.unused : k.says.join(', ')) + (k.spin ? ' (may spin)' : ''))));
-    content('last-kicks').replaceChildren(rows.length ? table([['#'], ['UTC', true], ['Kind', true], ['m/s'], ['Robot', true], ['mm', false, 'Residual per axis'], ['Says something of', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
+      el('td', {class: 'text wrap'}, (k.unused ? k.unused : k.says.join(', ')) + (k.spin ? ' (may have spin)' : ''))));
+    content('last-kicks').replaceChildren(rows.length ? table([['#'], ['UTC', true], ['Kind', true], ['m/s'], ['Robot', true], ['mm', false, 'Residual per axis'], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
   }
 
   const limit = l => !l || !known(l.value) ? '–' : (l.reached ? '' : '≥ ') + number(l.value, 2) + ' ± ' + number(l.error, 2);
@@ -144,7 +144,7 @@ export function matchPage(app) {
     const rows = now.teams.flatMap(t => [
       el('tr', {}, el('td', {class: 'text'}, t.team + (t.beforeBreak ? ' (before the break)' : '')), ...['velocity', 'acceleration', 'braking'].map(what => el('td', {title: t[what] && known(t[what].league) ? "the league's estimate: " + number(t[what].league, 2) : null}, limit(t[what])))),
       ...(t.deviations || []).map(words => el('tr', {}, el('td', {class: 'text wrap', colspan: 4}, words)))]);
-    content('teams').replaceChildren(table([['Team', true], ['Velocity m/s'], ['Acceleration m/s²'], ['Braking m/s²']], rows), el('p', {class: 'note'}, '≥: never seen at their limit.'));
+    content('teams').replaceChildren(table([['Team', true], ['Velocity m/s'], ['Acceleration m/s²'], ['Braking m/s²']], rows), el('p', {class: 'note'}, '≥: never seen at the limit; the highest value that was seen.'));
   }
 
   function showCameras(now) {

@@ -4,11 +4,11 @@ import {button, confirmed, field, refill, renew, select, table} from './parts.js
 
 const {el, known, number, withError, fieldView, extent} = Charts;
 const {$, content, draw, charts, badge, swatch} = Frame;
-const PACES = [['1', 'real time'], ['4', '4 × real time'], ['0', 'as fast as it can']];
-const CHOICES = [['spread', 'spread'], ['adaptive', 'where they tell most']];
+const PACES = [['1', 'real time'], ['4', '4 × real time'], ['0', 'as fast as possible']];
+const CHOICES = [['spread', 'spread'], ['adaptive', 'most informative']];
 
 export function playPage(app) {
-  const page = {id: 'play', title: 'Play', always: true, show, told: showStatus, resized: () => showField(true), keys: {}, keyWords: [['p', 'pause the play, or let it go on']], badge: () => app.state && app.state.play && play().running ? ' ●' : ''};
+  const page = {id: 'play', title: 'Play', always: true, show, told: showStatus, resized: () => showField(true), keys: {}, keyWords: [['p', 'pause the play, or resume it']], badge: () => app.state && app.state.play && play().running ? ' ●' : ''};
   const order = {field: 'simulated', host: 'localhost', port: 10300, vision: '224.5.23.2:10020', referee: '', kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, choice: 'spread', seed: 1, pace: '4'};
   let theme, built = '', plan = null, planFailure = null, shape = '', planning = 0;
 
@@ -94,7 +94,7 @@ export function playPage(app) {
     const word = what => () => app.run('play/word', {word: what});
     const pausing = Boolean(status() && status().paused);
     renew($('play-words'), [play().running, pausing], () => (play().running ? [
-      pausing ? button('▶ Go on', word('resume'), {id: 'play-resume', key: 'p', strong: true}) : button('❙❙ Pause', word('pause'), {id: 'play-pause', key: 'p', strong: true}),
+      pausing ? button('▶ Resume', word('resume'), {id: 'play-resume', key: 'p', strong: true}) : button('❙❙ Pause', word('pause'), {id: 'play-pause', key: 'p', strong: true}),
       button('■ Abort …', abort, {id: 'play-abort'})] : []));
   }
 
@@ -117,7 +117,7 @@ export function playPage(app) {
   }
 
   async function abort() {
-    if (await confirmed('Abort the play?', [el('p', {}, 'Both robots stand. What was recorded stays in the session.')], 'Abort')) app.run('play/word', {word: 'abort'});
+    if (await confirmed('Abort the play?', [el('p', {}, 'Both robots stop. The recording stays in the session.')], 'Abort')) app.run('play/word', {word: 'abort'});
   }
 
   function showKicks() {
@@ -125,7 +125,7 @@ export function playPage(app) {
     const verdict = k => k.good === null ? badge('warn', '…') : k.good ? badge('good', '✔') : badge('bad', '✘');
     const rows = kicks.map(k => el('tr', {}, el('td', {}, k.number), el('td', {class: 'text'}, verdict(k)), el('td', {class: 'text'}, k.robot), el('td', {}, number(k.wanted, 1)), el('td', {}, number(k.speed, 2)), el('td', {}, number(k.rmsMm, 1)), el('td', {class: 'text'}, k.end),
       el('td', {class: 'text wrap'}, k.good === false ? k.reason : k.says.join(', '))));
-    content('play-kicks').replaceChildren(rows.length ? table([['#'], ['', true], ['Robot', true], ['Told m/s'], ['Did m/s'], ['mm', false, 'Residual per axis'], ['End', true], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
+    content('play-kicks').replaceChildren(rows.length ? table([['#'], ['', true], ['Robot', true], ['Commanded m/s'], ['Measured m/s'], ['mm', false, 'Residual per axis'], ['End', true], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
   }
 
   // ---- the field ----

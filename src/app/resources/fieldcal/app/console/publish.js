@@ -48,7 +48,7 @@ export function publishPage(app) {
     $('vision-form').onsubmit = event => { event.preventDefault(); app.run('vision', {vision: view.vision, seconds: view.seconds}); };
     const rows = [];
     if (failure) rows.push(el('p', {class: 'notice bad'}, failure));
-    if (!last) rows.push(el('p', {class: 'note', id: 'vision-unknown'}, 'Not known yet. Listen before you publish: others may have changed the model, or the cameras, since the recordings.'));
+    if (!last) rows.push(el('p', {class: 'note', id: 'vision-unknown'}, 'Not known yet. Listen before you publish: somebody may have changed the model or the cameras since the recordings.'));
     else {
       if (last.lacks) rows.push(el('p', {class: 'notice warn', id: 'vision-lacks'}, last.lacks));
       rows.push(...last.differences.map(words => el('p', {class: 'notice bad vision-difference'}, '⚠ ' + words)), ...last.notes.map(words => el('p', {class: 'note'}, words)));
@@ -92,7 +92,7 @@ export function publishPage(app) {
     $('send-note').textContent = !complete() ? 'There is no complete model: record more kicks.' : !state().settled ? 'The joint fit is being refined after the last decision …'
       : missing() ? missing() : '';
     const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text'}, p.format), el('td', {class: 'text', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
-    $('published').replaceChildren(rows.length ? el('table', {}, el('thead', {}, el('tr', {}, ['Sent (UTC)', 'To', 'As', 'What'].map(h => el('th', {scope: 'col', class: 'text'}, h)))), el('tbody', {}, rows)) : el('p', {class: 'note'}, 'Nothing was sent yet.'));
+    $('published').replaceChildren(rows.length ? el('table', {}, el('thead', {}, el('tr', {}, ['Sent (UTC)', 'To', 'As', 'What'].map(h => el('th', {scope: 'col', class: 'text'}, h)))), el('tbody', {}, rows)) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
   }
 
   const missing = () => !state().model.flat ? 'Only the chip model is complete; the flat one is not sent.' : !state().model.chip ? 'Only the flat model is complete; the chip one is not sent.' : '';
@@ -114,9 +114,9 @@ export function publishPage(app) {
   async function send() {
     const text = state().model.text;
     const sure = await confirmed('Send this model to ' + view.address + ':' + view.port + '?', [
-      changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: nobody listened' + (heard() ? ' with success' : '') + '.')]),
+      changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: listen to it first.')]),
       ...(heard() ? heard().differences : []).map(words => el('p', {class: 'notice bad'}, '⚠ ' + words)), ...report().warnings.map(warning => el('p', {class: 'notice warn'}, '⚠ ' + warning)),
-      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. Who listens there plays with it from now on.')], 'Send');
+      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. Everybody who listens there uses it from now on.')], 'Send');
     if (sure) await app.run('publish', {address: view.address, port: Number(view.port), format: view.format, confirmed: text});
   }
 

@@ -45,7 +45,7 @@ const CalibrationViews = (() => {
     const body = report.models.flatMap(model => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
-      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks' + (known(model.jointRmsMm) ? ', joint fit leaves ' + number(model.jointRmsMm, 2) + ' mm per axis' : '');
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks' + (known(model.jointRmsMm) ? ', joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
       return [el('tr', {class: 'group'}, el('th', {colspan: 6}, group)), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];

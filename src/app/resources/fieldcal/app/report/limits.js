@@ -29,7 +29,7 @@
     for (const team of report.teams) {
       const name = team.team[0].toUpperCase() + team.team.slice(1);
       if (!known(team.acceleration.value) && !known(team.braking.value)) {
-        lines.push(el('p', {}, el('b', {}, name), ': too little was seen of its robots.'));
+        lines.push(el('p', {}, el('b', {}, name), ': its robots were not seen for long enough.'));
         continue;
       }
       const numbers = KINDS.map(([key, label, unit]) => label.toLowerCase() + (team[key].reached || !known(team[key].value) ? ' ' : ' at least ') + withError(team[key].value, team[key].standardError, unit));
@@ -39,7 +39,7 @@
       lines.push(el('p', {}, el('b', {}, name), ': ' + numbers.join(', ') + '; ' + what));
       for (const cap of team.caps) lines.push(el('p', {}, name + ' ' + cap.robot + ' never drives faster than ' + withError(cap.speed, cap.standardError, 'm/s') + '.'));
     }
-    if (!report.refereeSeen) lines.push(el('ul', {}, el('li', {}, 'No referee was recorded: everything was counted, also what is no play.')));
+    if (!report.refereeSeen) lines.push(el('ul', {}, el('li', {}, 'No referee was recorded: everything was counted, including breaks.')));
     $('verdict').replaceChildren(...lines);
   }
 
@@ -58,7 +58,7 @@
     }));
     content('limits').replaceChildren(el('table', {},
       el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 || i === 7 ? 'text' : null}, h)))), el('tbody', {}, rows)),
-      el('p', {class: 'note'}, 'Estimate: where fitted manoeuvres pile up, with its standard error from noise and number. The league’s estimate: percentiles 99.5, 75 and 95 of differences of frames five apart; it contains the noise of the cameras.'));
+      el('p', {class: 'note'}, 'Estimate: where fitted manoeuvres cluster, with its standard error. The league’s estimate: percentiles 99.5, 75 and 95 of differences of frames five apart; it contains the noise of the cameras.'));
   }
 
   // ---- pictures ----

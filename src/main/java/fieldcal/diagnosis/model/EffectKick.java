@@ -28,6 +28,9 @@ public final class EffectKick implements KickTerm<ModelState> {
   /** How far the vertical speed at a hop may be from the rule's limit by the errors of the fit alone, as a share. */
   private static final double RULE_TOLERANCE = 0.025;
 
+  /** How many numbers of flights a restart tries; a chip of 6.5 m/s makes five or six. */
+  private static final int MOST_TRIED = 6;
+
   private final KickRecord record;
   private final double[] randomScales;
   private final double sessionStart;
@@ -309,14 +312,17 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   @Override
-  public List<Restart<ModelState>> restarts(double[] own) {
+  public List<Restart<ModelState>> restarts(double[] own, ModelState state) {
     double[] first = own.clone();
     System.arraycopy(record.start, 0, first, 0, record.start.length);
     if (record.kind == KickKind.FLAT) {
       return List.of(new Restart<>(this, first));
     }
     List<Restart<ModelState>> all = new ArrayList<>();
-    for (int n = 1; n <= ChipModel.MAX_FLIGHTS; n++) {
+    int byRule = flightsByRule(own, state);
+    int least = Math.max(1, Math.min(flights, byRule) - 1);
+    int most = Math.min(ChipModel.MAX_FLIGHTS, Math.min(least + MOST_TRIED, byRule + 1));
+    for (int n = least; n <= most; n++) {
       all.add(new Restart<>(withFlights(n), first));
       all.add(new Restart<>(withFlights(n), own));
     }

@@ -245,14 +245,13 @@ public final class CauseSearch {
     return all;
   }
 
-  /** By how much chi-square falls, kicks that the first model does not explain weighing less. */
+  /** By how much the cost falls, kicks that the first model does not explain weighing less. */
   static double weightedGain(FittedModel from, FittedModel to) {
-    double gain = 0;
-    for (int k = 0; k < from.kickCount(); k++) {
-      double weight = 1 / Math.max(1, from.reduced(k));
-      gain += weight * (from.solution().chiSquare(k) - to.solution().chiSquare(k));
+    double[] weights = new double[from.kickCount()];
+    for (int k = 0; k < weights.length; k++) {
+      weights[k] = 1 / Math.max(1, from.reduced(k));
     }
-    return gain;
+    return from.solution().costWith(weights) - to.solution().costWith(weights);
   }
 
   /** The least that a proposal must gain; a group must gain it for each member that is needed. */

@@ -113,9 +113,10 @@ public interface KickTerm<S> {
    * Where else the own parameters may start, and with which value of the discrete unknown, when a kick is explained much worse than its fellows: it may be in a local minimum.
    *
    * @param own where it is now
+   * @param state of the shared model
    * @return other starts; empty when there are none
    */
-  default List<Restart<S>> restarts(double[] own) {
+  default List<Restart<S>> restarts(double[] own, S state) {
     return List.of();
   }
 

@@ -212,6 +212,20 @@ public final class SharedSolution<S> {
   }
 
   /**
+   * The same with other weights of the kicks, everything held.
+   *
+   * @param weights one for each kick
+   * @return twice the negative logarithm of the posterior density, but for a constant
+   */
+  public double costWith(double[] weights) {
+    double sum = cost();
+    for (int k = 0; k < weights.length; k++) {
+      sum += (weights[k] - problem.weights()[k]) * chiSquares[k];
+    }
+    return sum;
+  }
+
+  /**
    * How many steps were tried.
    *
    * @return accepted or not

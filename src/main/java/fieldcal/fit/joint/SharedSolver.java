@@ -188,7 +188,7 @@ public final class SharedSolver {
         bestPriced = priced;
       }
     }
-    for (KickTerm.Restart<S> other : stuck ? term.restarts(own) : List.<KickTerm.Restart<S>>of()) {
+    for (KickTerm.Restart<S> other : stuck ? term.restarts(own, state) : List.<KickTerm.Restart<S>>of()) {
       OwnFit<S> tried = fitOwn(other.term(), other.own(), state, means, scatters);
       double priced = tried.cost + other.term().penalty(tried.own, state);
       if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {

@@ -61,7 +61,7 @@ class InitialModelsTest {
       delimiter = '|',
       value = {
         "{\"schema\": \"other/1\"} | schema is not fieldcal.calibration/1",
-        "{\"schema\": | no valid JSON",
+        "{\"schema\": | not valid JSON",
         "not a model at all | SSL_GeometryModels",
         "straight_two_phase { acc_slide: 3 acc_roll: -0.3 k_switch: 0.6 } | acc"
       })

@@ -80,7 +80,7 @@ class SelectionFileTest {
     Path other = Files.writeString(folder.resolve("o.json"), "{\"schema\": \"x\"}");
     assertThatThrownBy(() -> SelectionFile.read(other))
         .isInstanceOf(InputException.class)
-        .hasMessageContaining("no selection file");
+        .hasMessageContaining("not a selection file");
     Path broken = Files.writeString(folder.resolve("b.json"), "{\n\"schema\": \"fieldc");
     assertThatThrownBy(() -> SelectionFile.read(broken))
         .isInstanceOf(InputException.class)

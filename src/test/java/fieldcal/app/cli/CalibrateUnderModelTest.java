@@ -98,9 +98,9 @@ class CalibrateUnderModelTest {
     for (String where : new String[] {answer.out(), report}) {
       assertThat(where)
           .contains(
-              "message carries the parameters, but not what they hold together with: air drag")
+              "message carries the parameters, but not the effects they are valid with: air drag")
           .contains("no such camera")
-          .contains("Counted from the begin of these recordings: carpet that changes");
+          .contains("Counted from the beginning of these recordings: carpet that changes");
     }
   }
 
@@ -108,7 +108,7 @@ class CalibrateUnderModelTest {
   void withoutAModelNothingIsSaidOfIt() throws IOException {
     Path plain = folder.resolve("plain");
     Answer simple = run("calibrate", log.toString(), "--out=" + plain);
-    assertThat(simple.out()).doesNotContain("hold together");
+    assertThat(simple.out()).doesNotContain("valid with");
     assertThat(Files.readString(plain.resolve("geometry_models.txt"))).startsWith("straight");
     assertThat(Files.readString(plain.resolve("calibration.json")))
         .doesNotContain("extended_model");

@@ -40,7 +40,7 @@ class PlayCommandTest {
     assertThat(out.toString())
         .contains("4 good kicks of 4 made")
         .contains("Flat model from 4 of 4 kicks")
-        .contains("Beside the truth")
+        .contains("Against the truth")
         .contains("Kick strength");
     JsonNode play = json("play.json");
     assertThat(play.get("complete").asBoolean()).isTrue();

@@ -353,7 +353,7 @@ class BrowserTest {
       browser.open("http://" + console.host() + "/");
       browser.type("#token", "not-this-one");
       browser.click("button[type='submit']");
-      browser.awaitText("#answer", "not the token");
+      browser.awaitText("#answer", "token is wrong");
       browser.type("#token", token);
       browser.click("button[type='submit']");
       browser.awaitText("#empty-title", "No recording yet");

@@ -16,7 +16,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** Makes the pictures of the console in {@code docs/} anew, from a simulated session: {@code ./gradlew screenshots}. */
+/** Takes the pictures of the console in {@code docs/} again, from a simulated session: {@code ./gradlew screenshots}. */
 public final class Screenshots {
   private static final int PORT = 10006;
 

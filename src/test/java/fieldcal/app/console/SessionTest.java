@@ -172,7 +172,7 @@ class SessionTest {
       String undo = "{\"action\":\"undo\",\"seen\":" + seen + "}";
       Answer refused = console.post("/api/decisions", undo);
       assertThat(refused.status()).isEqualTo(409);
-      assertThat(refused.error()).contains("Another window");
+      assertThat(refused.error()).contains("A decision was made in another window");
       assertThat(console.state().at("/selection/byHand")).hasSize(2);
       assertThat(console.post("/api/decisions", "{\"action\":\"drop\",\"kicks\":[99]}").status())
           .isEqualTo(404);

@@ -144,7 +144,7 @@ class VisionTest {
     assertThat(differences).hasSize(recorded.cameras().size() > 1 ? 3 : 2);
     assertThat(differences.get(0)).contains("another field");
     assertThat(differences.get(differences.size() - 1))
-        .startsWith("Camera " + first.id() + " was calibrated anew")
+        .startsWith("Camera " + first.id() + " was calibrated again")
         .contains("40 mm");
     // What is sent as vision sends it carries the field that vision has now.
     try (DatagramSocket socket = new DatagramSocket(0, InetAddress.getByName("127.0.0.1"))) {
@@ -197,7 +197,7 @@ class VisionTest {
     assertThat(twice.status()).isEqualTo(409);
     assertThat(console.post("/api/vision/end", "{}").status()).isEqualTo(200);
     JsonNode state = console.await("ended", s -> !s.at("/vision/running").asBoolean());
-    assertThat(state.at("/vision/heard/lacks").asText()).contains("ended");
+    assertThat(state.at("/vision/heard/lacks").asText()).contains("stopped");
   }
 
   @Test

@@ -82,7 +82,7 @@ class ExtendedModelFileTest {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
-      value = {"'' | empty", "[] | a list", "3 | a single value", "{\"schema\": | no valid JSON"})
+      value = {"'' | empty", "[] | a list", "3 | a single value", "{\"schema\": | not valid JSON"})
   void whatIsNoDocumentIsTold(String content, String message) throws IOException {
     Path file = file(content);
     assertThatThrownBy(() -> ExtendedModelFile.read(file, new Epoch(0)))

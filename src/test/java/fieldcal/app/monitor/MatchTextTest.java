@@ -43,7 +43,7 @@ class MatchTextTest {
       // Compares with what is published.
     }
     String note =
-        "vision: 1234 packets, 0 dropped, SILENT for 12 s, joined anew 6 times (no route)";
+        "vision: 1234 packets, 0 dropped, SILENT for 12 s, joined again 6 times (no route)";
     return new MatchStatus(
         monitor.snapshot(), new FeedStatus("a match", List.of(note), false), Optional.empty());
   }
@@ -71,7 +71,7 @@ class MatchTextTest {
     assertThat(all)
         .contains("WARNING since 00:00:30: acc_roll is -0.400 m/s², 43 % more than the published")
         .contains("(median of 31 kicks)")
-        .contains("SILENT for 12 s, joined anew 6 times (no route)");
+        .contains("SILENT for 12 s, joined again 6 times (no route)");
   }
 
   @Test

@@ -155,7 +155,7 @@ class MonitorCommandTest {
         .isEqualTo(2);
     Outcome noPlace = run("monitor", "--multicast", "224.5.23.2");
     assertThat(noPlace.status()).isEqualTo(2);
-    assertThat(noPlace.err()).contains("'224.5.23.2' is no address with a port");
+    assertThat(noPlace.err()).contains("'224.5.23.2' is not an address with a port");
     Outcome noInterface = run("monitor", "--multicast", "224.5.23.2:10006", "--interface", "moon0");
     assertThat(noInterface.status()).isEqualTo(2);
     assertThat(noInterface.err()).contains("no network interface 'moon0'");

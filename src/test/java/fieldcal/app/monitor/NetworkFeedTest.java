@@ -62,7 +62,7 @@ class NetworkFeedTest {
       assertThat(last.referee().orElseThrow().command()).isEqualTo(Referee.Command.NORMAL_START);
       assertThat(last.feed().notes())
           .anyMatch(note -> note.startsWith("vision: ") && note.contains("dropped"))
-          .anyMatch(note -> note.contains("are no message that belongs here"));
+          .anyMatch(note -> note.contains("of another protocol"));
     }
     assertThat(text.toString())
         .contains("watching 224.5.23.177:" + port)

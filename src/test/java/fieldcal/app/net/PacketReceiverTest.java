@@ -109,10 +109,10 @@ class PacketReceiverTest {
 
   @ParameterizedTest
   @CsvSource({
-    "224.5.23.2, is no address with a port",
-    "224.5.23.2:, is no port",
-    "224.5.23.2:99999, is no port",
-    "not an address:10006, is no address"
+    "224.5.23.2, is not an address with a port",
+    "224.5.23.2:, is not a port",
+    "224.5.23.2:99999, is not a port",
+    "not an address:10006, is not an address"
   })
   void whatIsNoPlaceIsRefused(String text, String message) {
     assertThatThrownBy(() -> NetworkPlace.parse(text, null))
