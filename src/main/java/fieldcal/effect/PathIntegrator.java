@@ -79,6 +79,11 @@ final class PathIntegrator {
   private double kickSpinX;
 
   private double kickSpinY;
+
+  /** The part of the velocity that this spin gave the ball at bounces, m/s. */
+  private double spunX;
+
+  private double spunY;
   private int flights;
 
   PathIntegrator(
@@ -336,16 +341,35 @@ final class PathIntegrator {
       state[6] = after[2];
       state[7] = after[3];
     } else {
-      lose(Math.max(0, dampingXy));
-      useKickSpin(Math.max(0, 1 - model.dampingXyFirstHop()));
+      bounce(Math.max(0, dampingXy), Math.max(0, 1 - model.dampingXyFirstHop()));
     }
     state[5] = -dampingZ * state[5];
   }
 
-  /** The fixed loss of an impact, and the spin that it gives to a ball that was kicked without. */
-  private void lose(double dampingXy) {
+  /**
+   * The fixed loss of an impact, and what the kick's spin adds to it (see {@link ExtendedTrajectory}): the perturbation is taken out, and put back changed.
+   *
+   * @param dampingXy what is left of the velocity along the ground
+   * @param grip slope of the contact law
+   */
+  private void bounce(double dampingXy, double grip) {
+    state[3] -= spunX;
+    state[4] -= spunY;
     state[6] -= kickSpinX;
     state[7] -= kickSpinY;
+    lose(dampingXy);
+    spunX = dampingXy * spunX + grip * kickSpinX;
+    spunY = dampingXy * spunY + grip * kickSpinY;
+    double left = Math.max(0, 1 - grip / effects.ball.inertiaFactor());
+    kickSpinX *= left;
+    kickSpinY *= left;
+    state[3] += spunX;
+    state[4] += spunY;
+    state[6] += kickSpinX;
+    state[7] += kickSpinY;
+  }
+
+  private void lose(double dampingXy) {
     double lostX = (1 - dampingXy) * state[3];
     double lostY = (1 - dampingXy) * state[4];
     double slipX = state[3] - state[6];
@@ -360,17 +384,6 @@ final class PathIntegrator {
       state[6] = state[3];
       state[7] = state[4];
     }
-  }
-
-  /** What the kick's spin adds to an impact: see {@link ExtendedTrajectory}. */
-  private void useKickSpin(double grip) {
-    state[3] += grip * kickSpinX;
-    state[4] += grip * kickSpinY;
-    double left = Math.max(0, 1 - grip / effects.ball.inertiaFactor());
-    kickSpinX *= left;
-    kickSpinY *= left;
-    state[6] += kickSpinX;
-    state[7] += kickSpinY;
   }
 
   /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; tells whether it was made whole. */
