@@ -189,7 +189,28 @@ final class NextKicks {
           sign(
               "rolling_shutter",
               "a rolling shutter",
-              "flat kicks of 5–6 m/s along the columns of a camera's image, both ways"));
+              "flat kicks of 5–6 m/s along the columns of a camera's image, both ways"),
+          sign("wind", "moving air", "hard chips on one line, to and fro"),
+          sign(
+              "slip_dependent_friction",
+              "friction that depends on slip",
+              "flat kicks of 1, 3 and 6 m/s on one line"),
+          sign(
+              "camera_moved",
+              "a knocked camera",
+              "the same flat kicks of 2–3 m/s before and after it was knocked"),
+          sign(
+              "ball_changed",
+              "another ball",
+              "the same flat kicks of 2–3 m/s with each of the balls"),
+          sign(
+              "contact_impacts",
+              "a bounce that builds up spin",
+              "chips of 4–6 m/s at 30° and at 60° that bounce four times"),
+          sign(
+              "carpet_seam",
+              "a seam",
+              "flat kicks of 2–3 m/s over it, straight and aslant, both ways"));
 
   private NextKicks() {}
 

@@ -43,6 +43,11 @@ public record Arena(
     robots = List.copyOf(robots);
   }
 
+  /**
+   * Session times of the kicks.
+   *
+   * @return ascending, s; a copy
+   */
   @Override
   public double[] kickTimes() {
     return kickTimes.clone();

@@ -4,7 +4,6 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Phase;
-import fieldcal.effect.MotionEffect.Bounce;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 
 /**
@@ -51,6 +50,7 @@ final class PathIntegrator {
 
   private final MotionEffects effects;
   private final BallForces forces;
+  private final Impacts impacts;
   private final int flightsGiven;
   private final boolean varies;
   private final Path path;
@@ -74,17 +74,13 @@ final class PathIntegrator {
   private double variation;
 
   private double slipShare;
-
-  /** The part of the spin that comes from the kick and bounces have not used up, as {@link BallMotion#spinX}, m/s. */
-  private double kickSpinX;
-
-  private double kickSpinY;
   private int flights;
 
   PathIntegrator(
       MotionEffects effects, double sessionStart, double accRoll, double kickTime, int flights) {
     this.effects = effects;
     forces = new BallForces(effects, sessionStart, accRoll, kickTime);
+    impacts = new Impacts(effects);
     flightsGiven = flights;
     varies =
         effects.forces.length
@@ -120,15 +116,16 @@ final class PathIntegrator {
     while (flies) {
       fly();
       flights++;
-      bounce(model);
+      forces.setHop(flights);
+      impacts.bounce(model, flights == 1, forces.motion(time, state, true), state);
       flies =
           flightsGiven == BY_RULE
               ? state[5] >= limit && flights < ChipModel.MAX_FLIGHTS
               : flights < flightsGiven;
     }
     state[5] = 0;
-    if (flights > 0 && effects.impacts != null) {
-      stopSlip();
+    if (flights > 0) {
+      impacts.end(state);
     }
     roll(t0 + ExtendedTrajectory.MAX_DURATION);
   }
@@ -147,8 +144,7 @@ final class PathIntegrator {
     }
     state[6] = spin[0];
     state[7] = spin[1];
-    kickSpinX = spin[0];
-    kickSpinY = spin[1];
+    impacts.begin(spin[0], spin[1]);
     for (int i = 0; i < inside.length; i++) {
       inside[i] = effects.zones[i].contains(x, y);
     }
@@ -160,13 +156,6 @@ final class PathIntegrator {
     for (int i = 0; i < beyond.length; i++) {
       beyond[i] = effects.isBeyond(i, state[0], state[1]);
     }
-  }
-
-  /** The bounces that are too low to be counted take what slip is left. */
-  private void stopSlip() {
-    double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
-    state[3] -= share * (state[3] - state[6]);
-    state[4] -= share * (state[4] - state[7]);
   }
 
   private void slide(double until) {
@@ -324,76 +313,6 @@ final class PathIntegrator {
         return;
       }
     }
-  }
-
-  private void bounce(ChipModel model) {
-    double dampingXy = flights == 1 ? model.dampingXyFirstHop() : model.dampingXyOtherHops();
-    double dampingZ = model.dampingZ();
-    forces.setHop(flights);
-    BallMotion arrival = forces.motion(time, state, true);
-    double turn = 0;
-    for (Bounce effect : effects.bounces) {
-      turn += effect.turn(arrival);
-      dampingZ = effect.dampingZ(arrival, dampingZ);
-      dampingXy = effect.dampingXy(arrival, dampingXy);
-    }
-    dampingZ = Math.max(0, Math.min(0.99, dampingZ));
-    if (effects.impacts != null) {
-      double[] after = {state[3], state[4], state[6], state[7]};
-      effects.impacts.impact(arrival, dampingZ, effects.ball.inertiaFactor(), after);
-      state[3] = after[0];
-      state[4] = after[1];
-      state[6] = after[2];
-      state[7] = after[3];
-    } else {
-      lose(Math.max(0, dampingXy));
-      useKickSpin(Math.max(0, 1 - model.dampingXyFirstHop()));
-    }
-    state[5] = -dampingZ * state[5];
-    if (turn != 0) {
-      turn(3, turn);
-      turn(6, turn);
-    }
-  }
-
-  /** The fixed loss of an impact, and the spin that it gives to a ball that was kicked without. */
-  private void lose(double dampingXy) {
-    state[6] -= kickSpinX;
-    state[7] -= kickSpinY;
-    double lostX = (1 - dampingXy) * state[3];
-    double lostY = (1 - dampingXy) * state[4];
-    double slipX = state[3] - state[6];
-    double slipY = state[4] - state[7];
-    state[3] -= lostX;
-    state[4] -= lostY;
-    state[6] += lostX / effects.ball.inertiaFactor();
-    state[7] += lostY / effects.ball.inertiaFactor();
-    boolean turned = (state[3] - state[6]) * slipX + (state[4] - state[7]) * slipY < 0;
-    if (turned || slipX * slipX + slipY * slipY < TINY * TINY) {
-      // Friction can stop the slip, not turn it round, and does nothing to a ball that rolls.
-      state[6] = state[3];
-      state[7] = state[4];
-    }
-  }
-
-  /** What the kick's spin adds to an impact: see {@link ExtendedTrajectory}. */
-  private void useKickSpin(double grip) {
-    state[3] += grip * kickSpinX;
-    state[4] += grip * kickSpinY;
-    double left = Math.max(0, 1 - grip / effects.ball.inertiaFactor());
-    kickSpinX *= left;
-    kickSpinY *= left;
-    state[6] += kickSpinX;
-    state[7] += kickSpinY;
-  }
-
-  /** Turns a horizontal vector of the state. */
-  private void turn(int at, double angle) {
-    double c = Math.cos(angle);
-    double s = Math.sin(angle);
-    double x = state[at];
-    state[at] = c * x - s * state[at + 1];
-    state[at + 1] = s * x + c * state[at + 1];
   }
 
   /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; tells whether it was made whole. */

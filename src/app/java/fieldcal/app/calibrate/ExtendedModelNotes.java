@@ -4,6 +4,7 @@ import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.wording.EffectName;
 import fieldcal.calibration.ExtendedCalibration;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.MeasurementEffect;
 import java.util.ArrayList;
@@ -97,6 +98,6 @@ final class ExtendedModelNotes {
   private static boolean isAbout(MeasurementEffect effect, int camera) {
     return effect.parameters().stream()
         .filter(p -> p.name().equals("camera"))
-        .allMatch(p -> (int) p.value() == camera);
+        .allMatch(p -> (int) p.value() == camera || p.value() == EffectParameters.ALL_CAMERAS);
   }
 }

@@ -42,7 +42,13 @@ final class KicksToRecord {
           Map.entry("drift", List.of(SLOW_FLAT)),
           Map.entry("robot_kick_bias", List.of(ALL_FLAT)),
           Map.entry("clock_skew", List.of(FAST_FLAT)),
-          Map.entry("rolling_shutter", List.of(FAST_FLAT)));
+          Map.entry("rolling_shutter", List.of(FAST_FLAT)),
+          Map.entry("wind", List.of(CHIPS)),
+          Map.entry("slip_dependent_friction", List.of(ALL_FLAT)),
+          Map.entry("camera_moved", List.of(SLOW_FLAT)),
+          Map.entry("ball_changed", List.of(SLOW_FLAT)),
+          Map.entry("contact_impacts", List.of(CHIPS)),
+          Map.entry("carpet_seam", List.of(SLOW_FLAT)));
 
   private KicksToRecord() {}
 

@@ -83,7 +83,7 @@ final class Explanation {
       int n = 0;
       for (Sighting s : kick.sightings()) {
         path.positionAt(seen.ballTime(s.camera(), s.stamp() - start, s.row()) + start, ball);
-        seen.report(s.camera(), ball, ground);
+        seen.report(s.camera(), s.stamp() - start, ball, ground);
         out[n++] = s.weight() * ground[0];
         out[n++] = s.weight() * ground[1];
       }

@@ -3,6 +3,7 @@ package fieldcal.app.wording;
 import static fieldcal.app.wording.Sentences.text;
 
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -104,7 +105,7 @@ final class CameraWords {
               Amount.of(Math.toDegrees(Math.abs(tilt) / 1000)),
               Amount.decimals(Math.toDegrees(effect.value("axis")), 0)));
     }
-    String how = parts.isEmpty() ? "hangs or looks a little otherwise" : String.join(", ", parts);
+    String how = parts.isEmpty() ? "hangs or looks slightly differently" : String.join(", ", parts);
     return new Sentences(
         text("Camera %d %s than its calibration says.", camera(), how),
         reports(),
@@ -113,12 +114,31 @@ final class CameraWords {
 
   Sentences lensDistortion() {
     double delta = effect.value("delta");
+    boolean all = camera() == EffectParameters.ALL_CAMERAS;
     return new Sentences(
         text(
-            "Camera %d's lens distortion is published %s too %s.",
-            camera(), Amount.of(Math.abs(delta)), delta >= 0 ? "large" : "small"),
+            "%s lens distortion is published %s too %s.",
+            all ? "Every camera's" : text("Camera %d's", camera()),
+            Amount.of(Math.abs(delta)),
+            delta >= 0 ? "large" : "small"),
         reports(),
-        CALIBRATE_CAMERA);
+        all ? "Calibrate the cameras again." : CALIBRATE_CAMERA);
+  }
+
+  Sentences moved() {
+    double x = effect.value("x_mm");
+    double y = effect.value("y_mm");
+    return new Sentences(
+        text(
+            "Camera %d was knocked: %s it reports everything %s.",
+            camera(),
+            FieldWords.from(effect.value("at")),
+            FieldWords.shift(x, y, error("x_mm"), error("y_mm"), "too far ")),
+        text(
+            "What it shows now does not fit its calibration: a ball seems to jump by %s mm where"
+                + " its view begins.",
+            Amount.of(Math.hypot(x, y))),
+        "Fasten this camera and calibrate it again.");
   }
 
   Sentences ballHeight() {

@@ -53,41 +53,16 @@ public final class CauseWords {
    * @return its text; of an effect that has no words of its own, its sentence
    */
   public CauseText of(Effect effect, Map<String, Double> standardErrors) {
-    Sentences s = sentences(effect, standardErrors);
+    Sentences s =
+        EffectWords.of(effect.id())
+            .map(words -> words.sentences(effect, standardErrors, kicks, shifts))
+            .orElseGet(() -> new Sentences(effect.sentence(), "", MotionText.PREDICT));
     return new CauseText(
         EffectName.of(effect),
         s.what(),
         s.consequence(),
         s.advice(),
         EffectName.strength(effect, standardErrors));
-  }
-
-  /** One line for each effect of the catalogue. */
-  private Sentences sentences(Effect e, Map<String, Double> errors) {
-    MotionWords motion = new MotionWords(e, errors, kicks);
-    CameraWords camera = new CameraWords(e, errors, shifts);
-    return switch (e.id()) {
-      case "air_drag" -> motion.airDrag();
-      case "magnus" -> motion.magnus();
-      case "kick_spin" -> motion.kickSpin();
-      case "side_spin" -> motion.sideSpin();
-      case "field_slope" -> motion.fieldSlope();
-      case "carpet_nap" -> motion.carpetNap();
-      case "speed_dependent_roll" -> motion.speedDependentRoll();
-      case "worn_region" -> motion.wornRegion();
-      case "speed_dependent_restitution" -> motion.speedDependentRestitution();
-      case "bounce_spin_coupling" -> motion.bounceSpinCoupling();
-      case "drift" -> motion.drift();
-      case "robot_kick_bias" -> motion.robotKickBias();
-      case "camera_offset" -> camera.offset();
-      case "camera_time_offset" -> camera.timeOffset();
-      case "camera_pose_error" -> camera.poseError();
-      case "lens_distortion_error" -> camera.lensDistortion();
-      case "ball_height_error" -> camera.ballHeight();
-      case "clock_skew" -> camera.clockSkew();
-      case "rolling_shutter" -> camera.rollingShutter();
-      default -> new Sentences(e.sentence(), "", "Use the extended model.");
-    };
   }
 
   /**

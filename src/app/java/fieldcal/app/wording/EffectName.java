@@ -2,6 +2,7 @@ package fieldcal.app.wording;
 
 import fieldcal.ball.Parameter;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
 import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Locale;
@@ -11,28 +12,6 @@ import java.util.stream.Collectors;
 
 /** What an operator calls an effect. */
 public final class EffectName {
-  private static final Map<String, String> NAMES =
-      Map.ofEntries(
-          Map.entry("air_drag", "air drag"),
-          Map.entry("magnus", "lift of spinning balls (Magnus)"),
-          Map.entry("kick_spin", "topspin/backspin from the kicker"),
-          Map.entry("side_spin", "side spin from the kicker"),
-          Map.entry("field_slope", "sloping field"),
-          Map.entry("carpet_nap", "direction of the carpet"),
-          Map.entry("speed_dependent_roll", "rolling that depends on speed"),
-          Map.entry("worn_region", "worn part of the carpet"),
-          Map.entry("camera_offset", "camera offset"),
-          Map.entry("camera_time_offset", "wrong time stamps"),
-          Map.entry("camera_pose_error", "misplaced camera"),
-          Map.entry("lens_distortion_error", "wrong lens distortion"),
-          Map.entry("ball_height_error", "wrong ball height in vision"),
-          Map.entry("speed_dependent_restitution", "bounces that depend on speed"),
-          Map.entry("bounce_spin_coupling", "bounces that depend on spin"),
-          Map.entry("drift", "carpet that changes over time"),
-          Map.entry("robot_kick_bias", "badly calibrated kicker"),
-          Map.entry("clock_skew", "camera clock at the wrong rate"),
-          Map.entry("rolling_shutter", "rolling shutter"));
-
   private EffectName() {}
 
   /**
@@ -42,7 +21,7 @@ public final class EffectName {
    * @return a few words in lower case; of an unknown id, the id with blanks
    */
   public static String of(String id) {
-    return NAMES.getOrDefault(id, id.replace('_', ' '));
+    return EffectWords.of(id).map(EffectWords::name).orElseGet(() -> id.replace('_', ' '));
   }
 
   /**
@@ -58,7 +37,9 @@ public final class EffectName {
       return effect.value("fraction") < 0 ? "backspin from the kicker" : "topspin from the kicker";
     }
     if (names.contains("camera")) {
-      return name + ", camera " + (int) effect.value("camera");
+      int camera = (int) effect.value("camera");
+      return name
+          + (camera == EffectParameters.ALL_CAMERAS ? ", all cameras" : ", camera " + camera);
     }
     if (names.contains("robot")) {
       return name + ", " + robot(effect);
@@ -68,6 +49,9 @@ public final class EffectName {
           + List.of("region_x0", "region_x1", "region_y0", "region_y1").stream()
               .map(n -> Amount.decimals(effect.value(n), 1))
               .collect(Collectors.joining(", ", " [", "] m"));
+    }
+    if (names.contains("normal")) {
+      return name + " " + FieldWords.line(effect.value("normal"), effect.value("distance"));
     }
     return name;
   }

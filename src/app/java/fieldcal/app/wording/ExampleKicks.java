@@ -98,12 +98,20 @@ final class ExampleKicks {
     return MotionEffects.of(all);
   }
 
+  /** The model's other causes, and those without which the effect does nothing. */
   private MotionEffects others(MotionEffect effect) {
-    return MotionEffects.of(
-        model.effects().stream()
-            .filter(MotionEffect.class::isInstance)
-            .map(MotionEffect.class::cast)
-            .filter(e -> !e.equals(effect))
-            .toList());
+    List<MotionEffect> others = new ArrayList<>();
+    for (Effect e : model.effects()) {
+      if (e instanceof MotionEffect motion && !e.equals(effect)) {
+        others.add(motion);
+      }
+    }
+    for (Effect companion : effect.companions()) {
+      boolean lacks = model.effects().stream().noneMatch(e -> e.id().equals(companion.id()));
+      if (lacks && companion instanceof MotionEffect motion) {
+        others.add(motion);
+      }
+    }
+    return MotionEffects.of(others);
   }
 }

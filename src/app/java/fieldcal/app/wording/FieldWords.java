@@ -10,6 +10,11 @@ final class FieldWords {
   /** Shares of a shift that are smaller than this, or than two standard errors, are not said; chosen, mm. */
   private static final double SMALL_MM = 0.5;
 
+  /** Sine of the angle up to which a line counts as parallel to a side of the field; chosen, 3°. */
+  private static final double ALONG_A_SIDE = 0.05;
+
+  private static final double MINUTE = 60;
+
   private FieldWords() {}
 
   /**
@@ -81,6 +86,42 @@ final class FieldWords {
         + metres(y1)
         + " m"
         + (where.isEmpty() ? "" : ", " + String.join(", ", where) + ",");
+  }
+
+  /**
+   * A straight line on the field.
+   *
+   * @param normal direction across it, rad
+   * @param distance from the field's centre along the normal, m
+   * @return for example "at x = −2 m" or "1.5 m from the centre in direction 45°"
+   */
+  static String line(double normal, double distance) {
+    double cos = Math.cos(normal);
+    double sin = Math.sin(normal);
+    if (Math.abs(sin) < ALONG_A_SIDE) {
+      return "at x = " + metres(distance * Math.signum(cos)) + " m";
+    }
+    if (Math.abs(cos) < ALONG_A_SIDE) {
+      return "at y = " + metres(distance * Math.signum(sin)) + " m";
+    }
+    double towards = normal + (distance < 0 ? Math.PI : 0);
+    double degrees = Math.toDegrees(Math.IEEEremainder(towards, 2 * Math.PI));
+    return metres(Math.abs(distance))
+        + " m from the centre in direction "
+        + Amount.decimals(degrees, 0)
+        + "°";
+  }
+
+  /**
+   * An instant of the session.
+   *
+   * @param at s since its begin
+   * @return for example "from 12.5 minutes after the beginning on"
+   */
+  static String from(double at) {
+    return at < MINUTE
+        ? "from " + Amount.decimals(at, 0) + " s after the beginning on"
+        : "from " + Amount.decimals(at / MINUTE, 1) + " minutes after the beginning on";
   }
 
   private static boolean isWorthSaying(double value, double error) {

@@ -31,7 +31,7 @@ public record BallHeightError(double mm) implements MeasurementEffect {
 
   @Override
   public String sentence() {
-    return "Vision takes the ball's centre to be higher or lower than it is.";
+    return "Vision assumes a wrong height for the centre of the ball.";
   }
 
   @Override

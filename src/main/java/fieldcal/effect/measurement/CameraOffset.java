@@ -35,7 +35,7 @@ public record CameraOffset(double xMm, double yMm, int camera) implements Measur
 
   @Override
   public String sentence() {
-    return "One camera reports everything shifted against the others.";
+    return "One camera reports every position shifted relative to the other cameras.";
   }
 
   @Override

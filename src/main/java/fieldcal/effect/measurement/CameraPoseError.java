@@ -41,7 +41,7 @@ public record CameraPoseError(
 
   @Override
   public String sentence() {
-    return "One camera hangs or looks elsewhere than its calibration says.";
+    return "One camera's position or tilt differs from its calibration.";
   }
 
   @Override

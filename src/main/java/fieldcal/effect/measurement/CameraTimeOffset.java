@@ -32,7 +32,7 @@ public record CameraTimeOffset(double ms, int camera) implements Timing {
 
   @Override
   public String sentence() {
-    return "One camera's time stamps are late or early against the others.";
+    return "One camera's time stamps are late or early relative to the other cameras.";
   }
 
   @Override

@@ -31,7 +31,8 @@ public record Drift(double percentPer10Min) implements RollingResistance {
 
   @Override
   public String sentence() {
-    return "The carpet changes over the session: balls roll farther or less far as time goes by.";
+    return "The carpet changes over the session: balls roll a longer or a shorter way as time goes"
+               + " by.";
   }
 
   @Override

@@ -36,7 +36,7 @@ public record Magnus(double cl) implements ExternalForce {
 
   @Override
   public String sentence() {
-    return "A spinning ball is pushed aside, up or down by the air.";
+    return "A spinning ball is pushed sideways, up or down by the air.";
   }
 
   @Override

@@ -51,7 +51,7 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
 
   @Override
   public String sentence() {
-    return "In one part of the field the carpet brakes more or less than elsewhere.";
+    return "In one part of the field the carpet slows balls more or less than elsewhere.";
   }
 
   @Override

@@ -10,6 +10,7 @@ import fieldcal.diagnosis.Gain;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.measurement.BallHeightError;
+import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
 import fieldcal.effect.measurement.CameraTimeOffset;
@@ -17,16 +18,21 @@ import fieldcal.effect.measurement.ClockSkew;
 import fieldcal.effect.measurement.LensDistortionError;
 import fieldcal.effect.measurement.RollingShutter;
 import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.BallChanged;
 import fieldcal.effect.motion.BounceSpinCoupling;
 import fieldcal.effect.motion.CarpetNap;
+import fieldcal.effect.motion.CarpetSeam;
+import fieldcal.effect.motion.ContactImpacts;
 import fieldcal.effect.motion.Drift;
 import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Magnus;
 import fieldcal.effect.motion.RobotKickBias;
 import fieldcal.effect.motion.SideSpin;
+import fieldcal.effect.motion.SlipDependentFriction;
 import fieldcal.effect.motion.SpeedDependentRestitution;
 import fieldcal.effect.motion.SpeedDependentRoll;
+import fieldcal.effect.motion.Wind;
 import fieldcal.effect.motion.WornRegion;
 import fieldcal.vision.Team;
 import java.util.List;
@@ -104,12 +110,42 @@ class CauseWordsTest {
             new Drift(12), "braked 12 % more (from 0.280 to 0.314 m/s²)", "braked 12 % less"),
         Arguments.of(
             new RobotKickBias(5, 0.02, Team.BLUE, 3),
-            "Robot blue 3 kicks 5.0 % faster and 1.1° to the left than it is told",
-            "5.0 % slower and 1.1° to the right"),
+            "Robot blue 3 kicks 5.0 % faster and 1.1° farther to the left than commanded",
+            "5.0 % slower and 1.1° farther to the right"),
         Arguments.of(
             new RobotKickBias(5, 0.02, Team.BLUE, 3),
             "it kicks at 5.25 m/s, and a pass over 4 m arrives 80 mm too far to the left",
             "at 4.75 m/s"),
+        Arguments.of(
+            new Wind(0.8, 0), "moves at 0.80 m/s towards the +x goal", "towards the −x goal"),
+        Arguments.of(
+            new SlipDependentFriction(0.05),
+            "grows by 5.0 % for every m/s with which the ball slips over the carpet (2.85 m/s² at 1"
+                + " m/s of slip, 3.30",
+            "falls by 5.0 %"),
+        Arguments.of(
+            new CarpetSeam(0.1, 0.05, Math.PI / 2, -2),
+            "A seam of the carpet at y = −2 m takes 10 % of the speed across it and turns the path"
+                + " by 2.9° to the left.",
+            "adds 10 % of the speed across it and turns the path by 2.9° to the right"),
+        Arguments.of(
+            new BallChanged(0.12, -0.06, 750),
+            "From 12.5 minutes after the beginning on another ball is in play, which brakes 12 %"
+                + " more when it rolls and brakes 6.0 % less when it slides.",
+            "brakes 12 % less when it rolls and brakes 6.0 % more"),
+        Arguments.of(
+            new ContactImpacts(-0.2, 0.3),
+            "does not quite stop the slip of the ball's lowest point: 20 % of it stays",
+            "reverses the slip of the ball's lowest point: 20 % of it comes back"),
+        Arguments.of(
+            new CameraMoved(12, -7, 45, 1),
+            "Camera 1 was knocked: from 45 s after the beginning on it reports everything 12 mm too"
+                + " far towards the +x goal and 7.0 mm too far to the right (−y).",
+            "12 mm too far towards the −x goal and 7.0 mm too far to the left (+y)"),
+        Arguments.of(
+            new LensDistortionError(0.012, LensDistortionError.ALL_CAMERAS),
+            "Every camera's lens distortion is published 0.012 too large",
+            "0.012 too small"),
         Arguments.of(
             new CameraOffset(21.2, 3.1, 1),
             "Camera 1 reports everything 21 mm too far towards the +x goal and 3.1 mm too far to"
@@ -158,6 +194,53 @@ class CauseWordsTest {
   }
 
   @Test
+  void anEffectWithoutWordsOfItsOwnSaysItsSentence() {
+    Effect unknown = mock("ball_of_wool");
+    CauseText text = WORDS.of(unknown, Map.of());
+    assertThat(text.name()).isEqualTo("ball of wool");
+    assertThat(text.sentences()).isEqualTo("The ball is of wool. Predict with the extended model.");
+  }
+
+  private static Effect mock(String id) {
+    return new Effect() {
+      @Override
+      public String id() {
+        return id;
+      }
+
+      @Override
+      public String sentence() {
+        return "The ball is of wool.";
+      }
+
+      @Override
+      public List<Parameter> parameters() {
+        return List.of(new Parameter("size", "", 1, 1, 0, 2, true, "test"));
+      }
+
+      @Override
+      public Effect withParameters(double... values) {
+        return this;
+      }
+
+      @Override
+      public boolean isAbsent() {
+        return false;
+      }
+    };
+  }
+
+  @Test
+  void placesAreInTheName() {
+    assertThat(EffectName.of(new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS)))
+        .isEqualTo("wrong lens distortion, all cameras");
+    assertThat(EffectName.of(new CarpetSeam(0.1, 0, 0, 1.5)))
+        .isEqualTo("seam of the carpet at x = 1.5 m");
+    assertThat(EffectName.of(new CarpetSeam(0.1, 0, Math.PI / 4, -1)))
+        .isEqualTo("seam of the carpet 1 m from the centre in direction −135°");
+  }
+
+  @Test
   void whatTheModelDoesToAKickIsComputed() {
     assertThat(WORDS.of(new AirDrag(0.47), Map.of()).consequence())
         .matches("A pass at 6 m/s comes \\d+ mm less far in 1 s than it would without air\\.");
@@ -185,7 +268,7 @@ class CauseWordsTest {
     assertThat(offset.strength()).isEqualTo("x 21.00 ± 0.12 mm, y 0.7 ± 0.5 mm");
     CauseText bias =
         WORDS.of(new RobotKickBias(5, 0.001, Team.YELLOW, 0), Map.of("percent", 0.4, "yaw", 0.002));
-    assertThat(bias.what()).isEqualTo("Robot yellow 0 kicks 5.0 % faster than it is told.");
+    assertThat(bias.what()).isEqualTo("Robot yellow 0 kicks 5.0 % faster than commanded.");
     assertThat(bias.strength()).isEqualTo("5.0 ± 0.4 %, yaw 0.06 ± 0.11°");
   }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.diagnosis.StructureVariable;
+import fieldcal.effect.EffectCatalogue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -29,7 +30,8 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.adequate(4));
     assertThat(text.headline()).isEqualTo("The model is right: nothing to correct.");
     assertThat(text.lines().get(0)).contains("are 1.5 mm; their noise alone makes 1.5 mm");
-    assertThat(text.lines().get(1)).startsWith("19 sorts of causes were tried");
+    assertThat(text.lines().get(1))
+        .startsWith(EffectCatalogue.all().size() + " sorts of causes were tried");
     assertThat(text.lines().get(2)).contains("1 s ahead to 13 mm");
   }
 
