@@ -17,7 +17,7 @@ final class PathIntegrator {
   static final int NO_BOUNCES = 0;
 
   /** Longest step on the carpet under varying acceleration, s; keeps the interpolation between its ends below a hundredth of a micrometre. */
-  private static final double MAX_STEP = 0.6;
+  static final double MAX_STEP = 0.6;
 
   /** Longest step in flight under varying acceleration, s: gravity turns the velocity, and with it drag and lift, within tenths of a second. */
   private static final double MAX_FLIGHT_STEP = 0.1;
@@ -78,7 +78,7 @@ final class PathIntegrator {
     this.effects = effects;
     forces = new BallForces(effects, sessionStart, accRoll);
     flightsGiven = flights;
-    varies = effects.forces.length + effects.resistances.length + effects.accelerations.length > 0;
+    varies = effects.forces.length + effects.resistances.length > 0;
     path = new Path(varies ? 24 : 8);
     inside = new boolean[effects.zones.length];
   }
