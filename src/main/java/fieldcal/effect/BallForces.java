@@ -66,8 +66,9 @@ final class BallForces {
 
   /** The longest step, s, that does not skip over how an acceleration varies. */
   double longestStep(Phase phase, double t, double[] s) {
-    double longest = Double.POSITIVE_INFINITY;
+    double longest = ExtendedTrajectory.MAX_DURATION;
     if (effects.accelerations.length > 0) {
+      longest = PathIntegrator.MAX_STEP;
       BallMotion m = motion(t, s, false);
       m.sliding = phase == Phase.SLIDING;
       for (PathAcceleration effect : effects.accelerations) {

@@ -16,7 +16,7 @@ final class PathIntegrator {
   static final int NO_BOUNCES = 0;
 
   /** Longest step on the carpet under varying acceleration, s; keeps the interpolation between its ends below a hundredth of a micrometre. */
-  private static final double MAX_STEP = 0.6;
+  static final double MAX_STEP = 0.6;
 
   /** Longest step in flight under varying acceleration, s: gravity turns the velocity, and with it drag and lift, within tenths of a second. */
   private static final double MAX_FLIGHT_STEP = 0.1;
@@ -82,12 +82,7 @@ final class PathIntegrator {
     forces = new BallForces(effects, sessionStart, accRoll, kickTime);
     impacts = new Impacts(effects);
     flightsGiven = flights;
-    varies =
-        effects.forces.length
-                + effects.resistances.length
-                + effects.slidings.length
-                + effects.accelerations.length
-            > 0;
+    varies = effects.forces.length + effects.resistances.length + effects.slidings.length > 0;
     path = new Path(varies ? 24 : 8);
     inside = new boolean[effects.zones.length];
     beyond = new boolean[effects.lines.length];

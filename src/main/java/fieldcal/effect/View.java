@@ -109,8 +109,7 @@ final class View {
   }
 
   /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on; the stamp since the session's begin, s, NaN = unknown. */
-  void report(
-      double ballX, double ballY, double ballZ, double stamp, double[] ground, int at) {
+  void report(double ballX, double ballY, double ballZ, double stamp, double[] ground, int at) {
     project(ballX, ballY, ballZ, ground, at);
     if (displacements.length > 0) {
       double reportedX = ground[at];

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.ChipModel;
-import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
 import fieldcal.camera.Camera;
@@ -39,6 +38,8 @@ class LearnedTermTest {
   private static final Arena ARENA =
       new Arena(
           -6, 6, -4.5, 4.5, new double[] {20, 100, 600}, true, true, List.of(CAMERA), List.of());
+
+  private static final double SHORT_ENOUGH = 1e-5;
 
   static List<LearnedTerm> terms() {
     return LearnedLibrary.of(ARENA);
@@ -153,8 +154,7 @@ class LearnedTermTest {
   @Test
   void aConstantAccelerationIsThatOfTheModel() {
     LearnedTerm constant =
-        LearnedFamily.of(
-                Quantity.ACCELERATION_ALONG, Variable.SPEED, new Spline(0, 6, 4, false))
+        LearnedFamily.of(Quantity.ACCELERATION_ALONG, Variable.SPEED, new Spline(0, 6, 4, false))
             .term(-0.1, -0.1, -0.1, -0.1);
     ExtendedTrajectory rolls =
         ExtendedTrajectory.chipWithHops(
@@ -166,11 +166,65 @@ class LearnedTermTest {
     assertThat(rolls.stateAt(3).x()).isEqualTo(slower.stateAt(3).x(), within(1e-6));
   }
 
+  /** Steps an eighth as long change the path by less than a hundredth of a millimetre. */
+  @ParameterizedTest
+  @MethodSource("terms")
+  void theIntegratorsStepsAreShortEnough(LearnedTerm term) {
+    if (present(term) instanceof MotionEffect.PathAcceleration acceleration) {
+      double[] usual = predict(acceleration);
+      assertThat(predict(new ShortSteps(acceleration)))
+          .containsExactly(usual, within(SHORT_ENOUGH));
+    }
+  }
+
+  /** The same acceleration, for which the integrator makes shorter steps. */
+  private record ShortSteps(MotionEffect.PathAcceleration effect)
+      implements MotionEffect.PathAcceleration {
+    @Override
+    public String id() {
+      return effect.id();
+    }
+
+    @Override
+    public String sentence() {
+      return effect.sentence();
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return effect.parameters();
+    }
+
+    @Override
+    public MotionEffect withParameters(double... values) {
+      throw new UnsupportedOperationException();
+    }
+
+    @Override
+    public boolean isAbsent() {
+      return false;
+    }
+
+    @Override
+    public double along(BallMotion motion) {
+      return effect.along(motion);
+    }
+
+    @Override
+    public double across(BallMotion motion) {
+      return effect.across(motion);
+    }
+
+    @Override
+    public double longestStep(BallMotion motion) {
+      return Math.min(0.005, effect.longestStep(motion) / 8);
+    }
+  }
+
   @Test
   void anAccelerationAcrossTurnsTheBallToItsLeft() {
     LearnedTerm left =
-        LearnedFamily.of(
-                Quantity.ACCELERATION_ACROSS, Variable.SPEED, new Spline(0, 6, 3, false))
+        LearnedFamily.of(Quantity.ACCELERATION_ACROSS, Variable.SPEED, new Spline(0, 6, 3, false))
             .term(0.1, 0.1, 0.1);
     ExtendedTrajectory path =
         ExtendedTrajectory.chipWithHops(

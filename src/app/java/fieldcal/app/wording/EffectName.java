@@ -3,6 +3,7 @@ package fieldcal.app.wording;
 import fieldcal.ball.Parameter;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Locale;
@@ -31,6 +32,9 @@ public final class EffectName {
    * @return for example "camera offset, camera 1"
    */
   public static String of(Effect effect) {
+    if (effect instanceof LearnedTerm term) {
+      return LearnedWords.name(term);
+    }
     List<String> names = effect.parameters().stream().map(Parameter::name).toList();
     String name = of(effect.id());
     if (effect.id().equals("kick_spin") && !effect.isAbsent()) {
@@ -70,6 +74,9 @@ public final class EffectName {
    * @return its estimated parameters that are not zero, with errors and units, for example "x 21.3 ± 0.4 mm, y 0.2 ± 0.4 mm"; angles in degrees
    */
   public static String strength(Effect effect, Map<String, Double> standardErrors) {
+    if (effect instanceof LearnedTerm term) {
+      return "a curve of " + term.family().size() + " coefficients";
+    }
     return effect.parameters().stream()
         .filter(p -> p.estimated() || standardErrors.containsKey(p.name()))
         .filter(p -> isSaid(p, effect))

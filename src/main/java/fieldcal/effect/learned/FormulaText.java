@@ -21,8 +21,15 @@ final class FormulaText {
       case NONE -> what + " does not change";
       case SLOPE -> what + " " + verb + " by " + size + " per " + per;
       case QUADRATIC ->
-          what + " " + verb + " by " + size + " times the square of the " + name(variable)
-              + " in " + per;
+          what
+              + " "
+              + verb
+              + " by "
+              + size
+              + " times the square of the "
+              + name(variable)
+              + " in "
+              + per;
       case INVERSE ->
           what + " is " + side + " by " + size + " divided by the " + name(variable) + " in " + per;
       case ONSET ->

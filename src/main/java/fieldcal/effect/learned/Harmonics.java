@@ -1,5 +1,7 @@
 package fieldcal.effect.learned;
 
+import java.util.Arrays;
+
 /**
  * Cosines and sines of a period and its fractions: {@code cos(2πu/P), sin(2πu/P), cos(4πu/P), …}; without a constant.
  *
@@ -10,8 +12,8 @@ public record Harmonics(int order, double period) implements Basis {
   static final String TYPE = "harmonics";
   private static final int MOST = 4;
 
-  /** Steps of an integrator per period of the highest harmonic; chosen, keeps its errors below a thousandth of the term. */
-  private static final double STEPS_PER_PERIOD = 8;
+  /** Steps of an integrator per period of the highest harmonic; chosen: Simpson's rule errs by (π/2)⁴/2880 = 0.2 % of the term then. */
+  private static final double STEPS_PER_PERIOD = 4;
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -69,7 +71,7 @@ public record Harmonics(int order, double period) implements Basis {
 
   @Override
   public Curve curve(double[] coefficients, int from) {
-    double[] k = java.util.Arrays.copyOfRange(coefficients, from, from + size());
+    double[] k = Arrays.copyOfRange(coefficients, from, from + size());
     double perUnit = 2 * Math.PI / period;
     return (u, v) -> {
       double c = Math.cos(perUnit * u);

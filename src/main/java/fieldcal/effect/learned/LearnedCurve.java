@@ -27,9 +27,15 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
    */
   public LearnedCurve {
     points = List.copyOf(points);
-    if (component < 0 || component >= family.quantity().components() || points.isEmpty()) {
-      throw new IllegalArgumentException(
-          family.key() + ": component " + component + " with " + points.size() + " points");
+    requireComponent(family, component);
+    if (points.isEmpty()) {
+      throw new IllegalArgumentException(family.key() + ": a curve needs a point");
+    }
+  }
+
+  private static void requireComponent(LearnedFamily family, int component) {
+    if (component < 0 || component >= family.quantity().components()) {
+      throw new IllegalArgumentException(family.key() + " has no component " + component);
     }
   }
 
@@ -91,6 +97,7 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
       LearnedTerm term, int component, double[][] covariance, Support support) {
     Objects.requireNonNull(support, "support");
     LearnedFamily family = term.family();
+    requireComponent(family, component);
     if (covariance.length != family.size()) {
       throw new IllegalArgumentException(
           "covariance has " + covariance.length + " rows, but coefficients are " + family.size());

@@ -31,8 +31,7 @@ public record LearnedFamily(
     int dimension = variables.stream().mapToInt(Variable::dimension).sum();
     if (dimension != basis.dimension()) {
       throw new IllegalArgumentException(
-          "basis: is of %d numbers, but depends_on has %d"
-              .formatted(basis.dimension(), dimension));
+          "basis: is of %d numbers, but depends_on has %d".formatted(basis.dimension(), dimension));
     }
     for (Variable v : variables) {
       boolean allowed = quantity != Quantity.TIME_ERROR || v == Variable.SESSION_TIME;
@@ -43,7 +42,10 @@ public record LearnedFamily(
     }
     if (camera.isPresent() != quantity.actsOn().equals("measurement")) {
       throw new IllegalArgumentException(
-          "camera: must be " + (camera.isPresent() ? "missing" : "there") + " for " + quantity.label());
+          "camera: must be "
+              + (camera.isPresent() ? "missing" : "there")
+              + " for "
+              + quantity.label());
     }
   }
 
@@ -81,10 +83,7 @@ public record LearnedFamily(
    */
   public String key() {
     String on = variables.stream().map(Variable::label).collect(Collectors.joining("+"));
-    return quantity.label()
-        + "/"
-        + on
-        + (camera.isPresent() ? "/camera " + camera.getAsInt() : "");
+    return quantity.label() + "/" + on + (camera.isPresent() ? "/camera " + camera.getAsInt() : "");
   }
 
   /**

@@ -126,8 +126,7 @@ public final class LearnedFields {
             spline(RANGE, fields, whole(KNOTS, fields.get(KNOTS)), flag(fields.get(CENTRED)));
         case Surface.TYPE -> surface(fields);
         case Harmonics.TYPE ->
-            new Harmonics(
-                whole(ORDER, fields.get(ORDER)), number(PERIOD, fields.get(PERIOD)));
+            new Harmonics(whole(ORDER, fields.get(ORDER)), number(PERIOD, fields.get(PERIOD)));
         case Polynomial.TYPE -> {
           double[] x = range(RANGE, fields.get(RANGE));
           double[] y = range(RANGE_Y, fields.get(RANGE_Y));

@@ -99,10 +99,7 @@ public final class LearnedLibrary {
     for (ObservedCamera camera : arena.cameras()) {
       camera(arena, camera, all);
     }
-    return all.stream()
-        .map(LearnedFamily::absent)
-        .filter(term -> term.canShowIn(arena))
-        .toList();
+    return all.stream().map(LearnedFamily::absent).filter(term -> term.canShowIn(arena)).toList();
   }
 
   private static void ground(Arena arena, Ranges ranges, List<LearnedFamily> all) {
@@ -116,7 +113,7 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(along, Variable.SESSION_TIME, session(arena)));
     all.add(LearnedFamily.of(along, Variable.HEADING, heading));
     all.add(LearnedFamily.of(along, Variable.PLACE, place(arena)));
-    all.add(LearnedFamily.of(along, Variable.DISTANCE_ROLLED, new Harmonics(HARMONICS, TURN)));
+    all.add(LearnedFamily.of(along, Variable.DISTANCE_ROLLED, new Harmonics(1, TURN)));
     all.add(LearnedFamily.of(across, Variable.SPEED, speed));
     all.add(LearnedFamily.of(across, Variable.HEADING, heading));
     all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));
@@ -125,8 +122,7 @@ public final class LearnedLibrary {
   private static void impact(Arena arena, Ranges ranges, List<LearnedFamily> all) {
     Basis vertical = curve(0, ranges.verticalSpeed(), KNOTS);
     Basis speed = curve(0, ranges.groundSpeed(), KNOTS);
-    for (Quantity q :
-        List.of(Quantity.VERTICAL_RESTITUTION, Quantity.TANGENTIAL_RESTITUTION)) {
+    for (Quantity q : List.of(Quantity.VERTICAL_RESTITUTION, Quantity.TANGENTIAL_RESTITUTION)) {
       // Of e_xy the model tells the first impact from all later ones, of e_z none.
       boolean firstIsApart = q == Quantity.TANGENTIAL_RESTITUTION;
       Basis hops = firstIsApart ? new Levels(3, HOPS - 1) : new Levels(2, HOPS);

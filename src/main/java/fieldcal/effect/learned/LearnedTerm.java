@@ -167,8 +167,7 @@ public abstract sealed class LearnedTerm implements Effect
     return switch (actsOn()) {
       case "impact" -> arena.chips();
       case "kick" -> arena.flats();
-      case "measurement" ->
-          arena.cameras().stream().anyMatch(c -> c.id() == camera().getAsInt());
+      case "measurement" -> arena.cameras().stream().anyMatch(c -> c.id() == camera().getAsInt());
       default -> true;
     };
   }

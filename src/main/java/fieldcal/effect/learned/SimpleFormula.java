@@ -168,9 +168,7 @@ public record SimpleFormula(
 
     /** The best place of a form that has one; that place is a parameter. */
     Fit best(
-        Kind kind,
-        ToDoubleFunction<Point> axis,
-        DoubleFunction<ToDoubleFunction<Point>> form) {
+        Kind kind, ToDoubleFunction<Point> axis, DoubleFunction<ToDoubleFunction<Point>> form) {
       double[] at = points.stream().mapToDouble(axis).distinct().sorted().toArray();
       Fit best = fit(Kind.NONE, Double.NaN, List.of());
       for (int i = 1; i < at.length; i++) {
@@ -187,6 +185,10 @@ public record SimpleFormula(
     Fit fit(Kind kind, double place, List<ToDoubleFunction<Point>> forms) {
       int n = points.size();
       int p = forms.size() + 1;
+      if (p > n) {
+        // So few points cannot tell this form.
+        return fit(Kind.NONE, Double.NaN, List.of());
+      }
       RealMatrix a = new Array2DRowRealMatrix(n, p);
       for (int i = 0; i < n; i++) {
         a.setEntry(i, 0, weights[i]);
@@ -206,8 +208,7 @@ public record SimpleFormula(
       double chi2 = left.dotProduct(left);
       int parameters = p + (Double.isNaN(place) ? 0 : 1);
       double explained = kind == Kind.NONE ? 0 : explained(chi2);
-      return new Fit(
-          kind, place, x.toArray(), errors, chi2, bic(chi2, parameters), explained);
+      return new Fit(kind, place, x.toArray(), errors, chi2, bic(chi2, parameters), explained);
     }
 
     private double bic(double chi2, int parameters) {

@@ -1,0 +1,263 @@
+package fieldcal.app.wording;
+
+import static fieldcal.app.wording.Sentences.text;
+
+import fieldcal.effect.learned.LearnedCurve;
+import fieldcal.effect.learned.LearnedCurve.Point;
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Quantity;
+import fieldcal.effect.learned.SimpleFormula;
+import fieldcal.effect.learned.Variable;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** What a learned term says of the field, in an operator's words. */
+public final class LearnedWords {
+  /** A session's drift is said over this time, s. */
+  private static final double SESSION_STEP = 600;
+
+  private LearnedWords() {}
+
+  /**
+   * The name of a term.
+   *
+   * @param term which
+   * @return for example "braking that depends on the speed" or "reports of camera 2 that depend on the place in the image"
+   */
+  public static String name(LearnedTerm term) {
+    String on =
+        term.family().variables().stream()
+            .map(LearnedWords::variable)
+            .collect(Collectors.joining(" and "));
+    String who = term.camera().isPresent() ? " of camera " + term.camera().getAsInt() : "";
+    return switch (term.family().quantity()) {
+      case ACCELERATION_ALONG -> "braking that depends on " + on;
+      case ACCELERATION_ACROSS -> "sideways pull that depends on " + on;
+      case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
+      case TANGENTIAL_RESTITUTION -> "loss of speed at bounces that depends on " + on;
+      case TURN -> "turn at bounces that depends on " + on;
+      case SPIN -> "spin from the kicker that depends on " + on;
+      case SHIFT -> "reports" + who + " that depend on " + on;
+      case TIME_ERROR -> "time stamps" + who + " that depend on " + on;
+    };
+  }
+
+  /**
+   * A fitted term.
+   *
+   * @param term which
+   * @param curves its curves, one of each component
+   * @return its text; the consequence is empty
+   */
+  public static CauseText of(LearnedTerm term, List<LearnedCurve> curves) {
+    String what =
+        curves.stream()
+            .filter(
+                c -> curves.size() == 1 || SimpleFormula.of(c).kind() != SimpleFormula.Kind.NONE)
+            .map(c -> sentence(c, SimpleFormula.of(c)))
+            .collect(Collectors.joining(" "));
+    String strength =
+        curves.stream().map(c -> SimpleFormula.of(c).text()).collect(Collectors.joining(", "));
+    return new CauseText(
+        name(term), what.isEmpty() ? nothing(term) : what, "", advice(term), strength);
+  }
+
+  private static String nothing(LearnedTerm term) {
+    return Sentences.begin(name(term)) + ": within its errors nothing changes.";
+  }
+
+  private static String advice(LearnedTerm term) {
+    if (term.camera().isPresent()) {
+      int camera = term.camera().getAsInt();
+      return term.family().quantity() == Quantity.TIME_ERROR
+          ? text("Check the clock of the computer of camera %d, or use the extended model.", camera)
+          : text("Calibrate camera %d in vision again, or use the extended model.", camera);
+    }
+    return term.dependsOn().contains(Variable.DISTANCE_ROLLED.label())
+        ? "Try another ball; with this one, use the extended model."
+        : "Use the extended model.";
+  }
+
+  /**
+   * A curve in a sentence.
+   *
+   * @param curve of a fitted term
+   * @param formula its best simple formula
+   * @return for example "From 4 m/s on, the ball slides longer than the model says: it is braked by 0.30 m/s² less."
+   */
+  public static String sentence(LearnedCurve curve, SimpleFormula formula) {
+    double a = formula.amount();
+    Variable variable = curve.family().variables().get(0);
+    boolean session = variable == Variable.SESSION_TIME;
+    double perStep = session ? a * SESSION_STEP : a;
+    String change = change(curve, a);
+    String size = size(curve, a);
+    String eachSize = size(curve, perStep);
+    return switch (formula.kind()) {
+      case NONE ->
+          Sentences.begin(subject(curve)) + " does not depend on " + variable(variable) + ".";
+      case SLOPE -> text("The %s: by %s for each %s.", change, eachSize, each(variable));
+      case QUADRATIC ->
+          text(
+              "The %s: by %s times the square of the %s in %s.",
+              change, size, noun(variable), variable.unit());
+      case INVERSE ->
+          text(
+              "The %s: by %s divided by the %s in %s.",
+              change, size, noun(variable), variable.unit());
+      case ONSET ->
+          text(
+              "From %s on, the %s: by %s for each further %s.",
+              at(variable, formula.place()), change, eachSize, step(variable));
+      case STEP -> text("From %s on, the %s: by %s.", at(variable, formula.place()), change, size);
+      case SINE -> sine(curve, formula, variable);
+      case GRADIENT ->
+          text(
+              "The %s, the more the farther the ball is %s: by %s for each metre.",
+              change(curve, 1), FieldWords.direction(formula.place()), size(curve, a));
+      case STEP_X -> text("Beyond x = %s m, the %s: by %s.", place(formula), change, size);
+      case STEP_Y -> text("Beyond y = %s m, the %s: by %s.", place(formula), change, size);
+      case CURVE -> between(curve, variable);
+    };
+  }
+
+  private static String place(SimpleFormula formula) {
+    return Amount.decimals(formula.place(), 1);
+  }
+
+  private static String sine(LearnedCurve curve, SimpleFormula formula, Variable variable) {
+    String size = size(curve, formula.amount());
+    String change = change(curve, 1);
+    return variable == Variable.DISTANCE_ROLLED
+        ? text("During each of its turns, the %s and then the opposite: by %s.", change, size)
+        : text(
+            "The %s when it goes %s: by %s, and the opposite the other way.",
+            change, FieldWords.direction(formula.place()), size);
+  }
+
+  private static String between(LearnedCurve curve, Variable variable) {
+    Point low = curve.lowest();
+    Point high = curve.highest();
+    return text(
+        "How the model errs depends on %s: %s the %s by %s, and %s the %s by %s.",
+        variable(variable),
+        where(variable, low),
+        change(curve, low.value()),
+        size(curve, low.value()),
+        where(variable, high),
+        change(curve, high.value()),
+        size(curve, high.value()));
+  }
+
+  private static String where(Variable variable, Point p) {
+    return variable.dimension() == 2
+        ? text("at x = %s m, y = %s m", Amount.decimals(p.x(), 1), Amount.decimals(p.y(), 1))
+        : "at " + at(variable, p.x());
+  }
+
+  private static String size(LearnedCurve curve, double amount) {
+    Quantity quantity = curve.family().quantity();
+    if (quantity == Quantity.TURN) {
+      return Amount.of(Math.toDegrees(Math.abs(amount))) + "°";
+    }
+    String unit = quantity.unit();
+    return Amount.of(Math.abs(amount)) + (unit.isEmpty() ? "" : " " + unit);
+  }
+
+  /** What happens where the term is positive or negative; follows "the". */
+  private static String change(LearnedCurve curve, double amount) {
+    boolean more = amount >= 0;
+    boolean slides = curve.family().variables().contains(Variable.SLIP);
+    String camera = "reports of camera " + curve.family().camera().orElse(0);
+    return switch (curve.family().quantity()) {
+      case ACCELERATION_ALONG ->
+          slides
+              ? "ball slides " + (more ? "longer" : "less long") + " than the model says"
+              : "ball is braked " + (more ? "less" : "more") + " than the model says";
+      case ACCELERATION_ACROSS -> "ball is pulled to its " + (more ? "left" : "right");
+      case VERTICAL_RESTITUTION -> "ball bounces " + (more ? "higher" : "lower");
+      case TANGENTIAL_RESTITUTION ->
+          "ball loses " + (more ? "less" : "more") + " speed at a bounce";
+      case TURN -> "ball turns to its " + (more ? "left" : "right") + " at a bounce";
+      case SPIN -> "ball has more " + (more ? "topspin" : "backspin") + " after the kick";
+      case SHIFT -> camera + " are too far " + side(curve.component(), more);
+      case TIME_ERROR -> "time stamps" + camera.substring(7) + " are " + (more ? "late" : "early");
+    };
+  }
+
+  private static String side(int component, boolean more) {
+    if (component == 0) {
+      return more ? "towards the +x goal" : "towards the −x goal";
+    }
+    return more ? "to the left (+y)" : "to the right (−y)";
+  }
+
+  private static String subject(LearnedCurve curve) {
+    return switch (curve.family().quantity()) {
+      case ACCELERATION_ALONG -> "how the ball is braked";
+      case ACCELERATION_ACROSS -> "a sideways pull";
+      case VERTICAL_RESTITUTION -> "the height of bounces";
+      case TANGENTIAL_RESTITUTION -> "the loss of speed at a bounce";
+      case TURN -> "the turn at a bounce";
+      case SPIN -> "the spin after the kick";
+      case SHIFT -> curve.component() == 0 ? "the reported x" : "the reported y";
+      case TIME_ERROR -> "the error of the time stamps";
+    };
+  }
+
+  private static String variable(Variable variable) {
+    return switch (variable) {
+      case SPEED -> "the speed";
+      case SLIP -> "how fast the ball slips";
+      case TIME_SINCE_KICK -> "the time since the kick";
+      case SESSION_TIME -> "the time since the session began";
+      case HEADING -> "the direction of travel";
+      case PLACE -> "the place on the field";
+      case DISTANCE_ROLLED -> "how far the ball has turned";
+      case VERTICAL_SPEED -> "how steeply the ball falls";
+      case GROUND_SPEED -> "the speed over the ground";
+      case HOP -> "which bounce it is";
+      case IMAGE_POSITION -> "the place in the image";
+    };
+  }
+
+  private static String noun(Variable variable) {
+    return switch (variable) {
+      case SPEED -> "speed";
+      case SLIP -> "slip";
+      case TIME_SINCE_KICK -> "time since the kick";
+      case SESSION_TIME -> "time since the session began";
+      case VERTICAL_SPEED -> "speed of the fall";
+      case GROUND_SPEED -> "speed over the ground";
+      case HEADING, PLACE, DISTANCE_ROLLED, HOP, IMAGE_POSITION -> "number";
+    };
+  }
+
+  private static String each(Variable variable) {
+    return switch (variable) {
+      case SPEED, SLIP, VERTICAL_SPEED, GROUND_SPEED -> "m/s of the " + noun(variable);
+      case TIME_SINCE_KICK -> "second since the kick";
+      case SESSION_TIME -> "ten minutes of the session";
+      case HEADING, PLACE, DISTANCE_ROLLED, HOP, IMAGE_POSITION -> step(variable);
+    };
+  }
+
+  private static String step(Variable variable) {
+    return switch (variable) {
+      case SESSION_TIME -> "ten minutes";
+      case TIME_SINCE_KICK -> "second";
+      case HOP -> "bounce";
+      default -> variable.unit();
+    };
+  }
+
+  private static String at(Variable variable, double place) {
+    return switch (variable) {
+      case HOP -> "bounce " + (int) Math.ceil(place);
+      case HEADING -> text("direction %s°", Amount.decimals(Math.toDegrees(place), 0));
+      case SESSION_TIME -> text("minute %s of the session", Amount.decimals(place / 60, 0));
+      case TIME_SINCE_KICK -> Amount.of(place) + " s after the kick";
+      default -> Amount.of(place) + " " + variable.unit();
+    };
+  }
+}

@@ -1,0 +1,86 @@
+package fieldcal.app.wording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.camera.Camera;
+import fieldcal.effect.Arena;
+import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.learned.LearnedCurve;
+import fieldcal.effect.learned.LearnedCurve.Point;
+import fieldcal.effect.learned.LearnedFamily;
+import fieldcal.effect.learned.LearnedLibrary;
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Quantity;
+import fieldcal.effect.learned.SimpleFormula;
+import fieldcal.effect.learned.Spline;
+import fieldcal.effect.learned.Variable;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class LearnedWordsTest {
+  private static final double NONE = Double.NaN;
+  private static final ObservedCamera CAMERA =
+      new ObservedCamera(
+          2, 4, Optional.of(Camera.ofPosition(2, 3, 2, 5)), NONE, NONE, NONE, NONE, 0);
+
+  static List<LearnedTerm> terms() {
+    return LearnedLibrary.of(
+        new Arena(-6, 6, -4, 4, new double[] {0, 900}, true, true, List.of(CAMERA), List.of()));
+  }
+
+  @ParameterizedTest
+  @MethodSource("terms")
+  void everyFormOfEveryTermHasWords(LearnedTerm term) {
+    assertThat(EffectName.of(term)).isEqualTo(LearnedWords.name(term)).doesNotContain("_");
+    for (int component = 0; component < term.family().quantity().components(); component++) {
+      List<Point> points = List.of(new Point(1, 0, -0.1, 0.01), new Point(2, 1, 0.2, 0.01));
+      LearnedCurve curve = new LearnedCurve(term.family(), component, points);
+      for (SimpleFormula.Kind kind : SimpleFormula.Kind.values()) {
+        for (double amount : new double[] {-0.1, 0.1}) {
+          SimpleFormula formula = new SimpleFormula(kind, amount, 0.01, 1.5, 0, 1, "text");
+          String sentence = LearnedWords.sentence(curve, formula);
+          assertThat(sentence).endsWith(".").doesNotContain("NaN", "null", "%", "_", "<", "  ");
+          assertThat(Character.isUpperCase(sentence.charAt(0))).isTrue();
+        }
+      }
+      CauseText text = LearnedWords.of(term, List.of(curve));
+      assertThat(text.sentences()).endsWith(".").doesNotContain("_");
+      assertThat(text.strength()).doesNotContain("_");
+    }
+  }
+
+  private static String sentence(LearnedFamily family, int component, DoubleUnaryOperator law) {
+    List<Point> points = new ArrayList<>();
+    for (double x = 0.5; x <= 6; x += 0.25) {
+      points.add(new Point(x, 0, law.applyAsDouble(x), 0.004));
+    }
+    LearnedCurve curve = new LearnedCurve(family, component, points);
+    return LearnedWords.sentence(curve, SimpleFormula.of(curve));
+  }
+
+  @Test
+  void saysWhatHappens() {
+    Spline basis = new Spline(0, 6, 6, true);
+    Quantity along = Quantity.ACCELERATION_ALONG;
+    assertThat(sentence(LearnedFamily.of(along, Variable.SLIP, basis), 0, s -> s < 4 ? 0 : 0.3))
+        .isEqualTo("From 3.9 m/s on, the ball slides longer than the model says: by 0.30 m/s².");
+    LearnedFamily speed = LearnedFamily.of(along, Variable.SPEED, basis);
+    assertThat(sentence(speed, 0, v -> -0.05 * Math.max(0, v - 2)))
+        .isEqualTo(
+            "From 2.0 m/s on, the ball is braked more than the model says: by 0.050 m/s² for each"
+                + " further m/s.");
+    assertThat(sentence(speed, 0, v -> 0.1 * v))
+        .isEqualTo(
+            "The ball is braked less than the model says: by 0.10 m/s² for each m/s of the speed.");
+    LearnedFamily shift = LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, basis, 2);
+    assertThat(sentence(shift, 1, t -> t < 3 ? 0 : -8))
+        .isEqualTo(
+            "From minute 0 of the session on, the reports of camera 2 are too far to the right"
+                + " (−y): by 8.0 mm.");
+  }
+}
