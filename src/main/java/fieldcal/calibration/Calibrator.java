@@ -11,6 +11,7 @@ import fieldcal.fit.JointFitter;
 import fieldcal.fit.JointProblem;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
+import fieldcal.fit.LensCheck;
 import fieldcal.fit.OverlapOffsets;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
@@ -115,7 +116,8 @@ public final class Calibrator {
   }
 
   private static CameraViews measuredCameras(CalibrationProblem problem) {
-    Map<Integer, Double> noise = CameraNoise.atRest(problem.kicks(), problem.cameras());
+    CameraViews usable = LensCheck.usable(problem.kicks(), problem.cameras());
+    Map<Integer, Double> noise = CameraNoise.atRest(problem.kicks(), usable);
     // A camera that saw too little at rest is taken to be as good as the others.
     double typical =
         noise.values().stream()
@@ -123,7 +125,7 @@ public final class Calibrator {
             .skip(noise.size() / 2)
             .findFirst()
             .orElse(CameraView.DEFAULT_NOISE);
-    CameraViews alike = problem.cameras().map(v -> v.withNoise(typical));
+    CameraViews alike = usable.map(v -> v.withNoise(typical));
     CameraViews measured = CameraNoise.measured(problem.kicks(), alike);
     return OverlapOffsets.estimate(problem.kicks(), measured);
   }

@@ -34,6 +34,9 @@ public final class Camera {
   /** Lowest height at which a camera is believed to hang, m; chosen, because no league's robots (0.15 m) would fit under a lower one. */
   private static final double MIN_HEIGHT = 0.5;
 
+  /** Farther from the field's centre no camera hangs, m: eight times the largest field of the rules. */
+  private static final double MAX_DISTANCE = 100;
+
   private final int id;
   private final Pinhole pinhole; // null: position only
   private final double x;
@@ -44,7 +47,7 @@ public final class Camera {
 
   private Camera(
       int id, Pinhole pinhole, double x, double y, double z, double ballPlane, String consistency) {
-    if (!(z >= MIN_HEIGHT) || !Double.isFinite(x + y + z)) {
+    if (!isPlace(x, y, z)) {
       throw new IllegalArgumentException(
           "camera " + id + ": no usable position: " + point(x, y, z) + "; " + consistency);
     }
@@ -84,12 +87,12 @@ public final class Camera {
   public static Camera of(CameraCalibration calibration, double ballPlane) {
     CameraCalibration c = calibration;
     String published = point(c.derivedWorldX(), c.derivedWorldY(), c.derivedWorldZ());
-    boolean positionUsable = c.hasDerivedPosition() && c.derivedWorldZ() >= MIN_HEIGHT;
+    boolean positionUsable = isPlace(c.derivedWorldX(), c.derivedWorldY(), c.derivedWorldZ());
     Pinhole pinhole = Pinhole.of(c);
     String why;
     if (pinhole == null) {
       why = "rotation or focal length is no pose";
-    } else if (!(pinhole.cameraZ >= MIN_HEIGHT)) {
+    } else if (!isPlace(pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ)) {
       why = "the pose puts the camera at " + pinhole.position() + ", not above the field";
     } else if (!positionUsable) {
       String note =
@@ -140,6 +143,11 @@ public final class Camera {
     return new Camera(id, null, x, y, z, BALL_RADIUS, "only the position is known");
   }
 
+  /** Whether a camera can hang there: above the field, and not kilometres away. NaN is no place. */
+  private static boolean isPlace(double x, double y, double z) {
+    return z >= MIN_HEIGHT && z <= MAX_DISTANCE && Math.hypot(x, y) <= MAX_DISTANCE;
+  }
+
   private static Camera withPose(int id, Pinhole pinhole, double ballPlane, String note) {
     return new Camera(
         id, pinhole, pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ, ballPlane, note);
@@ -154,6 +162,16 @@ public final class Camera {
    */
   public Camera withBallPlane(double height) {
     return new Camera(id, pinhole, x, y, z, height, consistency);
+  }
+
+  /**
+   * This camera with its position alone, for one whose lens or rotation turned out to be wrong.
+   *
+   * @param why one clause for the operator
+   * @return a new camera
+   */
+  public Camera withoutPixels(String why) {
+    return new Camera(id, null, x, y, z, ballPlane, why + "; only the position is used");
   }
 
   /**

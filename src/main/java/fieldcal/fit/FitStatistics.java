@@ -57,10 +57,11 @@ public record FitStatistics(
   /**
    * Whether the model explains what was seen, and not only the most of it: few detections are far from the path, be they outliers or not.
    *
-   * @return true when more than 97 % of the detections are on the path and a typical residual is at most 1.5 times the cameras' noise
+   * @return true when more than 97 % of the detections are on the path and the residuals, the typical ones and their mean square, are at most 1.5 times the cameras' noise
    */
   public boolean explained() {
     return robustScale < EXPLAINED_SCALE
+        && reducedChiSquare() < EXPLAINED_SCALE * EXPLAINED_SCALE
         && observations - used + lackOfFit < FEW_UNEXPLAINED * observations;
   }
 

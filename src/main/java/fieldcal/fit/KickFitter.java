@@ -94,8 +94,22 @@ public final class KickFitter {
    * @return the fit, or why there is none
    */
   public KickFit fit(FitProblem problem, KickKind kind) {
+    long seed = settings.seed() + 7919L * problem.kick().id();
+    try {
+      return searched(problem, kind, seed);
+    } catch (RuntimeException e) {
+      return broken(problem, kind, seed, e);
+    }
+  }
+
+  /** Whatever a recording holds, a fit that breaks costs its kick and nothing else. */
+  private static KickFit broken(
+      FitProblem problem, KickKind kind, long seed, RuntimeException cause) {
+    return KickFit.failed(problem.kick(), kind, "the fit broke off: " + cause, seed);
+  }
+
+  private KickFit searched(FitProblem problem, KickKind kind, long seed) {
     Kick kick = problem.kick();
-    long seed = settings.seed() + 7919L * kick.id();
     FlightData data = FlightData.of(kick.observations(), problem.cameras());
     int after = 0;
     for (int i = 0; i < data.size; i++) {
@@ -130,6 +144,14 @@ public final class KickFitter {
    * @return the fit, of the same kind
    */
   public KickFit refit(FitProblem problem, KickFit before) {
+    try {
+      return refitted(problem, before);
+    } catch (RuntimeException e) {
+      return broken(problem, before.kind(), before.statistics().seed(), e);
+    }
+  }
+
+  private KickFit refitted(FitProblem problem, KickFit before) {
     KickKind kind = before.kind();
     FlightData data = FlightData.of(problem.kick().observations(), problem.cameras());
     List<Parameter> model = kind == KickKind.FLAT ? problem.flat() : problem.chip();

@@ -6,13 +6,14 @@ import fieldcal.camera.Camera;
  * Turns residuals in the ground plane into ones with unit variance per component, {@code (w11·rx, w21·rx + w22·ry)}.
  *
  * <p>A camera's noise is one of its pixels: towards the edge of the image a pixel covers more ground, and more along the line of sight than across it.
- * Where the camera's pixels are unknown, the noise is taken to be the same everywhere. Noise of the time stamp adds to it along the ball's velocity. A working object; not thread-safe.
+ * Where the camera's pixels are unknown, or its lens does not see the place, the noise is taken to be that straight below it. Noise of the time stamp adds to it along the ball's velocity. A working object; not thread-safe.
  */
 public final class Whitening {
   private final double[] jacobian = new double[4];
   private double w11;
   private double w21;
   private double w22;
+  private boolean seen;
 
   /** Starts empty. */
   public Whitening() {}
@@ -42,15 +43,20 @@ public final class Whitening {
     double c11 = variance;
     double c21 = 0;
     double c22 = variance;
+    seen = true;
     Camera camera = view.camera().orElse(null);
     if (camera != null && camera.hasPixels()) {
       camera.groundPerPixel(camera.positionX(), camera.positionY(), jacobian);
       double nadir = Math.abs(jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2]);
       camera.groundPerPixel(x, y, jacobian);
-      double perPixel = variance / nadir;
-      c11 = perPixel * (jacobian[0] * jacobian[0] + jacobian[1] * jacobian[1]);
-      c21 = perPixel * (jacobian[0] * jacobian[2] + jacobian[1] * jacobian[3]);
-      c22 = perPixel * (jacobian[2] * jacobian[2] + jacobian[3] * jacobian[3]);
+      double area = Math.abs(jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2]);
+      seen = nadir > 0 && area >= LensCheck.LEAST_GROUND * nadir && area < Double.POSITIVE_INFINITY;
+      if (seen) {
+        double perPixel = variance / nadir;
+        c11 = perPixel * (jacobian[0] * jacobian[0] + jacobian[1] * jacobian[1]);
+        c21 = perPixel * (jacobian[0] * jacobian[2] + jacobian[1] * jacobian[3]);
+        c22 = perPixel * (jacobian[2] * jacobian[2] + jacobian[3] * jacobian[3]);
+      }
     }
     c11 += jitterX * jitterX;
     c21 += jitterX * jitterY;
@@ -62,6 +68,11 @@ public final class Whitening {
     w11 = 1 / l11;
     w21 = -l21 / (l11 * l22);
     w22 = 1 / l22;
+  }
+
+  /** Whether the camera's lens, where it is known, sees the place that was looked up. */
+  boolean isSeen() {
+    return seen;
   }
 
   /**

@@ -222,10 +222,19 @@ public final class BallMonitor {
       if (anew) {
         compareAll();
       }
-      if (kick != null) {
-        alignment.add(kick).forEach(this::fit);
-      } else if (last) {
-        alignment.flush().forEach(this::fit);
+      try {
+        if (kick != null) {
+          alignment.add(kick).forEach(this::fit);
+        } else if (last) {
+          alignment.flush().forEach(this::fit);
+        }
+      } catch (RuntimeException e) {
+        // A kick that nothing can be made of must not end the watching: what was learnt with it is
+        // forgotten, and it counts as dropped.
+        int lost = alignment.restart(known);
+        synchronized (shared) {
+          dropped += lost + (kick == null ? 0 : 1);
+        }
       }
       synchronized (shared) {
         aside = alignment.waiting();

@@ -3,6 +3,7 @@ package fieldcal.live;
 import fieldcal.fit.CameraNoise;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
+import fieldcal.fit.LensCheck;
 import fieldcal.fit.OverlapOffsets;
 import fieldcal.kick.Kick;
 import java.util.ArrayDeque;
@@ -110,7 +111,7 @@ final class CameraAlignment {
   private void learn() {
     List<Kick> kicks = List.copyOf(recent);
     CameraViews all = withUnpublished(kicks);
-    CameraViews known = all.map(v -> v.withNoise(views.get(v.id()).noise()));
+    CameraViews known = LensCheck.usable(kicks, all).map(v -> v.withNoise(views.get(v.id()).noise()));
     before = views;
     views = OverlapOffsets.estimate(kicks, CameraNoise.measured(kicks, known));
   }

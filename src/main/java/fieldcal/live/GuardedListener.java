@@ -14,6 +14,11 @@ final class GuardedListener implements LiveListener {
     this.host = Objects.requireNonNull(host, "listener");
   }
 
+  /** Something else than the host's listener broke. */
+  void countFailure() {
+    failures.incrementAndGet();
+  }
+
   long failures() {
     return failures.get();
   }

@@ -175,12 +175,19 @@ public final class LiveMonitor {
   }
 
   /**
-   * Does one piece of the work that takes long: some 10 to 100 ms for a kick, some tenths of a second for movement limits.
+   * Does one piece of the work that takes long: some 10 to 100 ms for a kick, some tenths of a second for movement limits. Never throws into the host: a piece that breaks is
+   * counted in {@link LiveSnapshot#listenerFailures}.
    *
    * @return false when there was nothing to do
    */
   public boolean poll() {
-    return ball.poll() || movement.poll();
+    try {
+      return ball.poll() || movement.poll();
+    } catch (RuntimeException e) {
+      // Both take a piece from what waits before they work on it, so that the next call goes on.
+      listener.countFailure();
+      return true;
+    }
   }
 
   /**

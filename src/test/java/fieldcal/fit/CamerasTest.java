@@ -3,15 +3,20 @@ package fieldcal.fit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.camera.Camera;
+import fieldcal.camera.CameraCalibration;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickEnd;
 import fieldcal.kick.Observations;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What is learnt of the cameras before any kick is fitted: noise and offsets. */
 class CamerasTest {
@@ -73,6 +78,74 @@ class CamerasTest {
     assertThat(CameraNoise.atRest(List.of(one), views(2))).isEmpty();
     Kick moving = FitSupport.with(one, false, one.observations());
     assertThat(CameraNoise.atRest(List.of(moving, moving, moving), views(2))).isEmpty();
+  }
+
+  @Test
+  void noCameraIsWithoutNoise() {
+    double[][] offsets = {{0, 0}};
+    List<Kick> kicks = new ArrayList<>();
+    for (int id = 1; id <= 4; id++) {
+      kicks.add(kick(id, new int[] {0}, new double[] {0}, offsets, 0));
+    }
+    assertThat(CameraNoise.atRest(kicks, views(1)).get(0)).isEqualTo(CameraNoise.FLOOR);
+    assertThat(views(1).get(0).withNoise(0).noise()).isEqualTo(CameraNoise.FLOOR);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.001, 0.005, 0.0125, 0.05, 0.2})
+  void aGridOfCoordinatesIsNoise(double step) {
+    double[][] offsets = {{0, 0}, {0, 0}};
+    List<Kick> kicks = new ArrayList<>();
+    for (int id = 1; id <= 4; id++) {
+      Kick kick = kick(id, new int[] {0, 1}, new double[] {0.0001, 0.0001}, offsets, 0);
+      Observations.Builder b = new Observations.Builder();
+      Observations seen = kick.observations();
+      for (int i = 0; i < seen.size(); i++) {
+        // Camera 1 has no grid.
+        double to = seen.camera(i) == 0 ? step : 1e-9;
+        double x = Math.round(seen.x(i) / to) * to;
+        double y = Math.round(seen.y(i) / to) * to;
+        b.add(seen.time(i), seen.camera(i), x, y, 0, 0);
+      }
+      kicks.add(FitSupport.with(kick, true, b.build()));
+    }
+    CameraViews measured = CameraNoise.measured(kicks, views(2));
+    double least = Math.hypot(CameraNoise.FLOOR, step / Math.sqrt(12));
+    // A ball that lies on the edge of a cell jumps between two.
+    assertThat(measured.get(0).noise()).isBetween(least - 1e-9, 1.5 * step + CameraNoise.FLOOR);
+    assertThat(CameraNoise.least(kicks).get(0)).isEqualTo(least, within(1e-9));
+    assertThat(measured.get(1).noise()).isEqualTo(CameraNoise.FLOOR);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.3, -0.5, -2, -10})
+  void aLensThatDoesNotSeeWhatItsCameraReportsIsNotUsed(double distortion) {
+    CameraCalibration sound =
+        new CameraCalibration(0, 1500, 1000, 1200, 0.12, 1, 0, 0, 0, 0, 0, 4, 0, 0, 4, 0, 0);
+    CameraCalibration folded =
+        new CameraCalibration(1, 1500, 1000, 1200, distortion, 1, 0, 0, 0, 0, 0, 4, 0, 0, 4, 0, 0);
+    CameraViews views =
+        CameraViews.of(
+            List.of(
+                CameraView.of(0, Optional.of(Camera.of(sound))),
+                CameraView.of(1, Optional.of(Camera.of(folded)))));
+    Observations.Builder b = new Observations.Builder();
+    for (int i = 0; i < 120; i++) {
+      b.add(i / 60.0, i % 2, -3.5 + 7 * i / 120.0, 1, 0, 0);
+    }
+    Kick kick =
+        new Kick(
+            1, 0.5, -1, 1, 2, 0, Optional.empty(), true, KickEnd.TOUCHED_ROBOT, 1.9, b.build());
+    assertThat(LensCheck.unusable(List.of(kick), views)).containsOnlyKeys(1);
+    CameraViews usable = LensCheck.usable(List.of(kick), views);
+    assertThat(usable.get(0)).isEqualTo(views.get(0));
+    assertThat(usable.get(1).camera().orElseThrow().hasPixels()).isFalse();
+    assertThat(usable.get(1).camera().orElseThrow().positionZ()).isEqualTo(4);
+    // What is beyond the fold has the noise below the camera, not none.
+    FlightData data = FlightData.of(kick.observations(), views);
+    assertThat(Arrays.stream(data.w11)).allMatch(Double::isFinite);
+    assertThat(Arrays.stream(data.w22))
+        .allMatch(w -> w < 2.1 / CameraView.DEFAULT_NOISE);
   }
 
   @Test

@@ -5,6 +5,7 @@ import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
+import fieldcal.fit.LensCheck;
 import fieldcal.gamelog.ClockComparison;
 import fieldcal.gamelog.GameLogException;
 import fieldcal.gamelog.LogProblem;
@@ -117,6 +118,7 @@ public final class KickCollector {
     streams
         .keySet()
         .forEach(id -> views.add(CameraView.of(id, Optional.ofNullable(cameras.get(id)))));
+    leaveUnusableLensesOut(logs, views);
     return new CollectedKicks(
         epoch,
         kicks,
@@ -129,6 +131,30 @@ public final class KickCollector {
         problems,
         Double.isNaN(sessionStart) ? 0 : sessionStart,
         duration);
+  }
+
+  private void leaveUnusableLensesOut(List<Path> logs, List<CameraView> views) {
+    CameraViews published = CameraViews.of(views);
+    Map<Integer, Double> unseen = LensCheck.unusable(kicks, published);
+    if (unseen.isEmpty()) {
+      return;
+    }
+    views.clear();
+    views.addAll(LensCheck.usable(kicks, published).all());
+    views.forEach(view -> view.camera().ifPresent(camera -> cameras.put(view.id(), camera)));
+    unseen.forEach(
+        (id, share) ->
+            problems.add(
+                new DataProblem(
+                    logs.get(0) + ", camera " + id,
+                    String.format(
+                        Locale.ROOT,
+                        "its published lens (distortion %.4g) does not see %.0f %% of the places where"
+                            + " it reports balls",
+                        calibrations.get(id).distortion(),
+                        100 * share),
+                    1,
+                    "only its position is used; calibrate it")));
   }
 
   private ObservedCamera observer(int number) {

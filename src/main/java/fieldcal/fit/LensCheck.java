@@ -1,0 +1,88 @@
+package fieldcal.fit;
+
+import fieldcal.camera.Camera;
+import fieldcal.kick.Kick;
+import fieldcal.kick.Observations;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Finds cameras whose published lens cannot be theirs: it does not see the places where they report balls. Of such a camera the position alone is used.
+ *
+ * <p>A lens with negative distortion folds: beyond a radius no ground is seen, and just before it a pixel covers next to no ground, as if the camera had no noise there.
+ */
+public final class LensCheck {
+  /**
+   * A pixel covers that share of the ground below the camera at least. Off the axis it covers more, (1 + tan²)^1.5 times as much, and a barrel lens takes back a
+   * third at most; a quarter is near a fold.
+   */
+  static final double LEAST_GROUND = 0.25;
+
+  /** Among the detections of a sound camera so many may be false ones outside of its image. */
+  private static final double MOST_UNSEEN = 0.01;
+
+  private LensCheck() {}
+
+  private static final class Count {
+    private int all;
+    private int unseen;
+  }
+
+  /**
+   * Which share of a camera's detections its lens does not see.
+   *
+   * @param kicks any kind
+   * @param views the cameras
+   * @return by id, of those cameras whose lens is not usable; 0 … 1
+   */
+  public static Map<Integer, Double> unusable(List<Kick> kicks, CameraViews views) {
+    Map<Integer, Count> counts = new TreeMap<>();
+    Whitening whitening = new Whitening();
+    for (Kick kick : kicks) {
+      Observations seen = kick.observations();
+      for (int i = 0; i < seen.size(); i++) {
+        CameraView view = views.get(seen.camera(i));
+        if (view.camera().filter(Camera::hasPixels).isPresent()) {
+          Count count = counts.computeIfAbsent(view.id(), id -> new Count());
+          whitening.at(view, seen.x(i) - view.offsetX(), seen.y(i) - view.offsetY());
+          count.all++;
+          count.unseen += whitening.isSeen() ? 0 : 1;
+        }
+      }
+    }
+    Map<Integer, Double> shares = new TreeMap<>();
+    counts.forEach(
+        (id, count) -> {
+          double share = count.unseen / (double) count.all;
+          if (share > MOST_UNSEEN) {
+            shares.put(id, share);
+          }
+        });
+    return shares;
+  }
+
+  /**
+   * The cameras without lenses that are not usable.
+   *
+   * @param kicks any kind
+   * @param views the cameras
+   * @return the views; of those cameras only the position is known
+   */
+  public static CameraViews usable(List<Kick> kicks, CameraViews views) {
+    Map<Integer, Double> unusable = unusable(kicks, views);
+    return unusable.isEmpty()
+        ? views
+        : views.map(
+            v ->
+                unusable.containsKey(v.id())
+                    ? new CameraView(
+                        v.id(),
+                        v.camera()
+                            .map(c -> c.withoutPixels("its lens does not see what it reports")),
+                        v.offsetX(),
+                        v.offsetY(),
+                        v.noise())
+                    : v);
+  }
+}
