@@ -43,19 +43,8 @@ final class CaseDetails {
           "  kick %d: %s, %d detections, %.2f mm",
           fit.kick().id(), fit.kind().id(), fit.kick().observations().size(), fit.rmsMm());
     }
-    Diagnosis d = run.diagnosis();
-    print("base      %s", d.base());
-    print("extended  %s", d.extended());
-    print("left      %s", d.unexplained());
-    for (Cause cause : d.causes()) {
-      print("cause     %s", cause);
-    }
-    for (Candidate c : d.candidates()) {
-      print(
-          "candidate %-90s score %.1f evidence %.1f added %.1f%s",
-          c.effect(), c.scoreGain(), c.evidence(), c.addedEvidence(), c.named() ? " named" : "");
-    }
-    Judgement judgement = Judge.judge(hidden, visibility, run.truth(), d);
+    run.answer().details().forEach(line -> print("%s", line));
+    Judgement judgement = Judge.judge(hidden, visibility, run.truth(), run.answer());
     print("judged    %s", judgement.outcome());
     print(
         "          %s",

@@ -3,11 +3,14 @@ package fieldcal.diagnosis;
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.StudiedCase;
 import fieldcal.diagnosis.hidden.Visibility;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -26,12 +29,15 @@ public final class HiddenEffectStudy {
       usage: hiddenEffectStudy -PstudyArgs="…"
         --cases N      how many cases (default 500)
         --seed S       of the whole study (default 1): cases have the seeds S·1000000 and up
+        --first N      leaves out the first N cases that would be taken (default 0): shard k of n cases has --first k·n
+        --only WHAT    only single, pair, mixture, unnamed or null, or only cases that hide an effect
+                       (several: separated by commas)
         --case SEED    this case alone, with everything that the diagnosis tells on its way
         --seeds A,B    exactly these cases, as of failed ones
-        --only ID      only cases that hide this effect (several: separated by commas)
-        --category C   only cases of one category: single, null, pair, unknown
         --threads N    cases at a time (default 2)
-        --classes      only measure how visible the effects are; nothing is diagnosed\
+        --rows FILE    appends a line for each case to a file
+        --summary A,B  studies nothing: summarizes files of rows
+        --classes      only measures how visible the effects are; nothing is diagnosed\
       """;
 
   private static final long SEEDS = 1_000_000;
@@ -44,8 +50,10 @@ public final class HiddenEffectStudy {
     Optional<Long> one = Optional.empty();
     List<Long> seeds = List.of();
     List<String> only = List.of();
-    String category = "";
+    long first;
     int threads = 2;
+    Optional<Path> rows = Optional.empty();
+    List<Path> summary = List.of();
     boolean classes;
   }
 
@@ -70,7 +78,15 @@ public final class HiddenEffectStudy {
       new CaseDetails(out).print(HiddenCase.draw(options.one.get()));
       return;
     }
-    List<StudiedCase> results = run(options, out);
+    if (!options.summary.isEmpty()) {
+      List<CaseRow> rows = new ArrayList<>();
+      for (Path file : options.summary) {
+        Files.readAllLines(file).stream().map(CaseRow::parse).forEach(rows::add);
+      }
+      new StudySummary(rows).print(out);
+      return;
+    }
+    List<CaseRow> results = run(options, out);
     if (!options.classes) {
       new StudySummary(results).print(out);
     }
@@ -93,7 +109,9 @@ public final class HiddenEffectStudy {
         case "--case" -> o.one = Optional.of(Long.parseLong(value));
         case "--seeds" -> o.seeds = Arrays.stream(value.split(",")).map(Long::valueOf).toList();
         case "--only" -> o.only = List.of(value.split(","));
-        case "--category" -> o.category = value;
+        case "--first" -> o.first = Long.parseLong(value);
+        case "--rows" -> o.rows = Optional.of(Path.of(value));
+        case "--summary" -> o.summary = Arrays.stream(value.split(",")).map(Path::of).toList();
         case "--threads" -> o.threads = Integer.parseInt(value);
         default -> throw new IllegalArgumentException("unknown option " + args[i - 1]);
       }
@@ -106,38 +124,45 @@ public final class HiddenEffectStudy {
       return o.seeds.stream().map(HiddenCase::draw).toList();
     }
     List<HiddenCase> cases = new ArrayList<>();
+    long taken = 0;
     for (long i = 0; i < SEEDS && cases.size() < o.cases; i++) {
       HiddenCase c = HiddenCase.draw(o.seed * SEEDS + i);
-      boolean wanted = o.only.isEmpty() || o.only.stream().anyMatch(c::hides);
-      if (wanted && (o.category.isEmpty() || o.category.equalsIgnoreCase(c.category().name()))) {
+      boolean wanted = o.only.isEmpty() || o.only.stream().anyMatch(what -> is(c, what));
+      if (wanted && taken++ >= o.first) {
         cases.add(c);
       }
     }
     return cases;
   }
 
-  private static List<StudiedCase> run(Options o, PrintStream out)
-      throws InterruptedException, ExecutionException {
+  private static boolean is(HiddenCase c, String what) {
+    return c.category().name().equalsIgnoreCase(what) || c.hides(what);
+  }
+
+  private static List<CaseRow> run(Options o, PrintStream out)
+      throws InterruptedException, ExecutionException, IOException {
     List<HiddenCase> cases = cases(o);
     ExecutorService pool = Executors.newFixedThreadPool(o.threads);
     CompletionService<StudiedCase> done = new ExecutorCompletionService<>(pool);
-    List<StudiedCase> results = new ArrayList<>();
+    List<CaseRow> results = new ArrayList<>();
     try {
       for (HiddenCase c : cases) {
         done.submit(() -> o.classes ? visible(c, out) : studied(c));
       }
-      while (results.size() < cases.size()) {
+      for (int n = 1; n <= cases.size(); n++) {
         StudiedCase result = done.take().get();
-        results.add(result);
         if (!o.classes) {
-          out.printf(Locale.ROOT, "[%d/%d] %s%n", results.size(), cases.size(), result);
+          CaseRow row = CaseRow.of(result);
+          results.add(row);
+          out.printf(Locale.ROOT, "[%d/%d] %s%n", n, cases.size(), result);
+          if (o.rows.isPresent()) {
+            Files.writeString(
+                o.rows.get(), row + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+          }
         }
       }
     } finally {
       pool.shutdownNow();
-    }
-    if (!o.classes) {
-      results.sort(Comparator.comparingLong(r -> r.hidden().seed()));
     }
     return results;
   }

@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.HiddenRun;
+import fieldcal.simulation.ScenarioKind;
 import fieldcal.fit.KickFit;
 import java.util.List;
 
@@ -21,7 +22,7 @@ final class ChipsField {
 
   /** The same field once more, for a test that changes what was seen there. */
   static HypothesisFitter anew() {
-    return fitter(HiddenRun.problem(HiddenCase.draw(SEED)));
+    return fitter(HiddenRun.problem(HiddenCase.of(SEED, ScenarioKind.CHIP)));
   }
 
   static List<KickData> kicks(DiagnosisProblem problem) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.HiddenRun;
+import fieldcal.simulation.ScenarioKind;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -60,7 +61,7 @@ class HypothesisFitterTest {
 
   @Test
   void aRestThatNoStraightPathExplainsIsKept() {
-    List<KickData> curved = ChipsField.kicks(HiddenRun.problem(HiddenCase.draw(CURVED)));
+    List<KickData> curved = ChipsField.kicks(HiddenRun.problem(HiddenCase.of(CURVED, ScenarioKind.FLAT, "side_spin:fraction=-0.1153")));
     for (KickData kick : curved) {
       double[] rest = Outliers.rest(kick.kick);
       int resting = 0;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.HiddenRun;
+import fieldcal.simulation.ScenarioKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -14,8 +15,11 @@ class RegionEdgesTest {
   /** Flat kicks and chips, and a carpet that brakes 30 % more in x = -4.66 to -0.48 m up to y = 0.59 m; its fourth edge no ball crosses, and few the first. */
   private static final long WORN = 111000301;
 
+  private static final String WEAR =
+      "worn_region:change=0.3034,region=[-4.66,-0.48,-4.45,0.59]";
+
   private static final HypothesisFitter WORLD =
-      ChipsField.fitter(HiddenRun.problem(HiddenCase.draw(WORN)));
+      ChipsField.fitter(HiddenRun.problem(HiddenCase.of(WORN, ScenarioKind.MIXED, WEAR)));
 
   private static FittedHypothesis fitted(double... edges) {
     FittedHypothesis simple = WORLD.fitSimple();

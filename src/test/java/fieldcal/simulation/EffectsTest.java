@@ -300,7 +300,8 @@ class EffectsTest {
     assertThat(SimulatedEffect.CAMERA_SHAKE.catalogued()).isFalse();
     assertThat(SimulatedEffect.AIR_DRAG.catalogued()).isTrue();
     assertThat(length(FLAT.withEffects("slip_dependent_friction:slope=0.2")))
-        .isLessThan(length(FLAT) - 0.02);
+        .isNotCloseTo(length(FLAT), within(5e-3));
+    assertThat(SimulatedEffect.WIND.catalogued()).isTrue();
     assertThat(length(FLAT.withEffects("carpet_waves:amplitude=0.5,wavelength=3")))
         .isNotEqualTo(length(FLAT));
     double swing =
@@ -311,6 +312,93 @@ class EffectsTest {
             .max()
             .orElseThrow();
     assertThat(swing).isEqualTo(0.010, within(3e-4));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "unnamed_roll_square:slope=0.03",
+        "unnamed_roll_bump:height=1",
+        "unnamed_fading_friction:change=0.5",
+        "unnamed_ring:change=2,inner=0,outer=9",
+        "unnamed_once_per_turn:amplitude=3",
+        "unnamed_side_force:rate=0.2",
+        "unnamed_patches:change=5",
+        "ball_changed:roll=0.5,slide=0.2,at=0",
+      })
+  void flatKicksFeelCausesWithoutAName(String effect) {
+    assertThat(length(FLAT.withEffects(effect))).isLessThan(length(FLAT) - 0.005);
+    assertThat(EffectSetting.parse(effect)).hasToString(effect);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "unnamed_restitution_place:change=0.2,direction=1.57",
+        "unnamed_impact_speed:slope=0.05",
+        "contact_impacts:reversed=-0.1,friction=0.35",
+        "kick_spin:fraction=-0.3",
+        "side_spin:fraction=0.3",
+        "field_slope:percent=1",
+        "wind:speed=3+air_drag:cd=0.45"
+      })
+  void chipsFeelThem(String effect) {
+    KickTruth plain = Simulation.record(CHIP).truth().kicks().get(0);
+    KickTruth changed = Simulation.record(CHIP.withEffects(effect.split("[+]"))).truth().kicks().get(0);
+    assertThat(changed.velocity()).isEqualTo(plain.velocity());
+    Vector3 a = plain.path().get(150);
+    Vector3 b = changed.path().get(150);
+    assertThat(Math.hypot(a.x() - b.x(), a.y() - b.y())).isGreaterThan(5e-3);
+  }
+
+  @Test
+  void windDoesNothingWithoutDrag() {
+    assertThat(Simulation.record(CHIP.withEffects("wind:speed=3")).packets())
+        .isEqualTo(Simulation.record(CHIP).packets());
+  }
+
+  @Test
+  void aKnockedCameraReportsAllShiftedFromThenOn() {
+    SimulatedRecording plain = Simulation.record(FLAT);
+    double half = 0.5 * plain.truth().duration();
+    SimulatedRecording moved =
+        Simulation.record(
+            FLAT.withEffects("camera_moved:x_mm=9,y_mm=-4,camera=1,at=" + half));
+    List<VisionFrame> before = frames(plain, 1);
+    List<VisionFrame> after = frames(moved, 1);
+    int shifted = 0;
+    for (int i = 0; i < before.size(); i++) {
+      boolean late = before.get(i).captureTime() > half + 0.01;
+      if (before.get(i).balls().isEmpty() || Math.abs(before.get(i).captureTime() - half) < 0.01) {
+        continue;
+      }
+      double dx = after.get(i).balls().get(0).x() - before.get(i).balls().get(0).x();
+      double dy = after.get(i).balls().get(0).y() - before.get(i).balls().get(0).y();
+      assertThat(dx).isEqualTo(late ? 0.009 : 0, within(3e-5));
+      assertThat(dy).isEqualTo(late ? -0.004 : 0, within(3e-5));
+      shifted += late ? 1 : 0;
+    }
+    assertThat(shifted).isGreaterThan(20);
+    assertThat(frames(moved, 0)).isEqualTo(frames(plain, 0));
+  }
+
+  @Test
+  void aLensErrorWithoutCameraIsThatOfAll() {
+    assertThat(framesOf(FLAT.withEffects("lens_distortion_error:delta=0.01"), 3))
+        .isEqualTo(framesOf(FLAT.withEffects("lens_distortion_error:delta=0.01,camera=all"), 3));
+  }
+
+  @Test
+  void aShearOfTheLensShiftsAlongXOnly() {
+    SimulatedRecording recording =
+        Simulation.record(FLAT.withEffects("unnamed_lens_shear:mm=100,camera=all"));
+    List<Residual> residuals = SimulationTest.residuals(recording);
+    assertThat(residuals.stream().mapToDouble(r -> Math.abs(r.dx())).max().orElseThrow())
+        .isBetween(2e-3, 0.05);
+    assertThat(residuals.stream().mapToDouble(r -> Math.abs(r.dy())).max().orElseThrow())
+        .isLessThan(3e-5);
   }
 
   @Test
@@ -342,7 +430,11 @@ class EffectsTest {
   }
 
   private static List<VisionFrame> framesOf(SimulationSettings settings, int camera) {
-    return Simulation.record(settings).frames().stream()
+    return frames(Simulation.record(settings), camera);
+  }
+
+  private static List<VisionFrame> frames(SimulatedRecording recording, int camera) {
+    return recording.frames().stream()
         .filter(f -> f.cameraId() == camera)
         .toList();
   }

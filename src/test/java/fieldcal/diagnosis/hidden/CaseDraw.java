@@ -40,38 +40,62 @@ final class CaseDraw {
   HiddenCase draw() {
     Category category = category();
     List<SimulatedEffect> effects = EffectDraw.pick(category, kind);
-    boolean cameras = effects.stream().anyMatch(EffectDraw::needsSeveralCameras);
     ScenarioKind scenario = EffectDraw.scenario(effects, kind);
-    FieldSize field = place.happens(0.5) ? FieldSize.DIVISION_A : FieldSize.DIVISION_B;
-    CameraSettings rig = rig(cameras);
-    SimulationSettings bare =
-        SimulationSettings.DEFAULT
-            .withSeed(seed)
-            .withField(field)
-            .withCameras(rig)
-            .withScenario(scenario(scenario))
-            .withNuisance(place.happens(0.8) ? Nuisance.TYPICAL : Nuisance.NONE)
-            .withPhysics(physics(effects))
-            .withPublishedModels(published());
-    List<RobotId> kickers =
-        new CalibrationScenario(bare)
-            .robots().stream().map(r -> r.id()).filter(id -> id.number() < 12).toList();
+    List<SimulatedEffect> all = EffectDraw.withCompanions(effects, scenario, kind);
+    SimulationSettings bare = world(all, scenario);
+    List<RobotId> kickers = kickers(bare);
     RandomStream strength = RandomStream.of(seed, "hidden: how much");
     List<EffectSetting> hidden = new ArrayList<>();
-    for (SimulatedEffect effect : effects) {
-      hidden.add(
-          new EffectDraw(strength, bare, kickers, category == Category.PAIR)
-              .setting(effect, hidden));
+    for (SimulatedEffect effect : all) {
+      hidden.add(new EffectDraw(strength, bare, kickers, all.size() > 1).setting(effect));
     }
-    boolean commands = place.happens(0.6) || effects.contains(SimulatedEffect.ROBOT_KICK_BIAS);
+    return hidden(category, bare, hidden, kickers);
+  }
+
+  /** The same field with something else hidden in it. */
+  HiddenCase with(Category category, ScenarioKind scenario, List<EffectSetting> hidden) {
+    SimulationSettings bare =
+        world(hidden.stream().map(EffectSetting::effect).toList(), scenario);
+    return hidden(category, bare, hidden, kickers(bare));
+  }
+
+  private HiddenCase hidden(
+      Category category,
+      SimulationSettings bare,
+      List<EffectSetting> hidden,
+      List<RobotId> kickers) {
+    boolean biased =
+        hidden.stream().anyMatch(e -> e.effect() == SimulatedEffect.ROBOT_KICK_BIAS);
+    boolean commands = place.happens(0.6) || biased;
     return new HiddenCase(seed, category, bare.withEffects(hidden), hidden, commands, kickers);
+  }
+
+  private SimulationSettings world(List<SimulatedEffect> effects, ScenarioKind scenario) {
+    boolean cameras = effects.stream().anyMatch(EffectDraw::needsSeveralCameras);
+    FieldSize field = place.happens(0.5) ? FieldSize.DIVISION_A : FieldSize.DIVISION_B;
+    CameraSettings rig = rig(cameras);
+    return SimulationSettings.DEFAULT
+        .withSeed(seed)
+        .withField(field)
+        .withCameras(rig)
+        .withScenario(scenario(scenario))
+        .withNuisance(place.happens(0.8) ? Nuisance.TYPICAL : Nuisance.NONE)
+        .withPhysics(physics(effects))
+        .withPublishedModels(published());
+  }
+
+  private static List<RobotId> kickers(SimulationSettings world) {
+    return new CalibrationScenario(world)
+        .robots().stream().map(r -> r.id()).filter(id -> id.number() < 12).toList();
   }
 
   private Category category() {
     double u = kind.uniform(0, 1);
-    return u < 0.58
+    return u < 0.46
         ? Category.SINGLE
-        : u < 0.77 ? Category.NULL : u < 0.93 ? Category.PAIR : Category.UNKNOWN;
+        : u < 0.62
+            ? Category.NULL
+            : u < 0.72 ? Category.PAIR : u < 0.87 ? Category.MIXTURE : Category.UNNAMED;
   }
 
   private CameraSettings rig(boolean several) {

@@ -8,9 +8,11 @@ import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulatedEffect;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
+import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -21,7 +23,7 @@ final class EffectDraw {
   private static final double USUAL_NOISE = 0.0015;
 
   /** Session time of a kick of the calibration scenarios, s (measured). */
-  private static final double SECONDS_PER_KICK = 6;
+  private static final double SECONDS_PER_KICK = 7;
 
   private static final Set<SimulatedEffect> ON_THE_BALL =
       EnumSet.of(
@@ -99,7 +101,7 @@ final class EffectDraw {
           .filter(e -> e != SimulatedEffect.TORQUE_LIMITED && e != SimulatedEffect.DIRECTIONAL)
           .toList();
 
-  private static final List<SimulatedEffect> UNKNOWN =
+  private static final List<SimulatedEffect> UNNAMED =
       List.of(SimulatedEffect.values()).stream().filter(e -> !e.catalogued()).toList();
 
   /** Of which the design says that one explains most of the other: no fair pairs. */
@@ -152,16 +154,55 @@ final class EffectDraw {
   static List<SimulatedEffect> pick(Category category, RandomStream random) {
     return switch (category) {
       case NULL -> List.of();
-      case SINGLE -> List.of(CATALOGUED.get(random.below(CATALOGUED.size())));
-      case UNKNOWN -> List.of(UNKNOWN.get(random.below(UNKNOWN.size())));
-      case PAIR -> {
-        SimulatedEffect first = CATALOGUED.get(random.below(CATALOGUED.size()));
-        SimulatedEffect second = CATALOGUED.get(random.below(CATALOGUED.size()));
-        while (second == first || alike(first, second)) {
-          second = CATALOGUED.get(random.below(CATALOGUED.size()));
+      case SINGLE -> named(1, random);
+      case PAIR -> named(2, random);
+      case MIXTURE -> named(random.happens(0.5) ? 3 : 4, random);
+      case UNNAMED -> {
+        List<SimulatedEffect> effects =
+            new ArrayList<>(List.of(UNNAMED.get(random.below(UNNAMED.size()))));
+        // As on real fields: what has no name comes beside what has one.
+        if (random.happens(0.35)) {
+          effects.addAll(named(1, random));
         }
-        yield List.of(first, second);
+        yield effects;
       }
+    };
+  }
+
+  /** Some effects of the catalogue, of which none explains most of another. */
+  private static List<SimulatedEffect> named(int count, RandomStream random) {
+    List<SimulatedEffect> effects = new ArrayList<>();
+    while (effects.size() < count) {
+      SimulatedEffect next = CATALOGUED.get(random.below(CATALOGUED.size()));
+      if (effects.stream().noneMatch(e -> e == next || alike(e, next))) {
+        effects.add(next);
+      }
+    }
+    return effects;
+  }
+
+  /** With what they are nothing without: wind needs drag; the lift of a ball that is kicked without spin is small. */
+  static List<SimulatedEffect> withCompanions(
+      List<SimulatedEffect> effects, ScenarioKind scenario, RandomStream random) {
+    List<SimulatedEffect> all = new ArrayList<>();
+    for (SimulatedEffect effect : effects) {
+      Optional<SimulatedEffect> needed = companion(effect);
+      boolean always = effect == SimulatedEffect.WIND;
+      boolean spins = scenario != ScenarioKind.FLAT && random.happens(0.6);
+      if (needed.isPresent() && !effects.contains(needed.get()) && (always || spins)) {
+        all.add(needed.get());
+      }
+      all.add(effect);
+    }
+    return all;
+  }
+
+  /** The effect without which another is little or nothing. */
+  static Optional<SimulatedEffect> companion(SimulatedEffect effect) {
+    return switch (effect) {
+      case WIND -> Optional.of(SimulatedEffect.AIR_DRAG);
+      case MAGNUS -> Optional.of(SimulatedEffect.KICK_SPIN);
+      default -> Optional.empty();
     };
   }
 
@@ -199,7 +240,7 @@ final class EffectDraw {
     return Math.max(min, Math.min(max, value));
   }
 
-  EffectSetting setting(SimulatedEffect effect, List<EffectSetting> others) {
+  EffectSetting setting(SimulatedEffect effect) {
     return switch (effect) {
       case AIR_DRAG -> set(effect, "cd", limited(positive(0.4), 0, 1.9));
       case MAGNUS -> set(effect, "cl", limited(about(2), -1.95, 1.95));

@@ -1,9 +1,11 @@
 package fieldcal.diagnosis.hidden;
 
 import fieldcal.simulation.EffectSetting;
+import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulatedEffect;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -34,8 +36,10 @@ public record HiddenCase(
     NULL,
     /** Two effects of the catalogue. */
     PAIR,
-    /** One that is in no catalogue. */
-    UNKNOWN
+    /** Three or four effects of the catalogue. */
+    MIXTURE,
+    /** A cause that has no name, alone or beside one that has. */
+    UNNAMED
   }
 
   /** Copies the lists. {@inheritDoc} */
@@ -52,6 +56,40 @@ public record HiddenCase(
    */
   public static HiddenCase draw(long seed) {
     return new CaseDraw(seed).draw();
+  }
+
+  /**
+   * The field, the cameras and the ball of a seed with something given hidden in them; what the seed itself would hide does not matter.
+   *
+   * @param seed any number
+   * @param scenario which kicks
+   * @param effects what to hide, as on the command line; one at most
+   * @return always the same for the same arguments
+   */
+  public static HiddenCase of(long seed, ScenarioKind scenario, String... effects) {
+    return new CaseDraw(seed)
+        .with(
+            effects.length == 0 ? Category.NULL : Category.SINGLE,
+            scenario,
+            Arrays.stream(effects).map(EffectSetting::parse).toList());
+  }
+
+  /**
+   * The effects that have a name.
+   *
+   * @return in the order of {@link #hidden}
+   */
+  public List<EffectSetting> named() {
+    return hidden.stream().filter(e -> e.effect().catalogued()).toList();
+  }
+
+  /**
+   * Whether it hides a cause without a name.
+   *
+   * @return true when one is among what is hidden
+   */
+  public boolean hidesUnnamed() {
+    return hidden.stream().anyMatch(e -> !e.effect().catalogued());
   }
 
   /**

@@ -7,8 +7,6 @@ import fieldcal.calibration.Calibration;
 import fieldcal.calibration.CalibrationProblem;
 import fieldcal.calibration.Calibrator;
 import fieldcal.calibration.HandSelection;
-import fieldcal.diagnosis.Diagnoser;
-import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.DiagnosisProblem;
 import fieldcal.diagnosis.KickCommand;
 import fieldcal.effect.ObservedCamera;
@@ -32,11 +30,11 @@ import java.util.function.Consumer;
  * What the code under test makes of a case. It sees frames, geometry and the commands file; the truth stays here for the judge.
  *
  * @param problem what was given to the diagnosis
- * @param diagnosis the answer
+ * @param answer of the diagnosis
  * @param truth what really happened
  * @param times how long each stage took
  */
-public record HiddenRun(DiagnosisProblem problem, Diagnosis diagnosis, Truth truth, Times times) {
+public record HiddenRun(DiagnosisProblem problem, Answer answer, Truth truth, Times times) {
 
   /**
    * How long it took, s.
@@ -60,11 +58,11 @@ public record HiddenRun(DiagnosisProblem problem, Diagnosis diagnosis, Truth tru
     long found = System.nanoTime();
     DiagnosisProblem problem = problem(seen, hidden.commands());
     long calibrated = System.nanoTime();
-    Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress);
+    Answer answer = Answer.to(problem, progress);
     long end = System.nanoTime();
     Times times =
         new Times(1e-9 * (found - start), 1e-9 * (calibrated - found), 1e-9 * (end - calibrated));
-    return new HiddenRun(problem, diagnosis, seen.truth(), times);
+    return new HiddenRun(problem, answer, seen.truth(), times);
   }
 
   /**

@@ -1,9 +1,6 @@
 package fieldcal.diagnosis.hidden;
 
-import fieldcal.diagnosis.Cause;
-import fieldcal.diagnosis.Diagnosis;
-import fieldcal.diagnosis.Verdict;
-import fieldcal.diagnosis.hidden.HiddenCase.Category;
+import fieldcal.diagnosis.hidden.Answer.Named;
 import fieldcal.diagnosis.hidden.Judgement.Found;
 import fieldcal.diagnosis.hidden.Judgement.How;
 import fieldcal.diagnosis.hidden.Judgement.Outcome;
@@ -14,9 +11,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Compares diagnosis and truth. */
+/** Compares diagnosis and truth. A name is wrong when it is not hidden, describes no part of what is ({@link Likeness#alike}), and is not said to be indistinguishable from it. */
 public final class Judge {
-  private Judge() {}
+  private final HiddenCase hidden;
+  private final List<Visibility> visibility;
+  private final Truth truth;
+  private final Answer answer;
+
+  private Judge(HiddenCase hidden, List<Visibility> visibility, Truth truth, Answer answer) {
+    this.hidden = hidden;
+    this.visibility = visibility;
+    this.truth = truth;
+    this.answer = answer;
+  }
 
   /**
    * Judges.
@@ -24,43 +31,49 @@ public final class Judge {
    * @param hidden the case
    * @param visibility of each hidden effect alone, in their order
    * @param truth what really happened
-   * @param diagnosis what was said
+   * @param answer what was said
    * @return the judgement
    */
   public static Judgement judge(
-      HiddenCase hidden, List<Visibility> visibility, Truth truth, Diagnosis diagnosis) {
-    List<Cause> left = new ArrayList<>(diagnosis.causes());
-    List<Found> found = new ArrayList<>();
-    if (hidden.category() != Category.UNKNOWN) {
-      for (int i = 0; i < hidden.hidden().size(); i++) {
-        found.add(named(hidden.hidden().get(i), visibility.get(i), truth, left));
-      }
-      // Names first: a tie must not take the cause that is another effect's own.
-      found.replaceAll(f -> f.how() == How.NAMED ? f : tied(f, left));
-    }
-    return new Judgement(
-        outcome(hidden, visibility, found, left, diagnosis.verdict()),
-        found,
-        left,
-        diagnosis.verdict());
+      HiddenCase hidden, List<Visibility> visibility, Truth truth, Answer answer) {
+    return new Judge(hidden, visibility, truth, answer).judge();
   }
 
-  private static Found named(
-      EffectSetting hidden, Visibility visibility, Truth truth, List<Cause> left) {
-    for (Cause cause : left) {
-      Likeness likeness = new Likeness(hidden, visibility, truth, cause);
+  private Judgement judge() {
+    List<Named> left = new ArrayList<>(answer.causes());
+    List<Found> found = new ArrayList<>();
+    for (int i = 0; i < hidden.hidden().size(); i++) {
+      if (hidden.hidden().get(i).effect().catalogued()) {
+        found.add(named(hidden.hidden().get(i), visibility.get(i), left));
+      }
+    }
+    // Names first: a tie must not take the cause that is another effect's own.
+    found.replaceAll(f -> f.how() == How.NAMED ? f : tied(f, left));
+    List<Named> excused = left.stream().filter(this::excused).toList();
+    left.removeAll(excused);
+    return new Judgement(
+        outcome(found, left), found, left, excused, answer.verdict(), rightVariable());
+  }
+
+  private Likeness likeness(EffectSetting effect, Visibility seen, Named cause) {
+    return new Likeness(effect, seen, truth, cause);
+  }
+
+  private Found named(EffectSetting effect, Visibility seen, List<Named> left) {
+    for (Named cause : left) {
+      Likeness likeness = likeness(effect, seen, cause);
       if (likeness.same()) {
         left.remove(cause);
         Optional<Strength> strength = Optional.of(likeness.strength());
-        return new Found(hidden, visibility, How.NAMED, Optional.of(cause), strength);
+        return new Found(effect, seen, How.NAMED, Optional.of(cause), strength);
       }
     }
-    return new Found(hidden, visibility, How.NOT, Optional.empty(), Optional.empty());
+    return new Found(effect, seen, How.NOT, Optional.empty(), Optional.empty());
   }
 
-  private static Found tied(Found before, List<Cause> left) {
-    for (Cause cause : left) {
-      if (cause.indistinguishableFrom().contains(before.hidden().effect().id())) {
+  private Found tied(Found before, List<Named> left) {
+    for (Named cause : left) {
+      if (likeness(before.hidden(), before.visibility(), cause).tied()) {
         left.remove(cause);
         return new Found(
             before.hidden(), before.visibility(), How.TIED, Optional.of(cause), Optional.empty());
@@ -69,28 +82,53 @@ public final class Judge {
     return before;
   }
 
-  private static Outcome outcome(
-      HiddenCase hidden,
-      List<Visibility> visibility,
-      List<Found> found,
-      List<Cause> wrong,
-      Verdict verdict) {
+  private boolean excused(Named cause) {
+    for (int i = 0; i < hidden.hidden().size(); i++) {
+      Likeness likeness = likeness(hidden.hidden().get(i), visibility.get(i), cause);
+      if (likeness.alike() || likeness.tied()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private Optional<Boolean> rightVariable() {
+    return hidden.hidden().stream()
+        .map(EffectSetting::effect)
+        .filter(e -> !e.catalogued())
+        .findFirst()
+        .flatMap(e -> RightVariable.first(e, answer));
+  }
+
+  /** Whether it is said that there is something without a name. */
+  private boolean admitted() {
+    return !answer.learned().isEmpty()
+        || !answer.verdict().equals(Answer.ADEQUATE) && !answer.verdict().equals(Answer.EXPLAINED);
+  }
+
+  private boolean unnamedIsVisible() {
+    for (int i = 0; i < visibility.size(); i++) {
+      if (!hidden.hidden().get(i).effect().catalogued()
+          && visibility.get(i).level() != Visibility.Class.INVISIBLE) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private Outcome outcome(List<Found> found, List<Named> wrong) {
     if (!wrong.isEmpty()) {
       return Outcome.WRONG;
     }
-    boolean unexplained = verdict == Verdict.UNEXPLAINED_STRUCTURE;
-    return switch (hidden.category()) {
-      case NULL -> unexplained ? Outcome.UNEXPLAINED : Outcome.RIGHT;
-      case UNKNOWN ->
-          unexplained || visibility.get(0).level() == Visibility.Class.INVISIBLE
-              ? Outcome.RIGHT
-              : Outcome.MISSED;
-      case SINGLE, PAIR -> {
-        if (found.stream().anyMatch(f -> f.how() == How.NOT)) {
-          yield unexplained ? Outcome.UNEXPLAINED : Outcome.MISSED;
-        }
-        yield found.stream().allMatch(f -> f.how() == How.NAMED) ? Outcome.RIGHT : Outcome.TIE;
-      }
-    };
+    if (hidden.hidden().isEmpty()) {
+      return admitted() ? Outcome.UNEXPLAINED : Outcome.RIGHT;
+    }
+    if (found.stream().anyMatch(f -> f.how() == How.NOT)) {
+      return admitted() ? Outcome.UNEXPLAINED : Outcome.MISSED;
+    }
+    if (unnamedIsVisible() && !admitted()) {
+      return Outcome.MISSED;
+    }
+    return found.stream().allMatch(f -> f.how() == How.NAMED) ? Outcome.RIGHT : Outcome.TIE;
   }
 }

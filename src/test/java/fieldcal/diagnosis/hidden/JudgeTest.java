@@ -3,12 +3,9 @@ package fieldcal.diagnosis.hidden;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import fieldcal.diagnosis.Cause;
-import fieldcal.diagnosis.Diagnosis;
-import fieldcal.diagnosis.Gain;
-import fieldcal.diagnosis.Quality;
-import fieldcal.diagnosis.Unexplained;
-import fieldcal.diagnosis.Verdict;
+import fieldcal.diagnosis.hidden.Answer.Fit;
+import fieldcal.diagnosis.hidden.Answer.Named;
+import fieldcal.diagnosis.hidden.Answer.Term;
 import fieldcal.diagnosis.hidden.HiddenCase.Category;
 import fieldcal.diagnosis.hidden.Judgement.How;
 import fieldcal.diagnosis.hidden.Judgement.Outcome;
@@ -39,6 +36,8 @@ class JudgeTest {
   private static final Visibility OFFSET_ONLY = new Visibility(3, 0.1, 12);
   private static final Visibility INVISIBLE = new Visibility(0.1, 0.1, 12);
 
+  private static final String UNEXPLAINED = "unexplained_structure";
+
   private static Truth truth(int cameras, String... effects) {
     return Simulation.of(settings(cameras, effects)).run(packet -> {});
   }
@@ -60,32 +59,24 @@ class JudgeTest {
         List.of());
   }
 
-  private static Cause cause(Effect effect, double error, String... ties) {
+  private static Named cause(Effect effect, double error, String... ties) {
     Map<String, Double> errors = new HashMap<>();
     effect.parameters().stream()
         .filter(p -> p.estimated())
         .forEach(p -> errors.put(p.name(), error));
-    return new Cause(effect, errors, 0, 20, new Gain(1, 30, 0.5, 1.5), List.of(ties), "");
+    return new Named(effect, errors, 0, 20, 0.5, List.of(ties));
   }
 
-  private static Diagnosis diagnosis(Verdict verdict, Cause... causes) {
-    Quality quality = new Quality(2, 1, 2, Map.of());
-    return new Diagnosis(
-        verdict,
-        quality,
-        quality,
-        List.of(causes),
-        List.of(),
-        new Unexplained(false, 0, 0, List.of()),
-        List.of(),
-        List.of(),
-        List.of(),
-        null,
-        null,
-        1);
+  private static Answer diagnosis(String verdict, Named... causes) {
+    return learned(verdict, List.of(), causes);
   }
 
-  private static Judgement judge(HiddenCase hidden, Visibility visibility, Diagnosis diagnosis) {
+  private static Answer learned(String verdict, List<Term> terms, Named... causes) {
+    Fit fit = new Fit(1, 2);
+    return new Answer(verdict, List.of(causes), terms, List.of(), fit, fit, List.of());
+  }
+
+  private static Judgement judge(HiddenCase hidden, Visibility visibility, Answer diagnosis) {
     String[] effects = hidden.hidden().stream().map(EffectSetting::toString).toArray(String[]::new);
     return Judge.judge(
         hidden,
@@ -94,8 +85,8 @@ class JudgeTest {
         diagnosis);
   }
 
-  private static Judgement judge(HiddenCase hidden, Cause... causes) {
-    Verdict verdict = causes.length == 0 ? Verdict.MODEL_ADEQUATE : Verdict.EXPLAINED;
+  private static Judgement judge(HiddenCase hidden, Named... causes) {
+    String verdict = causes.length == 0 ? Answer.ADEQUATE : Answer.EXPLAINED;
     return judge(hidden, CLEAR, diagnosis(verdict, causes));
   }
 
@@ -110,7 +101,7 @@ class JudgeTest {
     assertThat(judge(drag, cause(new KickSpin(0.1), 0.01, "air_drag")).outcome())
         .isEqualTo(Outcome.TIE);
     assertThat(judge(drag).outcome()).isEqualTo(Outcome.MISSED);
-    assertThat(judge(drag, CLEAR, diagnosis(Verdict.UNEXPLAINED_STRUCTURE)).outcome())
+    assertThat(judge(drag, CLEAR, diagnosis(UNEXPLAINED)).outcome())
         .isEqualTo(Outcome.UNEXPLAINED);
     Judgement more = judge(drag, cause(new AirDrag(0.5), 0.01), cause(new KickSpin(0.1), 0.01));
     assertThat(more.outcome()).isEqualTo(Outcome.WRONG);
@@ -122,28 +113,87 @@ class JudgeTest {
     HiddenCase none = hidden(Category.NULL, 4);
     assertThat(judge(none).outcome()).isEqualTo(Outcome.RIGHT);
     assertThat(judge(none, cause(new AirDrag(0.5), 0.1)).outcome()).isEqualTo(Outcome.WRONG);
-    assertThat(judge(none, CLEAR, diagnosis(Verdict.UNEXPLAINED_STRUCTURE)).outcome())
+    assertThat(judge(none, CLEAR, diagnosis(UNEXPLAINED)).outcome())
         .isEqualTo(Outcome.UNEXPLAINED);
   }
 
   @Test
-  void anUnknownEffectHasNoName() {
-    HiddenCase waves = hidden(Category.UNKNOWN, 4, "carpet_waves:amplitude=0.3");
-    assertThat(judge(waves, CLEAR, diagnosis(Verdict.UNEXPLAINED_STRUCTURE)).outcome())
+  void anUnnamedCauseHasNoName() {
+    HiddenCase waves = hidden(Category.UNNAMED, 4, "carpet_waves:amplitude=0.3");
+    assertThat(judge(waves, CLEAR, diagnosis(UNEXPLAINED)).outcome())
         .isEqualTo(Outcome.RIGHT);
     assertThat(judge(waves).outcome()).isEqualTo(Outcome.MISSED);
-    assertThat(judge(waves, INVISIBLE, diagnosis(Verdict.MODEL_ADEQUATE)).outcome())
+    assertThat(judge(waves, INVISIBLE, diagnosis(Answer.ADEQUATE)).outcome())
         .isEqualTo(Outcome.RIGHT);
     assertThat(judge(waves, cause(new FieldSlope(0.1, 0), 0.01)).outcome())
         .isEqualTo(Outcome.WRONG);
   }
 
   @Test
+  void whatIsLearnedFirstOfAnUnnamedCauseIsJudged() {
+    HiddenCase place = hidden(Category.UNNAMED, 4, "unnamed_ring:change=0.3");
+    Judgement right =
+        judge(place, CLEAR, learned("partly_explained", List.of(new Term("ground", List.of("x", "y")))));
+    assertThat(right.outcome()).isEqualTo(Outcome.RIGHT);
+    assertThat(right.rightVariable()).contains(true);
+    Judgement speed =
+        judge(place, CLEAR, learned("partly_explained", List.of(new Term("ground", List.of("speed")))));
+    assertThat(speed.rightVariable()).contains(false);
+    assertThat(judge(place).rightVariable()).isEmpty();
+    assertThat(judge(place, cause(new AirDrag(0.2), 0.01)).outcome()).isEqualTo(Outcome.WRONG);
+  }
+
+  @Test
+  void ofAMixtureEachIsCounted() {
+    HiddenCase three =
+        hidden(
+            Category.MIXTURE,
+            4,
+            "air_drag:cd=0.5",
+            "field_slope:percent=0.2,direction=1",
+            "camera_time_offset:ms=3,camera=1");
+    Named drag = cause(new AirDrag(0.5), 0.01);
+    Named time = cause(new CameraTimeOffset(3, 1), 0.1);
+    Judgement two = judge(three, drag, time);
+    assertThat(two.outcome()).isEqualTo(Outcome.MISSED);
+    assertThat(two.complete()).isFalse();
+    assertThat(two.visible()).hasSize(3);
+    assertThat(two.found()).filteredOn(f -> f.how() == How.NAMED).hasSize(2);
+    Judgement all = judge(three, drag, time, cause(new FieldSlope(0.21, 1), 0.01));
+    assertThat(all.complete()).isTrue();
+    assertThat(judge(three, drag, time, cause(new KickSpin(0.1), 1)).wrong()).hasSize(1);
+  }
+
+  @Test
+  void aNameThatIsSaidToBeATieIsNotWrong() {
+    HiddenCase drag = hidden(Category.SINGLE, 4, "air_drag:cd=0.5");
+    Judgement both =
+        judge(drag, cause(new AirDrag(0.5), 0.01), cause(new KickSpin(0.1), 0.1, "air_drag"));
+    assertThat(both.outcome()).isEqualTo(Outcome.RIGHT);
+    assertThat(both.excused()).hasSize(1);
+    HiddenCase offset = hidden(Category.SINGLE, 4, "camera_offset:x_mm=8,camera=1");
+    Named other = cause(new CameraOffset(-8, 0, 0), 0.1, "camera_offset of camera 1");
+    assertThat(judge(offset, other).outcome()).isEqualTo(Outcome.TIE);
+    Named third = cause(new CameraOffset(-8, 0, 0), 0.1, "camera_offset of camera 2");
+    assertThat(judge(offset, third).outcome()).isEqualTo(Outcome.WRONG);
+  }
+
+  @Test
+  void aKnockedCameraMayAlsoBeSaidToBeOffset() {
+    HiddenCase knocked = hidden(Category.PAIR, 4, "camera_moved:x_mm=8,at=9,camera=1", "air_drag:cd=0.5");
+    Named drag = cause(new AirDrag(0.5), 0.01);
+    Judgement half = judge(knocked, drag, cause(new CameraOffset(4, 0, 1), 0.1));
+    assertThat(half.outcome()).isEqualTo(Outcome.MISSED);
+    assertThat(half.wrong()).isEmpty();
+    assertThat(judge(knocked, drag, cause(new CameraOffset(4, 0, 2), 0.1)).wrong()).hasSize(1);
+  }
+
+  @Test
   void bothOfAPairMustBeFound() {
     HiddenCase pair =
         hidden(Category.PAIR, 4, "air_drag:cd=0.5", "camera_time_offset:ms=3,camera=1");
-    Cause drag = cause(new AirDrag(0.5), 0.01);
-    Cause time = cause(new CameraTimeOffset(3, 1), 0.1);
+    Named drag = cause(new AirDrag(0.5), 0.01);
+    Named time = cause(new CameraTimeOffset(3, 1), 0.1);
     assertThat(judge(pair, time, drag).outcome()).isEqualTo(Outcome.RIGHT);
     assertThat(judge(pair, drag).outcome()).isEqualTo(Outcome.MISSED);
     assertThat(judge(pair, drag, cause(new CameraTimeOffset(3, 2), 0.1)).outcome())
@@ -180,18 +230,18 @@ class JudgeTest {
     assertThat(turned.found().get(0).strength().get().percent()).isLessThan(1e-6);
   }
 
-  private static Diagnosis explained(Effect effect) {
-    return diagnosis(Verdict.EXPLAINED, cause(effect, 0.1));
+  private static Answer explained(Effect effect) {
+    return diagnosis(Answer.EXPLAINED, cause(effect, 0.1));
   }
 
   @Test
   void withTwoCamerasAHeightIsAnOffset() {
     HiddenCase height = hidden(Category.SINGLE, 2, "ball_height_error:mm=8");
-    Diagnosis offset = explained(new CameraOffset(5, 0, 1));
+    Answer offset = explained(new CameraOffset(5, 0, 1));
     assertThat(judge(height, OFFSET_ONLY, offset).outcome()).isEqualTo(Outcome.RIGHT);
     assertThat(judge(height, CLEAR, offset).outcome()).isEqualTo(Outcome.WRONG);
     HiddenCase along = hidden(Category.SINGLE, 2, "camera_offset:x_mm=5,camera=0");
-    Diagnosis raised = explained(new BallHeightError(8));
+    Answer raised = explained(new BallHeightError(8));
     assertThat(judge(along, OFFSET_ONLY, raised).outcome()).isEqualTo(Outcome.RIGHT);
     HiddenCase across = hidden(Category.SINGLE, 2, "camera_offset:y_mm=5,camera=0");
     assertThat(judge(across, OFFSET_ONLY, raised).outcome()).isEqualTo(Outcome.WRONG);

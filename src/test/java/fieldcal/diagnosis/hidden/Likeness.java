@@ -2,7 +2,7 @@ package fieldcal.diagnosis.hidden;
 
 import fieldcal.ball.Parameter;
 import fieldcal.camera.CameraCalibration;
-import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.hidden.Answer.Named;
 import fieldcal.diagnosis.hidden.Judgement.Strength;
 import fieldcal.effect.Effect;
 import fieldcal.simulation.EffectSetting;
@@ -22,11 +22,11 @@ final class Likeness {
   private final EffectSetting hidden;
   private final Visibility visibility;
   private final Truth truth;
-  private final Cause cause;
+  private final Named cause;
   private final Effect named;
   private final int cameras;
 
-  Likeness(EffectSetting hidden, Visibility visibility, Truth truth, Cause cause) {
+  Likeness(EffectSetting hidden, Visibility visibility, Truth truth, Named cause) {
     this.hidden = hidden;
     this.visibility = visibility;
     this.truth = truth;
@@ -48,7 +48,7 @@ final class Likeness {
           (sameName || named.id().equals("camera_offset") && onlyOffset()) && sameOfTwo();
       case BALL_HEIGHT_ERROR ->
           sameName || named.id().equals("camera_offset") && cameras == 2 && onlyOffset();
-      case CAMERA_TIME_OFFSET, CLOCK_SKEW -> sameName && sameOfTwo();
+      case CAMERA_TIME_OFFSET, CLOCK_SKEW, CAMERA_MOVED -> sameName && sameOfTwo();
       case LENS_DISTORTION_ERROR -> sameName && sameCamera();
       case ROBOT_KICK_BIAS -> sameName && sameRobot();
       case WORN_REGION ->
@@ -57,8 +57,49 @@ final class Likeness {
     };
   }
 
+  /**
+   * Whether a cause that is not the effect describes a part of it, so that its name beside the right one is not wrong.
+   *
+   * @return true for what a camera is off on average over a session in which it was knocked, and for laws of the impact where spin acts at impacts
+   */
+  boolean alike() {
+    boolean chips =
+        truth.commandedKicks().stream()
+            .anyMatch(k -> k.kind() == fieldcal.simulation.truth.KickKind.CHIP);
+    boolean impactLaw =
+        named.id().equals("contact_impacts") || named.id().equals("bounce_spin_coupling");
+    return switch (hidden.effect()) {
+      case CAMERA_MOVED ->
+          (named.id().equals("camera_offset") || named.id().equals("camera_pose_error"))
+              && sameOfTwo();
+      case CONTACT_IMPACTS, BOUNCE_SPIN_COUPLING, KICK_SPIN, SIDE_SPIN -> chips && impactLaw;
+      // Lift without spin is nothing: the two are proposed together.
+      case MAGNUS -> chips && (impactLaw || named.id().equals("kick_spin"));
+      default -> false;
+    };
+  }
+
+  /** Whether the cause is said to be indistinguishable from the effect. */
+  boolean tied() {
+    return cause.indistinguishableFrom().stream().anyMatch(this::means);
+  }
+
+  private boolean means(String tie) {
+    String[] words = tie.split(" of camera ");
+    return words[0].trim().equals(hidden.effect().id())
+        && (words.length == 1
+            || cameras == 2
+            || Integer.parseInt(words[1].trim()) == (int) hidden.number("camera"));
+  }
+
+  /** The same camera, or all. */
   private boolean sameCamera() {
-    return (int) hidden.number("camera") == (int) named.value("camera");
+    boolean one =
+        named.parameters().stream().anyMatch(p -> p.name().equals("camera") && p.value() >= 0);
+    String written = hidden.values().getOrDefault("camera", "all");
+    return one
+        ? !written.equals("all") && (int) hidden.number("camera") == (int) named.value("camera")
+        : written.equals("all");
   }
 
   /** Of two cameras only the difference can be seen: one is wrong, or the other by the opposite. */
@@ -101,7 +142,10 @@ final class Likeness {
       case CARPET_NAP -> polar("amplitude", "direction");
       case KICK_SPIN, SIDE_SPIN -> spin();
       case WORN_REGION -> RegionOverlap.strength(hidden, cause, truth);
-      case CAMERA_OFFSET -> components(sign(), "x_mm", "y_mm");
+      case WIND -> polar("speed", "direction");
+      case CAMERA_OFFSET, CAMERA_MOVED -> components(sign(), "x_mm", "y_mm");
+      case BALL_CHANGED -> components(1, "roll", "slide");
+      case CARPET_SEAM -> components(1, "loss", "turn");
       case CAMERA_TIME_OFFSET -> components(sign(), "ms");
       case CLOCK_SKEW -> components(sign(), "ppm");
       case CAMERA_POSE_ERROR -> components(sign(), "height_mm");
@@ -114,21 +158,18 @@ final class Likeness {
     return cause.standardErrors().getOrDefault(name, Double.NaN);
   }
 
-  private static double worst(double a, double b) {
-    return Double.isNaN(a) ? b : Double.isNaN(b) ? a : Math.max(a, b);
-  }
-
   private Strength components(double sign, String... names) {
-    double sigmas = Double.NaN;
+    double[] scores = new double[names.length];
     double off = 0;
     double size = 0;
-    for (String name : names) {
+    for (int i = 0; i < names.length; i++) {
+      String name = names[i];
       double difference = sign * named.value(name) - hidden.number(name);
-      sigmas = worst(sigmas, Math.abs(difference) / error(name));
+      scores[i] = difference / error(name);
       off = Math.hypot(off, difference);
       size = Math.hypot(size, hidden.number(name));
     }
-    return new Strength(sigmas, 100 * off / size);
+    return Strength.of(100 * off / size, scores);
   }
 
   private Strength polar(String size, String direction) {
@@ -141,18 +182,16 @@ final class Likeness {
     double trueR = hidden.number(size);
     double trueA = hidden.number(direction);
     double turn = Math.IEEEremainder(a - trueA, 2 * Math.PI);
-    double sigmas = worst(Math.abs(r - trueR) / error(size), Math.abs(turn) / error(direction));
     double off = Math.hypot(r * Math.cos(turn) - trueR, r * Math.sin(turn));
-    return new Strength(sigmas, 100 * off / trueR);
+    return Strength.of(100 * off / trueR, (r - trueR) / error(size), turn / error(direction));
   }
 
-  /** Against the mean and the scatter of the kicks that were made. */
+  /** Against the mean and the scatter of the kicks that were made; chips show it at their impacts. */
   private Strength spin() {
     double radius = truth.physics().ball().radius();
     boolean roll = hidden.effect() == SimulatedEffect.KICK_SPIN;
     double[] spins =
         truth.commandedKicks().stream()
-            .filter(k -> k.kind() == fieldcal.simulation.truth.KickKind.FLAT)
             .mapToDouble(k -> roll ? k.rollFraction(radius) : k.sideFraction(radius))
             .toArray();
     double sum = 0;
@@ -163,21 +202,26 @@ final class Likeness {
     }
     double mean = sum / spins.length;
     double scatter = Math.sqrt(Math.max(0, squares - sum * mean) / Math.max(1, spins.length - 1));
-    double sigmas = Math.abs(named.value("fraction") - mean) / error("fraction");
     double off = Math.hypot(named.value("fraction") - mean, cause.scatter() - scatter);
-    return new Strength(sigmas, 100 * off / Math.hypot(mean, scatter));
+    return Strength.of(
+        100 * off / Math.hypot(mean, scatter),
+        (named.value("fraction") - mean) / error("fraction"));
   }
 
   private Strength bias() {
-    double sigmas = Double.NaN;
+    String[] names = {"percent", "yaw"};
+    double[] scores = new double[names.length];
     double percent = Double.NaN;
-    for (String name : new String[] {"percent", "yaw"}) {
-      double difference = Math.abs(named.value(name) - hidden.number(name));
-      sigmas = worst(sigmas, difference / error(name));
-      double size = Math.abs(hidden.number(name));
-      percent = worst(percent, size == 0 ? Double.NaN : 100 * difference / size);
+    for (int i = 0; i < names.length; i++) {
+      double difference = Math.abs(named.value(names[i]) - hidden.number(names[i]));
+      scores[i] = difference / error(names[i]);
+      double size = Math.abs(hidden.number(names[i]));
+      if (size > 0) {
+        double off = 100 * difference / size;
+        percent = Double.isNaN(percent) ? off : Math.max(percent, off);
+      }
     }
-    return new Strength(sigmas, percent);
+    return Strength.of(percent, scores);
   }
 
   /** By how much one camera's reports are moved below it against the mean of all, when two names say so differently. */
@@ -185,11 +229,11 @@ final class Likeness {
     double[] was = displacement(hidden.effect().id(), hidden::number);
     double[] is = displacement(named.id(), named::value);
     if (was == null || is == null) {
-      return new Strength(Double.NaN, Double.NaN);
+      return Strength.of(Double.NaN);
     }
     double sign = sign();
     double off = Math.hypot(sign * is[0] - was[0], sign * is[1] - was[1]);
-    return new Strength(Double.NaN, 100 * off / Math.hypot(was[0], was[1]));
+    return Strength.of(100 * off / Math.hypot(was[0], was[1]));
   }
 
   private interface Numbers {

@@ -1,6 +1,6 @@
 package fieldcal.diagnosis.hidden;
 
-import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.hidden.Answer.Named;
 import fieldcal.diagnosis.hidden.Judgement.Strength;
 import fieldcal.effect.Effect;
 import fieldcal.simulation.EffectSetting;
@@ -50,14 +50,14 @@ final class RegionOverlap {
   }
 
   /** Friction within over friction without, against the true ratio. */
-  static Strength strength(EffectSetting hidden, Cause cause, Truth truth) {
+  static Strength strength(EffectSetting hidden, Named cause, Truth truth) {
     boolean other = correlation(hidden, cause.effect(), truth) < 0;
     double change = cause.effect().value("change");
     double ratio = other ? 1 / (1 + change) : 1 + change;
     double error = cause.standardErrors().getOrDefault("change", Double.NaN);
     double ratioError = other ? error / ((1 + change) * (1 + change)) : error;
     double difference = Math.abs(ratio - 1 - hidden.number("change"));
-    return new Strength(
-        difference / ratioError, 100 * difference / Math.abs(hidden.number("change")));
+    return Strength.of(
+        100 * difference / Math.abs(hidden.number("change")), difference / ratioError);
   }
 }

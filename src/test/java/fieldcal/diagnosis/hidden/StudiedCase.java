@@ -1,8 +1,6 @@
 package fieldcal.diagnosis.hidden;
 
-import fieldcal.diagnosis.Cause;
-import fieldcal.diagnosis.Diagnosis;
-import fieldcal.diagnosis.hidden.HiddenCase.Category;
+import fieldcal.diagnosis.hidden.Answer.Named;
 import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.SimulatedEffect;
 import java.util.ArrayList;
@@ -50,10 +48,19 @@ public record StudiedCase(
   public static List<Visibility> visibility(HiddenCase hidden) {
     List<Visibility> all = new ArrayList<>();
     for (EffectSetting effect : hidden.hidden()) {
+      if (effect.effect() == SimulatedEffect.ROBOT_KICK_BIAS) {
+        all.add(biasVisibility(hidden, effect));
+        continue;
+      }
+      Optional<EffectSetting> needed =
+          EffectDraw.companion(effect.effect())
+              .flatMap(
+                  c -> hidden.hidden().stream().filter(e -> e.effect() == c).findFirst());
       all.add(
-          effect.effect() == SimulatedEffect.ROBOT_KICK_BIAS
-              ? biasVisibility(hidden, effect)
-              : Visibility.of(hidden, List.of(effect)));
+          needed.isEmpty()
+              ? Visibility.of(hidden, List.of(effect))
+              : Visibility.of(hidden, List.of(needed.get(), effect))
+                  .beyond(Visibility.of(hidden, List.of(needed.get()))));
     }
     return all;
   }
@@ -77,14 +84,15 @@ public record StudiedCase(
   public static StudiedCase of(HiddenCase hidden, List<Visibility> visibility) {
     try {
       HiddenRun run = HiddenRun.of(hidden, step -> {});
-      Diagnosis d = run.diagnosis();
+      Answer a = run.answer();
+      double noise = a.base().noiseMm();
       return new StudiedCase(
           hidden,
           visibility,
-          Optional.of(Judge.judge(hidden, visibility, run.truth(), d)),
-          Judgement.said(d.causes(), d.verdict()),
-          d.base().holdoutRmsMm() / d.base().noiseMm(),
-          d.extended().holdoutRmsMm() / d.base().noiseMm(),
+          Optional.of(Judge.judge(hidden, visibility, run.truth(), a)),
+          Judgement.said(a),
+          a.base().holdoutRmsMm() / noise,
+          a.extended().holdoutRmsMm() / noise,
           run.times(),
           Optional.empty());
     } catch (RuntimeException failure) {
@@ -99,6 +107,21 @@ public record StudiedCase(
           new HiddenRun.Times(none, none, none),
           Optional.of(failure));
     }
+  }
+
+  /**
+   * Whether a cause without a name is hidden that could be seen.
+   *
+   * @return false when there is none or it is invisible
+   */
+  public boolean shown() {
+    for (int i = 0; i < visibility.size(); i++) {
+      if (!hidden.hidden().get(i).effect().catalogued()
+          && visibility.get(i).level() != Visibility.Class.INVISIBLE) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**
@@ -133,14 +156,11 @@ public record StudiedCase(
     }
     return switch (judgement.get().outcome()) {
       case RIGHT, TIE -> true;
-      case WRONG, UNEXPLAINED -> false;
-      case MISSED ->
-          hidden.category() != Category.UNKNOWN
-              && judgement.get().found().stream()
-                  .allMatch(
-                      f ->
-                          f.how() != Judgement.How.NOT
-                              || f.visibility().level() == Visibility.Class.INVISIBLE);
+      case WRONG -> false;
+      case MISSED, UNEXPLAINED ->
+          !hidden.hidden().isEmpty()
+              && judgement.get().complete()
+              && !(shown() && judgement.get().outcome() == Judgement.Outcome.MISSED);
     };
   }
 
@@ -153,10 +173,10 @@ public record StudiedCase(
     if (judgement.isEmpty()) {
       return "failed";
     }
-    List<Cause> causes = new ArrayList<>(judgement.get().wrong());
+    List<Named> causes = new ArrayList<>(judgement.get().wrong());
     judgement.get().found().forEach(f -> f.cause().ifPresent(causes::add));
     if (causes.isEmpty()) {
-      return judgement.get().verdict().id().replaceAll("_.*|model_", "");
+      return judgement.get().verdict().replaceAll("model_|_structure", "");
     }
     return causes.stream().map(c -> c.effect().id()).sorted().collect(Collectors.joining("+"));
   }

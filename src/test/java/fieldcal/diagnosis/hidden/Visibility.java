@@ -201,6 +201,20 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
   }
 
   /**
+   * What there is to see beyond something else.
+   *
+   * @param less of the same without the effect that is asked for
+   * @return the difference of the squares, as of independent parts
+   */
+  Visibility beyond(Visibility less) {
+    return new Visibility(
+        Math.sqrt(Math.max(0, left * left - less.left * less.left)),
+        Math.sqrt(
+            Math.max(0, leftWithOffsets * leftWithOffsets - less.leftWithOffsets * less.leftWithOffsets)),
+        kicks);
+  }
+
+  /**
    * By how much the right model lowers the residuals.
    *
    * @return σ
