@@ -309,11 +309,7 @@ final class FlightFitter {
   }
 
   private KickFit result(
-      Candidate best,
-      LevenbergMarquardt solver,
-      String[] reasons,
-      double[] rx,
-      double[] ry) {
+      Candidate best, LevenbergMarquardt solver, String[] reasons, double[] rx, double[] ry) {
     boolean[] used = best.flight.used();
     int count = 0;
     double sum = 0;

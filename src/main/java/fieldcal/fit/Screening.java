@@ -22,16 +22,22 @@ public final class Screening {
     OUTLIER
   }
 
-  /** Detections compared on each side: of three, the median is good as long as two are, so that up to two false ones in a row stand alone. */
-  private static final int NEIGHBOURS = 3;
+  /** Detections compared on each side. Of 5 the median is good as long as three are: with 5 % false ones, all but one side in 900. */
+  private static final int NEIGHBOURS = 5;
 
-  /** Neighbours are not farther away than that, s: three frames at 60 Hz and two that are lost. */
-  private static final double NEAR_IN_TIME = 0.085;
+  /** With fewer on a side their median may be a false detection's. */
+  private static final int FEWEST_NEIGHBOURS = 3;
 
-  /** The scatter of a residual about a median of three: the median's variance is 0.449 of one detection's. */
-  private static final double SCATTER_ABOUT_MEDIAN = Math.sqrt(1 + 0.449);
+  /** Who is off alike has one that is, too, among so many next to it on each side. */
+  private static final int CLOSEST = 2;
 
-  /** Share of a residual that its neighbours may lack: where the model goes wrong fast, they are off less or more. Chosen: half. */
+  /** Neighbours are not farther away than that, s: five frames at 60 Hz and four that are lost. */
+  private static final double NEAR_IN_TIME = 0.15;
+
+  /**
+   * Share of a residual that its neighbours may lack. Chosen: half. Less would cost detections where a model goes wrong fast, so that neighbours are off less or more; of a detection that stands
+   * alone the neighbours lack nearly all.
+   */
   private static final double NOT_SHARED = 0.5;
 
   /** Beyond that distance from the path, m, nothing is the ball: no effect of DESIGN moves it so far from where the kick's own fit has it. */
@@ -101,7 +107,7 @@ public final class Screening {
         verdicts[i] = Verdict.FITS;
       } else {
         boolean shared =
-            Math.hypot(rx[i], ry[i]) < TOO_FAR && isShared(data, rx, ry, i, limit, squared[i]);
+            Math.hypot(rx[i], ry[i]) < TOO_FAR && isShared(data, rx, ry, i, squared[i]);
         verdicts[i] = shared ? Verdict.LACK_OF_FIT : Verdict.OUTLIER;
       }
     }
@@ -109,26 +115,36 @@ public final class Screening {
   }
 
   private static boolean isShared(
-      FlightData data, double[] rx, double[] ry, int i, double limit, double squared) {
+      FlightData data, double[] rx, double[] ry, int i, double squared) {
+    double most = NOT_SHARED * NOT_SHARED * squared;
     int[] before = neighbours(data, i, -1);
     int[] after = neighbours(data, i, 1);
-    double most = Math.max(limit * SCATTER_ABOUT_MEDIAN, NOT_SHARED * Math.sqrt(squared));
+    if (!isOffAlike(data, rx, ry, i, before, most) && !isOffAlike(data, rx, ry, i, after, most)) {
+      return false;
+    }
     double bx = median(rx, before);
     double by = median(ry, before);
     double ax = median(rx, after);
     double ay = median(ry, after);
     // A side without enough neighbours is NaN, and so is its distance, which is then no reason to
     // keep.
-    return isWithin(data, i, rx[i] - bx, ry[i] - by, most)
-        || isWithin(data, i, rx[i] - ax, ry[i] - ay, most)
-        || isWithin(data, i, rx[i] - 0.5 * (bx + ax), ry[i] - 0.5 * (by + ay), most);
+    return data.squared(i, rx[i] - bx, ry[i] - by) <= most
+        || data.squared(i, rx[i] - ax, ry[i] - ay) <= most
+        || data.squared(i, rx[i] - 0.5 * (bx + ax), ry[i] - 0.5 * (by + ay)) <= most;
   }
 
-  private static boolean isWithin(FlightData data, int i, double dx, double dy, double most) {
-    return data.squared(i, dx, dy) <= most * most;
+  private static boolean isOffAlike(
+      FlightData data, double[] rx, double[] ry, int i, int[] neighbours, double most) {
+    for (int k = 0; k < Math.min(CLOSEST, neighbours.length); k++) {
+      int other = neighbours[k];
+      if (data.squared(i, rx[i] - rx[other], ry[i] - ry[other]) <= most) {
+        return true;
+      }
+    }
+    return false;
   }
 
-  /** The nearest of the same camera in one direction of time; null when there are too few. */
+  /** The nearest of the same camera in one direction of time, the nearest first. */
   private static int[] neighbours(FlightData data, int i, int step) {
     int[] found = new int[NEIGHBOURS];
     int n = 0;
@@ -140,17 +156,21 @@ public final class Screening {
         found[n++] = k;
       }
     }
-    return n == NEIGHBOURS ? found : null;
+    return Arrays.copyOf(found, n);
   }
 
+  /** NaN when there are too few. */
   private static double median(double[] values, int[] of) {
-    if (of == null) {
+    int n = of.length;
+    if (n < FEWEST_NEIGHBOURS) {
       return Double.NaN;
     }
-    double a = values[of[0]];
-    double b = values[of[1]];
-    double c = values[of[2]];
-    return Math.max(Math.min(a, b), Math.min(Math.max(a, b), c));
+    double[] sorted = new double[n];
+    for (int k = 0; k < n; k++) {
+      sorted[k] = values[of[k]];
+    }
+    Arrays.sort(sorted);
+    return 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]);
   }
 
   /**
@@ -224,7 +244,11 @@ public final class Screening {
 
   @Override
   public String toString() {
-    return verdicts.length + " detections, " + outliers + " outliers, " + lackOfFit
+    return verdicts.length
+        + " detections, "
+        + outliers
+        + " outliers, "
+        + lackOfFit
         + " that the model does not explain";
   }
 }

@@ -111,7 +111,8 @@ final class CameraAlignment {
   private void learn() {
     List<Kick> kicks = List.copyOf(recent);
     CameraViews all = withUnpublished(kicks);
-    CameraViews known = LensCheck.usable(kicks, all).map(v -> v.withNoise(views.get(v.id()).noise()));
+    CameraViews known =
+        LensCheck.usable(kicks, all).map(v -> v.withNoise(views.get(v.id()).noise()));
     before = views;
     views = OverlapOffsets.estimate(kicks, CameraNoise.measured(kicks, known));
   }

@@ -122,7 +122,9 @@ public record FieldGeometry(
     all.add(part);
     all.sort(Comparator.comparingInt(CameraCalibration::id));
     FieldGeometry next =
-        message.withCameras(all).withModels(message.flat.or(() -> flat), message.chip.or(() -> chip));
+        message
+            .withCameras(all)
+            .withModels(message.flat.or(() -> flat), message.chip.or(() -> chip));
     return next.equals(this) ? this : next;
   }
 

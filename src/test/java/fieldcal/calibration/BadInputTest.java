@@ -41,12 +41,14 @@ class BadInputTest {
   private static final long SEED = 20261122;
 
   private static SimulatedRecording mixed;
+  private static double soundRoll;
 
   @BeforeAll
   static void simulate() {
     mixed =
         Simulation.record(
             SimulationSettings.DEFAULT.withSeed(SEED).withScenario(ScenarioKind.MIXED, 8));
+    soundRoll = accRoll(calibrate(mixed, UnaryOperator.identity()));
   }
 
   private static VisionFrame with(VisionFrame f, List<BallDetection> balls) {
@@ -88,9 +90,7 @@ class BadInputTest {
     KickFinder finder =
         new KickFinder(KickFinderSettings.defaults(), k -> kicks.add(k.withId(kicks.size() + 1)));
     Map<Integer, Camera> cameras = new HashMap<>();
-    views(geometry)
-        .all()
-        .forEach(v -> v.camera().ifPresent(camera -> cameras.put(v.id(), camera)));
+    views(geometry).all().forEach(v -> v.camera().ifPresent(camera -> cameras.put(v.id(), camera)));
     finder.geometry(geometry, cameras);
     recording.frames().forEach(f -> finder.accept(change.apply(f)));
     finder.finish();
@@ -137,13 +137,12 @@ class BadInputTest {
   }
 
   @ParameterizedTest
-  @ValueSource(doubles = {0.001, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2})
+  @ValueSource(doubles = {0.001, 0.01, 0.03, 0.2})
   void coordinatesOnAGrid(double step) {
-    double sound = accRoll(calibrate(mixed, UnaryOperator.identity()));
     Calibration c = calibrate(mixed, rounded(step));
     // A grid of 50 mm and more is too coarse for a promise.
     if (step < 0.05) {
-      assertThat(accRoll(c)).isEqualTo(sound, within(0.02 * Math.abs(sound)));
+      assertThat(accRoll(c)).isEqualTo(soundRoll, within(0.02 * Math.abs(soundRoll)));
     }
     c.cameras()
         .all()
@@ -233,14 +232,12 @@ class BadInputTest {
   }
 
   private static void requireAnswers(FieldGeometry geometry) {
-    Calibration c =
-        calibrate(mixed, geometry, kicks(mixed, geometry, UnaryOperator.identity()));
+    Calibration c = calibrate(mixed, geometry, kicks(mixed, geometry, UnaryOperator.identity()));
     double sound = accRoll(calibrate(mixed, UnaryOperator.identity()));
     assertThat(accRoll(c)).isEqualTo(sound, within(0.02 * Math.abs(sound)));
 
     LiveMonitor monitor =
-        new LiveMonitor(
-            LiveSettings.defaults(), mixed.epoch(), LiveListener.NONE, Runnable::run);
+        new LiveMonitor(LiveSettings.defaults(), mixed.epoch(), LiveListener.NONE, Runnable::run);
     monitor.geometry(geometry);
     mixed.frames().forEach(monitor::accept);
     monitor.finish();

@@ -144,8 +144,7 @@ class CamerasTest {
     // What is beyond the fold has the noise below the camera, not none.
     FlightData data = FlightData.of(kick.observations(), views);
     assertThat(Arrays.stream(data.w11)).allMatch(Double::isFinite);
-    assertThat(Arrays.stream(data.w22))
-        .allMatch(w -> w < 2.1 / CameraView.DEFAULT_NOISE);
+    assertThat(Arrays.stream(data.w22)).allMatch(w -> w < 2.1 / CameraView.DEFAULT_NOISE);
   }
 
   @Test

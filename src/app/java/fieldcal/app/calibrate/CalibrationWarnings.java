@@ -92,8 +92,9 @@ public final class CalibrationWarnings {
       warnings.add(
           String.format(
               Locale.ROOT,
-              "In %d of %d kicks the model does not explain a part of the path, up to %.0f %% of the"
-                  + " detections. These are used nevertheless; diagnose says what is behind it.",
+              "In %d of %d kicks the model does not explain a part of the path, up to %.0f %% of"
+                  + " the detections. These are used nevertheless; diagnose says what is behind"
+                  + " it.",
               shares.length,
               calibration.kicks().size(),
               100 * shares[shares.length - 1]));

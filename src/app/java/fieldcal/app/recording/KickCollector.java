@@ -149,8 +149,8 @@ public final class KickCollector {
                     logs.get(0) + ", camera " + id,
                     String.format(
                         Locale.ROOT,
-                        "its published lens (distortion %.4g) does not see %.0f %% of the places where"
-                            + " it reports balls",
+                        "its published lens (distortion %.4g) does not see %.0f %% of the places"
+                            + " where it reports balls",
                         calibrations.get(id).distortion(),
                         100 * share),
                     1,
@@ -220,7 +220,9 @@ public final class KickCollector {
     if (clock.ratesDiffer()) {
       String what =
           String.format(
-              Locale.ROOT, "a second of its time stamps takes %.3f s by the recorder", clock.rate());
+              Locale.ROOT,
+              "a second of its time stamps takes %.3f s by the recorder",
+              clock.rate());
       String advice = "if vision's clock is wrong, so are speeds and accelerations";
       problems.add(new DataProblem(log + ", camera " + camera, what, 1, advice));
     }

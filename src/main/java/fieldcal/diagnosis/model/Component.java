@@ -32,8 +32,7 @@ public final class Component {
   private final List<Parameter> coordinates = new ArrayList<>();
   private final List<Prior> priors = new ArrayList<>();
 
-  private Component(
-      Effect template, List<String> magnitudes, boolean perKick, boolean placesFree) {
+  private Component(Effect template, List<String> magnitudes, boolean perKick, boolean placesFree) {
     this.template = template;
     this.magnitudes = List.copyOf(magnitudes);
     this.perKick = perKick;

@@ -51,8 +51,7 @@ public final class EffectKick implements KickTerm<ModelState> {
         record.flights);
   }
 
-  private EffectKick(
-      KickRecord record, double[] randomScales, double sessionStart, int flights) {
+  private EffectKick(KickRecord record, double[] randomScales, double sessionStart, int flights) {
     this.record = record;
     this.randomScales = randomScales;
     this.sessionStart = sessionStart;

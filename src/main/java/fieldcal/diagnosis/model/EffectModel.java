@@ -200,8 +200,7 @@ public final class EffectModel implements SharedModel<ModelState> {
         double start = all.size() < scatters.length ? scatters[all.size()] : FIRST_SCATTER * scale;
         double largest = LARGEST_SCATTER * scale;
         all.add(
-            new RandomEffect(
-                k, Math.max(smallest, Math.min(largest, start)), smallest, largest));
+            new RandomEffect(k, Math.max(smallest, Math.min(largest, start)), smallest, largest));
       }
       k += c.size();
     }
@@ -218,8 +217,7 @@ public final class EffectModel implements SharedModel<ModelState> {
 
   @Override
   public ModelState at(double[] globals) {
-    return ModelState.of(
-        flat(globals), chip(globals), fixedEffects(globals), random(), observers);
+    return ModelState.of(flat(globals), chip(globals), fixedEffects(globals), random(), observers);
   }
 
   private List<Effect> fixedEffects(double[] globals) {

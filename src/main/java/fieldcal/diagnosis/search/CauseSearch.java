@@ -38,6 +38,18 @@ public final class CauseSearch {
   /** Places of a family that take part in a round. */
   private static final int PLACES_KEPT = 2;
 
+  /** A reduced chi-square below that is a tenth more than the noise, and not worth another search. */
+  private static final double EXPLAINED = 1.2;
+
+  /** Share of the kicks that must be explained. */
+  private static final double MOST_KICKS = 0.85;
+
+  /** Rounds of revision; each is as long as a search. */
+  private static final int MOST_REVISIONS = 2;
+
+  /** How many others may come for one that is taken out: a shadow may hide two causes. */
+  private static final int EXCHANGED = 2;
+
   /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
   private static final double REALISED = 0.1;
 
@@ -50,6 +62,8 @@ public final class CauseSearch {
   private final SharedSolver solver;
   private final List<SearchStep> trace = new ArrayList<>();
   private final Set<String> rejected = new HashSet<>();
+  private int mostAtOnce = MOST_AT_ONCE;
+  private Component banned;
   private FittedModel best;
 
   /**
@@ -86,18 +100,186 @@ public final class CauseSearch {
   public FittedModel search(FittedModel start) {
     best = start;
     addLaws();
-    // Each round adds something, or rejects or removes it.
-    for (int round = 0; round < 4 * maxComponents && addBest(); round++) {
+    grow(mostAtOnce);
+    for (int round = 0; round < MOST_REVISIONS && !isExplained(best) && revise(); round++) {
+      grow(mostAtOnce);
+    }
+    simplify();
+    return best;
+  }
+
+  /** Each round adds something, or rejects or removes it. */
+  private void grow(int atOnce) {
+    for (int round = 0; round < 4 * maxComponents && addBest(atOnce); round++) {
       if (trace.get(trace.size() - 1).action() == Action.ADDED) {
         movePlaces();
         addLaws();
         prune();
       }
     }
-    return best;
   }
 
-  private boolean addBest() {
+  /** Whether what is left is hardly more than noise in all kicks but a few, which may be none of the ball's free flights. */
+  private static boolean isExplained(FittedModel model) {
+    int well = 0;
+    for (int k = 0; k < model.kickCount(); k++) {
+      well += model.reduced(k) < EXPLAINED * EXPLAINED ? 1 : 0;
+    }
+    return model.solution().reducedChiSquare() < EXPLAINED || well > MOST_KICKS * model.kickCount();
+  }
+
+  /**
+   * An early choice may have been the shadow of two causes. Takes out each component in turn and lets others take its place; keeps the best exchange if it is better than what was.
+   */
+  private boolean revise() {
+    FittedModel before = best;
+    FittedModel top = null;
+    double most = 0;
+    String what = "";
+    Set<String> tabu = Set.copyOf(rejected);
+    for (Component out : before.model().components()) {
+      best = before;
+      rejected.clear();
+      List<Component> without = new ArrayList<>(before.model().components());
+      without.remove(out);
+      if (out.template().starts().isEmpty()) {
+        best = fitted(without);
+        banned = out;
+        for (int i = 0; i < EXCHANGED && addBest(1); i++) {
+          prune();
+        }
+        banned = null;
+      } else {
+        restartLaw(out, without);
+      }
+      double gain =
+          weightedGain(before, best)
+              - penalty(best.model().components())
+              + penalty(before.model().components());
+      if (gain > most) {
+        most = gain;
+        top = best;
+        what = out.toString();
+      }
+    }
+    best = top == null ? before : top;
+    rejected.clear();
+    if (top == null) {
+      rejected.addAll(tabu);
+      return false;
+    }
+    trace.add(new SearchStep(what, Action.SWAPPED, Double.NaN, most));
+    return true;
+  }
+
+  /** Lets a simpler component stand for one or for several of a kind wherever it explains as much. */
+  private void simplify() {
+    for (int round = 0; round < maxComponents; round++) {
+      if (!simplifyOnce()) {
+        return;
+      }
+    }
+  }
+
+  /** Whether a law explains what values of each kick's own were needed for. */
+  private boolean lawForRandom() {
+    for (Component out : best.model().random()) {
+      for (Effect law : dictionary.laws(best.model())) {
+        List<Component> rest = new ArrayList<>(best.model().components());
+        rest.remove(out);
+        for (Effect start : law.starts()) {
+          Component c = Component.of(start, start.magnitudes());
+          FittedModel next = fitted(added(rest, List.of(c)));
+          double gain = weightedGain(best, next) + penalty(List.of(out)) - penalty(List.of(c));
+          if (gain > 0) {
+            trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
+            best = next;
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  private boolean simplifyOnce() {
+    if (lawForRandom()) {
+      return true;
+    }
+    List<Component> had = best.model().components();
+    List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
+    proposals = proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
+    Scorer scorer = new Scorer(best, components(proposals));
+    for (List<Integer> set : sets(had)) {
+      List<Component> removed = set.stream().map(had::get).toList();
+      Sweep sweep = scorer.without(set);
+      int[] columns = set.stream().flatMapToInt(i -> java.util.Arrays.stream(scorer.modelColumns(i))).toArray();
+      double kept = sweep.gain(columns) - penalty(removed);
+      List<Component> rest = new ArrayList<>(had);
+      rest.removeAll(removed);
+      Proposal top = null;
+      double most = kept;
+      for (Proposal p : proposals) {
+        double net = sweep.gain(scorer.columns(p)) - penalty(p.components());
+        boolean fits = !clashes(p, rest) && p.size() < removed.stream().mapToInt(Component::size).sum();
+        if (fits && net > most) {
+          most = net;
+          top = p;
+        }
+      }
+      if (top != null) {
+        rest.addAll(top.components());
+        FittedModel next = fitted(rest);
+        double gain = weightedGain(best, next) + penalty(removed) - penalty(top.components());
+        if (gain > 0) {
+          trace.add(new SearchStep(top + " for " + removed, Action.SWAPPED, most - kept, gain));
+          best = next;
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** All components of one effect together first, then each alone; not those that are no linear parameters. */
+  private static List<List<Integer>> sets(List<Component> components) {
+    List<List<Integer>> sets = new ArrayList<>();
+    for (int i = 0; i < components.size(); i++) {
+      List<Integer> same = new ArrayList<>();
+      for (int j = 0; j < components.size(); j++) {
+        if (components.get(j).template().id().equals(components.get(i).template().id())) {
+          same.add(j);
+        }
+      }
+      if (isLinear(components.get(i))) {
+        if (same.size() > 1 && same.get(0) == i) {
+          sets.add(0, same);
+        }
+        sets.add(List.of(i));
+      }
+    }
+    return sets;
+  }
+
+  private static boolean isLinear(Component c) {
+    return !c.isPerKick() && c.template().starts().isEmpty();
+  }
+
+  private void restartLaw(Component law, List<Component> without) {
+    FittedModel before = best;
+    for (Effect start : law.template().starts()) {
+      List<Component> with = new ArrayList<>(without);
+      with.add(Component.of(start, start.magnitudes()));
+      best = before;
+      FittedModel tried = fitted(with);
+      best = weightedGain(before, tried) > 0 ? tried : before;
+      if (best != before) {
+        return;
+      }
+    }
+  }
+
+  private boolean addBest(int atOnce) {
     EffectModel model = best.model();
     if (model.components().size() >= maxComponents) {
       return false;
@@ -114,13 +296,13 @@ public final class CauseSearch {
     List<Proposal> from = new ArrayList<>();
     double first = 0;
     double expected = 0;
-    while (from.size() < MOST_AT_ONCE
+    while (from.size() < atOnce
         && model.components().size() + chosen.size() < maxComponents) {
       Proposal top = null;
       double topNet = Math.max(0, TOGETHER * first);
       double topGain = 0;
       for (Proposal p : proposals) {
-        if (clashes(p, chosen)) {
+        if (clashes(p, chosen) || banned != null && clashes(p, List.of(banned))) {
           continue;
         }
         double gain = scorer.gain(p, sweep);
@@ -128,7 +310,7 @@ public final class CauseSearch {
           continue;
         }
         double net =
-            scorer.evenGain(p, sweep, gain) - penalty(p.group() ? members(p, scorer, sweep) : p.components());
+            gain - penalty(p.group() ? members(p, scorer, sweep) : p.components());
         if (net > topNet) {
           topNet = net;
           topGain = gain;
@@ -192,8 +374,7 @@ public final class CauseSearch {
     double penalty = penalty(chosen);
     boolean good = gained > penalty && gained > REALISED * expected;
     trace.add(
-        new SearchStep(
-            chosen.toString(), good ? Action.ADDED : Action.REJECTED, expected, gained));
+        new SearchStep(chosen.toString(), good ? Action.ADDED : Action.REJECTED, expected, gained));
     if (good) {
       best = next;
       rejected.clear();
@@ -208,9 +389,7 @@ public final class CauseSearch {
   }
 
   private static List<Component> membersOf(Proposal p, List<Component> chosen) {
-    return chosen.stream()
-        .filter(c -> p.components().stream().anyMatch(c::isSameCause))
-        .toList();
+    return chosen.stream().filter(c -> p.components().stream().anyMatch(c::isSameCause)).toList();
   }
 
   private static List<Component> added(List<Component> had, List<Component> chosen) {
@@ -227,9 +406,7 @@ public final class CauseSearch {
   private FittedModel fitted(List<Component> components) {
     double[] none = new double[0];
     EffectModel start =
-        best.model()
-            .startingAt(best.solution().values(), none)
-            .with(started(components));
+        best.model().startingAt(best.solution().values(), none).with(started(components));
     return fitter.fit(start, best, true, solver);
   }
 
@@ -262,6 +439,11 @@ public final class CauseSearch {
   static double penalty(List<Component> components) {
     double penalty = 0;
     for (Component c : components) {
+      if (!c.template().starts().isEmpty()) {
+        // A law stands in the place of another with as many numbers.
+        penalty += PENALTY;
+        continue;
+      }
       // A value for each kick is paid for by the marginal likelihood; mean and scatter are two.
       int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
       penalty += PENALTY + PENALTY_PER_COORDINATE * size;
@@ -352,11 +534,8 @@ public final class CauseSearch {
         left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
       }
       boolean good =
-          top != null
-              && most > PENALTY + 2 * PENALTY_PER_COORDINATE
-              && most > LAW_SHARE * left;
-      trace.add(
-          new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
+          top != null && most > PENALTY + 2 * PENALTY_PER_COORDINATE && most > LAW_SHARE * left;
+      trace.add(new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
       if (good) {
         best = top;
         rejected.clear();

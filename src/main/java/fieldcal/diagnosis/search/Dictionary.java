@@ -78,8 +78,7 @@ public final class Dictionary {
   /** Laws that replace another and are tried from their strong versions. */
   List<Effect> laws(EffectModel model) {
     return laws.stream()
-        .filter(
-            e -> model.components().stream().noneMatch(c -> c.template().id().equals(e.id())))
+        .filter(e -> model.components().stream().noneMatch(c -> c.template().id().equals(e.id())))
         .toList();
   }
 
@@ -87,13 +86,13 @@ public final class Dictionary {
     for (Component c : p.components()) {
       // Of a group the members that the model has are left out when it is tried.
       boolean known =
-          !p.group() && model.components().stream().anyMatch(m -> m.isSameCause(c) && !isMore(c, m));
+          !p.group()
+              && model.components().stream().anyMatch(m -> m.isSameCause(c) && !isMore(c, m));
       boolean alone =
           c.template().companions().stream()
               .anyMatch(
                   e ->
-                      model.components().stream()
-                          .noneMatch(m -> m.template().id().equals(e.id())));
+                      model.components().stream().noneMatch(m -> m.template().id().equals(e.id())));
       if (known || alone) {
         return false;
       }
@@ -103,6 +102,7 @@ public final class Dictionary {
 
   /** Whether a component frees what the one in the model holds: more magnitudes, or a value for each kick. */
   static boolean isMore(Component proposed, Component had) {
-    return proposed.isPerKick() && !had.isPerKick() || proposed.magnitudeCount() > had.magnitudeCount();
+    return proposed.isPerKick() && !had.isPerKick()
+        || proposed.magnitudeCount() > had.magnitudeCount();
   }
 }

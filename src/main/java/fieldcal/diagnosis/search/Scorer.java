@@ -20,7 +20,9 @@ final class Scorer {
   /** Scatters at which a random effect is tried, in scales. */
   private static final double[] SCATTERS = {0.3, 1, 3};
 
+  private final FittedModel model;
   private final ScoreSystem system;
+  private final double[] precisions;
   private final Sweep sweep;
   private final Map<Component, int[]> columns = new IdentityHashMap<>();
 
@@ -29,6 +31,7 @@ final class Scorer {
    * @param components whose columns are wanted
    */
   Scorer(FittedModel model, Collection<Component> components) {
+    this.model = model;
     ModelState centre = model.solution().state();
     List<ModelState> states = new ArrayList<>();
     List<Double> steps = new ArrayList<>();
@@ -54,9 +57,8 @@ final class Scorer {
     for (int k = 0; k < weights.length; k++) {
       weights[k] = 1 / Math.max(1, model.reduced(k));
     }
-    system =
-        model.solution().scores(states, steps.stream().mapToDouble(s -> s).toArray(), weights);
-    double[] precisions = new double[system.size()];
+    system = model.solution().scores(states, steps.stream().mapToDouble(s -> s).toArray(), weights);
+    precisions = new double[system.size()];
     List<Prior> known = model.model().priors();
     int free = 0;
     for (int g = 0; g < known.size(); g++) {
@@ -82,6 +84,47 @@ final class Scorer {
     return sweep.copy();
   }
 
+  /** The equations at the point where some components of the model are absent, with their columns out again. */
+  Sweep without(Collection<Integer> components) {
+    double[] removed = new double[system.size()];
+    boolean[] out = new boolean[system.size()];
+    double[] values = model.solution().values();
+    for (int component : components) {
+      int from = model.model().offset(component);
+      for (int column : modelColumns(component)) {
+        out[column] = true;
+      }
+      for (int j = 0; j < model.model().components().get(component).size(); j++) {
+        removed[baseColumn(from + j)] = values[from + j];
+      }
+    }
+    Sweep moved = new Sweep(system, precisions, removed);
+    for (int i = 0; i < system.base(); i++) {
+      if (!out[i]) {
+        moved.toggle(i);
+      }
+    }
+    return moved;
+  }
+
+  /** Columns of a component of the model. */
+  int[] modelColumns(int component) {
+    int from = model.model().offset(component);
+    int[] columns = new int[model.model().components().get(component).size()];
+    for (int j = 0; j < columns.length; j++) {
+      columns[j] = baseColumn(from + j);
+    }
+    return columns;
+  }
+
+  private int baseColumn(int global) {
+    int column = 0;
+    for (int g = 0; g < global; g++) {
+      column += model.model().globals().get(g).estimated() ? 1 : 0;
+    }
+    return column;
+  }
+
   /** All columns of a proposal. */
   int[] columns(Proposal p) {
     return p.components().stream().flatMapToInt(c -> Arrays.stream(columns.get(c))).toArray();
@@ -96,46 +139,6 @@ final class Scorer {
     double gain = at.gain(columns(p));
     Component first = p.components().get(0);
     return first.isPerKick() ? gain + randomGain(columns(first)[0], first, at) : gain;
-  }
-
-  /** The same, but that the kick that gains most counts as the one that gains second most: what one kick alone shows may be that kick's. */
-  double evenGain(Proposal p, Sweep at, double gain) {
-    Sweep with = at.copy();
-    int[] columns = columns(p);
-    for (int c : columns) {
-      with.toggle(c);
-    }
-    double first = 0;
-    double second = 0;
-    for (int k = 0; k < system.kicks(); k++) {
-      double g = 0;
-      for (int c : columns) {
-        double theta = with.contains(c) ? with.estimate(c) : 0;
-        double slope = system.slope(k, c);
-        for (int j = 0; j < system.size(); j++) {
-          if (with.contains(j)) {
-            slope -= (contains(columns, j) ? 0.5 : 1) * system.curvature(k, c, j) * with.estimate(j);
-          }
-        }
-        g += 2 * theta * slope;
-      }
-      if (g > first) {
-        second = first;
-        first = g;
-      } else if (g > second) {
-        second = g;
-      }
-    }
-    return gain - (first - second);
-  }
-
-  private static boolean contains(int[] columns, int column) {
-    for (int c : columns) {
-      if (c == column) {
-        return true;
-      }
-    }
-    return false;
   }
 
   /** What values of each kick's own gain when the mean and everything swept in have been fitted again. */

@@ -18,6 +18,13 @@ final class Sweep {
    * @param precisions prior precision of each column, 0 = none
    */
   Sweep(ScoreSystem system, double[] precisions) {
+    this(system, precisions, new double[system.size()]);
+  }
+
+  /**
+   * @param removed by how much each parameter is taken back from where the system was made
+   */
+  Sweep(ScoreSystem system, double[] precisions, double[] removed) {
     n = system.size();
     m = new double[n + 1][n + 1];
     original = new double[n];
@@ -29,6 +36,11 @@ final class Sweep {
       m[i][i] += precisions[i];
       original[i] = m[i][i];
       m[i][n] = system.slope(i);
+      for (int j = 0; j < n; j++) {
+        if (removed[j] != 0) {
+          m[i][n] += system.curvature(i, j) * removed[j];
+        }
+      }
       m[n][i] = m[i][n];
     }
   }

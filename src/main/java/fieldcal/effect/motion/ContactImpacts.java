@@ -85,13 +85,13 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
     return arena.chips();
   }
 
-  /** A soft grip, and a grip with little and with much friction. */
+  /** A ball that grips with little loss, a softer grip, and one that friction limits. */
   @Override
   public List<Effect> starts() {
     return List.of(
-        new ContactImpacts(-0.2, 0.3, 0.02),
-        new ContactImpacts(0, 0.2, 0),
-        new ContactImpacts(0, 0.6, 0));
+        new ContactImpacts(-0.1, 1, 0.02),
+        new ContactImpacts(-0.25, 0.5, 0),
+        new ContactImpacts(0, 0.25, 0));
   }
 
   /** The law does not grow from its absence: it takes the place of another. */

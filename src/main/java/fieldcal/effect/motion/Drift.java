@@ -32,7 +32,7 @@ public record Drift(double percentPer10Min) implements RollingResistance {
   @Override
   public String sentence() {
     return "The carpet changes over the session: balls roll a longer or a shorter way as time goes"
-               + " by.";
+        + " by.";
   }
 
   @Override

@@ -183,15 +183,16 @@ public final class SharedSolver {
     for (KickTerm<S> other : term.neighbours()) {
       OwnFit<S> tried = fitOwn(other, own, state, means, scatters);
       double priced = tried.cost + other.penalty(tried.own, state);
-      if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {
+      if (isLess(priced, bestPriced)) {
         best = tried;
         bestPriced = priced;
       }
     }
-    for (KickTerm.Restart<S> other : stuck ? term.restarts(own, state) : List.<KickTerm.Restart<S>>of()) {
+    for (KickTerm.Restart<S> other :
+        stuck ? term.restarts(own, state) : List.<KickTerm.Restart<S>>of()) {
       OwnFit<S> tried = fitOwn(other.term(), other.own(), state, means, scatters);
       double priced = tried.cost + other.term().penalty(tried.own, state);
-      if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {
+      if (isLess(priced, bestPriced)) {
         best = tried;
         bestPriced = priced;
       }
@@ -199,8 +200,12 @@ public final class SharedSolver {
     return best;
   }
 
-  private static <S> KickBlock block(
-      KickTerm<S> term, double[] own, S state, double[] residuals) {
+  /** Whether a cost is lower by more than rounding; an impossible variant costs infinitely much. */
+  private static boolean isLess(double cost, double than) {
+    return Double.isInfinite(than) ? cost < than : cost < than - 1e-6 * Math.abs(than);
+  }
+
+  private static <S> KickBlock block(KickTerm<S> term, double[] own, S state, double[] residuals) {
     double[][] ownColumns = new double[own.length][residuals.length];
     term.ownColumns(own, state, residuals, ownColumns);
     KickBlock block = new KickBlock(own.length, 0);
@@ -323,18 +328,15 @@ public final class SharedSolver {
                       kicks.get(k).neighbours().isEmpty()
                           ? null
                           : bestVariant(
-                              kicks.get(k),
-                              own.get(k),
-                              state,
-                              means,
-                              scatters,
-                              reduced[k] > limit))
+                              kicks.get(k), own.get(k), state, means, scatters, reduced[k] > limit))
               .toList();
       boolean changed = false;
       for (int k = 0; k < fits.size(); k++) {
         OwnFit<S> fit = fits.get(k);
         if (fit != null && (fit.term() != kicks.get(k) || reduced[k] > limit)) {
-          changed |= fit.term() != kicks.get(k) || fit.chiSquare() < IMPROVED * reduced[k] * fit.term().rows();
+          changed |=
+              fit.term() != kicks.get(k)
+                  || fit.chiSquare() < IMPROVED * reduced[k] * fit.term().rows();
           kicks.set(k, fit.term());
           own.set(k, fit.own());
         }

@@ -1,0 +1,243 @@
+package fieldcal.diagnosis.screening;
+
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.model.MovingNoise;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.fit.Screening;
+import fieldcal.fit.joint.SharedSolver;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/** Looks again at kicks that a fitted model explains much worse than their fellows. Thread-safe; fits a kick as the other kind once, however often it is asked. */
+public final class KickScreen {
+  /** A kick that is explained that many times worse than the median kick is looked at. */
+  private static final double STANDS_OUT = 2.5;
+
+  /** What is left of it may be that many times the median kick's. */
+  private static final double LIKE_THE_OTHERS = 1.5;
+
+  /** As the other kind a kick must leave less than that share of what it leaves now. */
+  private static final double CLEARLY_BETTER = 0.5;
+
+  /** Tangent of the flattest chip, 27°: chip kickers lift the ball by 30 to 60 degrees. */
+  private static final double FLATTEST_CHIP = 0.5;
+
+  /** How much of a kick's end may be no free ball, s: a robot touches a ball for a tenth of a second before that is seen, and may hold it for longer. */
+  private static final double[] ENDS = {0.1, 0.2, 0.4, 0.8, 1.6};
+
+  /** How long before a kick the ball certainly rests, s: before that it may have been placed. */
+  private static final double SETTLED = 0.2;
+
+  /** Share of the kicks that may be left out: more would be a finding. */
+  private static final double MOST_LEFT_OUT = 0.1;
+
+  /** The others count as explained below that reduced chi-square. */
+  private static final double EXPLAINED = 1.6;
+
+  private final MovingNoise noise;
+  private final EffectModel simple;
+  private final double sessionStart;
+  private final KickFitter fitter;
+  private final SharedSolver solver = SharedSolver.withDefaults().withMaxIterations(30);
+  private final Map<KickKind, Map<Kick, Optional<KickRecord>>> others =
+      Map.of(
+          KickKind.FLAT, Collections.synchronizedMap(new IdentityHashMap<>()),
+          KickKind.CHIP, Collections.synchronizedMap(new IdentityHashMap<>()));
+
+  /**
+   * A screen.
+   *
+   * @param noise the cameras with their noise
+   * @param simple the simple model, whose ball fits start from
+   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param settings of single fits
+   */
+  public KickScreen(
+      MovingNoise noise, EffectModel simple, double sessionStart, FitSettings settings) {
+    this.noise = noise;
+    this.simple = simple;
+    this.sessionStart = sessionStart;
+    fitter = new KickFitter(settings);
+  }
+
+  /**
+   * One kick's fit as a record.
+   *
+   * @param fit not a failed one
+   * @param noise the cameras with their noise
+   * @return the record, with the detections that are the ball
+   */
+  public static KickRecord record(KickFit fit, MovingNoise noise) {
+    boolean[] kept = Screening.kept(fit, noise.cameras());
+    return new KickRecord(fit, kept, noise.cameras(), noise.stampNoise());
+  }
+
+  /**
+   * The kicks as they look in the light of a model.
+   *
+   * @param at the model, fitted to the kicks
+   * @return the same list when nothing changes
+   */
+  public List<KickRecord> revise(FittedModel at) {
+    double median = median(at);
+    ModelState state = at.solution().state();
+    double[] values = at.solution().values();
+    double[] means =
+        at.solution().problem().randoms().stream().mapToDouble(r -> values[r.mean()]).toArray();
+    KickRecord[] revised = new KickRecord[at.kickCount()];
+    IntStream.range(0, revised.length)
+        .parallel()
+        .forEach(
+            k -> {
+              KickRecord now = at.kick(k).record();
+              boolean stands = at.reduced(k) > STANDS_OUT * Math.max(1, median);
+              revised[k] = stands ? look(at, k, state, means, median) : now;
+            });
+    List<KickRecord> all = List.of(revised);
+    List<KickRecord> before = at.records();
+    return IntStream.range(0, revised.length).allMatch(k -> all.get(k) == before.get(k))
+        ? before
+        : all;
+  }
+
+  private static double median(FittedModel at) {
+    double[] reduced = new double[at.kickCount()];
+    for (int k = 0; k < reduced.length; k++) {
+      reduced[k] = at.reduced(k);
+    }
+    Arrays.sort(reduced);
+    return reduced[reduced.length / 2];
+  }
+
+  private KickRecord look(
+      FittedModel at, int k, ModelState state, double[] means, double median) {
+    EffectKick term = at.kick(k);
+    KickRecord now = term.record();
+    double[] own = at.solution().own(k);
+    double[] scatters = at.solution().scatters();
+    double good = LIKE_THE_OTHERS * Math.max(1, median);
+    for (KickRecord part : parts(now)) {
+      EffectKick cut = term.with(part);
+      double left =
+          solver.fitOwn(cut, own, state, means, scatters).chiSquare() / Math.max(1, cut.rows());
+      if (left < good) {
+        return part;
+      }
+    }
+    Optional<KickRecord> other = other(now);
+    if (other.isEmpty()) {
+      return now;
+    }
+    KickRecord changed = other.get();
+    EffectKick as = new EffectKick(changed, at.model(), sessionStart);
+    double[] start = Arrays.copyOf(changed.start(), as.ownSize());
+    System.arraycopy(means, 0, start, changed.timeIndex() + 1, means.length);
+    double left = Double.POSITIVE_INFINITY;
+    List<EffectKick> variants = new ArrayList<>(List.of(as));
+    as.neighbours().forEach(n -> variants.add((EffectKick) n));
+    for (EffectKick variant : variants) {
+      left =
+          Math.min(
+              left,
+              solver.fitOwn(variant, start, state, means, scatters).chiSquare()
+                  / Math.max(1, variant.rows()));
+    }
+    return left < CLEARLY_BETTER * at.reduced(k) ? changed : now;
+  }
+
+  /** The kick without what may be no free ball: its end, its begin, its rest. */
+  private static List<KickRecord> parts(KickRecord now) {
+    List<KickRecord> parts = new ArrayList<>();
+    double end = Double.NEGATIVE_INFINITY;
+    boolean[] used = now.used();
+    for (int i = 0; i < used.length; i++) {
+      end = used[i] ? Math.max(end, now.time(i)) : end;
+    }
+    double kick = now.kick().time();
+    for (double cut : ENDS) {
+      add(now, Double.NEGATIVE_INFINITY, end - cut, parts);
+    }
+    if (now.fromRest()) {
+      add(now, kick - SETTLED, Double.POSITIVE_INFINITY, parts);
+      add(now, kick, Double.POSITIVE_INFINITY, parts);
+    }
+    return parts;
+  }
+
+  private static void add(KickRecord now, double from, double to, List<KickRecord> parts) {
+    boolean[] used = now.used();
+    int left = 0;
+    int before = now.usedCount();
+    for (int i = 0; i < used.length; i++) {
+      used[i] &= now.time(i) >= from && now.time(i) <= to;
+      left += used[i] ? 1 : 0;
+    }
+    if (left < before && left > 0.5 * before && left > 4 * now.start().length) {
+      parts.add(now.withUsed(used));
+    }
+  }
+
+  private Optional<KickRecord> other(KickRecord now) {
+    KickKind kind = now.kind() == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT;
+    Map<Kick, Optional<KickRecord>> known = others.get(kind);
+    Optional<KickRecord> other = known.get(now.kick());
+    if (other == null) {
+      other = fitOther(now, kind);
+      known.put(now.kick(), other);
+    }
+    return other;
+  }
+
+  private Optional<KickRecord> fitOther(KickRecord now, KickKind kind) {
+    double[] ball = simple.globals().stream().mapToDouble(p -> p.value()).toArray();
+    ModelState state = simple.at(ball);
+    KickFit fit =
+        fitter.fit(
+            FitProblem.of(now.kick(), noise.cameras(), state.flat(), state.chip()), kind);
+    if (fit.failure().isPresent()) {
+      return Optional.empty();
+    }
+    if (kind == KickKind.CHIP) {
+      double run = Math.hypot(fit.estimate("vx").value(), fit.estimate("vy").value());
+      if (fit.estimate("vz").value() < FLATTEST_CHIP * run) {
+        // A flat kick that spins looks like a chip of many low hops.
+        return Optional.empty();
+      }
+    }
+    return Optional.of(record(fit, noise));
+  }
+
+  /**
+   * The kicks without the few that stand out while all others are explained: another ball, or one that hit something.
+   *
+   * @param at the model, fitted to the kicks
+   * @return the same list when all stay
+   */
+  public List<KickRecord> withoutStrays(FittedModel at) {
+    double median = median(at);
+    List<KickRecord> good = new ArrayList<>();
+    for (int k = 0; k < at.kickCount(); k++) {
+      if (at.reduced(k) <= 2 * STANDS_OUT * Math.max(1, median)) {
+        good.add(at.kick(k).record());
+      }
+    }
+    int out = at.kickCount() - good.size();
+    boolean few = out > 0 && out <= Math.max(1, MOST_LEFT_OUT * at.kickCount());
+    return few && median < EXPLAINED ? good : at.records();
+  }
+}
