@@ -118,11 +118,15 @@ record CaseRow(
   }
 
   private static List<Double> numbers(String text) {
-    return text.isEmpty() ? List.of() : Arrays.stream(text.split(" ")).map(Double::valueOf).toList();
+    return text.isEmpty()
+        ? List.of()
+        : Arrays.stream(text.split(" ")).map(Double::valueOf).toList();
   }
 
   private static String text(List<Double> numbers) {
-    return numbers.stream().map(d -> String.format(Locale.ROOT, "%.5g", d)).collect(Collectors.joining(" "));
+    return numbers.stream()
+        .map(d -> String.format(Locale.ROOT, "%.5g", d))
+        .collect(Collectors.joining(" "));
   }
 
   /** One line. */

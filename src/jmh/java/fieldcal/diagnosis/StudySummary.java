@@ -115,7 +115,12 @@ final class StudySummary {
     List<CaseRow> unnamed = group("unnamed").stream().filter(CaseRow::shown).toList();
     rate(out, "unnamed, visible: no wrong name", unnamed, c -> c.wrong() == 0, atLeast(95));
     rate(out, "unnamed, visible: said or learned", unnamed, c -> !c.variable().equals("-"), none());
-    rate(out, "unnamed, visible: right variable first", unnamed, c -> c.variable().equals("yes"), none());
+    rate(
+        out,
+        "unnamed, visible: right variable first",
+        unnamed,
+        c -> c.variable().equals("yes"),
+        none());
     share(out, "unnamed: visible named causes beside it", unnamed);
     fits(out, "unnamed, visible", unnamed);
     sizes(out);
@@ -125,7 +130,8 @@ final class StudySummary {
   /** How well kicks that were held out are described, and how much of what the simple model leaves is gone. */
   private static void fits(PrintStream out, String name, List<CaseRow> list) {
     List<CaseRow> done = list.stream().filter(c -> !Double.isNaN(c.rmsAfter())).toList();
-    rate(out, name + ": held out within 1.1 of the noise", done, c -> c.rmsAfter() <= FLOOR, none());
+    rate(
+        out, name + ": held out within 1.1 of the noise", done, c -> c.rmsAfter() <= FLOOR, none());
     List<CaseRow> excess = done.stream().filter(c -> c.rmsBefore() > EXCESS).toList();
     rate(out, name + ": excess reduced by 70 %", excess, c -> c.excessReduced() >= REDUCED, none());
   }

@@ -2,8 +2,8 @@ package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.HiddenRun;
-import fieldcal.simulation.ScenarioKind;
 import fieldcal.fit.KickFit;
+import fieldcal.simulation.ScenarioKind;
 import java.util.List;
 
 /** A field with fourteen chips and nothing hidden, fitted once for all tests that look at the parts of a diagnosis. */

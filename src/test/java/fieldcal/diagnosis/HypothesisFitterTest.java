@@ -61,7 +61,10 @@ class HypothesisFitterTest {
 
   @Test
   void aRestThatNoStraightPathExplainsIsKept() {
-    List<KickData> curved = ChipsField.kicks(HiddenRun.problem(HiddenCase.of(CURVED, ScenarioKind.FLAT, "side_spin:fraction=-0.1153")));
+    List<KickData> curved =
+        ChipsField.kicks(
+            HiddenRun.problem(
+                HiddenCase.of(CURVED, ScenarioKind.FLAT, "side_spin:fraction=-0.1153")));
     for (KickData kick : curved) {
       double[] rest = Outliers.rest(kick.kick);
       int resting = 0;

@@ -15,8 +15,7 @@ class RegionEdgesTest {
   /** Flat kicks and chips, and a carpet that brakes 30 % more in x = -4.66 to -0.48 m up to y = 0.59 m; its fourth edge no ball crosses, and few the first. */
   private static final long WORN = 111000301;
 
-  private static final String WEAR =
-      "worn_region:change=0.3034,region=[-4.66,-0.48,-4.45,0.59]";
+  private static final String WEAR = "worn_region:change=0.3034,region=[-4.66,-0.48,-4.45,0.59]";
 
   private static final HypothesisFitter WORLD =
       ChipsField.fitter(HiddenRun.problem(HiddenCase.of(WORN, ScenarioKind.MIXED, WEAR)));

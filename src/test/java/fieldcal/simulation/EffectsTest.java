@@ -346,7 +346,8 @@ class EffectsTest {
       })
   void chipsFeelThem(String effect) {
     KickTruth plain = Simulation.record(CHIP).truth().kicks().get(0);
-    KickTruth changed = Simulation.record(CHIP.withEffects(effect.split("[+]"))).truth().kicks().get(0);
+    KickTruth changed =
+        Simulation.record(CHIP.withEffects(effect.split("[+]"))).truth().kicks().get(0);
     assertThat(changed.velocity()).isEqualTo(plain.velocity());
     Vector3 a = plain.path().get(150);
     Vector3 b = changed.path().get(150);
@@ -364,8 +365,7 @@ class EffectsTest {
     SimulatedRecording plain = Simulation.record(FLAT);
     double half = 0.5 * plain.truth().duration();
     SimulatedRecording moved =
-        Simulation.record(
-            FLAT.withEffects("camera_moved:x_mm=9,y_mm=-4,camera=1,at=" + half));
+        Simulation.record(FLAT.withEffects("camera_moved:x_mm=9,y_mm=-4,camera=1,at=" + half));
     List<VisionFrame> before = frames(plain, 1);
     List<VisionFrame> after = frames(moved, 1);
     int shifted = 0;
@@ -434,9 +434,7 @@ class EffectsTest {
   }
 
   private static List<VisionFrame> frames(SimulatedRecording recording, int camera) {
-    return recording.frames().stream()
-        .filter(f -> f.cameraId() == camera)
-        .toList();
+    return recording.frames().stream().filter(f -> f.cameraId() == camera).toList();
   }
 
   /** How far the first kick's ball gets in its first four seconds, or until it ends. */

@@ -38,7 +38,7 @@ public record CameraErrors(
     double shear) {
 
   /** Nothing is wrong. */
-  public static final CameraErrors NONE = 
+  public static final CameraErrors NONE =
       new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, List.of(), 0);
 
   /** Copies the list. {@inheritDoc} */

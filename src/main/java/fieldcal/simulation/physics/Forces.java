@@ -190,7 +190,9 @@ final class Forces {
   boolean holds() {
     double push = Math.hypot(externalX, externalY) / (1 + beta);
     return push
-        <= wear * extraRolling() * ground.rollingDecelerationAt(externalX * 1e-9, externalY * 1e-9, stepTime);
+        <= wear
+            * extraRolling()
+            * ground.rollingDecelerationAt(externalX * 1e-9, externalY * 1e-9, stepTime);
   }
 
   /** Rate of change of position, velocity and spin, {@code offset} seconds after the step's start. */

@@ -259,9 +259,7 @@ public record GroundLaw(
 
   /** Factor on the sliding friction at a speed of slip. */
   double slipFactor(double slip) {
-    return slipSlope == 0
-        ? 1
-        : Math.max(LEAST_FRICTION, 1 + slipSlope * (slip - REFERENCE_SLIP));
+    return slipSlope == 0 ? 1 : Math.max(LEAST_FRICTION, 1 + slipSlope * (slip - REFERENCE_SLIP));
   }
 
   /** Factor on the rolling deceleration at a place. */

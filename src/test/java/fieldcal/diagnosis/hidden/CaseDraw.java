@@ -54,8 +54,7 @@ final class CaseDraw {
 
   /** The same field with something else hidden in it. */
   HiddenCase with(Category category, ScenarioKind scenario, List<EffectSetting> hidden) {
-    SimulationSettings bare =
-        world(hidden.stream().map(EffectSetting::effect).toList(), scenario);
+    SimulationSettings bare = world(hidden.stream().map(EffectSetting::effect).toList(), scenario);
     return hidden(category, bare, hidden, kickers(bare));
   }
 
@@ -64,8 +63,7 @@ final class CaseDraw {
       SimulationSettings bare,
       List<EffectSetting> hidden,
       List<RobotId> kickers) {
-    boolean biased =
-        hidden.stream().anyMatch(e -> e.effect() == SimulatedEffect.ROBOT_KICK_BIAS);
+    boolean biased = hidden.stream().anyMatch(e -> e.effect() == SimulatedEffect.ROBOT_KICK_BIAS);
     boolean commands = place.happens(0.6) || biased;
     return new HiddenCase(seed, category, bare.withEffects(hidden), hidden, commands, kickers);
   }

@@ -301,9 +301,11 @@ final class EffectDraw {
           set(effect, "roll", limited(about(0.05), -0.5, 1))
               .with("slide", number(limited(about(0.02), -0.4, 0.6)))
               .with("at", number(duringTheSession()));
-      // Between a ball that sticks and half a super ball, on a carpet: what engines that integrate the contact show.
+      // About the −0.1 to −0.3 of engines that integrate the contact. At 0 the contact point
+      // sticks, and
+      // fixed dampings describe that exactly.
       case CONTACT_IMPACTS ->
-          set(effect, "reversed", random.uniform(-0.35, 0.1))
+          set(effect, "reversed", random.uniform(-0.4, -0.08))
               .with("friction", number(random.uniform(0.25, 0.6)));
       // Through the middle, where most kicks cross it.
       case CARPET_SEAM ->
@@ -312,8 +314,7 @@ final class EffectDraw {
               .with("normal", number(angle()))
               .with("distance", number(random.uniform(-1.2, 1.2)));
       case UNNAMED_RESTITUTION_PLACE ->
-          set(effect, "change", limited(about(0.05), -0.3, 0.3))
-              .with("direction", number(angle()));
+          set(effect, "change", limited(about(0.05), -0.3, 0.3)).with("direction", number(angle()));
       case UNNAMED_ROLL_SQUARE -> set(effect, "slope", limited(positive(0.012), 0, 0.3));
       case UNNAMED_ROLL_BUMP ->
           set(effect, "height", limited(about(0.25), -0.7, 3))

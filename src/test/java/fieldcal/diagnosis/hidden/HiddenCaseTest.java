@@ -58,7 +58,9 @@ class HiddenCaseTest {
     List<HiddenCase> mixtures =
         MANY.stream().filter(c -> c.category() == Category.MIXTURE).toList();
     assertThat(mixtures).allMatch(c -> c.hidden().size() >= 3 && !c.hidesUnnamed());
-    assertThat(mixtures).allMatch(c -> c.hidden().stream().map(e -> e.effect()).distinct().count() == c.hidden().size());
+    assertThat(mixtures)
+        .allMatch(
+            c -> c.hidden().stream().map(e -> e.effect()).distinct().count() == c.hidden().size());
     assertThat(MANY).allMatch(c -> !c.hides("wind") || c.hides("air_drag"));
     assertThat(MANY.stream().filter(c -> c.category() == Category.UNNAMED && !c.named().isEmpty()))
         .hasSizeGreaterThan(40);
@@ -79,7 +81,8 @@ class HiddenCaseTest {
 
   @Test
   void aFieldWithSomethingGivenIsTheFieldOfTheSeed() {
-    HiddenCase drawn = MANY.stream().filter(c -> c.category() == Category.NULL).findFirst().orElseThrow();
+    HiddenCase drawn =
+        MANY.stream().filter(c -> c.category() == Category.NULL).findFirst().orElseThrow();
     assertThat(HiddenCase.of(drawn.seed(), drawn.settings().scenario().kind())).isEqualTo(drawn);
   }
 

@@ -101,8 +101,7 @@ class JudgeTest {
     assertThat(judge(drag, cause(new KickSpin(0.1), 0.01, "air_drag")).outcome())
         .isEqualTo(Outcome.TIE);
     assertThat(judge(drag).outcome()).isEqualTo(Outcome.MISSED);
-    assertThat(judge(drag, CLEAR, diagnosis(UNEXPLAINED)).outcome())
-        .isEqualTo(Outcome.UNEXPLAINED);
+    assertThat(judge(drag, CLEAR, diagnosis(UNEXPLAINED)).outcome()).isEqualTo(Outcome.UNEXPLAINED);
     Judgement more = judge(drag, cause(new AirDrag(0.5), 0.01), cause(new KickSpin(0.1), 0.01));
     assertThat(more.outcome()).isEqualTo(Outcome.WRONG);
     assertThat(more.wrong()).hasSize(1);
@@ -113,15 +112,13 @@ class JudgeTest {
     HiddenCase none = hidden(Category.NULL, 4);
     assertThat(judge(none).outcome()).isEqualTo(Outcome.RIGHT);
     assertThat(judge(none, cause(new AirDrag(0.5), 0.1)).outcome()).isEqualTo(Outcome.WRONG);
-    assertThat(judge(none, CLEAR, diagnosis(UNEXPLAINED)).outcome())
-        .isEqualTo(Outcome.UNEXPLAINED);
+    assertThat(judge(none, CLEAR, diagnosis(UNEXPLAINED)).outcome()).isEqualTo(Outcome.UNEXPLAINED);
   }
 
   @Test
   void anUnnamedCauseHasNoName() {
     HiddenCase waves = hidden(Category.UNNAMED, 4, "carpet_waves:amplitude=0.3");
-    assertThat(judge(waves, CLEAR, diagnosis(UNEXPLAINED)).outcome())
-        .isEqualTo(Outcome.RIGHT);
+    assertThat(judge(waves, CLEAR, diagnosis(UNEXPLAINED)).outcome()).isEqualTo(Outcome.RIGHT);
     assertThat(judge(waves).outcome()).isEqualTo(Outcome.MISSED);
     assertThat(judge(waves, INVISIBLE, diagnosis(Answer.ADEQUATE)).outcome())
         .isEqualTo(Outcome.RIGHT);
@@ -133,11 +130,17 @@ class JudgeTest {
   void whatIsLearnedFirstOfAnUnnamedCauseIsJudged() {
     HiddenCase place = hidden(Category.UNNAMED, 4, "unnamed_ring:change=0.3");
     Judgement right =
-        judge(place, CLEAR, learned("partly_explained", List.of(new Term("ground", List.of("x", "y")))));
+        judge(
+            place,
+            CLEAR,
+            learned("partly_explained", List.of(new Term("ground", List.of("x", "y")))));
     assertThat(right.outcome()).isEqualTo(Outcome.RIGHT);
     assertThat(right.rightVariable()).contains(true);
     Judgement speed =
-        judge(place, CLEAR, learned("partly_explained", List.of(new Term("ground", List.of("speed")))));
+        judge(
+            place,
+            CLEAR,
+            learned("partly_explained", List.of(new Term("ground", List.of("speed")))));
     assertThat(speed.rightVariable()).contains(false);
     assertThat(judge(place).rightVariable()).isEmpty();
     assertThat(judge(place, cause(new AirDrag(0.2), 0.01)).outcome()).isEqualTo(Outcome.WRONG);
@@ -180,7 +183,8 @@ class JudgeTest {
 
   @Test
   void aKnockedCameraMayAlsoBeSaidToBeOffset() {
-    HiddenCase knocked = hidden(Category.PAIR, 4, "camera_moved:x_mm=8,at=9,camera=1", "air_drag:cd=0.5");
+    HiddenCase knocked =
+        hidden(Category.PAIR, 4, "camera_moved:x_mm=8,at=9,camera=1", "air_drag:cd=0.5");
     Named drag = cause(new AirDrag(0.5), 0.01);
     Judgement half = judge(knocked, drag, cause(new CameraOffset(4, 0, 1), 0.1));
     assertThat(half.outcome()).isEqualTo(Outcome.MISSED);

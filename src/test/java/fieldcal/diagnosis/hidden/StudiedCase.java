@@ -54,8 +54,7 @@ public record StudiedCase(
       }
       Optional<EffectSetting> needed =
           EffectDraw.companion(effect.effect())
-              .flatMap(
-                  c -> hidden.hidden().stream().filter(e -> e.effect() == c).findFirst());
+              .flatMap(c -> hidden.hidden().stream().filter(e -> e.effect() == c).findFirst());
       all.add(
           needed.isEmpty()
               ? Visibility.of(hidden, List.of(effect))

@@ -210,7 +210,9 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
     return new Visibility(
         Math.sqrt(Math.max(0, left * left - less.left * less.left)),
         Math.sqrt(
-            Math.max(0, leftWithOffsets * leftWithOffsets - less.leftWithOffsets * less.leftWithOffsets)),
+            Math.max(
+                0,
+                leftWithOffsets * leftWithOffsets - less.leftWithOffsets * less.leftWithOffsets)),
         kicks);
   }
 

@@ -60,8 +60,7 @@ class ContactTest {
     double beta = 0.505;
     double share = 0.24;
     double reversed = share * (1 + beta) / beta - 1;
-    List<BallEvent> impacts =
-        impacts(kick(contact(reversed, 5, beta), 3.6, 0.4, 3.6, 0, 0, 6));
+    List<BallEvent> impacts = impacts(kick(contact(reversed, 5, beta), 3.6, 0.4, 3.6, 0, 0, 6));
     assertThat(ratio(impacts.get(0))).isEqualTo(0.76, within(EXACT));
     assertThat(ratio(impacts.get(1))).isEqualTo(0.91, within(0.005));
     assertThat(ratio(impacts.get(2))).isEqualTo(0.975, within(0.005));
