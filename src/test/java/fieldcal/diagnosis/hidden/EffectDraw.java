@@ -98,10 +98,10 @@ final class EffectDraw {
       case CLOCK_SKEW -> set(effect, "ppm", about(75)).with("camera", camera());
       case ROLLING_SHUTTER -> set(effect, "ms", limited(positive(9), 0, 30));
       case WIND ->
-          set(effect, "speed", limited(positive(0.9), 0.1, 5)).with("direction", number(angle()));
-      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(about(0.15), -0.3, 0.7));
+          set(effect, "speed", limited(positive(0.35), 0.05, 5)).with("direction", number(angle()));
+      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(about(0.22), -0.35, 0.8));
       case CAMERA_MOVED -> {
-        double size = positive(8);
+        double size = positive(14);
         double direction = angle();
         yield set(effect, "x_mm", size * Math.cos(direction))
             .with("y_mm", number(size * Math.sin(direction)))
@@ -109,14 +109,15 @@ final class EffectDraw {
             .with("camera", camera());
       }
       case BALL_CHANGED ->
-          set(effect, "roll", limited(about(0.05), -0.5, 1))
-              .with("slide", number(limited(about(0.02), -0.4, 0.6)))
+          set(effect, "roll", limited(about(0.025), -0.5, 1))
+              .with("slide", number(limited(about(0.012), -0.4, 0.6)))
               .with("at", number(duringTheSession()));
-      // About the −0.1 to −0.3 of engines that integrate the contact. At 0 the contact point
+      // About the −0.1 to −0.3 and beyond of engines that integrate the contact. At 0 the contact
+      // point
       // sticks, and
       // fixed dampings describe that exactly.
       case CONTACT_IMPACTS ->
-          set(effect, "reversed", random.uniform(-0.4, -0.08))
+          set(effect, "reversed", random.uniform(-0.5, -0.1))
               .with("friction", number(random.uniform(0.25, 0.6)));
       // Through the middle, where most kicks cross it.
       case CARPET_SEAM ->
@@ -126,13 +127,13 @@ final class EffectDraw {
               .with("distance", number(random.uniform(-1.2, 1.2)));
       case UNNAMED_RESTITUTION_PLACE ->
           set(effect, "change", limited(about(0.05), -0.3, 0.3)).with("direction", number(angle()));
-      case UNNAMED_ROLL_SQUARE -> set(effect, "slope", limited(positive(0.012), 0, 0.3));
+      case UNNAMED_ROLL_SQUARE -> set(effect, "slope", limited(positive(0.004), 0, 0.3));
       case UNNAMED_ROLL_BUMP ->
-          set(effect, "height", limited(about(0.25), -0.7, 3))
+          set(effect, "height", limited(about(0.08), -0.7, 3))
               .with("speed", number(random.uniform(0.8, 2.5)))
               .with("width", number(random.uniform(0.25, 0.6)));
       case UNNAMED_FADING_FRICTION ->
-          set(effect, "change", limited(about(0.12), -0.6, 2))
+          set(effect, "change", limited(about(0.8), -0.7, 4))
               .with("duration", number(random.uniform(0.1, 0.4)));
       case UNNAMED_RING -> {
         double inner = random.uniform(0.8, 2);
@@ -145,7 +146,7 @@ final class EffectDraw {
           set(effect, "amplitude", limited(about(0.04), -0.5, 0.5))
               .with("direction", number(angle()));
       case UNNAMED_IMPACT_SPEED -> set(effect, "slope", limited(about(0.03), -0.1, 0.1));
-      case UNNAMED_SIDE_FORCE -> set(effect, "rate", limited(about(0.006), -0.5, 0.5));
+      case UNNAMED_SIDE_FORCE -> set(effect, "rate", limited(about(0.0022), -0.5, 0.5));
       case UNNAMED_PATCHES ->
           set(effect, "change", limited(positive(0.6), 0, 6))
               .with("pitch", number(random.uniform(0.6, 1.5)));
