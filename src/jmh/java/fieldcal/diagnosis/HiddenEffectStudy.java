@@ -1,5 +1,6 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.hidden.FrozenCases;
 import fieldcal.diagnosis.hidden.HiddenCase;
 import fieldcal.diagnosis.hidden.StudiedCase;
 import fieldcal.diagnosis.hidden.Visibility;
@@ -37,6 +38,8 @@ public final class HiddenEffectStudy {
         --threads N    cases at a time (default 2)
         --rows FILE    appends a line for each case to a file
         --summary A,B  studies nothing: summarizes files of rows
+        --small        only cases of at most 14 kicks and 4 cameras
+        --list         only prints lines as the list of frozen cases has them
         --classes      only measures how visible the effects are; nothing is diagnosed\
       """;
 
@@ -55,6 +58,8 @@ public final class HiddenEffectStudy {
     Optional<Path> rows = Optional.empty();
     List<Path> summary = List.of();
     boolean classes;
+    boolean small;
+    boolean list;
   }
 
   /**
@@ -86,6 +91,10 @@ public final class HiddenEffectStudy {
       new StudySummary(rows).print(out);
       return;
     }
+    if (options.list) {
+      cases(options).forEach(c -> out.println(FrozenCases.line(c, StudiedCase.visibility(c))));
+      return;
+    }
     List<CaseRow> results = run(options, out);
     if (!options.classes) {
       new StudySummary(results).print(out);
@@ -95,28 +104,35 @@ public final class HiddenEffectStudy {
   private static Options parse(String[] args) {
     Options o = new Options();
     for (int i = 0; i < args.length; i++) {
-      if (args[i].equals("--classes")) {
-        o.classes = true;
-        continue;
-      }
-      if (i + 1 == args.length) {
-        throw new IllegalArgumentException("'" + args[i] + "' is no option or lacks its value");
-      }
-      String value = args[i + 1];
-      switch (args[i++]) {
-        case "--cases" -> o.cases = Integer.parseInt(value);
-        case "--seed" -> o.seed = Long.parseLong(value);
-        case "--case" -> o.one = Optional.of(Long.parseLong(value));
-        case "--seeds" -> o.seeds = Arrays.stream(value.split(",")).map(Long::valueOf).toList();
-        case "--only" -> o.only = List.of(value.split(","));
-        case "--first" -> o.first = Long.parseLong(value);
-        case "--rows" -> o.rows = Optional.of(Path.of(value));
-        case "--summary" -> o.summary = Arrays.stream(value.split(",")).map(Path::of).toList();
-        case "--threads" -> o.threads = Integer.parseInt(value);
-        default -> throw new IllegalArgumentException("unknown option " + args[i - 1]);
+      switch (args[i]) {
+        case "--classes" -> o.classes = true;
+        case "--small" -> o.small = true;
+        case "--list" -> o.list = true;
+        default -> i += value(o, args, i);
       }
     }
     return o;
+  }
+
+  /** Reads an option with a value; returns how many words that is more than one. */
+  private static int value(Options o, String[] args, int i) {
+    if (i + 1 == args.length) {
+      throw new IllegalArgumentException("'" + args[i] + "' is no option or lacks its value");
+    }
+    String value = args[i + 1];
+    switch (args[i]) {
+      case "--cases" -> o.cases = Integer.parseInt(value);
+      case "--seed" -> o.seed = Long.parseLong(value);
+      case "--case" -> o.one = Optional.of(Long.parseLong(value));
+      case "--seeds" -> o.seeds = Arrays.stream(value.split(",")).map(Long::valueOf).toList();
+      case "--only" -> o.only = List.of(value.split(","));
+      case "--first" -> o.first = Long.parseLong(value);
+      case "--rows" -> o.rows = Optional.of(Path.of(value));
+      case "--summary" -> o.summary = Arrays.stream(value.split(",")).map(Path::of).toList();
+      case "--threads" -> o.threads = Integer.parseInt(value);
+      default -> throw new IllegalArgumentException("unknown option " + args[i]);
+    }
+    return 1;
   }
 
   private static List<HiddenCase> cases(Options o) {
@@ -128,7 +144,8 @@ public final class HiddenEffectStudy {
     for (long i = 0; i < SEEDS && cases.size() < o.cases; i++) {
       HiddenCase c = HiddenCase.draw(o.seed * SEEDS + i);
       boolean wanted = o.only.isEmpty() || o.only.stream().anyMatch(what -> is(c, what));
-      if (wanted && taken++ >= o.first) {
+      boolean fits = !o.small || FrozenCases.small(c);
+      if (wanted && fits && taken++ >= o.first) {
         cases.add(c);
       }
     }

@@ -44,10 +44,19 @@ import picocli.CommandLine.Spec;
       "ball_height_error:mm speed_dependent_restitution:slope bounce_spin_coupling:coefficient",
       "drift:percent_per_10min robot_kick_bias:percent,yaw,team,robot clock_skew:ppm,camera"
           + " rolling_shutter:ms",
+      "wind:speed,direction (with air_drag) slip_dependent_friction:slope"
+          + " camera_moved:x_mm,y_mm,at,camera",
+      "ball_changed:roll,slide,at contact_impacts:reversed,friction"
+          + " carpet_seam:loss,turn,normal,distance",
       "torque_limited:coefficient,team directional:coefficient,team",
-      "In no catalogue: slip_dependent_friction:slope carpet_waves:amplitude,wavelength"
-          + " camera_shake:amplitude_mm,hz,camera",
-      "camera may be all. Spin acts on bounces with --physics contact only.",
+      "In no catalogue: carpet_waves:amplitude,wavelength camera_shake:amplitude_mm,hz,camera",
+      "unnamed_restitution_place:change,direction unnamed_roll_square:slope"
+          + " unnamed_roll_bump:height,speed,width",
+      "unnamed_fading_friction:change,duration unnamed_ring:change,inner,outer"
+          + " unnamed_once_per_turn:amplitude",
+      "unnamed_four_ways:amplitude,direction unnamed_impact_speed:slope unnamed_side_force:rate",
+      "unnamed_patches:change,pitch unnamed_lens_shear:mm,camera",
+      "camera may be all; a lens without camera means all. at: time of the session, s.",
       "",
       "Served: fieldcal simulate --serve --seed 7",
       "Example: fieldcal simulate --scenario flat --kicks 24 --effect air_drag:cd=0.45 --seed 7"

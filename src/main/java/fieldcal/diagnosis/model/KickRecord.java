@@ -266,6 +266,28 @@ public final class KickRecord {
   }
 
   /**
+   * The kick with all detections that are the ball.
+   *
+   * @return itself when nothing was cut
+   */
+  public KickRecord whole() {
+    return whole;
+  }
+
+  /**
+   * Whitens a residual of a detection.
+   *
+   * @param i which
+   * @param rx seen minus predicted, m
+   * @param ry seen minus predicted, m
+   * @param out receives two numbers of unit variance
+   */
+  public void whiten(int i, double rx, double ry, double[] out) {
+    out[0] = w11[i] * rx;
+    out[1] = w21[i] * rx + w22[i] * ry;
+  }
+
+  /**
    * The kick.
    *
    * @return as found

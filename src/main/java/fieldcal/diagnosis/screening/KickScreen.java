@@ -91,9 +91,10 @@ public final class KickScreen {
    * The kicks as they look in the light of a model.
    *
    * @param at the model, fitted to the kicks
-   * @return the same list when nothing changes
+   * @param cuts whether ends may be cut, too: where the model is known to be wrong, they would look wrong because it is
+   * @return an equal list when nothing changes
    */
-  public List<KickRecord> revise(FittedModel at) {
+  public List<KickRecord> revise(FittedModel at, boolean cuts) {
     double median = median(at);
     ModelState state = at.solution().state();
     double[] values = at.solution().values();
@@ -106,13 +107,10 @@ public final class KickScreen {
             k -> {
               KickRecord now = at.kick(k).record();
               boolean stands = at.reduced(k) > STANDS_OUT * Math.max(1, median);
-              revised[k] = stands ? look(at, k, state, means, median) : now;
+              boolean cut = now.usedCount() < now.whole().usedCount();
+              revised[k] = stands || cut ? look(at, k, state, means, median, cuts) : now;
             });
-    List<KickRecord> all = List.of(revised);
-    List<KickRecord> before = at.records();
-    return IntStream.range(0, revised.length).allMatch(k -> all.get(k) == before.get(k))
-        ? before
-        : all;
+    return List.of(revised);
   }
 
   private static double median(FittedModel at) {
@@ -125,13 +123,23 @@ public final class KickScreen {
   }
 
   private KickRecord look(
-      FittedModel at, int k, ModelState state, double[] means, double median) {
+      FittedModel at,
+      int k,
+      ModelState state,
+      double[] means,
+      double median,
+      boolean cuts) {
     EffectKick term = at.kick(k);
     KickRecord now = term.record();
     double[] own = at.solution().own(k);
     double[] scatters = at.solution().scatters();
     double good = LIKE_THE_OTHERS * Math.max(1, median);
-    for (KickRecord part : parts(now)) {
+    List<KickRecord> parts = cuts ? parts(now) : List.of();
+    if (now.usedCount() < now.whole().usedCount()) {
+      // What was cut in the light of a worse model comes back when this one explains it.
+      parts = List.of(now.whole());
+    }
+    for (KickRecord part : parts) {
       EffectKick cut = term.with(part);
       double left =
           solver.fitOwn(cut, own, state, means, scatters).chiSquare() / Math.max(1, cut.rows());
@@ -139,7 +147,8 @@ public final class KickScreen {
         return part;
       }
     }
-    Optional<KickRecord> other = other(now);
+    boolean stands = at.reduced(k) > STANDS_OUT * Math.max(1, median);
+    Optional<KickRecord> other = stands ? other(now) : Optional.empty();
     if (other.isEmpty()) {
       return now;
     }

@@ -39,9 +39,9 @@ final class CaseDraw {
 
   HiddenCase draw() {
     Category category = category();
-    List<SimulatedEffect> effects = EffectDraw.pick(category, kind);
-    ScenarioKind scenario = EffectDraw.scenario(effects, kind);
-    List<SimulatedEffect> all = EffectDraw.withCompanions(effects, scenario, kind);
+    List<SimulatedEffect> effects = EffectChoice.pick(category, kind);
+    ScenarioKind scenario = EffectChoice.scenario(effects, kind);
+    List<SimulatedEffect> all = EffectChoice.withCompanions(effects, scenario, kind);
     SimulationSettings bare = world(all, scenario);
     List<RobotId> kickers = kickers(bare);
     RandomStream strength = RandomStream.of(seed, "hidden: how much");
@@ -69,7 +69,7 @@ final class CaseDraw {
   }
 
   private SimulationSettings world(List<SimulatedEffect> effects, ScenarioKind scenario) {
-    boolean cameras = effects.stream().anyMatch(EffectDraw::needsSeveralCameras);
+    boolean cameras = effects.stream().anyMatch(EffectChoice::needsSeveralCameras);
     FieldSize field = place.happens(0.5) ? FieldSize.DIVISION_A : FieldSize.DIVISION_B;
     CameraSettings rig = rig(cameras);
     return SimulationSettings.DEFAULT
@@ -144,7 +144,7 @@ final class CaseDraw {
   }
 
   private BallPhysics physics(List<SimulatedEffect> effects) {
-    boolean golfBall = effects.stream().anyMatch(EffectDraw::actsOnTheBall);
+    boolean golfBall = effects.stream().anyMatch(EffectChoice::actsOnTheBall);
     boolean spun = effects.contains(SimulatedEffect.BOUNCE_SPIN_COUPLING);
     double accSlide = -physics.uniform(2.4, 3.8);
     double accRoll = -physics.uniform(0.18, 0.42);

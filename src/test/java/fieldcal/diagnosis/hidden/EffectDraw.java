@@ -1,22 +1,16 @@
 package fieldcal.diagnosis.hidden;
 
-import fieldcal.diagnosis.hidden.HiddenCase.Category;
 import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.FieldSize;
 import fieldcal.simulation.RandomStream;
-import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulatedEffect;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
-import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
-import java.util.Set;
 
 /**
- * Draws effects and their strengths. Strengths grow with the cameras' noise: what can be seen depends on both only by their ratio. They spread over a factor of eight; what came out clear and what
+ * Draws the strengths of effects. They grow with the cameras' noise: what can be seen depends on both only by their ratio. They spread over a factor of eight; what came out clear and what
  * marginal is measured, see {@link Visibility}.
  */
 final class EffectDraw {
@@ -24,110 +18,6 @@ final class EffectDraw {
 
   /** Session time of a kick of the calibration scenarios, s (measured). */
   private static final double SECONDS_PER_KICK = 7;
-
-  private static final Set<SimulatedEffect> ON_THE_BALL =
-      EnumSet.of(
-          SimulatedEffect.AIR_DRAG,
-          SimulatedEffect.MAGNUS,
-          SimulatedEffect.KICK_SPIN,
-          SimulatedEffect.SIDE_SPIN,
-          SimulatedEffect.FIELD_SLOPE,
-          SimulatedEffect.CARPET_NAP,
-          SimulatedEffect.SPEED_DEPENDENT_ROLL,
-          SimulatedEffect.WORN_REGION,
-          SimulatedEffect.BOUNCE_SPIN_COUPLING,
-          SimulatedEffect.DRIFT,
-          SimulatedEffect.SLIP_DEPENDENT_FRICTION,
-          SimulatedEffect.WIND,
-          SimulatedEffect.BALL_CHANGED,
-          SimulatedEffect.CARPET_SEAM,
-          SimulatedEffect.CONTACT_IMPACTS,
-          SimulatedEffect.CARPET_WAVES,
-          SimulatedEffect.UNNAMED_ROLL_SQUARE,
-          SimulatedEffect.UNNAMED_ROLL_BUMP,
-          SimulatedEffect.UNNAMED_FADING_FRICTION,
-          SimulatedEffect.UNNAMED_RING,
-          SimulatedEffect.UNNAMED_ONCE_PER_TURN,
-          SimulatedEffect.UNNAMED_FOUR_WAYS,
-          SimulatedEffect.UNNAMED_SIDE_FORCE,
-          SimulatedEffect.UNNAMED_PATCHES);
-
-  /** Seen on the carpet only. */
-  private static final Set<SimulatedEffect> NEEDS_FLAT =
-      EnumSet.of(
-          SimulatedEffect.KICK_SPIN,
-          SimulatedEffect.SIDE_SPIN,
-          SimulatedEffect.FIELD_SLOPE,
-          SimulatedEffect.CARPET_NAP,
-          SimulatedEffect.SPEED_DEPENDENT_ROLL,
-          SimulatedEffect.WORN_REGION,
-          SimulatedEffect.DRIFT,
-          SimulatedEffect.SLIP_DEPENDENT_FRICTION,
-          SimulatedEffect.BALL_CHANGED,
-          SimulatedEffect.CARPET_SEAM,
-          SimulatedEffect.CARPET_WAVES,
-          SimulatedEffect.UNNAMED_ROLL_SQUARE,
-          SimulatedEffect.UNNAMED_ROLL_BUMP,
-          SimulatedEffect.UNNAMED_FADING_FRICTION,
-          SimulatedEffect.UNNAMED_RING,
-          SimulatedEffect.UNNAMED_ONCE_PER_TURN,
-          SimulatedEffect.UNNAMED_FOUR_WAYS,
-          SimulatedEffect.UNNAMED_SIDE_FORCE,
-          SimulatedEffect.UNNAMED_PATCHES);
-
-  private static final Set<SimulatedEffect> NEEDS_CHIP =
-      EnumSet.of(
-          SimulatedEffect.SPEED_DEPENDENT_RESTITUTION,
-          SimulatedEffect.BOUNCE_SPIN_COUPLING,
-          SimulatedEffect.CONTACT_IMPACTS,
-          SimulatedEffect.UNNAMED_RESTITUTION_PLACE,
-          SimulatedEffect.UNNAMED_IMPACT_SPEED);
-
-  /** Means nothing with a single camera, or is absorbed by the model. */
-  private static final Set<SimulatedEffect> SEVERAL_CAMERAS =
-      EnumSet.of(
-          SimulatedEffect.CAMERA_OFFSET,
-          SimulatedEffect.CAMERA_TIME_OFFSET,
-          SimulatedEffect.CAMERA_POSE_ERROR,
-          SimulatedEffect.LENS_DISTORTION_ERROR,
-          SimulatedEffect.BALL_HEIGHT_ERROR,
-          SimulatedEffect.CLOCK_SKEW,
-          SimulatedEffect.CAMERA_MOVED,
-          SimulatedEffect.UNNAMED_LENS_SHEAR);
-
-  private static final List<SimulatedEffect> CATALOGUED =
-      List.of(SimulatedEffect.values()).stream()
-          .filter(SimulatedEffect::catalogued)
-          .filter(e -> e != SimulatedEffect.TORQUE_LIMITED && e != SimulatedEffect.DIRECTIONAL)
-          .toList();
-
-  private static final List<SimulatedEffect> UNNAMED =
-      List.of(SimulatedEffect.values()).stream().filter(e -> !e.catalogued()).toList();
-
-  /** Of which the design says that one explains most of the other: no fair pairs. */
-  private static final List<Set<SimulatedEffect>> ALIKE =
-      List.of(
-          EnumSet.of(
-              SimulatedEffect.AIR_DRAG,
-              SimulatedEffect.MAGNUS,
-              SimulatedEffect.SPEED_DEPENDENT_ROLL),
-          EnumSet.of(
-              SimulatedEffect.FIELD_SLOPE,
-              SimulatedEffect.CARPET_NAP,
-              SimulatedEffect.WORN_REGION,
-              SimulatedEffect.DRIFT,
-              SimulatedEffect.BALL_CHANGED),
-          EnumSet.of(SimulatedEffect.WIND, SimulatedEffect.FIELD_SLOPE),
-          EnumSet.of(SimulatedEffect.CONTACT_IMPACTS, SimulatedEffect.BOUNCE_SPIN_COUPLING),
-          EnumSet.of(
-              SimulatedEffect.CAMERA_TIME_OFFSET,
-              SimulatedEffect.CLOCK_SKEW,
-              SimulatedEffect.ROLLING_SHUTTER),
-          EnumSet.of(
-              SimulatedEffect.CAMERA_OFFSET,
-              SimulatedEffect.CAMERA_POSE_ERROR,
-              SimulatedEffect.LENS_DISTORTION_ERROR,
-              SimulatedEffect.BALL_HEIGHT_ERROR));
 
   private final RandomStream random;
   private final SimulationSettings world;
@@ -141,85 +31,6 @@ final class EffectDraw {
     this.kickers = kickers;
     this.strong = strong;
     noise = world.cameras().ballNoise() / USUAL_NOISE;
-  }
-
-  static boolean actsOnTheBall(SimulatedEffect effect) {
-    return ON_THE_BALL.contains(effect);
-  }
-
-  static boolean needsSeveralCameras(SimulatedEffect effect) {
-    return SEVERAL_CAMERAS.contains(effect);
-  }
-
-  static List<SimulatedEffect> pick(Category category, RandomStream random) {
-    return switch (category) {
-      case NULL -> List.of();
-      case SINGLE -> named(1, random);
-      case PAIR -> named(2, random);
-      case MIXTURE -> named(random.happens(0.5) ? 3 : 4, random);
-      case UNNAMED -> {
-        List<SimulatedEffect> effects =
-            new ArrayList<>(List.of(UNNAMED.get(random.below(UNNAMED.size()))));
-        // As on real fields: what has no name comes beside what has one.
-        if (random.happens(0.35)) {
-          effects.addAll(named(1, random));
-        }
-        yield effects;
-      }
-    };
-  }
-
-  /** Some effects of the catalogue, of which none explains most of another. */
-  private static List<SimulatedEffect> named(int count, RandomStream random) {
-    List<SimulatedEffect> effects = new ArrayList<>();
-    while (effects.size() < count) {
-      SimulatedEffect next = CATALOGUED.get(random.below(CATALOGUED.size()));
-      if (effects.stream().noneMatch(e -> e == next || alike(e, next))) {
-        effects.add(next);
-      }
-    }
-    return effects;
-  }
-
-  /** With what they are nothing without: wind needs drag; the lift of a ball that is kicked without spin is small. */
-  static List<SimulatedEffect> withCompanions(
-      List<SimulatedEffect> effects, ScenarioKind scenario, RandomStream random) {
-    List<SimulatedEffect> all = new ArrayList<>();
-    for (SimulatedEffect effect : effects) {
-      Optional<SimulatedEffect> needed = companion(effect);
-      boolean always = effect == SimulatedEffect.WIND;
-      boolean spins = scenario != ScenarioKind.FLAT && random.happens(0.6);
-      if (needed.isPresent() && !effects.contains(needed.get()) && (always || spins)) {
-        all.add(needed.get());
-      }
-      all.add(effect);
-    }
-    return all;
-  }
-
-  /** The effect without which another is little or nothing. */
-  static Optional<SimulatedEffect> companion(SimulatedEffect effect) {
-    return switch (effect) {
-      case WIND -> Optional.of(SimulatedEffect.AIR_DRAG);
-      case MAGNUS -> Optional.of(SimulatedEffect.KICK_SPIN);
-      default -> Optional.empty();
-    };
-  }
-
-  private static boolean alike(SimulatedEffect a, SimulatedEffect b) {
-    return ALIKE.stream().anyMatch(set -> set.contains(a) && set.contains(b));
-  }
-
-  /** One in which all can be seen. */
-  static ScenarioKind scenario(List<SimulatedEffect> effects, RandomStream random) {
-    boolean flat = effects.stream().anyMatch(NEEDS_FLAT::contains);
-    boolean chip = effects.stream().anyMatch(NEEDS_CHIP::contains);
-    boolean mixed = random.happens(0.35);
-    if (mixed || (flat && chip)) {
-      return ScenarioKind.MIXED;
-    }
-    boolean flies = chip || (!flat && random.happens(0.4));
-    return flies ? ScenarioKind.CHIP : ScenarioKind.FLAT;
   }
 
   /** A strength around a usual one, of either sign. */
@@ -287,10 +98,10 @@ final class EffectDraw {
       case CLOCK_SKEW -> set(effect, "ppm", about(75)).with("camera", camera());
       case ROLLING_SHUTTER -> set(effect, "ms", limited(positive(9), 0, 30));
       case WIND ->
-          set(effect, "speed", limited(positive(0.9), 0.1, 5)).with("direction", number(angle()));
-      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(about(0.15), -0.3, 0.7));
+          set(effect, "speed", limited(positive(0.35), 0.05, 5)).with("direction", number(angle()));
+      case SLIP_DEPENDENT_FRICTION -> set(effect, "slope", limited(about(0.22), -0.35, 0.8));
       case CAMERA_MOVED -> {
-        double size = positive(8);
+        double size = positive(14);
         double direction = angle();
         yield set(effect, "x_mm", size * Math.cos(direction))
             .with("y_mm", number(size * Math.sin(direction)))
@@ -298,13 +109,15 @@ final class EffectDraw {
             .with("camera", camera());
       }
       case BALL_CHANGED ->
-          set(effect, "roll", limited(about(0.05), -0.5, 1))
-              .with("slide", number(limited(about(0.02), -0.4, 0.6)))
+          set(effect, "roll", limited(about(0.025), -0.5, 1))
+              .with("slide", number(limited(about(0.012), -0.4, 0.6)))
               .with("at", number(duringTheSession()));
-      // Between a ball that sticks and half a super ball, on a carpet: what engines that integrate
-      // the contact show.
+      // About the −0.1 to −0.3 and beyond of engines that integrate the contact. At 0 the contact
+      // point
+      // sticks, and
+      // fixed dampings describe that exactly.
       case CONTACT_IMPACTS ->
-          set(effect, "reversed", random.uniform(-0.35, 0.1))
+          set(effect, "reversed", random.uniform(-0.5, -0.1))
               .with("friction", number(random.uniform(0.25, 0.6)));
       // Through the middle, where most kicks cross it.
       case CARPET_SEAM ->
@@ -314,13 +127,13 @@ final class EffectDraw {
               .with("distance", number(random.uniform(-1.2, 1.2)));
       case UNNAMED_RESTITUTION_PLACE ->
           set(effect, "change", limited(about(0.05), -0.3, 0.3)).with("direction", number(angle()));
-      case UNNAMED_ROLL_SQUARE -> set(effect, "slope", limited(positive(0.012), 0, 0.3));
+      case UNNAMED_ROLL_SQUARE -> set(effect, "slope", limited(positive(0.004), 0, 0.3));
       case UNNAMED_ROLL_BUMP ->
-          set(effect, "height", limited(about(0.25), -0.7, 3))
+          set(effect, "height", limited(about(0.08), -0.7, 3))
               .with("speed", number(random.uniform(0.8, 2.5)))
               .with("width", number(random.uniform(0.25, 0.6)));
       case UNNAMED_FADING_FRICTION ->
-          set(effect, "change", limited(about(0.12), -0.6, 2))
+          set(effect, "change", limited(about(0.8), -0.7, 4))
               .with("duration", number(random.uniform(0.1, 0.4)));
       case UNNAMED_RING -> {
         double inner = random.uniform(0.8, 2);
@@ -333,7 +146,7 @@ final class EffectDraw {
           set(effect, "amplitude", limited(about(0.04), -0.5, 0.5))
               .with("direction", number(angle()));
       case UNNAMED_IMPACT_SPEED -> set(effect, "slope", limited(about(0.03), -0.1, 0.1));
-      case UNNAMED_SIDE_FORCE -> set(effect, "rate", limited(about(0.006), -0.5, 0.5));
+      case UNNAMED_SIDE_FORCE -> set(effect, "rate", limited(about(0.0022), -0.5, 0.5));
       case UNNAMED_PATCHES ->
           set(effect, "change", limited(positive(0.6), 0, 6))
               .with("pitch", number(random.uniform(0.6, 1.5)));

@@ -67,11 +67,17 @@ public record HiddenCase(
    * @return always the same for the same arguments
    */
   public static HiddenCase of(long seed, ScenarioKind scenario, String... effects) {
-    return new CaseDraw(seed)
-        .with(
-            effects.length == 0 ? Category.NULL : Category.SINGLE,
-            scenario,
-            Arrays.stream(effects).map(EffectSetting::parse).toList());
+    return of(
+        seed,
+        effects.length == 0 ? Category.NULL : Category.SINGLE,
+        scenario,
+        Arrays.stream(effects).map(EffectSetting::parse).toList());
+  }
+
+  /** The same of any kind of riddle. */
+  static HiddenCase of(
+      long seed, Category category, ScenarioKind scenario, List<EffectSetting> hidden) {
+    return new CaseDraw(seed).with(category, scenario, hidden);
   }
 
   /**

@@ -90,7 +90,7 @@ class HiddenCaseTest {
   void effectsOfCamerasHaveSeveralCamerasAndBiasesCommands() {
     for (HiddenCase c : MANY) {
       for (EffectSetting e : c.hidden()) {
-        if (EffectDraw.needsSeveralCameras(e.effect())) {
+        if (EffectChoice.needsSeveralCameras(e.effect())) {
           assertThat(c.settings().cameras().count()).as("seed %d", c.seed()).isGreaterThan(1);
         }
         if (e.effect() == SimulatedEffect.ROBOT_KICK_BIAS) {

@@ -53,7 +53,7 @@ public record StudiedCase(
         continue;
       }
       Optional<EffectSetting> needed =
-          EffectDraw.companion(effect.effect())
+          EffectChoice.companion(effect.effect())
               .flatMap(c -> hidden.hidden().stream().filter(e -> e.effect() == c).findFirst());
       all.add(
           needed.isEmpty()

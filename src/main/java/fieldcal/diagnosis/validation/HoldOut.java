@@ -1,0 +1,237 @@
+package fieldcal.diagnosis.validation;
+
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.fit.joint.SharedSolver;
+import fieldcal.fit.joint.SharedSolver.OwnFit;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+
+/**
+ * How well a model does on kicks that its global parameters were not fitted to: the kicks are dealt into parts, each part is left out once (cross-validation), and only its kicks' own parameters are then fitted. Also predicts each of them
+ * from its first 0.3 s.
+ *
+ * @param squares sum of squared residuals per kick, m²
+ * @param counts residuals per kick
+ * @param prediction squared distances between predicted and seen position, m², by horizon in s
+ */
+public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> prediction) {
+  /** Parts of the kicks; with fewer kicks each is left out alone. */
+  private static final int PARTS = 6;
+
+  /** What the prediction may see of a kick, s. */
+  private static final double SEEN = 0.3;
+
+  private static final double[] HORIZONS = {0.5, 1, 2};
+
+  /** Detections that near to a horizon count for it, s. */
+  private static final double NEAR = 0.01;
+
+  /** Largest error of a prediction, m: one that leaves the field, or that no camera could see, is as wrong as can be. */
+  private static final double WORST = 10;
+
+  private static final int BOOTSTRAPS = 1000;
+  private static final double LOW = 0.025;
+
+  /** One kick's part. */
+  private record One(double squares, int count, Map<Double, List<Double>> prediction) {}
+
+  /**
+   * Validates.
+   *
+   * @param model fitted to all kicks
+   * @param predicts whether predictions are made, too
+   * @param seed of the parts
+   * @return how well it does
+   */
+  public static HoldOut of(FittedModel model, boolean predicts, long seed) {
+    int n = model.kickCount();
+    int[] part = parts(model, seed);
+    ModelState[] states = new ModelState[PARTS];
+    double[][] means = new double[PARTS][];
+    for (int p = 0; p < PARTS; p++) {
+      boolean[] without = new boolean[n];
+      for (int k = 0; k < n; k++) {
+        without[k] = part[k] == p;
+      }
+      double[] values = model.solution().valuesWithout(without);
+      states[p] = model.model().at(values);
+      means[p] =
+          model.solution().problem().randoms().stream()
+              .mapToDouble(r -> values[r.mean()])
+              .toArray();
+    }
+    List<One> all =
+        IntStream.range(0, n)
+            .parallel()
+            .mapToObj(k -> one(model, k, states[part[k]], means[part[k]], predicts))
+            .toList();
+    double[] squares = all.stream().mapToDouble(One::squares).toArray();
+    int[] counts = all.stream().mapToInt(One::count).toArray();
+    Map<Double, List<Double>> prediction = new TreeMap<>();
+    for (One o : all) {
+      o.prediction.forEach(
+          (h, list) -> prediction.computeIfAbsent(h, x -> new ArrayList<>()).addAll(list));
+    }
+    return new HoldOut(squares, counts, prediction);
+  }
+
+  /** Flat kicks and chips are dealt apart, so that no part has only one of them. */
+  private static int[] parts(FittedModel model, long seed) {
+    int[] part = new int[model.kickCount()];
+    Random random = new Random(seed);
+    int dealt = 0;
+    for (KickKind kind : KickKind.values()) {
+      List<Integer> of = new ArrayList<>();
+      for (int k = 0; k < part.length; k++) {
+        if (model.kick(k).record().kind() == kind) {
+          of.add(k);
+        }
+      }
+      java.util.Collections.shuffle(of, random);
+      for (int k : of) {
+        part[k] = dealt++ % PARTS;
+      }
+    }
+    return part;
+  }
+
+  private static One one(
+      FittedModel model, int k, ModelState state, double[] means, boolean predicts) {
+    SharedSolver solver = SharedSolver.withDefaults().withMaxIterations(20);
+    EffectKick term = model.kick(k);
+    KickRecord record = term.record();
+    double[] scatters = model.solution().scatters();
+    OwnFit<ModelState> fit =
+        solver.fitOwn(term, model.solution().own(k), state, means, scatters);
+    double[] rx = new double[record.size()];
+    double[] ry = new double[record.size()];
+    boolean[] used = record.used();
+    term.plainResiduals(fit.own(), state, rx, ry);
+    double squares = 0;
+    int count = 0;
+    for (int i = 0; i < rx.length; i++) {
+      if (used[i]) {
+        squares += rx[i] * rx[i] + ry[i] * ry[i];
+        count += 2;
+      }
+    }
+    Map<Double, List<Double>> prediction = new TreeMap<>();
+    if (predicts) {
+      predict(term, fit.own(), state, means, scatters, solver, prediction);
+    }
+    return new One(squares, count, prediction);
+  }
+
+  private static void predict(
+      EffectKick term,
+      double[] own,
+      ModelState state,
+      double[] means,
+      double[] scatters,
+      SharedSolver solver,
+      Map<Double, List<Double>> prediction) {
+    KickRecord record = term.record();
+    double from = own[record.timeIndex()] + SEEN;
+    boolean[] first = record.used();
+    boolean[] used = record.used();
+    for (int i = 0; i < first.length; i++) {
+      first[i] &= record.time(i) <= from;
+    }
+    EffectKick begin = term.with(record.withUsed(first));
+    double[] seen = solver.fitOwn(begin, own, state, means, scatters).own();
+    EffectKick whole =
+        record.kind() == KickKind.CHIP
+            ? term.withFlights(Math.max(1, term.flightsByRule(seen, state)))
+            : term;
+    double[] rx = new double[record.size()];
+    double[] ry = new double[record.size()];
+    whole.plainResiduals(seen, state, rx, ry);
+    for (double horizon : HORIZONS) {
+      for (int i = 0; i < rx.length; i++) {
+        if (used[i] && Math.abs(record.time(i) - from - horizon) < NEAR) {
+          double squared = rx[i] * rx[i] + ry[i] * ry[i];
+          prediction
+              .computeIfAbsent(horizon, h -> new ArrayList<>())
+              .add(squared <= WORST * WORST ? squared : WORST * WORST);
+        }
+      }
+    }
+  }
+
+  /**
+   * Residual of all kicks.
+   *
+   * @return root mean square per axis, mm; NaN without kicks
+   */
+  public double rmsMm() {
+    double n = Arrays.stream(counts).sum();
+    return n > 0 ? 1000 * Math.sqrt(Arrays.stream(squares).sum() / n) : Double.NaN;
+  }
+
+  /**
+   * Residual of one kick.
+   *
+   * @param kick which
+   * @return root mean square per axis, mm
+   */
+  public double rmsMm(int kick) {
+    return counts[kick] > 0 ? 1000 * Math.sqrt(squares[kick] / counts[kick]) : Double.NaN;
+  }
+
+  /**
+   * Distance between predicted and seen position.
+   *
+   * @return root mean square, mm, by horizon in s
+   */
+  public Map<Double, Double> predictionMm() {
+    Map<Double, Double> rms = new TreeMap<>();
+    prediction.forEach(
+        (h, list) ->
+            rms.put(
+                h,
+                1000 * Math.sqrt(list.stream().mapToDouble(d -> d).average().orElse(Double.NaN))));
+    return rms;
+  }
+
+  /**
+   * What this gains on another model of the same kicks, with bounds from drawing the kicks again (bootstrap, Efron 1979).
+   *
+   * @param without the other model's
+   * @param seed of the bootstrap
+   * @return gain of the residual: mm, per cent, 2.5 % and 97.5 % quantile in mm
+   */
+  public double[] gainOn(HoldOut without, long seed) {
+    double before = without.rmsMm();
+    double after = rmsMm();
+    Random random = new Random(seed);
+    double[] gains = new double[BOOTSTRAPS];
+    for (int b = 0; b < BOOTSTRAPS; b++) {
+      double s0 = 0;
+      double s1 = 0;
+      double n = 0;
+      for (int i = 0; i < squares.length; i++) {
+        int k = random.nextInt(squares.length);
+        s0 += without.squares[k];
+        s1 += squares[k];
+        n += counts[k];
+      }
+      gains[b] = n > 0 ? 1000 * (Math.sqrt(s0 / n) - Math.sqrt(s1 / n)) : 0;
+    }
+    Arrays.sort(gains);
+    return new double[] {
+      before - after,
+      100 * (before - after) / before,
+      gains[(int) (LOW * BOOTSTRAPS)],
+      gains[(int) ((1 - LOW) * BOOTSTRAPS)]
+    };
+  }
+}

@@ -1,0 +1,107 @@
+package fieldcal.diagnosis.validation;
+
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * How much of the residuals is no noise. Noise differs from one detection to the next, what a wrong model makes of them does not: so the sums over blocks of successive detections of one camera are compared with what independent
+ * residuals would give. Needs no model of what is wrong.
+ *
+ * @param systematic mean square of the systematic part, in variances of the noise; may be negative by chance
+ * @param deviation the same in standard deviations of what noise alone gives
+ */
+public record Leftover(double systematic, double deviation) {
+  /** Detections of a block: a tenth of a second. Longer blocks would miss what changes fast, shorter ones see less of what does not. */
+  private static final int BLOCK = 8;
+
+  /** Longest gap within a block, s. */
+  private static final double GAP = 0.1;
+
+  /** More of that, in standard deviations, is no chance. */
+  private static final double SIGNIFICANT = 6;
+
+  /** A systematic part of less than that share of the noise's variance matters to nobody: a fifth of the noise, 0.3 mm for the cameras of real fields, below what any closed form promises. */
+  private static final double MATTERS = 0.04;
+
+  /**
+   * Measures.
+   *
+   * @param model fitted to all kicks
+   * @return what it leaves
+   */
+  public static Leftover of(FittedModel model) {
+    ModelState state = model.solution().state();
+    double unknowns = model.model().globals().stream().filter(p -> p.estimated()).count();
+    double sum = 0;
+    int blocks = 0;
+    int residuals = 0;
+    double[] r = new double[2];
+    for (int k = 0; k < model.kickCount(); k++) {
+      EffectKick term = model.kick(k);
+      KickRecord record = term.record();
+      double[] own = model.solution().own(k);
+      unknowns += own.length;
+      double[] rx = new double[record.size()];
+      double[] ry = new double[record.size()];
+      term.plainResiduals(own, state, rx, ry);
+      for (int[] block : blocks(record)) {
+        double s1 = 0;
+        double s2 = 0;
+        for (int i : block) {
+          record.whiten(i, rx[i], ry[i], r);
+          s1 += r[0];
+          s2 += r[1];
+        }
+        sum += (s1 * s1 + s2 * s2) / block.length - 2;
+        blocks += 2;
+        residuals += 2 * block.length;
+      }
+    }
+    double lost = Math.min(unknowns, 0.5 * blocks);
+    double excess = sum + lost;
+    double spread = Math.sqrt(2 * Math.max(1, blocks - lost));
+    return new Leftover(excess / Math.max(1, residuals), excess / spread);
+  }
+
+  /** Indices of successive detections of one camera. */
+  private static List<int[]> blocks(KickRecord record) {
+    List<int[]> found = new ArrayList<>();
+    boolean[] used = record.used();
+    for (int camera : record.kick().observations().cameras()) {
+      int[] block = new int[BLOCK];
+      int n = 0;
+      for (int i = 0; i < used.length; i++) {
+        if (!used[i] || record.camera(i) != camera) {
+          continue;
+        }
+        if (n == BLOCK || n > 0 && record.time(i) - record.time(block[n - 1]) > GAP) {
+          add(found, block, n);
+          n = 0;
+        }
+        block[n++] = i;
+      }
+      add(found, block, n);
+    }
+    return found;
+  }
+
+  private static void add(List<int[]> found, int[] block, int n) {
+    if (n >= BLOCK / 2) {
+      found.add(Arrays.copyOf(block, n));
+    }
+  }
+
+  /**
+   * Whether something is left that is neither chance nor without consequence.
+   *
+   * @return true when it is
+   */
+  public boolean isSignificant() {
+    return deviation > SIGNIFICANT && systematic > MATTERS;
+  }
+}
