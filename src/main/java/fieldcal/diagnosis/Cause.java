@@ -13,10 +13,9 @@ import java.util.Objects;
  * @param effect the effect with its fitted numbers
  * @param standardErrors of its estimated parameters, by name, in their order and units
  * @param scatter how much the magnitude differs from kick to kick, standard deviation; 0 for effects that are the same for all kicks
- * @param evidence natural logarithm of the Bayes factor of the extended model with this cause against that without it
+ * @param evidence half of what chi-square rises by without it, everything else fitted again, in units of what is left: about the logarithm of the odds
  * @param gain what kicks that were held out gain from it
- * @param indistinguishableFrom ids of effects that would explain the same as well
- * @param discriminatingKicks which kicks would tell these apart, for operators; empty when nothing is to be told apart
+ * @param indistinguishableFrom ids of effects that would explain the same; "camera_offset of camera 1" where only the camera is open
  */
 public record Cause(
     Effect effect,
@@ -24,14 +23,12 @@ public record Cause(
     double scatter,
     double evidence,
     Gain gain,
-    List<String> indistinguishableFrom,
-    String discriminatingKicks) {
+    List<String> indistinguishableFrom) {
 
   /** Copies the collections. {@inheritDoc} */
   public Cause {
     Objects.requireNonNull(effect, "effect");
     Objects.requireNonNull(gain, "gain");
-    Objects.requireNonNull(discriminatingKicks, "discriminatingKicks");
     standardErrors = Collections.unmodifiableMap(new LinkedHashMap<>(standardErrors));
     indistinguishableFrom = List.copyOf(indistinguishableFrom);
   }

@@ -1,61 +1,93 @@
 package fieldcal.diagnosis;
 
 import fieldcal.ball.BallTrajectory;
-import fieldcal.ball.ChipModel;
-import fieldcal.ball.FlatModel;
+import fieldcal.diagnosis.decision.Decision;
+import fieldcal.diagnosis.decision.DecisionSettings;
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.decision.Judgement.Outcome;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.model.MovingNoise;
+import fieldcal.diagnosis.screening.KickScreen;
+import fieldcal.diagnosis.screening.TypicalBall;
+import fieldcal.diagnosis.search.Alternatives;
+import fieldcal.diagnosis.search.CauseSearch;
+import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.ExtendedModel;
+import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.FitSettings;
-import fieldcal.fit.FitStatistics;
 import fieldcal.fit.KickFit;
+import fieldcal.fit.Screening;
+import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Predicate;
 
 /**
- * Says what the simple model gets wrong, why, and what a better one gains.
- *
- * <p>All kicks are fitted together with the simple model under the published geometry. Score tests of every known effect on its residuals choose what is worth a refit; the best explanations are
- * refitted, extended while that pays, and compared by their evidence. What survives must be worth its evidence against what remains unexplained, pay on kicks that were held out, and, where something
- * remains, be equally strong in all kicks. Otherwise nothing is named: a wrong name is worse than none. Immutable and thread-safe; the same input gives the same answer.
+ * Says what the simple model gets wrong, why, and what a better one gains. Stages: screening and base fit, search among the named effects, learned terms for what is left, decision about names, validation, verdict; {@code docs/diagnosis.md} derives
+ * them. Immutable and thread-safe; the same input gives the same answer.
  */
 public final class Diagnoser {
-  /** Rounds of leaving out what is no free ball. */
-  private static final int CLEANINGS = 4;
+  /** Kicks whose kind is put right before the search: each round may show others. */
+  private static final int BASE_ROUNDS = 4;
 
-  /** Steps in which the ends of kicks are cut before the causes are looked for anew. */
-  private static final int CUTS = 4;
+  /** Rounds of looking again at kicks in the light of what was found. */
+  private static final int SCREENINGS = 3;
 
-  /** Where that share of what the simple model gets wrong remains, nothing may be named. */
-  private static final double TOO_MUCH = 0.1;
+  /** With fewer flat kicks they say too little by themselves to begin with them. */
+  private static final int FEWEST_FLATS = 6;
 
-  /** Evidence that a cause needs where something remains: what remains might be its doing. */
-  private static final double BEYOND_DOUBT = 100;
+  /** Flat kicks whose reduced chi-square stays above that are not explained by themselves. */
+  private static final double EXPLAINED = 1.5;
 
-  /** What varies from kick to kick by itself, or has a shape that was chosen to fit, must leave less than that share. */
-  private static final double ALMOST_NOTHING = 0.03;
+  /** Components of a model beside those that may be named: forms of others, and what goes again. */
+  private static final int SPARE = 5;
 
-  /** Largest scatter of a cause's strength from kick to kick, as a share of it, where something remains. */
-  private static final double STEADY = 0.15;
+  /** Learned terms that a model may have; a third already describes what the first two leave. */
+  private static final int MOST_LEARNED = 3;
 
-  /** A kick that no choice of the model's parameters fits better than that had another ball in it, or one that hit something, mm. */
-  private static final double WRONG_BALL_MM = 40;
+  /** From more kicks on the search looks at that many, spread over the session; fits and decisions use all. */
+  private static final int SEARCHED_KICKS = 60;
 
-  private static final double HALF = 0.5;
+  /** A camera must have made that many detections to be judged. */
+  private static final int FEWEST_SEEN = 60;
 
-  /** A kick that its own parameters fit that many times worse than the median kick is a stray. */
-  private static final double STRAY = 3;
+  /** A simpler model is taken unless a larger one predicts held-out kicks better by that share: a tenth of the noise's excess that matters. */
+  private static final double CLEARLY_BETTER = 0.01;
 
-  /** Share of the kicks that may be strays. */
-  private static final double FEW = 0.08;
+  private static final int FIT_ITERATIONS = 25;
 
-  /** A diagnoser. */
-  public Diagnoser() {}
+  private final List<? extends Effect> catalogue;
+  private final DecisionSettings settings;
+
+  /** A diagnoser of all effects of the catalogue. */
+  public Diagnoser() {
+    this(EffectCatalogue.all());
+  }
+
+  /**
+   * A diagnoser of other effects.
+   *
+   * @param catalogue absent effects that may be named
+   */
+  public Diagnoser(List<? extends Effect> catalogue) {
+    this.catalogue = List.copyOf(catalogue);
+    settings = DecisionSettings.defaults();
+  }
 
   /**
    * Diagnoses.
@@ -63,7 +95,7 @@ public final class Diagnoser {
    * @param problem kicks and cameras
    * @param progress told in words what is being done, from the calling thread
    * @return the diagnosis
-   * @throws IllegalArgumentException when there is no fitted kick
+   * @throws IllegalArgumentException when no kick has enough detections
    */
   public Diagnosis diagnose(DiagnosisProblem problem, Consumer<String> progress) {
     if (problem.fits().isEmpty()) {
@@ -73,315 +105,386 @@ public final class Diagnoser {
   }
 
   /** One diagnosis; used once. */
-  private static final class Run {
+  private final class Run {
     private final DiagnosisProblem problem;
     private final Consumer<String> progress;
-    private final List<KickFit> fits;
-    private final NoiseCalibration noise;
-    private final OtherKind otherKind;
-    private HypothesisFitter fitter;
-    private FittedHypothesis simple;
-    private CauseSearch search;
-    private Decision decision;
+    private final SharedSolver solver =
+        SharedSolver.withDefaults().withMaxIterations(FIT_ITERATIONS).settlingVariants();
+    private final List<SearchStep> trace = new ArrayList<>();
+    private final List<String> problems = new ArrayList<>();
+    private KickScreen screen;
+    private ModelFitter fitter;
+    private Arena arena;
+    private FittedModel base;
 
     Run(DiagnosisProblem problem, Consumer<String> progress) {
       this.problem = problem;
       this.progress = progress;
-      progress.accept("comparing kicks with each other");
-      fits =
-          Kinds.beside(
-              problem.fits(), problem.cameras(), FitSettings.defaults().withSeed(problem.seed()));
-      noise = NoiseCalibration.of(fits, problem.cameras());
-      otherKind = new OtherKind(problem.cameras(), noise, flatStart(), chipStart());
     }
 
     Diagnosis diagnose() {
-      List<KickData> kicks = new ArrayList<>();
-      for (KickFit fit : withoutStrays(fits)) {
-        KickData data = new KickData(fit, noise.cameras(), noise.stampNoise());
-        if (data.usedCount > 2 * data.start.length && isOneBall(fit)) {
-          kicks.add(data);
+      progress.accept("fitting all kicks together");
+      List<KickRecord> kicks = screenAndFit();
+      FittedModel found = base;
+      if (problem.maxCauses() > 0) {
+        progress.accept("testing every known effect");
+        found = guarded("the search for causes", base, () -> searchNamed(kicks));
+      }
+      progress.accept("weighing the explanations");
+      Answer answer = decide(found);
+      return result(answer);
+    }
+
+    /** A stage that fails costs what it would have found, not the diagnosis. */
+    private FittedModel guarded(String what, FittedModel otherwise, Stage stage) {
+      try {
+        return stage.run();
+      } catch (RuntimeException e) {
+        problems.add(what + " failed: " + e);
+        return otherwise;
+      }
+    }
+
+    private List<KickRecord> screenAndFit() {
+      List<KickFit> fits = problem.fits();
+      List<boolean[]> kept =
+          fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
+      MovingNoise noise = MovingNoise.of(fits, kept, problem.cameras());
+      List<KickRecord> kicks = new ArrayList<>();
+      for (KickFit fit : fits) {
+        KickRecord record = KickScreen.record(fit, noise);
+        if (record.usedCount() > 2 * record.start().length) {
+          kicks.add(record);
         }
       }
       if (kicks.isEmpty()) {
         throw new IllegalArgumentException("no kick has enough detections for a diagnosis");
       }
-      look(kicks);
-      Map<Chart, Gain> gains = decision.gains(progress);
-      List<KickData> cut = cutEnds(decision.best());
-      if (cut != fitter.kicks) {
-        // A cause that was dropped had explained what a touched ball did.
-        weighAnew(cut);
-        gains = decision.gains(progress);
-      }
-      blameOnlyTheGuilty();
-      gains.keySet().retainAll(decision.best().hypothesis().charts());
-      return result(gains);
-    }
-
-    /** Whatever a model lacks, its own fit of one kick lacks less than that. */
-    private static boolean isOneBall(KickFit fit) {
-      FitStatistics s = fit.statistics();
-      return s.rmsMm() < WRONG_BALL_MM && s.used() > HALF * s.observations();
-    }
-
-    /** Without the one kick or two that not even parameters of their own explain, while they do the others; if they are more, that is what is to be explained. */
-    private static List<KickFit> withoutStrays(List<KickFit> fits) {
-      double[] sorted = fits.stream().mapToDouble(KickFit::rmsMm).sorted().toArray();
-      double limit = STRAY * sorted[sorted.length / 2];
-      List<KickFit> good = fits.stream().filter(f -> f.rmsMm() < limit).toList();
-      return fits.size() - good.size() <= Math.max(1, FEW * fits.size()) ? good : fits;
-    }
-
-    private void look(List<KickData> kicks) {
-      List<KickData> clean = kicks;
-      FittedHypothesis best = null;
-      for (int round = 0; round < CLEANINGS; round++) {
-        List<KickData> before = clean;
-        fitter =
-            new HypothesisFitter(
-                before, problem.observers(), problem.sessionStart(), flatStart(), chipStart());
-        progress.accept("fitting all kicks together");
-        simple = fitter.fitSimple();
-        boolean first = round == 0;
-        boolean last = round == CLEANINGS - 1;
-        // Later a better explanation has said of what kind a kick is.
-        List<KickData> settled = first ? otherKind.settle(fitter, simple) : fitter.kicks;
-        if (settled != fitter.kicks) {
-          fitter = fitter.of(settled);
-          simple = fitter.fitSimple();
+      EffectModel simple = simple(fits, kicks);
+      screen = new KickScreen(noise, simple, problem.sessionStart(), fitSettings());
+      for (int round = 0; round < BASE_ROUNDS; round++) {
+        fitter = new ModelFitter(kicks, problem.sessionStart());
+        base = fitter.fit(simple(fits, kicks), solver);
+        List<KickRecord> revised = screen.revise(base, false);
+        if (revised.equals(kicks)) {
+          break;
         }
-        progress.accept("testing every known effect");
-        CauseSearch earlier = search;
-        search = new CauseSearch(fitter, progress);
-        Predicate<FittedHypothesis> dirty = f -> first && settledOrCut(f) != fitter.kicks;
-        best =
-            first
-                ? search.search(simple, problem.maxCauses(), dirty)
-                : search.searchAgain(simple, earlier, problem.maxCauses(), dirty);
-        clean = last ? fitter.kicks : cleaned(best, first);
-        if (clean == fitter.kicks) {
+        kicks = revised;
+      }
+      if (!fitter.kicks().equals(kicks)) {
+        fitter = new ModelFitter(kicks, problem.sessionStart());
+        base = fitter.fit(simple(fits, kicks), solver);
+      }
+      arena = arena(kicks);
+      return kicks;
+    }
+
+    private FitSettings fitSettings() {
+      return FitSettings.defaults().withSeed(problem.seed());
+    }
+
+    private EffectModel simple(List<KickFit> fits, List<KickRecord> kicks) {
+      return EffectModel.simple(
+          TypicalBall.flat(fits),
+          TypicalBall.chip(fits),
+          has(kicks, KickKind.FLAT),
+          has(kicks, KickKind.CHIP),
+          problem.observers());
+    }
+
+    private static boolean has(List<KickRecord> kicks, KickKind kind) {
+      return kicks.stream().anyMatch(k -> k.kind() == kind);
+    }
+
+    private Arena arena(List<KickRecord> kicks) {
+      double x0 = Double.POSITIVE_INFINITY;
+      double x1 = Double.NEGATIVE_INFINITY;
+      double y0 = Double.POSITIVE_INFINITY;
+      double y1 = Double.NEGATIVE_INFINITY;
+      java.util.Map<Integer, Integer> seen = new java.util.HashMap<>();
+      for (KickRecord k : kicks) {
+        boolean[] used = k.used();
+        for (int i = 0; i < used.length; i++) {
+          if (used[i]) {
+            x0 = Math.min(x0, k.x(i));
+            x1 = Math.max(x1, k.x(i));
+            y0 = Math.min(y0, k.y(i));
+            y1 = Math.max(y1, k.y(i));
+            seen.merge(k.camera(i), 1, Integer::sum);
+          }
+        }
+      }
+      List<ObservedCamera> cameras =
+          problem.observers().stream()
+              .filter(c -> seen.getOrDefault(c.id(), 0) >= FEWEST_SEEN)
+              .toList();
+      return new Arena(
+          x0,
+          x1,
+          y0,
+          y1,
+          kicks.stream().mapToDouble(k -> k.kick().time() - problem.sessionStart()).toArray(),
+          has(kicks, KickKind.FLAT),
+          has(kicks, KickKind.CHIP),
+          cameras,
+          KickerBias.robots(problem.commands()));
+    }
+
+    /** Searches among the named effects, in the light of what is found looking again at kicks that stand out. */
+    private FittedModel searchNamed(List<KickRecord> kicks) {
+      FittedModel best = flatsFirst(kicks);
+      for (int round = 0; round < SCREENINGS; round++) {
+        best = search(best, catalogue, problem.maxCauses() + SPARE);
+        List<KickRecord> before = fitter.kicks();
+        List<KickRecord> revised = screen.revise(best, true);
+        if (revised.equals(before)) {
+          revised = screen.withoutStrays(best);
+        }
+        if (revised.size() == before.size() && revised.equals(before)) {
           break;
         }
         progress.accept("looking again at kicks that stand out");
+        best = refit(best, revised);
       }
-      best = search.polishRegion(best);
-      progress.accept("weighing the explanations");
-      decision = new Decision(search, best, problem.seed());
-      decision.settle();
-      simple = search.simple();
+      return best;
     }
 
-    /** Weighs what was decided on kicks whose ends were cut, without another search. */
-    private void weighAnew(List<KickData> cut) {
-      FittedHypothesis decided = decision.best();
-      fitter = fitter.of(cut);
-      search = new CauseSearch(fitter, progress);
-      search.know(fitter.fitSimple());
-      FittedHypothesis best = fitter.fit(decided.hypothesis(), decided.shared(), decided, true);
-      search.know(best);
-      decision = new Decision(search, best, problem.seed());
-      decision.settle();
-      simple = search.simple();
+    private FittedModel refit(FittedModel best, List<KickRecord> kicks) {
+      fitter = new ModelFitter(kicks, problem.sessionStart());
+      arena = arena(kicks);
+      EffectModel start =
+          best.model()
+              .startingAt(best.solution().values(), best.solution().scatters())
+              .forKinds(arena.flats(), arena.chips());
+      FittedModel again = fitter.fit(start, matching(best, kicks), false, solver);
+      base = fitter.fit(simple(problem.fits(), kicks), solver);
+      return again;
     }
 
-    /**
-     * The kicks as they look in the light of an explanation; the same list when nothing is to be changed.
-     *
-     * @param first whether this is the first look: then the ends of a kick are suspected before the kick is, later the other way round
-     */
-    private List<KickData> cleaned(FittedHypothesis best, boolean first) {
-      List<KickData> ends = first ? settledOrCut(best) : otherKind.settle(fitter, best);
-      if (ends != fitter.kicks) {
-        return ends;
+    /** A fit's kicks as far as they are still there. */
+    private FittedModel matching(FittedModel best, List<KickRecord> kicks) {
+      return best.kickCount() == kicks.size() ? best : best.restrictedTo(kicks);
+    }
+
+    /** Chips mask much while their bounces are not understood: where there are enough flat kicks, they say first what they show. */
+    private FittedModel flatsFirst(List<KickRecord> kicks) {
+      List<KickRecord> flats = kicks.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
+      if (!arena.chips() || flats.size() < FEWEST_FLATS) {
+        return base;
       }
-      List<KickData> good = Cleaning.kicks(fitter, best);
-      return good == fitter.kicks ? cutEnds(best) : good;
+      ModelFitter all = fitter;
+      Arena whole = arena;
+      fitter = new ModelFitter(flats, problem.sessionStart());
+      arena = arena(flats);
+      FittedModel alone = fitter.fit(base.model().forKinds(true, false), solver);
+      FittedModel found = search(alone, catalogue, problem.maxCauses() + SPARE);
+      fitter = all;
+      arena = whole;
+      if (found.solution().reducedChiSquare() > EXPLAINED) {
+        return base;
+      }
+      EffectModel start =
+          found
+              .model()
+              .startingAt(found.solution().values(), found.solution().scatters())
+              .forKinds(true, true);
+      return fitter.fit(start, base, true, solver);
     }
 
-    /** The kicks as the kinds that an explanation makes of them, or else with their ends cut; the same list when nothing is to be changed. Of the simple model the kinds were asked before. */
-    private List<KickData> settledOrCut(FittedHypothesis best) {
-      List<KickData> settled =
-          best.hypothesis().isSimple() ? fitter.kicks : otherKind.settle(fitter, best);
-      return settled == fitter.kicks ? cutEnds(best) : settled;
+    private FittedModel search(FittedModel start, List<? extends Effect> effects, int most) {
+      int n = start.kickCount();
+      if (n <= SEARCHED_KICKS) {
+        CauseSearch search =
+            new CauseSearch(fitter, new Dictionary(effects, arena), most, solver);
+        FittedModel found = search.search(start);
+        trace.addAll(search.trace());
+        return found;
+      }
+      List<KickRecord> some = new ArrayList<>();
+      for (int i = 0; i < SEARCHED_KICKS; i++) {
+        some.add(fitter.kicks().get((int) ((long) i * n / SEARCHED_KICKS)));
+      }
+      ModelFitter few = new ModelFitter(some, problem.sessionStart());
+      FittedModel begin =
+          few.fit(
+              start.model().startingAt(start.solution().values(), start.solution().scatters()),
+              start.restrictedTo(some),
+              false,
+              solver);
+      CauseSearch search = new CauseSearch(few, new Dictionary(effects, arena), most, solver);
+      FittedModel found = search.search(begin);
+      trace.addAll(search.trace());
+      EffectModel model =
+          found.model().startingAt(found.solution().values(), found.solution().scatters());
+      return fitter.fit(model, start, false, solver);
     }
 
-    /** Cuts the ends until nothing changes: a touch that lasts is seen through step by step. */
-    private List<KickData> cutEnds(FittedHypothesis best) {
-      HypothesisFitter at = fitter;
-      FittedHypothesis f = best;
-      for (int i = 0; i < CUTS; i++) {
-        List<KickData> ends = Cleaning.ends(at, f);
-        if (ends == at.kicks) {
-          break;
+    /** What was decided: the model to predict with, and the judgements of what is in it. */
+    private record Answer(
+        FittedModel extended, List<Judgement> judged, List<Cause> kickers, HoldOut held, HoldOut heldBase) {}
+
+    private Answer decide(FittedModel found) {
+      long seed = problem.seed();
+      HoldOut heldBase = HoldOut.of(base, true, seed);
+      Alternatives alternatives =
+          new Alternatives(fitter, new Dictionary(catalogue, arena));
+      Decision decision = new Decision(settings, fitter, alternatives, seed);
+      FittedModel named = base;
+      List<Judgement> judged = List.of();
+      HoldOut held = heldBase;
+      if (!found.model().components().isEmpty()) {
+        HoldOut heldFound = HoldOut.of(found, true, seed);
+        FittedModel at = found;
+        HoldOut heldAt = heldFound;
+        // Without what is dropped the others may change: once more, until nothing is dropped.
+        for (int round = 0; round < found.model().components().size(); round++) {
+          judged = decision.judge(at, heldAt);
+          List<Component> kept = new ArrayList<>();
+          for (Judgement j : judged) {
+            boolean law = !j.component().template().starts().isEmpty();
+            if (j.outcome() == Outcome.NAMED || law && j.outcome() == Outcome.FORM) {
+              kept.add(j.component().startingAt(j.effect()));
+            }
+          }
+          if (kept.size() == judged.size()) {
+            break;
+          }
+          EffectModel start =
+              at.model().startingAt(at.solution().values(), new double[0]).with(kept);
+          at = fitter.fit(start, at, false, solver);
+          heldAt = HoldOut.of(at, true, seed);
+          judged = List.of();
         }
-        at = at.of(ends);
-        f = at.fit(f.hypothesis(), f.shared(), f, false);
+        named = at;
+        held = heldAt;
       }
-      return Cleaning.sameDetections(at.kicks, fitter.kicks) ? fitter.kicks : at.kicks;
-    }
-
-    /** Where structure remains, a cause stays only if it is the same in all kicks. */
-    private void blameOnlyTheGuilty() {
-      List<Chart> laws =
-          decision.best().hypothesis().random().stream()
-              .filter(c -> Independence.isLaw(fitter, decision.best(), c))
-              .toList();
-      laws.forEach(
-          c ->
-              progress.accept(
-                  "not named: " + c + " follows from the kick's speed, direction or time"));
-      decision.acquit(laws);
-      Structure after = decision.structure();
-      if (!after.isSignificant() || decision.best().hypothesis().isSimple()) {
-        return;
-      }
-      double share = after.systematic() / Structure.of(fitter, simple).systematic();
-      ScoreFrame frame = new ScoreFrame(fitter, decision.best());
-      List<Chart> unsteady = new ArrayList<>();
-      for (Chart chart : decision.best().hypothesis().charts()) {
-        if (share > TOO_MUCH
-            || decision.evidence(chart) < BEYOND_DOUBT
-            || !isSteady(frame, chart, share)) {
-          unsteady.add(chart);
+      if (Leftover.of(named).isSignificant()) {
+        progress.accept("describing what has no name");
+        FittedModel start = named;
+        FittedModel learned =
+            guarded(
+                "the search for learned terms",
+                named,
+                () ->
+                    search(
+                        start,
+                        LearnedLibrary.of(arena),
+                        start.model().components().size() + MOST_LEARNED));
+        if (learned.model().components().size() > named.model().components().size()) {
+          HoldOut heldLearned = HoldOut.of(learned, true, seed);
+          if (heldLearned.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()) {
+            named = learned;
+            held = heldLearned;
+            judged = decision.judge(named, held);
+          }
         }
       }
-      unsteady.forEach(
-          c ->
-              progress.accept(
-                  String.format(
-                      Locale.ROOT,
-                      "not named: %s leaves %.0f %% unexplained, or is not as strong in all kicks",
-                      c,
-                      100 * share)));
-      decision.acquit(unsteady);
-    }
-
-    private boolean isSteady(ScoreFrame frame, Chart chart, double share) {
-      boolean varies = decision.best().hypothesis().isRandom(chart);
-      boolean region = chart.id().equals("worn_region");
-      return varies || region
-          ? share < ALMOST_NOTHING
-          : Consistency.scatter(frame, decision.best(), chart) < STEADY;
-    }
-
-    private FlatModel flatStart() {
-      return Kinds.flat(fits);
-    }
-
-    private ChipModel chipStart() {
-      return Kinds.chip(fits, flatStart());
-    }
-
-    private Diagnosis result(Map<Chart, Gain> gains) {
-      FittedHypothesis best = decision.best();
-      Structure after = decision.structure();
-      HoldOut heldBefore = HoldOut.of(fitter, simple, problem.seed());
-      HoldOut heldAfter =
-          best.hypothesis().isSimple() ? heldBefore : HoldOut.of(fitter, best, problem.seed());
+      if (!(held.rmsMm() <= heldBase.rmsMm())) {
+        named = base;
+        held = heldBase;
+        judged = List.of();
+      }
       List<Cause> kickers =
-          new KickerBias(fitter, best, problem.commands(), problem.seed()).causes();
-      List<Cause> causes = causes(best, gains, kickers);
-      List<StructureProfile> before = Profiles.of(fitter, simple);
-      List<StructureProfile> left = Profiles.of(fitter, best);
-      Quality base = quality(simple, heldBefore);
-      Quality extended = quality(best, heldAfter);
+          named.solution().reducedChiSquare() < EXPLAINED
+              ? new KickerBias(named, problem.commands(), seed).causes(catalogue, arena)
+              : List.of();
+      return new Answer(named, judged, kickers, held, heldBase);
+    }
+
+    private Diagnosis result(Answer a) {
+      Leftover after = Leftover.of(a.extended);
+      List<Cause> causes = new ArrayList<>();
+      List<LearnedFinding> learned = new ArrayList<>();
+      for (int i = 0; i < a.judged.size(); i++) {
+        Judgement j = a.judged.get(i);
+        boolean isLearned = LearnedFindings.isLearned(j.effect());
+        if (j.outcome() == Outcome.NAMED && !isLearned) {
+          causes.add(cause(j));
+        } else {
+          learned.add(LearnedFindings.of(a.extended, i, j, arena));
+        }
+      }
+      causes.addAll(a.kickers);
+      causes.sort((x, y) -> Double.compare(y.evidence(), x.evidence()));
+      while (causes.size() > problem.maxCauses()) {
+        causes.remove(causes.size() - 1);
+      }
+      List<StructureProfile> before = Profiles.of(base, problem.sessionStart());
+      List<StructureProfile> left = Profiles.of(a.extended, problem.sessionStart());
+      Quality quality = quality(base, a.heldBase);
       Unexplained unexplained =
           new Unexplained(
               after.isSignificant(),
-              base.noiseMm() * Math.sqrt(Math.max(0, after.systematic())),
+              quality.noiseMm() * Math.sqrt(Math.max(0, after.systematic())),
               after.deviation(),
               after.isSignificant() ? Profiles.named(left) : List.of());
-      Verdict verdict =
-          causes.isEmpty()
-              ? after.isSignificant() ? Verdict.UNEXPLAINED_STRUCTURE : Verdict.MODEL_ADEQUATE
-              : Verdict.EXPLAINED;
       return new Diagnosis(
-          verdict,
-          base,
-          extended,
+          verdict(causes, learned, unexplained.significant()),
+          quality,
+          quality(a.extended, a.held),
           causes,
-          tried(best),
+          learned,
+          candidates(causes),
           unexplained,
           before,
           left,
-          residuals(best, heldBefore, heldAfter),
-          model(simple, List.of()),
-          model(best, kickers),
+          residuals(a),
+          model(base, List.of()),
+          model(a.extended, a.kickers),
+          trace,
+          problems,
           problem.seed());
     }
 
-    private List<Cause> causes(FittedHypothesis best, Map<Chart, Gain> gains, List<Cause> kickers) {
-      List<Cause> causes = new ArrayList<>();
-      for (Chart chart : best.hypothesis().charts()) {
-        Map<String, Double> errors =
-            chart.errors(best.shared(), best.covariance(), best.offset(chart));
-        if (chart.id().equals("worn_region")) {
-          double ofEdges = search.edgeError(best);
-          errors.replaceAll((name, error) -> Math.hypot(error, ofEdges));
-        }
-        causes.add(
-            new Cause(
-                best.effect(chart),
-                errors,
-                best.scatter(chart),
-                decision.evidence(chart),
-                gains.get(chart),
-                decision.ties(chart),
-                NextKicks.toTellApart(chart.id(), decision.ties(chart))));
+    private static Verdict verdict(
+        List<Cause> causes, List<LearnedFinding> learned, boolean left) {
+      if (causes.isEmpty() && learned.isEmpty()) {
+        return left ? Verdict.UNEXPLAINED_STRUCTURE : Verdict.MODEL_ADEQUATE;
       }
-      causes.addAll(kickers);
-      causes.sort((a, b) -> Double.compare(b.evidence(), a.evidence()));
-      return causes;
+      boolean unnamed = learned.stream().anyMatch(l -> LearnedFindings.isLearned(l.effect()));
+      return left || unnamed || causes.isEmpty() ? Verdict.PARTLY_EXPLAINED : Verdict.EXPLAINED;
     }
 
-    private List<Candidate> tried(FittedHypothesis best) {
-      Map<String, Candidate> all = new java.util.LinkedHashMap<>();
-      List<Score> added = search.scores(best);
-      double temper = Decision.temper(fitter, best);
-      for (Score score : search.scores(simple)) {
-        Hypothesis alone = Hypothesis.SIMPLE.with(score.chart(), score.perKick());
-        double evidence = Double.NaN;
-        Effect effect = score.chart().effect(score.coordinates(), 0);
-        for (FittedHypothesis f : search.fitted()) {
-          if (f.hypothesis().sameCauses(alone)) {
-            evidence = Decision.evidence(f, simple, temper);
-            effect = f.effect(f.hypothesis().charts().get(0));
-          }
-        }
-        double more = Double.NaN;
-        for (Score s : added) {
-          if (s.chart().sameCause(score.chart()) && s.chart().size() == score.chart().size()) {
-            more = s.evidence() - 0.5 * s.gain() * (1 - 1 / temper);
-          }
-        }
-        all.putIfAbsent(
-            score.chart().toString(),
-            new Candidate(
-                effect, score.gain(), evidence, more, best.hypothesis().hasCause(score.chart())));
-      }
-      return List.copyOf(all.values());
+    private static Cause cause(Judgement j) {
+      return new Cause(
+          j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), gain(j), j.ties());
     }
 
-    private Quality quality(FittedHypothesis f, HoldOut held) {
-      SharedState state = SharedState.of(f.hypothesis(), f.shared(), fitter.observers);
+    static Gain gain(Judgement j) {
+      return new Gain(j.gain()[0], j.gain()[1], j.gain()[2], j.gain()[3]);
+    }
+
+    private List<Candidate> candidates(List<Cause> causes) {
+      List<Candidate> all = new ArrayList<>();
+      Alternatives alternatives = new Alternatives(fitter, new Dictionary(catalogue, arena));
+      for (Alternatives.Scored s : alternatives.scores(base)) {
+        boolean named =
+            causes.stream()
+                .anyMatch(
+                    c ->
+                        c.effect().id().equals(s.effect().id())
+                            && c.effect().subject().equals(s.effect().subject()));
+        all.add(new Candidate(s.effect(), s.gain(), Double.NaN, Double.NaN, named));
+      }
+      return all;
+    }
+
+    private Quality quality(FittedModel f, HoldOut held) {
+      ModelState state = f.solution().state();
       double squares = 0;
       double variance = 0;
       int n = 0;
-      for (int k = 0; k < fitter.kicks.size(); k++) {
-        KickModel model = model(f, k);
-        KickData d = model.data;
-        double[] rx = new double[d.size];
-        double[] ry = new double[d.size];
-        model.plainResiduals(state, rx, ry);
-        for (int i = 0; i < d.size; i++) {
-          if (d.used[i]) {
+      for (int k = 0; k < f.kickCount(); k++) {
+        EffectKick term = f.kick(k);
+        KickRecord d = term.record();
+        double[] rx = new double[d.size()];
+        double[] ry = new double[d.size()];
+        term.plainResiduals(f.solution().own(k), state, rx, ry);
+        boolean[] used = d.used();
+        for (int i = 0; i < rx.length; i++) {
+          if (used[i]) {
             squares += rx[i] * rx[i] + ry[i] * ry[i];
-            // Half the trace of the covariance, whose Cholesky factor's inverse is w.
-            double l11 = 1 / d.w11[i];
-            double l22 = 1 / d.w22[i];
-            double l21 = -d.w21[i] * l11 * l22;
-            variance += l11 * l11 + l21 * l21 + l22 * l22;
+            variance += 2 * d.variance(i);
             n += 2;
           }
         }
@@ -393,57 +496,53 @@ public final class Diagnoser {
           held.predictionMm());
     }
 
-    private KickModel model(FittedHypothesis f, int k) {
-      KickModel model =
-          new KickModel(
-              fitter.kicks.get(k), f.hypothesis().random().size(), problem.sessionStart());
-      model.startFrom(f.own().get(k), f.flights()[k], new double[0]);
-      return model;
-    }
-
-    private List<KickResiduals> residuals(
-        FittedHypothesis best, HoldOut heldBefore, HoldOut heldAfter) {
-      SharedState simpleState =
-          SharedState.of(simple.hypothesis(), simple.shared(), fitter.observers);
-      SharedState bestState = SharedState.of(best.hypothesis(), best.shared(), fitter.observers);
+    private List<KickResiduals> residuals(Answer a) {
+      ModelState before = base.solution().state();
+      ModelState after = a.extended.solution().state();
       List<KickResiduals> all = new ArrayList<>();
-      for (int k = 0; k < fitter.kicks.size(); k++) {
-        KickModel before = model(simple, k);
-        KickModel after = model(best, k);
-        KickData d = before.data;
-        double[][] r = new double[4][d.size];
-        before.plainResiduals(simpleState, r[0], r[1]);
-        after.plainResiduals(bestState, r[2], r[3]);
-        BallTrajectory pathBefore = before.path(simpleState, before.own);
-        BallTrajectory pathAfter = after.path(bestState, after.own);
+      for (int k = 0; k < a.extended.kickCount(); k++) {
+        EffectKick simple = base.kick(k);
+        EffectKick extended = a.extended.kick(k);
+        KickRecord d = extended.record();
+        double[][] r = new double[4][d.size()];
+        double[] own = base.solution().own(k);
+        double[] ownAfter = a.extended.solution().own(k);
+        simple.plainResiduals(own, before, r[0], r[1]);
+        extended.plainResiduals(ownAfter, after, r[2], r[3]);
+        BallTrajectory pathBefore = simple.path(own, before);
+        BallTrajectory pathAfter = extended.path(ownAfter, after);
         all.add(
             new KickResiduals(
-                d.kick,
-                d.kind,
+                d.kick(),
+                d.kind(),
                 pathBefore,
                 pathAfter,
                 r[0],
                 r[1],
                 r[2],
                 r[3],
-                d.used,
-                heldBefore.rmsMm(k),
-                heldAfter.rmsMm(k)));
+                d.used(),
+                a.heldBase.rmsMm(k),
+                a.held.rmsMm(k)));
       }
       return all;
     }
 
-    private ExtendedModel model(FittedHypothesis f, List<Cause> kickers) {
-      boolean flats = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.FLAT);
-      boolean chips = fitter.kicks.stream().anyMatch(k -> k.kind == KickKind.CHIP);
-      List<Effect> effects = new ArrayList<>();
-      f.hypothesis().charts().forEach(c -> effects.add(f.effect(c)));
+    private ExtendedModel model(FittedModel f, List<Cause> kickers) {
+      ModelState state = f.solution().state();
+      List<Effect> effects = new ArrayList<>(f.effects());
       kickers.forEach(c -> effects.add(c.effect()));
       return new ExtendedModel(
-          flats ? Optional.of(SharedUnknowns.flat(f.shared())) : Optional.empty(),
-          chips ? Optional.of(SharedUnknowns.chip(f.shared())) : Optional.empty(),
+          arena.flats() ? Optional.of(state.flat()) : Optional.empty(),
+          arena.chips() ? Optional.of(state.chip()) : Optional.empty(),
           effects,
           problem.sessionStart());
     }
+  }
+
+  /** Part of a run that may fail. */
+  @FunctionalInterface
+  private interface Stage {
+    FittedModel run();
   }
 }

@@ -1,5 +1,6 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.effect.ExtendedModel;
 import java.util.List;
 import java.util.Objects;
@@ -11,6 +12,7 @@ import java.util.Objects;
  * @param base the simple model under the published geometry
  * @param extended the model with all causes; the same as {@code base} when there are none
  * @param causes in the order in which they explain most
+ * @param learned smooth terms that improve the prediction, and laws that take the place of the simple model's, without being the cause of most
  * @param candidates all that were tried, best first
  * @param unexplained what remains
  * @param structureBefore how the residuals of the simple model depend on each variable
@@ -18,6 +20,8 @@ import java.util.Objects;
  * @param kicks every kick in order of time
  * @param simpleModel the jointly fitted simple model, without effects
  * @param model the extended model, as a team's AI uses it
+ * @param trace what was tried, and what became of it
+ * @param problems what failed inside; empty when all stages went through
  * @param seed of the choice of held-out kicks and of the bootstrap
  */
 public record Diagnosis(
@@ -25,6 +29,7 @@ public record Diagnosis(
     Quality base,
     Quality extended,
     List<Cause> causes,
+    List<LearnedFinding> learned,
     List<Candidate> candidates,
     Unexplained unexplained,
     List<StructureProfile> structureBefore,
@@ -32,12 +37,17 @@ public record Diagnosis(
     List<KickResiduals> kicks,
     ExtendedModel simpleModel,
     ExtendedModel model,
+    List<SearchStep> trace,
+    List<String> problems,
     long seed) {
 
   /** Copies the lists. {@inheritDoc} */
   public Diagnosis {
     Objects.requireNonNull(verdict, "verdict");
     causes = List.copyOf(causes);
+    learned = List.copyOf(learned);
+    trace = List.copyOf(trace);
+    problems = List.copyOf(problems);
     candidates = List.copyOf(candidates);
     structureBefore = List.copyOf(structureBefore);
     structureAfter = List.copyOf(structureAfter);

@@ -1,20 +1,22 @@
 package fieldcal.diagnosis;
 
-import fieldcal.effect.motion.RobotKickBias;
+import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
+import fieldcal.effect.KickerEffect;
 import fieldcal.vision.RobotId;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
-import java.util.TreeMap;
 import org.apache.commons.math3.distribution.TDistribution;
 
 /**
- * Whether a robot kicks faster or aside of what it was told: its fitted kicks against its commands. It must differ from the command and from the other robots, whose common excess would be an error
- * of scale and no kicker's; all robots' kicks together say how much kicks scatter.
+ * Whether robots make something else of their commands: velocities of the fitted kicks against the commanded ones, by effects on kickers. A robot must differ from its command and from the other robots, whose common excess would be an
+ * error of scale and no kicker's; all robots' kicks together say how much kicks scatter.
  */
 final class KickerBias {
   /** Fewer kicks say nothing of a robot. */
@@ -26,69 +28,105 @@ final class KickerBias {
   /** How many standard errors a robot's bias must be from the others'. */
   private static final double FROM_OTHERS = 3;
 
-  /** Smaller biases matter to nobody: share of the speed, and rad. */
-  private static final double LEAST_SPEED = 0.01;
-
-  private static final double LEAST_YAW = 0.005;
+  /** Smaller biases matter to nobody, in scales of the parameter: half a per cent of the speed. */
+  private static final double LEAST = 0.5;
 
   /** A kick farther than that from the robot's median, in robust standard deviations, was no clean kick. */
   private static final double UNCLEAN = 5;
 
-  private static final int BOOTSTRAPS = 2000;
+  /** The median absolute deviation of a normal variable is its standard deviation over this. */
+  private static final double NORMAL = 1.4826;
 
-  /** One kick: speed over the command's minus one, and direction minus the command's; and how far the ball is from where the command has it after a second, m. */
-  private record Sample(double speed, double yaw, double told) {}
+  private static final int BOOTSTRAPS = 1000;
 
-  /** Mean and its standard error of something, over one robot's kicks. */
-  private record Mean(double value, double error, double fromOthers, double errorFromOthers) {
-    boolean isBiased(double least, double limit, boolean alone) {
-      return Math.abs(value) > least
-          && Math.abs(value) > limit * error
-          && (alone || Math.abs(fromOthers) > FROM_OTHERS * errorFromOthers);
-    }
-  }
+  /** Commanded and fitted velocity of one kick, m/s. */
+  private record Sample(double[] commanded, double[] measured) {}
 
-  private final Map<RobotId, List<Sample>> robots =
-      new TreeMap<>(Comparator.comparing(RobotId::team).thenComparing(RobotId::number));
+  /** Estimates of one robot's parameters, and their standard errors. */
+  private record Fit(double[] values, double[] errors, List<Sample> samples) {}
+
+  private final FittedModel model;
+  private final Map<Integer, KickCommand> commands;
   private final long seed;
 
-  KickerBias(
-      HypothesisFitter fitter,
-      FittedHypothesis best,
-      Map<Integer, KickCommand> commands,
-      long seed) {
+  KickerBias(FittedModel model, Map<Integer, KickCommand> commands, long seed) {
+    this.model = model;
+    this.commands = commands;
     this.seed = seed;
-    for (int k = 0; k < fitter.kicks.size(); k++) {
-      KickCommand command = commands.get(fitter.kicks.get(k).kick.id());
-      if (command != null) {
-        double[] own = best.own().get(k);
-        double vz = KickData.ownSize(fitter.kicks.get(k).kind) == 6 ? own[4] : 0;
-        double speed = Math.sqrt(own[2] * own[2] + own[3] * own[3] + vz * vz);
-        double yaw =
-            Math.IEEEremainder(Math.atan2(own[3], own[2]) - command.direction(), 2 * Math.PI);
-        robots
-            .computeIfAbsent(command.robot(), r -> new ArrayList<>())
-            .add(new Sample(speed / command.speed() - 1, yaw, command.speed()));
+  }
+
+  /** The robots of which commands are known. */
+  static List<RobotId> robots(Map<Integer, KickCommand> commands) {
+    return commands.values().stream().map(KickCommand::robot).distinct().toList();
+  }
+
+  /** Causes among the effects of a catalogue that act on kickers. */
+  List<Cause> causes(List<? extends Effect> effects, Arena arena) {
+    List<Cause> causes = new ArrayList<>();
+    for (Effect effect : effects) {
+      if (effect instanceof KickerEffect && effect.canShowIn(arena)) {
+        causes.addAll(biased(effect.candidates(arena)));
       }
     }
-    robots.replaceAll((r, list) -> clean(list));
-    robots.values().removeIf(list -> list.size() < FEWEST);
+    return causes;
+  }
+
+  private List<Sample> samples(KickerEffect effect) {
+    List<Sample> all = new ArrayList<>();
+    for (int k = 0; k < model.kickCount(); k++) {
+      KickCommand c = commands.get(model.kick(k).record().kick().id());
+      if (c != null && c.robot().equals(effect.kicker())) {
+        double[] own = model.solution().own(k);
+        boolean chip = model.kick(k).record().timeIndex() == 5;
+        double up = Math.sin(c.elevation()) * c.speed();
+        double along = Math.cos(c.elevation()) * c.speed();
+        all.add(
+            new Sample(
+                new double[] {
+                  along * Math.cos(c.direction()), along * Math.sin(c.direction()), up
+                },
+                new double[] {own[2], own[3], chip ? own[4] : 0}));
+      }
+    }
+    return clean(all);
+  }
+
+  private static double scale(Effect effect, String name) {
+    return effect.parameters().stream()
+        .filter(p -> p.name().equals(name))
+        .mapToDouble(Parameter::scale)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** Speed over the commanded one, and direction from the commanded one, rad. */
+  private static double[] polar(Sample s) {
+    double told = norm(s.commanded);
+    double yaw =
+        Math.atan2(s.measured[1], s.measured[0]) - Math.atan2(s.commanded[1], s.commanded[0]);
+    return new double[] {norm(s.measured) / told - 1, Math.IEEEremainder(yaw, 2 * Math.PI)};
+  }
+
+  private static double norm(double[] v) {
+    return Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   }
 
   private static List<Sample> clean(List<Sample> samples) {
-    double[] speeds = samples.stream().mapToDouble(Sample::speed).toArray();
-    double[] yaws = samples.stream().mapToDouble(Sample::yaw).toArray();
-    double speed = median(speeds);
-    double yaw = median(yaws);
-    double speedScale =
-        Math.max(
-            1e-3, 1.48 * median(Arrays.stream(speeds).map(s -> Math.abs(s - speed)).toArray()));
-    double yawScale =
-        Math.max(1e-3, 1.48 * median(Arrays.stream(yaws).map(y -> Math.abs(y - yaw)).toArray()));
-    return samples.stream()
-        .filter(s -> Math.abs(s.speed - speed) < UNCLEAN * speedScale)
-        .filter(s -> Math.abs(s.yaw - yaw) < UNCLEAN * yawScale)
-        .toList();
+    List<Sample> kept = new ArrayList<>(samples);
+    for (int axis = 0; axis < 2; axis++) {
+      int a = axis;
+      double[] values = samples.stream().mapToDouble(s -> polar(s)[a]).toArray();
+      if (values.length == 0) {
+        return kept;
+      }
+      double median = median(values);
+      double scale =
+          Math.max(
+              1e-3,
+              NORMAL * median(Arrays.stream(values).map(v -> Math.abs(v - median)).toArray()));
+      kept.removeIf(s -> Math.abs(polar(s)[a] - median) > UNCLEAN * scale);
+    }
+    return kept;
   }
 
   private static double median(double[] values) {
@@ -97,88 +135,155 @@ final class KickerBias {
     return sorted[sorted.length / 2];
   }
 
-  /** The robots that kick otherwise than told. */
-  List<Cause> causes() {
-    List<Cause> causes = new ArrayList<>();
-    int kicks = robots.values().stream().mapToInt(List::size).sum();
-    int freedom = kicks - robots.size();
-    if (freedom < FEWEST) {
-      return causes;
+  private List<Cause> biased(List<Effect> candidates) {
+    Map<KickerEffect, List<Sample>> all = new LinkedHashMap<>();
+    for (Effect e : candidates) {
+      List<Sample> samples = samples((KickerEffect) e);
+      if (samples.size() >= FEWEST) {
+        all.put((KickerEffect) e, samples);
+      }
     }
-    double chance = CHANCE / (4.0 * robots.size());
+    int kicks = all.values().stream().mapToInt(List::size).sum();
+    int freedom = kicks - all.size();
+    if (freedom < FEWEST) {
+      return List.of();
+    }
+    int size = candidates.get(0).magnitudes().size();
+    double[] within = new double[size];
+    Map<KickerEffect, double[]> means = new LinkedHashMap<>();
+    all.forEach(
+        (effect, samples) -> {
+          double[] mean = new double[size];
+          List<double[]> each = samples.stream().map(s -> single(effect, s)).toList();
+          for (int j = 0; j < size; j++) {
+            int column = j;
+            mean[j] = each.stream().mapToDouble(e -> e[column]).average().orElse(0);
+            for (double[] e : each) {
+              within[j] += (e[j] - mean[j]) * (e[j] - mean[j]);
+            }
+          }
+          means.put(effect, mean);
+        });
+    double chance = CHANCE / (2.0 * size * all.size());
     double limit = new TDistribution(null, freedom).inverseCumulativeProbability(1 - chance);
-    boolean alone = robots.size() == 1;
-    robots.forEach(
-        (robot, samples) -> {
-          Mean speed = mean(robot, true, freedom);
-          Mean yaw = mean(robot, false, freedom);
-          if (speed.isBiased(LEAST_SPEED, limit, alone) || yaw.isBiased(LEAST_YAW, limit, alone)) {
-            causes.add(cause(robot, samples, speed, yaw, freedom));
+    List<Cause> causes = new ArrayList<>();
+    means.forEach(
+        (effect, mean) -> {
+          double[] errors = new double[size];
+          boolean named = false;
+          for (int j = 0; j < size; j++) {
+            double variance = within[j] / freedom;
+            int n = all.get(effect).size();
+            errors[j] = Math.sqrt(variance / n);
+            double least = LEAST * scale(effect, effect.magnitudes().get(j));
+            named |=
+                Math.abs(mean[j]) > least
+                    && Math.abs(mean[j]) > limit * errors[j]
+                    && differs(effect, j, means, all, variance);
+          }
+          if (named) {
+            causes.add(cause(effect, new Fit(mean, errors, all.get(effect)), freedom));
           }
         });
     return causes;
   }
 
-  private static double of(Sample s, boolean speed) {
-    return speed ? s.speed : s.yaw;
-  }
-
-  private Mean mean(RobotId robot, boolean speed, int freedom) {
-    double within = 0;
-    double own = 0;
+  private static boolean differs(
+      KickerEffect effect,
+      int j,
+      Map<KickerEffect, double[]> means,
+      Map<KickerEffect, List<Sample>> all,
+      double variance) {
     double others = 0;
-    int otherKicks = 0;
-    for (Map.Entry<RobotId, List<Sample>> e : robots.entrySet()) {
-      double mean = e.getValue().stream().mapToDouble(s -> of(s, speed)).average().orElse(0);
-      for (Sample s : e.getValue()) {
-        within += (of(s, speed) - mean) * (of(s, speed) - mean);
-      }
-      if (e.getKey().equals(robot)) {
-        own = mean;
-      } else {
-        others += mean * e.getValue().size();
-        otherKicks += e.getValue().size();
+    int count = 0;
+    for (Map.Entry<KickerEffect, double[]> e : means.entrySet()) {
+      if (e.getKey() != effect) {
+        int n = all.get(e.getKey()).size();
+        others += n * e.getValue()[j];
+        count += n;
       }
     }
-    double variance = within / freedom;
-    int n = robots.get(robot).size();
-    double error = Math.sqrt(variance / n);
-    if (otherKicks == 0) {
-      return new Mean(own, error, own, error);
+    if (count == 0) {
+      return true;
     }
-    double fromOthers = own - others / otherKicks;
-    return new Mean(own, error, fromOthers, Math.sqrt(variance / n + variance / otherKicks));
+    double error = Math.sqrt(variance / all.get(effect).size() + variance / count);
+    return Math.abs(means.get(effect)[j] - others / count) > FROM_OTHERS * error;
   }
 
-  private Cause cause(RobotId robot, List<Sample> samples, Mean speed, Mean yaw, int freedom) {
-    RobotKickBias bias =
-        new RobotKickBias(100 * speed.value, yaw.value, robot.team(), robot.number());
+  /** The effect's magnitudes that one kick shows: two steps of Gauss and Newton on speed and direction. */
+  private static double[] single(KickerEffect effect, Sample s) {
+    List<String> names = effect.magnitudes();
+    int size = names.size();
+    double[] at = new double[size];
+    double[] wanted = polar(s);
+    for (int step = 0; step < 3; step++) {
+      double[] now = predicted(effect, names, at, s);
+      double[][] j = new double[2][size];
+      for (int k = 0; k < size; k++) {
+        double h = 0.1 * scale(effect, names.get(k));
+        double[] moved = at.clone();
+        moved[k] += h;
+        double[] there = predicted(effect, names, moved, s);
+        for (int r = 0; r < 2; r++) {
+          j[r][k] = (there[r] - now[r]) / h;
+        }
+      }
+      // Each magnitude moves one of the two, so the largest entry of a column decides.
+      for (int k = 0; k < size; k++) {
+        int r = Math.abs(j[0][k]) > Math.abs(j[1][k]) ? 0 : 1;
+        at[k] += j[r][k] == 0 ? 0 : (wanted[r] - now[r]) / j[r][k];
+      }
+    }
+    return at;
+  }
+
+  private static double[] predicted(
+      KickerEffect effect, List<String> names, double[] values, Sample s) {
+    return polar(new Sample(s.commanded, kicked(effect, names, values, s)));
+  }
+
+  private static double[] kicked(
+      KickerEffect effect, List<String> names, double[] values, Sample s) {
+    KickerEffect with = effect;
+    for (int k = 0; k < values.length; k++) {
+      with = (KickerEffect) with.with(names.get(k), values[k]);
+    }
+    double[] v = s.commanded.clone();
+    with.kick(effect.kicker(), v);
+    return v;
+  }
+
+  private Cause cause(KickerEffect effect, Fit fit, int freedom) {
+    List<String> names = effect.magnitudes();
+    KickerEffect found = effect;
     Map<String, Double> errors = new LinkedHashMap<>();
-    errors.put("percent", 100 * speed.error);
-    errors.put("yaw", yaw.error);
-    double t = speed.value * speed.value / (speed.error * speed.error);
-    t += yaw.value * yaw.value / (yaw.error * yaw.error);
-    int n = samples.size();
+    double t = 0;
+    for (int j = 0; j < fit.values.length; j++) {
+      found = (KickerEffect) found.with(names.get(j), fit.values[j]);
+      errors.put(names.get(j), fit.errors[j]);
+      t += fit.values[j] * fit.values[j] / (fit.errors[j] * fit.errors[j]);
+    }
+    int n = fit.samples.size();
     // Student's likelihood ratio, and a unit of information for each of two numbers.
     double evidence = 0.5 * (freedom + 1) * Math.log1p(t / freedom) - Math.log(n);
-    return new Cause(bias, errors, 0, evidence, gain(samples), List.of(), "");
+    return new Cause(found, errors, 0, evidence, gain(effect, fit), List.of());
   }
 
   /** Of the ball's place a second after the kick as the command has it, the bias taken from the robot's other kicks. */
-  private Gain gain(List<Sample> samples) {
-    int n = samples.size();
+  private Gain gain(KickerEffect effect, Fit fit) {
+    int n = fit.samples.size();
+    List<String> names = effect.magnitudes();
+    List<double[]> each = fit.samples.stream().map(s -> single(effect, s)).toList();
     double[] before = new double[n];
     double[] after = new double[n];
-    double speeds = samples.stream().mapToDouble(Sample::speed).sum();
-    double yaws = samples.stream().mapToDouble(Sample::yaw).sum();
     for (int i = 0; i < n; i++) {
-      Sample s = samples.get(i);
-      double speed = (speeds - s.speed) / (n - 1);
-      double yaw = (yaws - s.yaw) / (n - 1);
-      before[i] = s.told * s.told * (s.speed * s.speed + s.yaw * s.yaw);
-      double ds = s.speed - speed;
-      double dy = s.yaw - yaw;
-      after[i] = s.told * s.told * (ds * ds + dy * dy);
+      double[] others = new double[names.size()];
+      for (int j = 0; j < others.length; j++) {
+        others[j] = (n * fit.values[j] - each.get(i)[j]) / (n - 1);
+      }
+      Sample s = fit.samples.get(i);
+      before[i] = squared(s.commanded, s.measured);
+      after[i] = squared(kicked(effect, names, others, s), s.measured);
     }
     Random random = new Random(seed);
     double[] gains = new double[BOOTSTRAPS];
@@ -200,5 +305,11 @@ final class KickerBias {
         100 * (rms0 - rms1) / rms0,
         gains[(int) (0.025 * BOOTSTRAPS)],
         gains[(int) (0.975 * BOOTSTRAPS)]);
+  }
+
+  private static double squared(double[] a, double[] b) {
+    double dx = a[0] - b[0];
+    double dy = a[1] - b[1];
+    return dx * dx + dy * dy;
   }
 }

@@ -2,6 +2,11 @@ package fieldcal.diagnosis;
 
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import java.util.ArrayList;
@@ -25,23 +30,23 @@ final class Profiles {
 
   private static final int MOST_NAMED = 3;
 
+  /** A ball slower than that has no direction of its own, m/s: noise of a millimetre over a frame makes as much. */
+  private static final double SLOW = 0.05;
+
   private record Sample(double at, double along, double across, double variance) {}
 
   private Profiles() {}
 
-  static List<StructureProfile> of(HypothesisFitter fitter, FittedHypothesis at) {
-    SharedState state = SharedState.of(at.hypothesis(), at.shared(), fitter.observers);
+  static List<StructureProfile> of(FittedModel at, double sessionStart) {
+    ModelState state = at.solution().state();
     Map<StructureVariable, List<Sample>> samples = new TreeMap<>();
     for (StructureVariable v : StructureVariable.values()) {
       samples.put(v, new ArrayList<>());
     }
-    for (int k = 0; k < fitter.kicks.size(); k++) {
-      KickModel model =
-          new KickModel(fitter.kicks.get(k), at.hypothesis().random().size(), fitter.sessionStart);
-      model.startFrom(at.own().get(k), at.flights()[k], new double[0]);
-      collect(fitter, model, state, samples);
+    for (int k = 0; k < at.kickCount(); k++) {
+      collect(at, k, state, sessionStart, samples);
     }
-    Structure whole = Structure.of(fitter, at);
+    Leftover whole = Leftover.of(at);
     List<StructureProfile> profiles = new ArrayList<>();
     samples.forEach(
         (variable, list) -> {
@@ -69,44 +74,50 @@ final class Profiles {
   }
 
   private static void collect(
-      HypothesisFitter fitter,
-      KickModel model,
-      SharedState state,
+      FittedModel at,
+      int k,
+      ModelState state,
+      double sessionStart,
       Map<StructureVariable, List<Sample>> samples) {
-    KickData d = model.data;
-    double[] rx = new double[d.size];
-    double[] ry = new double[d.size];
-    model.plainResiduals(state, rx, ry);
-    BallTrajectory path = model.path(state, model.own);
-    double t0 = model.own[d.timeIndex()];
-    for (int i = 0; i < d.size; i++) {
-      if (!d.used[i]) {
+    EffectKick term = at.kick(k);
+    KickRecord d = term.record();
+    double[] own = at.solution().own(k);
+    double[] rx = new double[d.size()];
+    double[] ry = new double[d.size()];
+    term.plainResiduals(own, state, rx, ry);
+    BallTrajectory path = term.path(own, state);
+    double t0 = own[d.timeIndex()];
+    double heading = Math.atan2(own[3], own[2]);
+    boolean[] used = d.used();
+    for (int i = 0; i < rx.length; i++) {
+      if (!used[i]) {
         continue;
       }
-      BallState s = path.stateAt(d.time[i]);
+      BallState s = path.stateAt(d.time(i));
       double speed = s.groundSpeed();
-      double ux = speed > 0.05 ? s.vx() / speed : Math.cos(Math.atan2(d.start[3], d.start[2]));
-      double uy = speed > 0.05 ? s.vy() / speed : Math.sin(Math.atan2(d.start[3], d.start[2]));
+      double ux = speed > SLOW ? s.vx() / speed : Math.cos(heading);
+      double uy = speed > SLOW ? s.vy() / speed : Math.sin(heading);
       double along = rx[i] * ux + ry[i] * uy;
       double across = ry[i] * ux - rx[i] * uy;
-      double variance = 1 / (d.w11[i] * d.w22[i]);
+      double variance = d.variance(i);
       Sample moving = new Sample(0, along, across, variance);
-      add(samples, StructureVariable.TIME_SINCE_KICK, d.time[i] - t0, moving);
+      add(samples, StructureVariable.TIME_SINCE_KICK, d.time(i) - t0, moving);
       add(samples, StructureVariable.SPEED, speed, moving);
       add(samples, StructureVariable.DIRECTION, Math.atan2(uy, ux), moving);
-      add(samples, StructureVariable.SESSION_TIME, d.time[i] - fitter.sessionStart, moving);
+      add(samples, StructureVariable.SESSION_TIME, d.time(i) - sessionStart, moving);
       if (s.z() > 0) {
         add(samples, StructureVariable.HEIGHT, s.z(), moving);
       }
-      d.kick.robot().ifPresent(r -> add(samples, StructureVariable.ROBOT, number(r), moving));
-      add(samples, StructureVariable.X, d.x[i], moving);
-      add(samples, StructureVariable.Y, d.y[i], moving);
+      d.kick().robot().ifPresent(r -> add(samples, StructureVariable.ROBOT, number(r), moving));
+      add(samples, StructureVariable.X, d.x(i), moving);
+      add(samples, StructureVariable.Y, d.y(i), moving);
       Sample still = new Sample(0, rx[i], ry[i], variance);
-      add(samples, StructureVariable.CAMERA, d.camera[i], still);
-      double column = d.kick.observations().pixelX(i);
-      if (column > 0 && d.row[i] > 0) {
+      add(samples, StructureVariable.CAMERA, d.camera(i), still);
+      double column = d.kick().observations().pixelX(i);
+      double row = d.kick().observations().pixelY(i);
+      if (column > 0 && row > 0) {
         add(samples, StructureVariable.IMAGE_COLUMN, column, still);
-        add(samples, StructureVariable.IMAGE_ROW, d.row[i], still);
+        add(samples, StructureVariable.IMAGE_ROW, row, still);
       }
     }
   }
@@ -121,7 +132,7 @@ final class Profiles {
   }
 
   private static StructureProfile profile(
-      StructureVariable variable, List<Sample> samples, Structure whole) {
+      StructureVariable variable, List<Sample> samples, Leftover whole) {
     boolean named = variable == StructureVariable.CAMERA || variable == StructureVariable.ROBOT;
     List<StructureProfile.Bin> bins = new ArrayList<>();
     double sum = 0;

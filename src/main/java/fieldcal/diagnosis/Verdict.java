@@ -6,9 +6,11 @@ import java.util.Locale;
 public enum Verdict {
   /** No effect pays on kicks that were held out of the fit, and no structure is left in the residuals. */
   MODEL_ADEQUATE,
-  /** One or more causes explain what the model gets wrong. */
+  /** Named causes explain what the model gets wrong; nothing significant is left. */
   EXPLAINED,
-  /** Something is wrong that no known effect explains. */
+  /** Named causes or learned terms improve the prediction of held-out kicks, and something is left, or what helps has no name. */
+  PARTLY_EXPLAINED,
+  /** Something is wrong, and neither named causes nor learned terms improve the prediction of held-out kicks. */
   UNEXPLAINED_STRUCTURE;
 
   /**

@@ -1,8 +1,5 @@
 /**
- * What a calibrated model gets wrong, and why.
- *
- * <p>{@link fieldcal.diagnosis.Diagnoser} fits all kicks of a recording together with the simple model, looks for structure in the residuals, tries every known {@link
- * fieldcal.effect.Effect} alone and with others, weighs the explanations by their evidence, and measures on kicks that were held out what the best one gains.
- * The answer is a {@link fieldcal.diagnosis.Diagnosis}: a verdict, the causes with their numbers, what could not be told apart, and what remains unexplained.
+ * What the simple model gets wrong, why, and what a better one gains: {@link fieldcal.diagnosis.Diagnoser} composes the stages that live in the packages below (screening, search, decision, validation) into an immutable {@link
+ * fieldcal.diagnosis.Diagnosis}. Knows effects by their interface alone. Used by the command line, the console and the play.
  */
 package fieldcal.diagnosis;

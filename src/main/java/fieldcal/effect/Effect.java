@@ -135,6 +135,30 @@ public interface Effect {
   }
 
   /**
+   * What it acts on, where that is not all: a camera, a robot. Two effects of one id and one subject are one cause with other numbers.
+   *
+   * @return a text for comparison; of what is neither estimated nor a place
+   */
+  default String subject() {
+    StringBuilder text = new StringBuilder();
+    for (Parameter p : parameters()) {
+      if (!p.estimated() && !places().contains(p.name())) {
+        text.append(p.name()).append('=').append(p.value()).append(' ');
+      }
+    }
+    return text.toString();
+  }
+
+  /**
+   * The variables that what it does depends on, as learned terms name theirs.
+   *
+   * @return empty unless an effect says otherwise
+   */
+  default List<String> dependsOn() {
+    return List.of();
+  }
+
+  /**
    * Other effects of which this is the more special or more general form, so that naming either is right and naming both would be saying the same twice.
    *
    * @return ids, empty unless an effect says otherwise

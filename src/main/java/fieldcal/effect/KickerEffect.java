@@ -8,6 +8,13 @@ public interface KickerEffect extends Effect {
   KickerEffect withParameters(double... values);
 
   /**
+   * Whose kicks it changes.
+   *
+   * @return the robot
+   */
+  RobotId kicker();
+
+  /**
    * Turns the commanded velocity into the one that the ball gets.
    *
    * @param robot who kicks

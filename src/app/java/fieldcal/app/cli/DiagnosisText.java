@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.wording.Amount;
@@ -87,8 +88,8 @@ final class DiagnosisText {
                 .collect(Collectors.joining(" or "));
         wrapped("   ", "   ", "These kicks cannot tell it from: " + rivals + ".");
       }
-      if (!cause.discriminatingKicks().isEmpty()) {
-        wrapped("   ", "   ", "To tell them apart: " + cause.discriminatingKicks());
+      if (!NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()).isEmpty()) {
+        wrapped("   ", "   ", "To tell them apart: " + NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
       }
     }
   }

@@ -1,5 +1,6 @@
 package fieldcal.app.console;
 
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
@@ -135,7 +136,7 @@ final class DiagnosisDesk {
         text.advice(),
         text.strength(),
         cause.indistinguishableFrom(),
-        cause.discriminatingKicks());
+        NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
   }
 
   /**

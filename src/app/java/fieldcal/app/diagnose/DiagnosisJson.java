@@ -5,18 +5,24 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.diagnosis.Candidate;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.KickResiduals;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
 import fieldcal.diagnosis.StructureProfile;
 import fieldcal.diagnosis.StructureVariable;
 import fieldcal.diagnosis.Unexplained;
+import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectFields;
+import fieldcal.effect.learned.LearnedCurve;
+import fieldcal.effect.learned.SimpleFormula;
 import fieldcal.fit.CameraView;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -51,6 +57,8 @@ final class DiagnosisJson {
     root.set("base", base);
     ArrayNode causes = root.putArray("causes");
     diagnosis.causes().forEach(cause -> causes.add(cause(cause)));
+    ArrayNode learned = root.putArray("learned");
+    diagnosis.learned().forEach(finding -> learned.add(learned(finding)));
     root.set("extended", quality(diagnosis.extended()));
     root.set("unexplained", unexplained(diagnosis.unexplained()));
     ArrayNode candidates = root.putArray("candidates");
@@ -59,6 +67,15 @@ final class DiagnosisJson {
     structure.set("before", profiles(diagnosis.structureBefore()));
     structure.set("after", profiles(diagnosis.structureAfter()));
     root.set("kicks", kicks());
+    ArrayNode trace = root.putArray("trace");
+    for (SearchStep step : diagnosis.trace()) {
+      ObjectNode one = trace.addObject().put("what", step.what());
+      one.put("action", step.action().name().toLowerCase(Locale.ROOT));
+      put(one, "expected_gain", step.expected());
+      put(one, "gain", step.gained());
+    }
+    ArrayNode failures = root.putArray("failures");
+    diagnosis.problems().forEach(failures::add);
     ArrayNode problems = root.putArray("problems");
     for (DataProblem p : outcome.calibration().data().problems()) {
       problems.addObject().put("where", p.where()).put("what", p.what()).put("count", p.count());
@@ -105,8 +122,38 @@ final class DiagnosisJson {
     add(bounds, cause.gain().highMm());
     ArrayNode rivals = node.putArray("indistinguishable_from");
     cause.indistinguishableFrom().forEach(rivals::add);
-    node.put("discriminating_kicks", cause.discriminatingKicks());
+    node.put(
+        "discriminating_kicks",
+        NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
     node.put("sentence", cause.effect().sentence());
+    return node;
+  }
+
+  private ObjectNode learned(LearnedFinding finding) {
+    ObjectNode node = nodes.objectNode().put("acts_on", finding.actsOn());
+    ArrayNode variables = node.putArray("depends_on");
+    finding.dependsOn().forEach(variables::add);
+    if (finding.camera().isPresent()) {
+      node.put("camera", finding.camera().getAsInt());
+    } else {
+      node.putNull("camera");
+    }
+    node.put("formula", finding.formula().map(SimpleFormula::text).orElse(finding.effect().sentence()));
+    ArrayNode points = node.putArray("points");
+    for (LearnedCurve curve : finding.curves()) {
+      for (LearnedCurve.Point point : curve.points()) {
+        ArrayNode one = points.addArray();
+        add(one, point.x());
+        if (curve.isTable()) {
+          add(one, point.y());
+        }
+        add(one, point.value());
+        add(one, point.error());
+      }
+    }
+    put(node, "holdout_gain_mm", finding.gain().mm());
+    put(node, "holdout_gain_percent", finding.gain().percent());
+    node.set("term", effect(finding.effect()));
     return node;
   }
 

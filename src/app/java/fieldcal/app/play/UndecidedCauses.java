@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.wording.EffectName;
 import fieldcal.ball.ChipModel;
@@ -72,7 +73,7 @@ final class UndecidedCauses {
               Explanation.of(instead(model, cause.effect(), rival.get()), observers)
                   .fittedTo(named, kicks);
           String words = EffectName.of(cause.effect()) + " or " + EffectName.of(rival.get());
-          pairs.add(new Pair(words, cause.discriminatingKicks(), whole(model), named, other));
+          pairs.add(new Pair(words, NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()), whole(model), named, other));
         }
       }
     }

@@ -37,6 +37,7 @@ public record VerdictText(String headline, List<String> lines) {
         switch (diagnosis.verdict()) {
           case MODEL_ADEQUATE -> adequate(diagnosis, lines);
           case EXPLAINED -> explained(diagnosis, lines);
+          case PARTLY_EXPLAINED -> partly(diagnosis, lines);
           case UNEXPLAINED_STRUCTURE -> unexplained(diagnosis, lines);
         };
     return new VerdictText(headline, lines);
@@ -71,6 +72,16 @@ public record VerdictText(String headline, List<String> lines) {
     return d.causes().size() == 1
         ? text("The model is wrong, and the cause is found: %s.", names(d))
         : text("The model is wrong, and %d causes are found: %s.", d.causes().size(), names(d));
+  }
+
+  private static String partly(Diagnosis d, List<String> lines) {
+    lines.add(gain(d));
+    if (d.unexplained().significant()) {
+      lines.add("A part of it is still unexplained: " + rest(d.unexplained()));
+    }
+    return d.causes().isEmpty()
+        ? "The model is wrong; what helps has no name yet, but the extended model predicts better."
+        : text("The model is wrong, and a part of the cause is found: %s.", names(d));
   }
 
   private static String unexplained(Diagnosis d, List<String> lines) {

@@ -285,15 +285,8 @@ public final class Component {
    * @return true when both cannot be in one model
    */
   public boolean isSameCause(Component other) {
-    return template.id().equals(other.template.id()) && subject().equals(other.subject());
-  }
-
-  /** What it acts on and what else is no number of it: parameters that are neither estimated nor a place. */
-  private List<Double> subject() {
-    return template.parameters().stream()
-        .filter(p -> !p.estimated() && !template.places().contains(p.name()))
-        .map(Parameter::value)
-        .toList();
+    return template.id().equals(other.template.id())
+        && template.subject().equals(other.template.subject());
   }
 
   /**

@@ -43,6 +43,24 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
+   * The same fit, looked at for some of the kicks only: where other fits of them start.
+   *
+   * @param kept records of these kicks; a record of the same kick with other detections counts as the same
+   * @return the kicks in that order
+   */
+  public FittedModel restrictedTo(List<KickRecord> kept) {
+    int[] at = new int[kept.size()];
+    for (int i = 0; i < at.length; i++) {
+      for (int k = 0; k < kickCount(); k++) {
+        if (kick(k).record().kick() == kept.get(i).kick()) {
+          at[i] = k;
+        }
+      }
+    }
+    return new FittedModel(model, solution.restrictedTo(at));
+  }
+
+  /**
    * Effects with their numbers.
    *
    * @return in the order of the components; those that differ from kick to kick at their mean

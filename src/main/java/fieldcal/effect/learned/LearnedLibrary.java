@@ -20,8 +20,8 @@ public final class LearnedLibrary {
   /** Knots over the session; a session of an hour is divided into pieces of a quarter. */
   private static final int KNOTS_TIME = 5;
 
-  /** Harmonics of an angle: slope, nap and a preferred axis. */
-  private static final int HARMONICS = 2;
+  /** Harmonics of an angle: slope, nap, a preferred axis, and the square weave of a carpet or the friction box of a physics engine, which repeat every quarter turn. */
+  private static final int HARMONICS = 4;
 
   /** Degree of a lens' or pose's error over the place. */
   private static final int DEGREE = 3;

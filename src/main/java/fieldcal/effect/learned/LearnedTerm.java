@@ -61,6 +61,7 @@ public abstract sealed class LearnedTerm implements Effect
    *
    * @return names of {@linkplain Variable variables}, in the order of the basis' numbers
    */
+  @Override
   public final List<String> dependsOn() {
     return family.variables().stream().map(Variable::label).toList();
   }
@@ -118,6 +119,11 @@ public abstract sealed class LearnedTerm implements Effect
 
   @Override
   public abstract LearnedTerm withParameters(double... values);
+
+  @Override
+  public final String subject() {
+    return family.key();
+  }
 
   @Override
   public final String id() {

@@ -81,6 +81,11 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
   }
 
   @Override
+  public List<String> dependsOn() {
+    return List.of("spin");
+  }
+
+  @Override
   public boolean canShowIn(Arena arena) {
     return arena.chips();
   }

@@ -88,6 +88,11 @@ public record RobotKickBias(double percent, double yaw, Team team, int robot)
   }
 
   @Override
+  public RobotId kicker() {
+    return new RobotId(team, robot);
+  }
+
+  @Override
   public void kick(RobotId who, double[] velocity) {
     if (who.team() == team && who.number() == robot) {
       double factor = 1 + percent / 100;

@@ -83,6 +83,19 @@ public record SharedProblem<S>(
     return new SharedProblem<>(model, kicks, starts, globals, priors, randoms, newWeights);
   }
 
+  /** The same for some of the kicks only. */
+  SharedProblem<S> restrictedTo(int[] kept) {
+    List<KickTerm<S>> some = new java.util.ArrayList<>();
+    List<double[]> own = new java.util.ArrayList<>();
+    double[] weight = new double[kept.length];
+    for (int i = 0; i < kept.length; i++) {
+      some.add(kicks.get(kept[i]));
+      own.add(starts.get(kept[i]));
+      weight[i] = weights[kept[i]];
+    }
+    return new SharedProblem<>(model, some, own, globals, priors, randoms, weight);
+  }
+
   /** Values of the global parameters. */
   double[] values() {
     return globals.stream().mapToDouble(Parameter::value).toArray();

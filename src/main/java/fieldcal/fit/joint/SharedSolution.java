@@ -84,6 +84,32 @@ public final class SharedSolution<S> {
     randomCost = marginal;
   }
 
+  private SharedSolution(SharedSolution<S> of, int[] kept) {
+    problem = of.problem.restrictedTo(kept);
+    kicks = Arrays.stream(kept).mapToObj(of.kicks::get).toList();
+    own = Arrays.stream(kept).mapToObj(of.own::get).toList();
+    values = of.values;
+    scatters = of.scatters;
+    free = of.free;
+    cost = of.cost;
+    randomCost = of.randomCost;
+    iterations = of.iterations;
+    stopReason = of.stopReason;
+    reduced = Arrays.stream(kept).mapToObj(k -> of.reduced[k]).toArray(double[][][]::new);
+    gradients = Arrays.stream(kept).mapToObj(k -> of.gradients[k]).toArray(double[][]::new);
+    chiSquares = Arrays.stream(kept).mapToDouble(k -> of.chiSquares[k]).toArray();
+  }
+
+  /**
+   * The same parameters, looked at for some of the kicks only; costs stay those of all.
+   *
+   * @param kept indices of the kicks
+   * @return the kicks in that order
+   */
+  public SharedSolution<S> restrictedTo(int[] kept) {
+    return new SharedSolution<>(this, kept);
+  }
+
   /**
    * What was solved.
    *

@@ -1,5 +1,6 @@
 package fieldcal.app.report.diagnosis;
 
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
@@ -122,7 +123,7 @@ public final class DiagnosisReportBuilder {
         cause.gain().lowMm(),
         cause.gain().highMm(),
         CauseWords.rivals(cause),
-        cause.discriminatingKicks());
+        NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
   }
 
   private static QualityRow quality(Quality q) {

@@ -1,4 +1,4 @@
-package fieldcal.diagnosis;
+package fieldcal.app.wording;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package fieldcal.diagnosis;
+package fieldcal.app.wording;
 
 import java.util.List;
 import java.util.Map;
@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
  * Which kicks tell causes apart that would explain the recorded ones as well, in an operator's words. Causes that are easily taken for each other have a text of their own; for any other two it
  * says in which kicks each of them shows. Texts name no file's ids.
  */
-final class NextKicks {
+public final class NextKicks {
   private static final String DRAG_LIFT_ROLL =
       "Record six chips of 4–6 m/s at 45° and six flat kicks each at 2 and at 6 m/s that roll out:"
           + " only the air brakes a ball in flight, only lift makes flights of the same speed"
@@ -231,8 +231,9 @@ final class NextKicks {
    * @param rivals ids of those that would explain the same
    * @return a sentence or two for each sort of rival; empty without rivals
    */
-  static String toTellApart(String cause, List<String> rivals) {
+  public static String toTellApart(String cause, List<String> rivals) {
     return rivals.stream()
+        .map(rival -> rival.replaceFirst(" of camera \\d+$", ""))
         .filter(rival -> !rival.equals(cause))
         .map(rival -> toTellApart(cause, rival))
         .distinct()

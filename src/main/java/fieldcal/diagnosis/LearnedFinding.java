@@ -1,0 +1,37 @@
+package fieldcal.diagnosis;
+
+import fieldcal.effect.Effect;
+import fieldcal.effect.learned.LearnedCurve;
+import fieldcal.effect.learned.SimpleFormula;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/**
+ * Something that improves the prediction of held-out kicks without being a named cause: a learned curve, or a law that takes the place of the simple model's.
+ *
+ * @param effect the term as the extended model holds it
+ * @param actsOn "ground", "impact", "kick" or "measurement"
+ * @param dependsOn the variables
+ * @param camera the camera whose reports it changes; empty for all else
+ * @param curves one for each component, over the range of the data; empty for a law
+ * @param formula the best simple formula of the first curve; empty for a law
+ * @param gain on kicks that were held out
+ */
+public record LearnedFinding(
+    Effect effect,
+    String actsOn,
+    List<String> dependsOn,
+    OptionalInt camera,
+    List<LearnedCurve> curves,
+    Optional<SimpleFormula> formula,
+    Gain gain) {
+
+  /** Copies the lists. {@inheritDoc} */
+  public LearnedFinding {
+    Objects.requireNonNull(effect, "effect");
+    dependsOn = List.copyOf(dependsOn);
+    curves = List.copyOf(curves);
+  }
+}

@@ -1,0 +1,122 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.MotionEffect.Bounce;
+import fieldcal.effect.MotionEffect.ImpactLaw;
+import fieldcal.effect.MotionEffect.SpinAtKick;
+import fieldcal.effect.learned.LearnedCurve;
+import fieldcal.effect.learned.LearnedCurve.Support;
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.SimpleFormula;
+import fieldcal.effect.learned.Variable;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** What helps the prediction without being a named cause, as findings. */
+final class LearnedFindings {
+  private LearnedFindings() {}
+
+  /** Whether an effect is a learned curve, not a law or an effect of the catalogue. */
+  static boolean isLearned(Effect effect) {
+    return effect instanceof LearnedTerm;
+  }
+
+  static LearnedFinding of(FittedModel model, int component, Judgement j, Arena arena) {
+    Gain gain = new Gain(j.gain()[0], j.gain()[1], j.gain()[2], j.gain()[3]);
+    if (!(j.effect() instanceof LearnedTerm term)) {
+      return new LearnedFinding(
+          j.effect(),
+          actsOn(j.effect()),
+          j.effect().dependsOn(),
+          OptionalInt.empty(),
+          List.of(),
+          Optional.empty(),
+          gain);
+    }
+    List<LearnedCurve> curves = curves(model, component, term, arena);
+    return new LearnedFinding(
+        term,
+        term.actsOn(),
+        term.dependsOn(),
+        term.camera(),
+        curves,
+        curves.isEmpty() ? Optional.empty() : Optional.of(SimpleFormula.of(curves.get(0))),
+        gain);
+  }
+
+  private static String actsOn(Effect effect) {
+    if (effect instanceof MeasurementEffect) {
+      return "measurement";
+    }
+    if (effect instanceof SpinAtKick) {
+      return "kick";
+    }
+    return effect instanceof Bounce || effect instanceof ImpactLaw ? "impact" : "ground";
+  }
+
+  private static List<LearnedCurve> curves(
+      FittedModel model, int component, LearnedTerm term, Arena arena) {
+    int size = term.coefficients().length;
+    int from = model.model().offset(component);
+    double[][] covariance = new double[size][size];
+    Optional<double[][]> all = model.solution().covariance();
+    for (int i = 0; i < size; i++) {
+      for (int j = 0; j < size; j++) {
+        covariance[i][j] = all.isPresent() ? all.get()[from + i][from + j] : Double.NaN;
+      }
+    }
+    List<LearnedCurve> curves = new ArrayList<>();
+    int components = term.family().quantity().components();
+    for (int c = 0; c < components; c++) {
+      curves.add(LearnedCurve.of(term, c, covariance, support(model, term, arena)));
+    }
+    return curves;
+  }
+
+  /** The range over which the kicks show a term. */
+  private static Support support(FittedModel model, LearnedTerm term, Arena arena) {
+    double speed = 0;
+    double rise = 0;
+    for (int k = 0; k < model.kickCount(); k++) {
+      double[] own = model.solution().own(k);
+      speed = Math.max(speed, Math.hypot(own[2], own[3]));
+      rise = model.kick(k).record().timeIndex() == 5 ? Math.max(rise, own[4]) : rise;
+    }
+    double[] times = arena.kickTimes();
+    double session = times.length == 0 ? 1 : times[times.length - 1];
+    List<Variable> variables = term.family().variables();
+    double[][] range = new double[2][];
+    int n = 0;
+    for (Variable v : variables) {
+      switch (v) {
+        case PLACE -> {
+          range[n++] = new double[] {arena.x0(), arena.x1()};
+          range[n++] = new double[] {arena.y0(), arena.y1()};
+        }
+        case IMAGE_POSITION -> {
+          double half = 0.25 * (arena.x1() - arena.x0());
+          range[n++] = new double[] {-half, half};
+          range[n++] = new double[] {-half, half};
+        }
+        case HEADING -> range[n++] = new double[] {-Math.PI, Math.PI};
+        case SESSION_TIME -> range[n++] = new double[] {Math.min(0, session), session};
+        case VERTICAL_SPEED -> range[n++] = new double[] {0, Math.max(rise, 1)};
+        case HOP -> range[n++] = new double[] {1, 4};
+        case TIME_SINCE_KICK -> range[n++] = new double[] {0, 5};
+        default -> range[n++] = new double[] {0, Math.max(speed, 1)};
+      }
+      if (n == 2) {
+        break;
+      }
+    }
+    return n == 2
+        ? new Support(range[0][0], range[0][1], range[1][0], range[1][1])
+        : Support.of(range[0][0], range[0][1]);
+  }
+}

@@ -1,0 +1,217 @@
+package fieldcal.diagnosis.decision;
+
+import fieldcal.diagnosis.decision.Judgement.Outcome;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.search.Alternatives;
+import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.effect.Effect;
+import fieldcal.effect.MotionEffect;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import org.apache.commons.math3.distribution.FDistribution;
+
+/** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
+public final class Decision {
+  private final DecisionSettings settings;
+  private final ModelFitter fitter;
+  private final Alternatives alternatives;
+  private final SharedSolver solver;
+  private final long seed;
+
+  /**
+   * A judge.
+   *
+   * @param settings every number that decides
+   * @param fitter of the kicks
+   * @param alternatives what else could stand for a component
+   * @param seed of the parts of the kicks that are held out
+   */
+  public Decision(
+      DecisionSettings settings, ModelFitter fitter, Alternatives alternatives, long seed) {
+    this.settings = settings;
+    this.fitter = fitter;
+    this.alternatives = alternatives;
+    this.seed = seed;
+    solver = SharedSolver.withDefaults().withMaxIterations(20);
+  }
+
+  /**
+   * Judges.
+   *
+   * @param model fitted to all kicks
+   * @param held how it does on kicks that were held out
+   * @return one judgement for each component, in the model's order
+   */
+  public List<Judgement> judge(FittedModel model, HoldOut held) {
+    int n = model.model().components().size();
+    List<FittedModel> without = new ArrayList<>();
+    double[] evidence = new double[n];
+    double noise = Math.max(1, model.solution().reducedChiSquare());
+    for (int i = 0; i < n; i++) {
+      FittedModel w = without(model, i);
+      without.add(w);
+      evidence[i] = (cost(w) - cost(model)) / noise;
+    }
+    List<Judgement> all = new ArrayList<>();
+    for (int i = 0; i < n; i++) {
+      all.add(judge(model, i, without.get(i), evidence, held));
+    }
+    return all;
+  }
+
+  private static double cost(FittedModel model) {
+    double[] ones = new double[model.kickCount()];
+    java.util.Arrays.fill(ones, 1);
+    return model.solution().costWith(ones);
+  }
+
+  private FittedModel without(FittedModel model, int i) {
+    List<Component> rest = new ArrayList<>();
+    List<Effect> now = model.effects();
+    for (int j = 0; j < now.size(); j++) {
+      if (j != i) {
+        rest.add(model.model().components().get(j).startingAt(now.get(j)));
+      }
+    }
+    EffectModel start =
+        model.model().startingAt(model.solution().values(), new double[0]).with(rest);
+    return fitter.fit(start, model, false, solver);
+  }
+
+  private Judgement judge(
+      FittedModel model, int i, FittedModel without, double[] evidence, HoldOut held) {
+    Component c = model.model().components().get(i);
+    HoldOut heldWithout = HoldOut.of(without, false, seed);
+    double[] gain = held.gainOn(heldWithout, seed);
+    Optional<Map<String, Double>> errors = model.errors(i);
+    double largest = 0;
+    for (int j = 0; j < evidence.length; j++) {
+      boolean sameKind = isMotion(model.model().components().get(j)) == isMotion(c);
+      largest = sameKind ? Math.max(largest, evidence[j]) : largest;
+    }
+    Outcome outcome = outcome(model, i, without, evidence[i], largest, gain, heldWithout, held);
+    List<String> ties =
+        outcome == Outcome.NAMED
+            ? alternatives.equalTo(
+                model, i, Math.max(settings.tie(), settings.tieShare() * evidence[i]))
+            : List.of();
+    return new Judgement(
+        c,
+        model.effects().get(i),
+        errors.orElse(Map.of()),
+        model.scatter(i),
+        evidence[i],
+        gain,
+        ties,
+        outcome);
+  }
+
+  static boolean isMotion(Component c) {
+    return c.template() instanceof MotionEffect;
+  }
+
+  private Outcome outcome(
+      FittedModel model,
+      int i,
+      FittedModel without,
+      double evidence,
+      double largest,
+      double[] gain,
+      HoldOut heldWithout,
+      HoldOut held) {
+    Component c = model.model().components().get(i);
+    int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
+    double chance = settings.falseAlarms() / settings.tried();
+    double limit = new ChiSquaredDistribution(null, size).inverseCumulativeProbability(1 - chance);
+    if (!(evidence > limit)) {
+      return Outcome.CHANCE;
+    }
+    if (!c.isPerKick() && c.template().starts().isEmpty() && isUneven(model, i, size, chance)) {
+      return Outcome.UNSTEADY;
+    }
+    if (isOneKicks(model, without)) {
+      return Outcome.ONE_KICK;
+    }
+    if (evidence < settings.formShare() * largest) {
+      return Outcome.FORM;
+    }
+    if (!(gain[1] > 100 * settings.leastGain())) {
+      return Outcome.NO_GAIN;
+    }
+    boolean law = !c.template().starts().isEmpty();
+    return law && evidence < largest ? Outcome.FORM : Outcome.NAMED;
+  }
+
+  /** Whether its strength differs so much from kick to kick that its mean over the kicks may be chance: Hotelling's test with the kicks as the sample. */
+  private static boolean isUneven(FittedModel model, int i, int size, double chance) {
+    Optional<double[][]> covariance = model.solution().covariance();
+    if (covariance.isEmpty()) {
+      return true;
+    }
+    int from = model.model().offset(i);
+    double[] values = model.solution().values();
+    double[][] v = new double[size][size];
+    double[] theta = new double[size];
+    for (int a = 0; a < size; a++) {
+      theta[a] = values[from + a];
+      for (int b = 0; b < size; b++) {
+        v[a][b] = covariance.get()[from + a][from + b];
+      }
+    }
+    double wald = quadratic(v, theta);
+    int freedom = model.kickCount() - size;
+    if (freedom < 2) {
+      return true;
+    }
+    double limit = new FDistribution(null, size, freedom).inverseCumulativeProbability(1 - chance);
+    return !(wald / size > limit);
+  }
+
+  private static double quadratic(double[][] v, double[] x) {
+    double[] scale = new double[x.length];
+    for (int a = 0; a < x.length; a++) {
+      scale[a] = Math.sqrt(v[a][a]);
+    }
+    double sum = 0;
+    try {
+      double[][] r = new double[x.length][x.length];
+      double[] z = new double[x.length];
+      for (int a = 0; a < x.length; a++) {
+        z[a] = x[a] / scale[a];
+        for (int b = 0; b < x.length; b++) {
+          r[a][b] = v[a][b] / (scale[a] * scale[b]);
+        }
+      }
+      double[] solved =
+          new org.apache.commons.math3.linear.LUDecomposition(
+                  new org.apache.commons.math3.linear.Array2DRowRealMatrix(r, false))
+              .getSolver()
+              .solve(new org.apache.commons.math3.linear.ArrayRealVector(z, false))
+              .toArray();
+      for (int a = 0; a < x.length; a++) {
+        sum += z[a] * solved[a];
+      }
+    } catch (org.apache.commons.math3.linear.SingularMatrixException e) {
+      return 0;
+    }
+    return sum;
+  }
+
+  private boolean isOneKicks(FittedModel model, FittedModel without) {
+    double sum = 0;
+    double most = 0;
+    for (int k = 0; k < model.kickCount(); k++) {
+      double gained = without.solution().chiSquare(k) - model.solution().chiSquare(k);
+      sum += gained;
+      most = Math.max(most, gained);
+    }
+    return sum - most < settings.oneKick() * sum;
+  }
+}

@@ -1,0 +1,31 @@
+package fieldcal.diagnosis.decision;
+
+/**
+ * Every number that decides about a name, with where it comes from.
+ *
+ * @param falseAlarms chance that a recording with nothing wrong gets a name: the issue's budget is half a per cent, of which the learned terms and the leftover have their share
+ * @param tried independent things that were tried: columns of the dictionary, and places of those that have one; measured as the effective number of independent score tests on sound simulated recordings
+ * @param formShare a cause that explains less than that share of what the largest cause of its kind (motion, measurement) explains is that one's form: a law that is right to a tenth leaves a hundredth of its chi-square
+ * @param oneKick share of what a cause explains that kicks other than the one that gains most must have
+ * @param tie difference of cost up to which two explanations are equals: odds of e³ = 20 : 1
+ * @param tieShare the same as a share of what the cause explains: where much is explained, errors of the model that all explanations share decide more than noise does
+ * @param leastGain share of the held-out residual that a cause must gain
+ */
+public record DecisionSettings(
+    double falseAlarms,
+    double tried,
+    double formShare,
+    double oneKick,
+    double tie,
+    double tieShare,
+    double leastGain) {
+
+  /**
+   * The numbers in use.
+   *
+   * @return the defaults
+   */
+  public static DecisionSettings defaults() {
+    return new DecisionSettings(2e-3, 200, 0.01, 0.15, 6, 0.002, 0.002);
+  }
+}

@@ -1,0 +1,51 @@
+package fieldcal.diagnosis.decision;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.effect.Effect;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What was decided about one component of a model.
+ *
+ * @param component which
+ * @param effect with its fitted numbers
+ * @param errors standard errors of its parameters, by name
+ * @param scatter of its magnitude from kick to kick; 0 when it is the same for all
+ * @param evidence by how much chi-square rises without it, everything else fitted again, in units of what is left
+ * @param gain on held-out kicks: mm, per cent, lower and upper bound in mm
+ * @param ties what would explain the same: ids, or an id with its camera
+ * @param outcome the decision
+ */
+public record Judgement(
+    Component component,
+    Effect effect,
+    Map<String, Double> errors,
+    double scatter,
+    double evidence,
+    double[] gain,
+    List<String> ties,
+    Outcome outcome) {
+
+  /** What it is taken for. */
+  public enum Outcome {
+    /** A cause. */
+    NAMED,
+    /** Noise reaches as much among everything that was tried. */
+    CHANCE,
+    /** Its strength differs from kick to kick more than a cause's does. */
+    UNSTEADY,
+    /** One kick alone gains by it. */
+    ONE_KICK,
+    /** It is little beside a larger cause of its kind: that one's form. */
+    FORM,
+    /** Kicks that were held out do not gain by it. */
+    NO_GAIN
+  }
+
+  @Override
+  public String toString() {
+    return "%s %s evidence %.0f gain %.2f %% ties %s"
+        .formatted(outcome, effect, evidence, gain[1], ties);
+  }
+}
