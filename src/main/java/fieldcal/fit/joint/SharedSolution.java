@@ -15,7 +15,7 @@ import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
  * The solution of a {@link SharedProblem}.
  *
  * <p>Covariance: residuals are taken to be whitened and independent within a kick, kicks to be independent of each other. The variance of a global parameter is the larger of the one that follows from
- * the residuals, times the reduced chi-square, and the one from the scatter between kicks (cluster-robust; Liang and Zeger 1986): where the model is not quite right, the first is too small. There is none where the
+ * the residuals, times the reduced chi-square with the kicks' weights, and the one from the scatter between kicks (cluster-robust; Liang and Zeger 1986): where the model is not quite right, the first is too small. There is none where the
  * equations are singular.
  *
  * @param <S> what the global parameters amount to
@@ -195,11 +195,24 @@ public final class SharedSolution<S> {
    * @return about 1 where the model is right
    */
   public double reducedChiSquare() {
+    return chiSquare() / degreesOfFreedom();
+  }
+
+  private double degreesOfFreedom() {
     int unknowns = free.length;
     for (double[] p : own) {
       unknowns += p.length - scatters.length;
     }
-    return chiSquare() / Math.max(1, rows() - unknowns);
+    return Math.max(1, rows() - unknowns);
+  }
+
+  /** A kick that weighs less has already had its noise enlarged. */
+  private double weightedReducedChiSquare() {
+    double sum = 0;
+    for (int k = 0; k < chiSquares.length; k++) {
+      sum += problem.weights()[k] * chiSquares[k];
+    }
+    return sum / degreesOfFreedom();
   }
 
   /**
@@ -289,7 +302,7 @@ public final class SharedSolution<S> {
     int count = kicks.size();
     // The number of clusters less the parameters they share; Student's t of so few has longer tails.
     double small = count > n + 1 ? count / (double) (count - 1) : 1;
-    double noise = Math.max(1, reducedChiSquare());
+    double noise = Math.max(1, weightedReducedChiSquare());
     double[][] sandwich = product(product(v, scatter), v);
     double[] larger = new double[n];
     for (int i = 0; i < n; i++) {

@@ -183,7 +183,7 @@ public final class SharedSolver {
     for (KickTerm<S> other : term.neighbours()) {
       OwnFit<S> tried = fitOwn(other, own, state, means, scatters);
       double priced = tried.cost + other.penalty(tried.own, state);
-      if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {
+      if (isLess(priced, bestPriced)) {
         best = tried;
         bestPriced = priced;
       }
@@ -191,12 +191,17 @@ public final class SharedSolver {
     for (KickTerm.Restart<S> other : stuck ? term.restarts(own, state) : List.<KickTerm.Restart<S>>of()) {
       OwnFit<S> tried = fitOwn(other.term(), other.own(), state, means, scatters);
       double priced = tried.cost + other.term().penalty(tried.own, state);
-      if (priced < bestPriced - 1e-6 * Math.abs(bestPriced)) {
+      if (isLess(priced, bestPriced)) {
         best = tried;
         bestPriced = priced;
       }
     }
     return best;
+  }
+
+  /** By more than rounding; anything is less than what is impossible. */
+  private static boolean isLess(double a, double b) {
+    return a < b && (Double.isInfinite(b) || a < b - 1e-6 * Math.abs(b));
   }
 
   private static <S> KickBlock block(
