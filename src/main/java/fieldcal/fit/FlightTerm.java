@@ -11,7 +11,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * One kick under the closed forms, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s). A chip's number of flights is the discrete unknown. Derivatives are exact. Immutable.
+ * One kick under the closed forms, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s), then the kick's own values of those parameters of the model that differ from kick to
+ * kick. A chip's number of flights is the discrete unknown. Derivatives are exact. Immutable.
  *
  * <p>The state of the shared model: accSlide, accRoll, kSwitch of flat kicks, the four parameters of chips, then the offset x, y (m) of each camera.
  */
@@ -30,32 +31,63 @@ final class FlightTerm implements KickTerm<double[]> {
   private final int[] slot;
   private final int[] used;
   private final int flights;
+
+  /** For each unknown of the trajectory, its index in the own parameters; negative where the state has it. */
+  private final int[] index;
+
   private final List<Parameter> own;
 
-  private FlightTerm(KickFit fit, FlightData data, int[] slot, int[] used, int flights) {
+  private FlightTerm(
+      KickFit fit,
+      FlightData data,
+      int[] slot,
+      int[] used,
+      int flights,
+      int[] index,
+      List<Parameter> own) {
     this.fit = fit;
     this.data = data;
     this.slot = slot;
     this.used = used;
     this.flights = flights;
-    own =
-        fit.estimates().subList(0, FlightLayout.kickSize(fit.kind())).stream()
-            .map(Estimate::parameter)
-            .toList();
+    this.index = index;
+    this.own = own;
   }
 
   /**
    * A fitted kick, with the detections and the number of flights of its own fit.
    *
    * @param slot which of the state's cameras made each observation
+   * @param globals parameters of both models, in the state's order
+   * @param scattering indices of those that differ from kick to kick, in the order of the problem's random effects
    */
-  static FlightTerm of(KickFit fit, FlightData data, int[] slot) {
+  static FlightTerm of(
+      KickFit fit, FlightData data, int[] slot, List<Parameter> globals, int[] scattering) {
+    int kick = FlightLayout.kickSize(fit.kind());
+    int first = fit.kind() == KickKind.FLAT ? 0 : CHIP;
+    int[] index = new int[FlightLayout.size(fit.kind())];
+    List<Parameter> own = new ArrayList<>();
+    for (int k = 0; k < kick; k++) {
+      own.add(fit.estimates().get(k).parameter());
+      index[k] = k;
+    }
+    Arrays.fill(index, kick, index.length, -1);
+    for (int r = 0; r < scattering.length; r++) {
+      int k = kick + scattering[r] - first;
+      boolean ofThisKind = k >= kick && k < index.length;
+      Parameter p = globals.get(scattering[r]);
+      own.add(ofThisKind ? p.withValue(p.clamp(fit.estimates().get(k).value())) : p);
+      if (ofThisKind) {
+        index[k] = kick + r;
+      }
+    }
     int[] used = IntStream.range(0, data.size).filter(fit::used).toArray();
-    return new FlightTerm(fit, data, slot, used, fit.statistics().flights());
+    return new FlightTerm(
+        fit, data, slot, used, fit.statistics().flights(), index, List.copyOf(own));
   }
 
   private FlightTerm withFlights(int other) {
-    return new FlightTerm(fit, data, slot, used, other);
+    return new FlightTerm(fit, data, slot, used, other, index, own);
   }
 
   /** The same with outliers left out, as they are at a point; itself when they are the same as before. */
@@ -67,7 +99,7 @@ final class FlightTerm implements KickTerm<double[]> {
     int[] kept = IntStream.range(0, data.size).filter(screening::kept).toArray();
     return Arrays.equals(kept, used)
         ? this
-        : new FlightTerm(fit, data, slot, kept, flights);
+        : new FlightTerm(fit, data, slot, kept, flights, index, own);
   }
 
   KickKind kind() {
@@ -79,7 +111,7 @@ final class FlightTerm implements KickTerm<double[]> {
     return data.size;
   }
 
-  /** Where the kick's own fit ended. */
+  /** Where the kick's own fit ended; what it does not have, where the joint fit begins. */
   double[] start() {
     return own.stream().mapToDouble(Parameter::value).toArray();
   }
@@ -96,14 +128,16 @@ final class FlightTerm implements KickTerm<double[]> {
 
   /** The unknowns in the order of the trajectory's sensitivities. */
   private double[] theta(double[] ownValues, double[] state) {
-    double[] theta = new double[FlightLayout.size(kind())];
-    System.arraycopy(ownValues, 0, theta, 0, own.size());
-    System.arraycopy(state, firstOfModel(), theta, own.size(), theta.length - own.size());
+    double[] theta = new double[index.length];
+    for (int k = 0; k < theta.length; k++) {
+      theta[k] = index[k] >= 0 ? ownValues[index[k]] : state[inState(k)];
+    }
     return theta;
   }
 
-  private int firstOfModel() {
-    return kind() == KickKind.FLAT ? 0 : CHIP;
+  /** Where the state has a parameter of the model. */
+  private int inState(int unknown) {
+    return unknown - FlightLayout.kickSize(kind()) + (kind() == KickKind.FLAT ? 0 : CHIP);
   }
 
   private FlightCurve curve(double[] theta) {
@@ -153,9 +187,11 @@ final class FlightTerm implements KickTerm<double[]> {
   @Override
   public void ownColumns(
       double[] ownValues, double[] state, double[] residuals, double[][] columns) {
-    double[][] directions = new double[own.size()][FlightLayout.size(kind())];
-    for (int k = 0; k < own.size(); k++) {
-      directions[k][k] = 1;
+    double[][] directions = new double[own.size()][index.length];
+    for (int k = 0; k < index.length; k++) {
+      if (index[k] >= 0) {
+        directions[index[k]][k] = 1;
+      }
     }
     along(directions, new double[own.size()][], ownValues, state, columns);
   }
@@ -168,14 +204,14 @@ final class FlightTerm implements KickTerm<double[]> {
       List<double[]> stepped,
       double[] steps,
       double[][] columns) {
-    int first = firstOfModel();
-    double[][] directions = new double[steps.length][FlightLayout.size(kind())];
+    double[][] directions = new double[steps.length][index.length];
     double[][] offsets = new double[steps.length][state.length - OFFSETS];
     for (int c = 0; c < steps.length; c++) {
       double[] there = stepped.get(c);
-      for (int k = own.size(); k < directions[c].length; k++) {
-        int j = first + k - own.size();
-        directions[c][k] = (there[j] - state[j]) / steps[c];
+      for (int k = 0; k < index.length; k++) {
+        if (index[k] < 0) {
+          directions[c][k] = (there[inState(k)] - state[inState(k)]) / steps[c];
+        }
       }
       for (int k = 0; k < offsets[c].length; k++) {
         offsets[c][k] = (there[OFFSETS + k] - state[OFFSETS + k]) / steps[c];

@@ -2,6 +2,7 @@ package fieldcal.fit;
 
 import fieldcal.ball.Parameter;
 import fieldcal.fit.joint.KickTerm;
+import fieldcal.fit.joint.RandomEffect;
 import fieldcal.fit.joint.SharedModel;
 import fieldcal.fit.joint.SharedProblem;
 import fieldcal.fit.joint.SharedProblem.Prior;
@@ -18,12 +19,14 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 
 /**
  * Fits all kicks at once: one model, one offset per camera, and position, velocity and time of each kick.
  *
- * <p>Uses what partial kicks know, each observation with its weight. The closed forms are brought to the kernel of {@link fieldcal.fit.joint}, which also says what the standard errors assume; outliers are judged again
- * after each solution. Immutable and thread-safe.
+ * <p>Uses what partial kicks know, each observation with its weight. The parameters of the model are random effects: each kick has its own values, scattered normally about the model's, by an amount that is estimated, too. Where nothing
+ * scatters that is one model for all; where carpet, bounces or a wrong law make kicks differ by more than the noise, no kick counts for more than its share, however low the noise is. The closed forms are brought to the kernel of {@link
+ * fieldcal.fit.joint}, which also says what the standard errors assume; outliers are judged again after each solution. Immutable and thread-safe.
  */
 public final class JointFitter {
   /** Outliers settle within that many rounds. */
@@ -31,6 +34,23 @@ public final class JointFitter {
 
   /** Weak knowledge of the model's parameters, so that one that no kick determines stays where it is: that many scales. */
   private static final double EXPECTED = 1000;
+
+  /** Fewer kicks do not show a scatter: its own error would be more than a third of it. */
+  private static final int FEWEST_FOR_SCATTER = 6;
+
+  /** How often errors alone may look like a scatter. Chosen: small, since a needless scatter only makes errors larger. */
+  private static final double SCATTER_BY_CHANCE = 0.01;
+
+  /** Scatters that are looked for, in scales of the parameter: below is none, above is no model. */
+  private static final double SMALLEST_SCATTER = 1e-3;
+
+  private static final double LARGEST_SCATTER = 5;
+
+  /** Halvings of an interval, until nothing is left of it. */
+  private static final int HALVINGS = 40;
+
+  /** Weights that change by less are settled: they say how much larger than the cameras' noise the residuals are. */
+  private static final double WEIGHTS_SETTLED = 0.1;
 
   /** Scale of an offset, m: what cameras of the league disagree by once the first estimate was taken out. */
   private static final double OFFSET_SCALE = 0.01;
@@ -69,6 +89,8 @@ public final class JointFitter {
     private final int[] cameraIds;
     private final CameraContrasts contrasts;
     private final List<Parameter> globals;
+    private final int[] scattering;
+    private final List<RandomEffect> randoms = new ArrayList<>();
     private final SharedSolver solver = SharedSolver.withDefaults().settlingVariants();
     private int iterations;
 
@@ -86,6 +108,69 @@ public final class JointFitter {
               .toList();
       contrasts = CameraContrasts.of(cameraIds.length, together);
       globals = globals();
+      scattering =
+          IntStream.range(0, FlightTerm.OFFSETS)
+              .filter(k -> globals.get(k).estimated() && scatter(k) > 0)
+              .toArray();
+      for (int k : scattering) {
+        double scale = globals.get(k).scale();
+        double least = SMALLEST_SCATTER * scale;
+        double most = LARGEST_SCATTER * scale;
+        double start = Math.max(least, Math.min(most, scatter(k)));
+        randoms.add(new RandomEffect(k, start, least, most));
+      }
+    }
+
+    /**
+     * A first estimate of a parameter's scatter, from what the kicks' own fits differ by beyond their errors (Paule and Mandel 1982): the scatter at which the weighted squares about the weighted mean are as many as expected; 0
+     * when their errors alone explain it (Cochran's test), or too few kicks determine the parameter.
+     */
+    private double scatter(int parameter) {
+      boolean flat = parameter < FlightTerm.CHIP;
+      int k = flat ? parameter : parameter - FlightTerm.CHIP;
+      List<Estimate> known =
+          problem.fits().stream()
+              .filter(f -> (f.kind() == KickKind.FLAT) == flat)
+              .map(f -> f.modelEstimates().get(k))
+              .filter(Estimate::usable)
+              .toList();
+      if (known.size() < FEWEST_FOR_SCATTER) {
+        return 0;
+      }
+      double byChance =
+          new ChiSquaredDistribution(null, known.size() - 1.0)
+              .inverseCumulativeProbability(1 - SCATTER_BY_CHANCE);
+      if (squares(known, 0) <= byChance) {
+        return 0;
+      }
+      double low = 0;
+      double high = LARGEST_SCATTER * globals.get(parameter).scale();
+      for (int i = 0; i < HALVINGS; i++) {
+        double middle = 0.5 * (low + high);
+        if (squares(known, middle) > known.size() - 1) {
+          low = middle;
+        } else {
+          high = middle;
+        }
+      }
+      return high;
+    }
+
+    private static double squares(List<Estimate> known, double scatter) {
+      double weights = 0;
+      double mean = 0;
+      for (Estimate e : known) {
+        double weight = 1 / (e.standardError() * e.standardError() + scatter * scatter);
+        weights += weight;
+        mean += weight * e.value();
+      }
+      mean /= weights;
+      double squares = 0;
+      for (Estimate e : known) {
+        double d = e.value() - mean;
+        squares += d * d / (e.standardError() * e.standardError() + scatter * scatter);
+      }
+      return squares;
     }
 
     private int slot(int camera) {
@@ -146,46 +231,77 @@ public final class JointFitter {
     private FlightTerm term(KickFit fit) {
       Observations seen = fit.kick().observations();
       int[] slot = IntStream.range(0, seen.size()).map(i -> slot(seen.camera(i))).toArray();
-      return FlightTerm.of(fit, FlightData.of(seen, problem.cameras()), slot);
+      return FlightTerm.of(fit, FlightData.of(seen, problem.cameras()), slot, globals, scattering);
     }
 
     private SharedSolution<double[]> solve(
-        List<FlightTerm> kicks, List<double[]> starts, double[] values) {
+        List<FlightTerm> kicks, List<double[]> starts, double[] values, double[] weights) {
       List<Parameter> at =
           IntStream.range(0, values.length)
               .mapToObj(k -> globals.get(k).withValue(values[k]))
               .toList();
-      double[] weights = new double[kicks.size()];
-      Arrays.fill(weights, 1);
       SharedModel<double[]> model = this::state;
       SharedSolution<double[]> solution =
           solver.solve(
-              new SharedProblem<>(model, kicks, starts, at, priors(), List.of(), weights));
+              new SharedProblem<>(model, kicks, starts, at, priors(), randoms, weights));
       iterations += solution.iterations();
       return solution;
     }
 
     JointFit fit() {
       List<FlightTerm> kicks = problem.fits().stream().map(this::term).toList();
+      double[] weights = new double[kicks.size()];
+      Arrays.fill(weights, 1);
       SharedSolution<double[]> solution =
           solve(
               kicks,
               kicks.stream().map(FlightTerm::start).toList(),
-              globals.stream().mapToDouble(Parameter::value).toArray());
+              globals.stream().mapToDouble(Parameter::value).toArray(),
+              weights);
       for (int round = 0; round < OUTLIER_ROUNDS; round++) {
         List<FlightTerm> before = kicks(solution);
-        double[] state = solution.state();
-        List<FlightTerm> screened = new ArrayList<>();
-        for (int k = 0; k < before.size(); k++) {
-          screened.add(
-              before.get(k).screened(solution.own(k), state, settings.outlierDistance()));
-        }
-        if (screened.equals(before)) {
+        List<FlightTerm> screened = screened(solution);
+        double[] newWeights = weights(solution);
+        if (screened.equals(before) && near(weights, newWeights)) {
           break;
         }
-        solution = solve(screened, solution.own(), solution.values());
+        weights = newWeights;
+        solution = solve(screened, solution.own(), solution.values(), weights);
       }
       return result(solution);
+    }
+
+    private List<FlightTerm> screened(SharedSolution<double[]> solution) {
+      List<FlightTerm> before = kicks(solution);
+      double[] state = solution.state();
+      return IntStream.range(0, before.size())
+          .mapToObj(
+              k -> before.get(k).screened(solution.own(k), state, settings.outlierDistance()))
+          .toList();
+    }
+
+    /** What the model leaves is taken for noise: of flat kicks and of chips, each by its reduced chi-square. */
+    private double[] weights(SharedSolution<double[]> solution) {
+      List<FlightTerm> kicks = kicks(solution);
+      double[] squares = new double[2];
+      double[] degrees = new double[2];
+      for (int k = 0; k < kicks.size(); k++) {
+        int kind = kicks.get(k).kind().ordinal();
+        squares[kind] += solution.chiSquare(k);
+        degrees[kind] += kicks.get(k).rows() - kicks.get(k).ownSize();
+      }
+      return kicks.stream()
+          .mapToDouble(
+              kick -> {
+                int kind = kick.kind().ordinal();
+                return 1 / Math.max(1, squares[kind] / Math.max(1, degrees[kind]));
+              })
+          .toArray();
+    }
+
+    private static boolean near(double[] a, double[] b) {
+      return IntStream.range(0, a.length)
+          .allMatch(k -> Math.abs(a[k] - b[k]) <= WEIGHTS_SETTLED * a[k]);
     }
 
     private static List<FlightTerm> kicks(SharedSolution<double[]> solution) {
