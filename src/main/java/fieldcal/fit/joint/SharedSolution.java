@@ -359,6 +359,9 @@ public final class SharedSolution<S> {
         scaled[i][j] = h[i][j] * scale[i] * scale[j];
       }
       scaled[i][i] += 1e-9;
+      if (!Double.isFinite(scaled[i][i])) {
+        return Optional.empty();
+      }
     }
     try {
       double[][] v =

@@ -347,9 +347,11 @@ public final class SharedSolver {
       return changed;
     }
 
+    /** False, and nothing changed, when they are settled. */
     private boolean updateScatters() {
       boolean moved = false;
       double[] means = means(values);
+      double[] updated = new double[scatters.length];
       for (int r = 0; r < scatters.length; r++) {
         double sum = 0;
         for (int k = 0; k < kicks.size(); k++) {
@@ -362,7 +364,10 @@ public final class SharedSolver {
         double next = Math.sqrt(sum / kicks.size());
         next = Math.max(random.smallest(), Math.min(random.largest(), next));
         moved |= Math.abs(next - scatters[r]) > SCATTER_SETTLED * scatters[r];
-        scatters[r] = next;
+        updated[r] = next;
+      }
+      if (moved) {
+        System.arraycopy(updated, 0, scatters, 0, updated.length);
       }
       return moved;
     }
