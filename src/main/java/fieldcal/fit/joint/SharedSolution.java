@@ -458,23 +458,10 @@ public final class SharedSolution<S> {
    */
   public ScoreSystem scores(List<S> states, double[] steps, double[] weights) {
     SharedProblem<S> weighted = problem.withWeights(weights);
-    int[] meanColumns =
-        problem.randoms().stream()
-            .mapToInt(r -> Arrays.binarySearch(free, r.mean()))
-            .map(i -> Math.max(i, -1))
-            .toArray();
     KickBlock[] blocks =
         new Linearizer<>(weighted, kicks, own, values, scatters)
-            .blocks(free, meanColumns, states, steps);
-    double[][][] s = new double[blocks.length][][];
-    double[][] t = new double[blocks.length][];
-    for (int k = 0; k < blocks.length; k++) {
-      blocks[k].factor(0);
-      s[k] = blocks[k].reducedMatrix();
-      t[k] = blocks[k].reducedGradient();
-      blocks[k] = null;
-    }
-    return new ScoreSystem(free.length, s, t);
+            .blocks(free, problem.meanColumns(free), states, steps);
+    return ScoreSystem.of(free.length, blocks);
   }
 
   /** The full report: why it stopped, costs, counts, values, bounds hit. */

@@ -280,11 +280,7 @@ public final class SharedSolver {
         values[f] = problem.globals().get(f).clamp(values[f]);
       }
       scatters = problem.randoms().stream().mapToDouble(RandomEffect::scatter).toArray();
-      meanColumns =
-          problem.randoms().stream()
-              .mapToInt(r -> Arrays.binarySearch(free, r.mean()))
-              .map(i -> Math.max(i, -1))
-              .toArray();
+      meanColumns = problem.meanColumns(free);
     }
 
     SharedSolution<S> solve() {
