@@ -55,6 +55,18 @@ final class FlightData {
     return data;
   }
 
+  /** Seen minus predicted x in the ground plane, m, when the ball is at (x, y, z) in the world. */
+  double residualX(int i, double[] xyz) {
+    double f = cameraHeight[i] / (cameraHeight[i] - xyz[2]);
+    return x[i] - cameraX[i] - (xyz[0] - cameraX[i]) * f;
+  }
+
+  /** Seen minus predicted y in the ground plane, m, when the ball is at (x, y, z) in the world. */
+  double residualY(int i, double[] xyz) {
+    double f = cameraHeight[i] / (cameraHeight[i] - xyz[2]);
+    return y[i] - cameraY[i] - (xyz[1] - cameraY[i]) * f;
+  }
+
   /** Squared whitened length of a vector in the ground plane at an observation. */
   double squared(int i, double dx, double dy) {
     double r1 = w11[i] * dx;

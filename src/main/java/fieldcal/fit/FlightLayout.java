@@ -93,14 +93,19 @@ final class FlightLayout {
         flights);
   }
 
-  /** The cost of a chip, with the price of a number of flights that the 10 mm rule denies: noise alone must not buy it. */
+  /** The cost of a chip, with the penalty of a number of flights that the 10 mm rule denies: noise alone must not buy it. */
   static double pricedCost(double[] theta, int flights, double cost) {
+    return cost + rulePenalty(theta, flights);
+  }
+
+  /** What a chip's number of flights costs in chi-square: 0 where the 10 mm rule allows it. */
+  static double rulePenalty(double[] theta, int flights) {
     double lift = theta[ChipTrajectory.DAMPING_Z];
     double last = theta[ChipTrajectory.VZ0] * Math.pow(lift, flights - 1.0);
     double lastHeight = last * last / (2 * Gravity.ACCELERATION);
     boolean tooLow = flights > 1 && lastHeight < ChipModel.MIN_HOP_HEIGHT * (1 - RULE_TOLERANCE);
     boolean goesOn = lastHeight * lift * lift > ChipModel.MIN_HOP_HEIGHT * (1 + RULE_TOLERANCE);
-    return tooLow || goesOn ? cost + RULE_PRICE : cost;
+    return tooLow || goesOn ? RULE_PRICE : 0;
   }
 
   /** Why a kick does not determine a parameter of the model, with the error it would have, in its scales, where that is finite. */

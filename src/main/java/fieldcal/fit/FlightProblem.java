@@ -18,8 +18,6 @@ final class FlightProblem {
   private final int size;
   private final boolean[] used;
   private double lossScale = Double.POSITIVE_INFINITY;
-  private final int curveSize;
-  private final int[] slot;
 
   /** The unknowns whose columns are asked for. */
   private int[] columns;
@@ -36,21 +34,9 @@ final class FlightProblem {
   private int evaluations;
 
   FlightProblem(FlightData data, FlightCurve curve, int size) {
-    this(data, curve, size, null, 0);
-  }
-
-  /**
-   * A problem whose last unknowns are offsets of cameras, (x, y) for each of {@code cameras}, that come on top of those already
-   * taken out.
-   *
-   * @param slot which of the cameras made each observation; null without such unknowns
-   */
-  FlightProblem(FlightData data, FlightCurve curve, int curveSize, int[] slot, int cameras) {
     this.data = data;
     this.curve = curve;
-    this.curveSize = curveSize;
-    this.slot = slot;
-    size = curveSize + 2 * cameras;
+    this.size = size;
     used = new boolean[data.size];
     Arrays.fill(used, true);
     columns = IntStream.range(0, size).toArray();
@@ -101,7 +87,7 @@ final class FlightProblem {
     loss.reset(lossScale);
     for (int i = 0; i < data.size; i++) {
       if (used[i]) {
-        loss.add(squaredDistance(theta, i));
+        loss.add(squaredDistance(i));
       }
     }
     return loss.sum() + priorCost(theta);
@@ -116,22 +102,10 @@ final class FlightProblem {
     return cost;
   }
 
-  private double residualX(double[] theta, int i) {
-    double f = data.cameraHeight[i] / (data.cameraHeight[i] - xyz[2]);
-    double rx = data.x[i] - data.cameraX[i] - (xyz[0] - data.cameraX[i]) * f;
-    return slot == null ? rx : rx - theta[curveSize + 2 * slot[i]];
-  }
-
-  private double residualY(double[] theta, int i) {
-    double f = data.cameraHeight[i] / (data.cameraHeight[i] - xyz[2]);
-    double ry = data.y[i] - data.cameraY[i] - (xyz[1] - data.cameraY[i]) * f;
-    return slot == null ? ry : ry - theta[curveSize + 2 * slot[i] + 1];
-  }
-
-  private double squaredDistance(double[] theta, int i) {
+  private double squaredDistance(int i) {
     curve.position(data.time[i], xyz);
-    double rx = residualX(theta, i);
-    double ry = residualY(theta, i);
+    double rx = data.residualX(i, xyz);
+    double ry = data.residualY(i, xyz);
     double r1 = data.w11[i] * rx;
     double r2 = data.w21[i] * rx + data.w22[i] * ry;
     return r1 * r1 + r2 * r2;
@@ -141,7 +115,7 @@ final class FlightProblem {
   void squaredDistances(double[] theta, double[] out) {
     curve.set(theta);
     for (int i = 0; i < data.size; i++) {
-      out[i] = squaredDistance(theta, i);
+      out[i] = squaredDistance(i);
     }
   }
 
@@ -150,8 +124,8 @@ final class FlightProblem {
     curve.set(theta);
     for (int i = 0; i < data.size; i++) {
       curve.position(data.time[i], xyz);
-      rx[i] = residualX(theta, i);
-      ry[i] = residualY(theta, i);
+      rx[i] = data.residualX(i, xyz);
+      ry[i] = data.residualY(i, xyz);
     }
   }
 
@@ -170,24 +144,18 @@ final class FlightProblem {
       double f = h / (h - xyz[2]);
       double px = xyz[0] - data.cameraX[i];
       double py = xyz[1] - data.cameraY[i];
-      double rx = residualX(theta, i);
-      double ry = residualY(theta, i);
+      double rx = data.residualX(i, xyz);
+      double ry = data.residualY(i, xyz);
       double r1 = data.w11[i] * rx;
       double r2 = data.w21[i] * rx + data.w22[i] * ry;
       double s = r1 * r1 + r2 * r2;
       double weight = loss.add(s);
       double fz = f * f / h;
       for (int k : columns) {
-        if (k >= curveSize) {
-          break;
-        }
         double gx = f * dx[k] + px * fz * dz[k];
         double gy = f * dy[k] + py * fz * dz[k];
         j1[k] = data.w11[i] * gx;
         j2[k] = data.w21[i] * gx + data.w22[i] * gy;
-      }
-      if (slot != null) {
-        offsetColumns(i);
       }
       accumulate(to, weight, r1, r2);
     }
@@ -196,17 +164,6 @@ final class FlightProblem {
       to.a[k][k] += priorWeight[k];
       to.b[k] += priorWeight[k] * (priorValue[k] - theta[k]);
     }
-  }
-
-  private void offsetColumns(int i) {
-    for (int k = curveSize; k < size; k++) {
-      j1[k] = 0;
-      j2[k] = 0;
-    }
-    int k = curveSize + 2 * slot[i];
-    j1[k] = data.w11[i];
-    j2[k] = data.w21[i];
-    j2[k + 1] = data.w22[i];
   }
 
   private void accumulate(NormalEquations to, double weight, double r1, double r2) {

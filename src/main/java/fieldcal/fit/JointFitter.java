@@ -1,6 +1,14 @@
 package fieldcal.fit;
 
 import fieldcal.ball.Parameter;
+import fieldcal.fit.joint.KickTerm;
+import fieldcal.fit.joint.RandomEffect;
+import fieldcal.fit.joint.SharedModel;
+import fieldcal.fit.joint.SharedProblem;
+import fieldcal.fit.joint.SharedProblem.Prior;
+import fieldcal.fit.joint.SharedSolution;
+import fieldcal.fit.joint.SharedSolution.StopReason;
+import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
 import java.util.ArrayList;
@@ -10,33 +18,45 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 
 /**
  * Fits all kicks at once: one model, one offset per camera, and position, velocity and time of each kick.
  *
- * <p>Uses what partial kicks know, each observation with its weight. Levenberg–Marquardt on normal equations from which the
- * unknowns of the kicks are eliminated. The standard errors are the larger of those that follow from the residuals as independent
- * noise and those from the scatter between kicks (cluster-robust, Liang and Zeger 1986): where the model is not quite right, the
- * first are too small. Immutable and thread-safe.
+ * <p>Uses what partial kicks know, each observation with its weight. The parameters of the model are random effects: each kick has its own values, scattered normally about the model's, by an amount that is estimated, too. Where nothing
+ * scatters that is one model for all; where carpet, bounces or a wrong law make kicks differ by more than the noise, no kick counts for more than its share, however low the noise is. The closed forms are brought to the kernel of {@link
+ * fieldcal.fit.joint}, which also says what the standard errors assume; outliers are judged again after each solution. Immutable and thread-safe.
  */
 public final class JointFitter {
-  private static final int MAX_ITERATIONS = 40;
+  /** Outliers settle within that many rounds. */
   private static final int OUTLIER_ROUNDS = 3;
 
-  /**
-   * A step that lowers the cost by less than this share of the reduced chi-square is the last: it moves no estimate by more than a
-   * tenth of its error. Less cannot be asked for, since detections that pass from one hop to the next make the cost uneven.
-   */
-  private static final double ENOUGH = 0.01;
+  /** Weak knowledge of the model's parameters, so that one that no kick determines stays where it is: that many scales. */
+  private static final double EXPECTED = 1000;
 
-  /** The offsets' mean is held at zero to that precision; otherwise all kicks could move along, m. */
-  private static final double GAUGE = 1e-6;
+  /** Fewer kicks do not show a scatter: its own error would be more than a third of it. */
+  private static final int FEWEST_FOR_SCATTER = 6;
 
-  /** With more damping than that no step changes anything. */
-  private static final double MOST_DAMPING = 1e12;
+  /** How often errors alone may look like a scatter. Chosen: small, since a needless scatter only makes errors larger. */
+  private static final double SCATTER_BY_CHANCE = 0.01;
 
-  /** Unknowns of the flat (3) and the chip model (4), before those of the cameras. */
-  private static final int MODEL = 7;
+  /** Scatters that are looked for, in scales of the parameter: below is none, above is no model. */
+  private static final double SMALLEST_SCATTER = 1e-3;
+
+  private static final double LARGEST_SCATTER = 5;
+
+  /** Halvings of an interval, until nothing is left of it. */
+  private static final int HALVINGS = 40;
+
+  /** Weights that change by less are settled: they say how much larger than the cameras' noise the residuals are. */
+  private static final double WEIGHTS_SETTLED = 0.1;
+
+  /** Scale of an offset, m: what cameras of the league disagree by once the first estimate was taken out. */
+  private static final double OFFSET_SCALE = 0.01;
+
+  /** A parameter whose error is more than that share of its scale is not determined. */
+  private static final double DETERMINED = 0.5;
 
   private final FitSettings settings;
 
@@ -66,16 +86,13 @@ public final class JointFitter {
   /** One joint fit; used once. */
   private final class Run {
     private final JointProblem problem;
-    private final List<Parameter> shared;
     private final int[] cameraIds;
-    private final int[] group;
-    private final int size;
-    private final List<JointKick> kicks = new ArrayList<>();
-    private final double[] values;
-    private final boolean[] free;
-    private double lambda = 1e-4;
+    private final CameraContrasts contrasts;
+    private final List<Parameter> globals;
+    private final int[] scattering;
+    private final List<RandomEffect> randoms = new ArrayList<>();
+    private final SharedSolver solver = SharedSolver.withDefaults().settlingVariants();
     private int iterations;
-    private boolean converged;
 
     Run(JointProblem problem) {
       this.problem = problem;
@@ -85,23 +102,89 @@ public final class JointFitter {
               .distinct()
               .sorted()
               .toArray();
-      group = groups();
-      shared = sharedParameters();
-      size = shared.size();
-      values = shared.stream().mapToDouble(Parameter::value).toArray();
-      free = new boolean[size];
-      for (int k = 0; k < size; k++) {
-        free[k] = shared.get(k).estimated();
+      List<int[]> together =
+          problem.fits().stream()
+              .map(f -> Arrays.stream(f.kick().observations().cameras()).map(this::slot).toArray())
+              .toList();
+      contrasts = CameraContrasts.of(cameraIds.length, together);
+      globals = globals();
+      scattering =
+          IntStream.range(0, FlightTerm.OFFSETS)
+              .filter(k -> globals.get(k).estimated() && scatter(k) > 0)
+              .toArray();
+      for (int k : scattering) {
+        double scale = globals.get(k).scale();
+        double least = SMALLEST_SCATTER * scale;
+        double most = LARGEST_SCATTER * scale;
+        double start = Math.max(least, Math.min(most, scatter(k)));
+        randoms.add(new RandomEffect(k, start, least, most));
       }
-      problem.fits().forEach(f -> kicks.add(jointKick(f)));
     }
 
-    private List<Parameter> sharedParameters() {
-      boolean flats = problem.fits().stream().anyMatch(f -> f.kind() == KickKind.FLAT);
-      boolean chips = problem.fits().stream().anyMatch(f -> f.kind() == KickKind.CHIP);
+    /**
+     * A first estimate of a parameter's scatter, from what the kicks' own fits differ by beyond their errors (Paule and Mandel 1982): the scatter at which the weighted squares about the weighted mean are as many as expected; 0
+     * when their errors alone explain it (Cochran's test), or too few kicks determine the parameter.
+     */
+    private double scatter(int parameter) {
+      boolean flat = parameter < FlightTerm.CHIP;
+      int k = flat ? parameter : parameter - FlightTerm.CHIP;
+      List<Estimate> known =
+          problem.fits().stream()
+              .filter(f -> (f.kind() == KickKind.FLAT) == flat)
+              .map(f -> f.modelEstimates().get(k))
+              .filter(Estimate::usable)
+              .toList();
+      if (known.size() < FEWEST_FOR_SCATTER) {
+        return 0;
+      }
+      double byChance =
+          new ChiSquaredDistribution(null, known.size() - 1.0)
+              .inverseCumulativeProbability(1 - SCATTER_BY_CHANCE);
+      if (squares(known, 0) <= byChance) {
+        return 0;
+      }
+      double low = 0;
+      double high = LARGEST_SCATTER * globals.get(parameter).scale();
+      for (int i = 0; i < HALVINGS; i++) {
+        double middle = 0.5 * (low + high);
+        if (squares(known, middle) > known.size() - 1) {
+          low = middle;
+        } else {
+          high = middle;
+        }
+      }
+      return high;
+    }
+
+    private static double squares(List<Estimate> known, double scatter) {
+      double weights = 0;
+      double mean = 0;
+      for (Estimate e : known) {
+        double weight = 1 / (e.standardError() * e.standardError() + scatter * scatter);
+        weights += weight;
+        mean += weight * e.value();
+      }
+      mean /= weights;
+      double squares = 0;
+      for (Estimate e : known) {
+        double d = e.value() - mean;
+        squares += d * d / (e.standardError() * e.standardError() + scatter * scatter);
+      }
+      return squares;
+    }
+
+    private int slot(int camera) {
+      return Arrays.binarySearch(cameraIds, camera);
+    }
+
+    private boolean has(KickKind kind) {
+      return problem.fits().stream().anyMatch(f -> f.kind() == kind);
+    }
+
+    private List<Parameter> globals() {
       List<Parameter> all = new ArrayList<>();
       for (Parameter p : problem.flat().parameters()) {
-        all.add(flats ? p.withValue(p.clamp(p.value())) : p.fixed());
+        all.add(has(KickKind.FLAT) ? p.withValue(p.clamp(p.value())) : p.fixed());
       }
       for (Parameter p : problem.chip().parameters()) {
         boolean given = p.name().equals("accRoll") && problem.chipRoll().isPresent();
@@ -109,290 +192,199 @@ public final class JointFitter {
             given
                 ? p.withValue(problem.chipRoll().getAsDouble()).fixed()
                 : p.withValue(p.clamp(p.value()));
-        all.add(chips ? start : start.fixed());
+        all.add(has(KickKind.CHIP) ? start : start.fixed());
       }
-      for (int id : cameraIds) {
+      for (int k = 0; k < contrasts.size(); k++) {
         for (String axis : new String[] {"x", "y"}) {
+          String name = "contrast " + axis + " " + (k + 1) + " of the cameras' offsets";
           Parameter p =
-              new Parameter(
-                  "offset " + axis + " of camera " + id,
-                  "m",
-                  0,
-                  0.01,
-                  -1,
-                  1,
-                  true,
-                  "starts at none");
-          all.add(problem.offsets() && cameraIds.length > 1 ? p : p.fixed());
+              new Parameter(name, "m", 0, OFFSET_SCALE, -1, 1, true, "starts at none");
+          all.add(problem.offsets() ? p : p.fixed());
         }
       }
       return all;
     }
 
-    private JointKick jointKick(KickFit fit) {
-      boolean flat = fit.kind() == KickKind.FLAT;
-      int model = flat ? 3 : 4;
-      int[] map = new int[model + 2 * cameraIds.length];
-      for (int k = 0; k < model; k++) {
-        map[k] = (flat ? 0 : 3) + k;
+    private List<Prior> priors() {
+      List<Prior> priors = new ArrayList<>();
+      for (int k = 0; k < globals.size(); k++) {
+        Parameter p = globals.get(k);
+        double deviation = EXPECTED * p.scale();
+        priors.add(
+            k < FlightTerm.OFFSETS ? new Prior(p.value(), 1 / (deviation * deviation)) : Prior.NONE);
       }
-      for (int k = model; k < map.length; k++) {
-        map[k] = MODEL + k - model;
+      return priors;
+    }
+
+    /** The state that {@link FlightTerm} predicts with. */
+    private double[] state(double[] values) {
+      double[] state = Arrays.copyOf(values, FlightTerm.OFFSETS + 2 * cameraIds.length);
+      for (int c = 0; c < cameraIds.length; c++) {
+        for (int axis = 0; axis < 2; axis++) {
+          state[FlightTerm.OFFSETS + 2 * c + axis] =
+              contrasts.offset(values, FlightTerm.OFFSETS, c, axis);
+        }
       }
+      return state;
+    }
+
+    private FlightTerm term(KickFit fit) {
       Observations seen = fit.kick().observations();
-      int[] slot = new int[seen.size()];
-      for (int i = 0; i < slot.length; i++) {
-        slot[i] = Arrays.binarySearch(cameraIds, seen.camera(i));
-      }
-      return new JointKick(
-          fit, FlightData.of(seen, problem.cameras()), slot, cameraIds.length, map);
+      int[] slot = IntStream.range(0, seen.size()).map(i -> slot(seen.camera(i))).toArray();
+      return FlightTerm.of(fit, FlightData.of(seen, problem.cameras()), slot, globals, scattering);
+    }
+
+    private SharedSolution<double[]> solve(
+        List<FlightTerm> kicks, List<double[]> starts, double[] values, double[] weights) {
+      List<Parameter> at =
+          IntStream.range(0, values.length)
+              .mapToObj(k -> globals.get(k).withValue(values[k]))
+              .toList();
+      SharedModel<double[]> model = this::state;
+      SharedSolution<double[]> solution =
+          solver.solve(
+              new SharedProblem<>(model, kicks, starts, at, priors(), randoms, weights));
+      iterations += solution.iterations();
+      return solution;
     }
 
     JointFit fit() {
-      minimize();
+      List<FlightTerm> kicks = problem.fits().stream().map(this::term).toList();
+      double[] weights = new double[kicks.size()];
+      Arrays.fill(weights, 1);
+      SharedSolution<double[]> solution =
+          solve(
+              kicks,
+              kicks.stream().map(FlightTerm::start).toList(),
+              globals.stream().mapToDouble(Parameter::value).toArray(),
+              weights);
       for (int round = 0; round < OUTLIER_ROUNDS; round++) {
-        boolean changed = false;
-        for (int k = 0; k < kicks.size(); k++) {
-          kicks.get(k).leaveOutliersOut(values, settings.outlierDistance());
-          changed |= kicks.get(k).tryFlights(values);
-        }
-        minimize();
-        if (!changed && round > 0) {
+        List<FlightTerm> before = kicks(solution);
+        List<FlightTerm> screened = screened(solution);
+        double[] newWeights = weights(solution);
+        if (screened.equals(before) && near(weights, newWeights)) {
           break;
         }
+        weights = newWeights;
+        solution = solve(screened, solution.own(), solution.values(), weights);
       }
-      return result();
+      return result(solution);
     }
 
-    private void minimize() {
-      double[][] a = new double[size][size];
-      double[] b = new double[size];
-      double cost = assemble(a, b, true);
-      int observations = kicks.stream().mapToInt(JointKick::observations).sum();
-      double growth = 2;
-      converged = false;
-      for (int i = 0; i < MAX_ITERATIONS && !converged; i++) {
-        iterations++;
-        double[] step = solve(a, b);
-        double[] next = values.clone();
-        for (int k = 0; k < size; k++) {
-          next[k] = shared.get(k).clamp(values[k] + step[k]);
-          step[k] = next[k] - values[k];
-        }
-        double nextCost = 0;
-        for (JointKick kick : kicks) {
-          nextCost += kick.costAfter(next, step);
-        }
-        if (nextCost <= cost) {
-          converged = cost - nextCost < ENOUGH * cost / (2.0 * observations);
-          System.arraycopy(next, 0, values, 0, size);
-          kicks.forEach(JointKick::accept);
-          lambda = Math.max(1e-9, lambda / 5);
-          growth = 2;
-          cost = assemble(a, b, true);
-        } else {
-          converged = nextCost - cost < 1e-10 * cost;
-          if (lambda > MOST_DAMPING || Double.isNaN(nextCost)) {
-            break;
-          }
-          lambda *= growth;
-          growth *= 2;
-          assemble(a, b, false);
-        }
-      }
+    private List<FlightTerm> screened(SharedSolution<double[]> solution) {
+      List<FlightTerm> before = kicks(solution);
+      double[] state = solution.state();
+      return IntStream.range(0, before.size())
+          .mapToObj(
+              k -> before.get(k).screened(solution.own(k), state, settings.outlierDistance()))
+          .toList();
     }
 
-    private double assemble(double[][] a, double[] b, boolean evaluate) {
-      for (double[] row : a) {
-        Arrays.fill(row, 0);
+    /** What the model leaves is taken for noise: of flat kicks and of chips, each by its reduced chi-square. */
+    private double[] weights(SharedSolution<double[]> solution) {
+      List<FlightTerm> kicks = kicks(solution);
+      double[] squares = new double[2];
+      double[] degrees = new double[2];
+      for (int k = 0; k < kicks.size(); k++) {
+        int kind = kicks.get(k).kind().ordinal();
+        squares[kind] += solution.chiSquare(k);
+        degrees[kind] += kicks.get(k).rows() - kicks.get(k).ownSize();
       }
-      Arrays.fill(b, 0);
-      double cost = 0;
-      for (JointKick kick : kicks) {
-        cost += evaluate ? kick.reduce(values, lambda, a, b) : kick.reduceAgain(lambda, a, b);
-      }
-      gauge(a, b);
-      return cost;
+      return kicks.stream()
+          .mapToDouble(
+              kick -> {
+                int kind = kick.kind().ordinal();
+                return 1 / Math.max(1, squares[kind] / Math.max(1, degrees[kind]));
+              })
+          .toArray();
     }
 
-    /** Holds the mean offset of each group of cameras that saw kicks in common at zero. */
-    private void gauge(double[][] a, double[] b) {
-      double weight = 1 / (GAUGE * GAUGE);
-      for (int axis = 0; axis < 2; axis++) {
-        for (int c = 0; c < cameraIds.length; c++) {
-          double sum = 0;
-          for (int d = 0; d < cameraIds.length; d++) {
-            sum += group[c] == group[d] ? values[MODEL + 2 * d + axis] : 0;
-            a[MODEL + 2 * c + axis][MODEL + 2 * d + axis] += group[c] == group[d] ? weight : 0;
-          }
-          b[MODEL + 2 * c + axis] -= weight * sum;
-        }
-      }
+    private static boolean near(double[] a, double[] b) {
+      return IntStream.range(0, a.length)
+          .allMatch(k -> Math.abs(a[k] - b[k]) <= WEIGHTS_SETTLED * a[k]);
     }
 
-    /** Cameras that saw the same kick belong together, also through others. */
-    private int[] groups() {
-      int[] of = new int[cameraIds.length];
-      Arrays.setAll(of, c -> c);
-      for (KickFit fit : problem.fits()) {
-        int[] seen = fit.kick().observations().cameras();
-        int first = of[Arrays.binarySearch(cameraIds, seen[0])];
-        for (int id : seen) {
-          int other = of[Arrays.binarySearch(cameraIds, id)];
-          for (int c = 0; c < of.length; c++) {
-            of[c] = of[c] == other ? first : of[c];
-          }
-        }
+    private static List<FlightTerm> kicks(SharedSolution<double[]> solution) {
+      List<FlightTerm> kicks = new ArrayList<>();
+      for (KickTerm<double[]> kick : solution.kicks()) {
+        kicks.add((FlightTerm) kick);
       }
-      return of;
+      return kicks;
     }
 
-    private double[] solve(double[][] a, double[] b) {
-      NormalEquations n = shared(a, b);
-      double[][] l = new double[size][size];
-      double[] step = new double[size];
-      boolean[] active = active(n);
-      double damping = lambda;
-      while (!n.factor(damping, scales(), active, l)) {
-        damping = Math.max(1e-9, damping * 10);
-        if (damping > MOST_DAMPING) {
-          // Not a number somewhere: no step, and the fit ends without having converged.
-          return step;
-        }
+    private JointFit result(SharedSolution<double[]> solution) {
+      List<FlightTerm> kicks = kicks(solution);
+      double[] state = solution.state();
+      double[] squares = new double[2];
+      int[] rows = new int[2];
+      int observations = 0;
+      for (int k = 0; k < kicks.size(); k++) {
+        FlightTerm kick = kicks.get(k);
+        int kind = kick.kind() == KickKind.FLAT ? 0 : 1;
+        squares[kind] += kick.squaredResiduals(solution.own(k), state);
+        rows[kind] += kick.rows();
+        observations += kick.observations();
       }
-      n.solve(l, scales(), active, step);
-      return step;
-    }
-
-    private NormalEquations shared(double[][] a, double[] b) {
-      NormalEquations n = new NormalEquations(size);
-      for (int i = 0; i < size; i++) {
-        System.arraycopy(a[i], 0, n.a[i], 0, size);
-        n.b[i] = b[i];
-      }
-      return n;
-    }
-
-    private boolean[] active(NormalEquations n) {
-      boolean[] active = new boolean[size];
-      for (int k = 0; k < size; k++) {
-        active[k] = free[k] && n.a[k][k] > 0;
-      }
-      return active;
-    }
-
-    private double[] scales() {
-      return shared.stream().mapToDouble(Parameter::scale).toArray();
-    }
-
-    private JointFit result() {
-      double[][] a = new double[size][size];
-      double[] b = new double[size];
-      double[][] scatter = new double[size][size];
-      lambda = 0;
-      double chiSquare = 0;
-      int own = 0;
-      for (JointKick kick : kicks) {
-        double[] before = b.clone();
-        chiSquare += kick.reduce(values, 0, a, b);
-        own += kick.own();
-        for (int i = 0; i < size; i++) {
-          for (int j = 0; j < size; j++) {
-            scatter[i][j] += (b[i] - before[i]) * (b[j] - before[j]);
-          }
-        }
-      }
-      gauge(a, b);
-      NormalEquations n = shared(a, b);
-      for (int k = 0; k < MODEL; k++) {
-        // What no kick determines would make the matrix singular; so it only comes out with an
-        // error beyond all bounds.
-        n.a[k][k] += 1 / (1e6 * shared.get(k).scale() * shared.get(k).scale());
-      }
-      boolean[] active = active(n);
-      double[][] inverse = n.inverse(scales(), active);
-      double[] all = new double[2];
-      double[] flat = new double[2];
-      double[] chip = new double[2];
-      int total = 0;
-      for (JointKick kick : kicks) {
-        kick.residuals(values, all);
-        kick.residuals(values, kick.kind() == KickKind.FLAT ? flat : chip);
-        total += kick.observations();
-      }
-      int unknowns = own;
-      for (boolean f : active) {
-        unknowns += f ? 1 : 0;
-      }
-      double reduced = chiSquare / Math.max(1, all[1] - unknowns);
-      double[] errors = errors(inverse, scatter, reduced);
+      int used = (rows[0] + rows[1]) / 2;
+      Optional<double[][]> covariance = solution.covariance();
       return new JointFit(
-          estimates(0, 3, errors),
-          estimates(3, MODEL, errors),
-          offsets(errors),
-          rms(all),
-          rms(flat),
-          rms(chip),
-          (int) all[1] / 2,
-          total - (int) all[1] / 2,
-          reduced,
+          has(KickKind.FLAT) ? estimates(solution, covariance, 0, FlightTerm.CHIP) : List.of(),
+          has(KickKind.CHIP)
+              ? estimates(solution, covariance, FlightTerm.CHIP, FlightTerm.OFFSETS)
+              : List.of(),
+          offsets(state, covariance),
+          rms(squares[0] + squares[1], rows[0] + rows[1]),
+          rms(squares[0], rows[0]),
+          rms(squares[1], rows[1]),
+          used,
+          observations - used,
+          solution.reducedChiSquare(),
           iterations,
-          converged);
+          solution.stopReason() == StopReason.CONVERGED);
     }
 
-    private double[] errors(double[][] inverse, double[][] scatter, double reduced) {
-      double[] errors = new double[size];
-      Arrays.fill(errors, Double.NaN);
-      if (inverse == null) {
-        return errors;
-      }
-      int n = kicks.size();
-      double small = n > 1 ? n / (n - 1.0) : 1;
-      for (int k = 0; k < size; k++) {
-        double sandwich = 0;
-        for (int i = 0; i < size; i++) {
-          for (int j = 0; j < size; j++) {
-            sandwich += inverse[k][i] * scatter[i][j] * inverse[k][j];
-          }
-        }
-        double variance = Math.max(inverse[k][k] * reduced, sandwich * small);
-        errors[k] = variance > 0 ? Math.sqrt(variance) : Double.NaN;
-      }
-      return errors;
-    }
-
-    private List<Estimate> estimates(int from, int to, double[] errors) {
+    private List<Estimate> estimates(
+        SharedSolution<double[]> solution, Optional<double[][]> covariance, int from, int to) {
       List<Estimate> list = new ArrayList<>();
-      boolean flat = from == 0;
-      boolean any = kicks.stream().anyMatch(k -> (k.kind() == KickKind.FLAT) == flat);
-      for (int k = from; k < to && any; k++) {
-        Parameter p = shared.get(k).withValue(values[k]);
-        boolean bound = p.estimated() && (values[k] <= p.min() || values[k] >= p.max());
-        boolean unknown = p.estimated() && !(errors[k] < 0.5 * p.scale());
+      for (Parameter p : solution.globals().subList(from, to)) {
+        int k = from + list.size();
+        double error =
+            p.estimated() && covariance.isPresent()
+                ? Math.sqrt(covariance.get()[k][k])
+                : Double.NaN;
+        boolean bound = p.estimated() && (p.value() <= p.min() || p.value() >= p.max());
+        boolean unknown = p.estimated() && !(error < DETERMINED * p.scale());
         Optional<String> reason = unknown ? Optional.of("no kick determines it") : Optional.empty();
-        list.add(new Estimate(p, p.estimated() ? errors[k] : Double.NaN, reason, bound));
+        list.add(new Estimate(p, error, reason, bound));
       }
       return list;
     }
 
-    private Map<Integer, JointFit.Offset> offsets(double[] errors) {
+    private Map<Integer, JointFit.Offset> offsets(
+        double[] state, Optional<double[][]> covariance) {
       Map<Integer, JointFit.Offset> offsets = new LinkedHashMap<>();
       for (int c = 0; c < cameraIds.length; c++) {
         CameraView view = problem.cameras().get(cameraIds[c]);
-        int k = MODEL + 2 * c;
+        int k = FlightTerm.OFFSETS + 2 * c;
         offsets.put(
             cameraIds[c],
             new JointFit.Offset(
-                view.offsetX() + values[k],
-                view.offsetY() + values[k + 1],
-                errors[k],
-                errors[k + 1]));
+                view.offsetX() + state[k],
+                view.offsetY() + state[k + 1],
+                offsetError(covariance, c, 0),
+                offsetError(covariance, c, 1)));
       }
       return offsets;
     }
 
-    private double rms(double[] sums) {
-      return sums[1] > 0 ? 1000 * Math.sqrt(sums[0] / sums[1]) : Double.NaN;
+    private double offsetError(Optional<double[][]> covariance, int camera, int axis) {
+      return problem.offsets() && contrasts.determines(camera) && covariance.isPresent()
+          ? contrasts.error(covariance.get(), FlightTerm.OFFSETS, camera, axis)
+          : Double.NaN;
+    }
+
+    private double rms(double squares, int rows) {
+      return rows > 0 ? 1000 * Math.sqrt(squares / rows) : Double.NaN;
     }
   }
 }

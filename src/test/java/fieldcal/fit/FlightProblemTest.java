@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** The analytic normal equations against finite differences of what is minimised. */
 class FlightProblemTest {
@@ -21,22 +22,14 @@ class FlightProblemTest {
   private record Set(FlightProblem problem, double[] theta, double[] scale) {}
 
   /** Near the truth, where residuals are some millimetres. */
-  private Set set(KickKind kind, long seed, boolean offsets) {
+  private Set set(KickKind kind, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     IdealKicks.Sample s = source.draw(kind, 1, SOME_WRONG, random.split());
     FlightData data = FlightData.of(s.kick().observations(), source.views());
     FlightCurve curve =
         kind == KickKind.FLAT ? new FlightCurve.Flat() : new FlightCurve.Chip(s.flights());
     int size = s.truth().length;
-    int all = offsets ? size + 4 : size;
-    int[] slot = null;
-    if (offsets) {
-      slot = new int[data.size];
-      for (int i = 0; i < slot.length; i++) {
-        slot[i] = s.kick().observations().camera(i);
-      }
-    }
-    FlightProblem problem = new FlightProblem(data, curve, size, slot, offsets ? 2 : 0);
+    FlightProblem problem = new FlightProblem(data, curve, size);
     List<Parameter> parameters =
         FlightLayout.parameters(
             kind,
@@ -44,27 +37,20 @@ class FlightProblemTest {
             kind == KickKind.FLAT
                 ? FlightLayout.flatModel(s.truth()).parameters()
                 : FlightLayout.chipModel(s.truth()).parameters());
-    double[] theta = new double[all];
-    double[] scale = new double[all];
-    for (int k = 0; k < all; k++) {
-      scale[k] = k < size ? parameters.get(k).scale() : 0.01;
-      theta[k] = (k < size ? s.truth()[k] : 0) + 0.02 * scale[k] * random.nextDouble(-1, 1);
+    double[] theta = new double[size];
+    double[] scale = new double[size];
+    for (int k = 0; k < size; k++) {
+      scale[k] = parameters.get(k).scale();
+      theta[k] = s.truth()[k] + 0.02 * scale[k] * random.nextDouble(-1, 1);
     }
     return new Set(problem, theta, scale);
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "FLAT, Infinity, false",
-    "FLAT, 2.4, false",
-    "FLAT, 2.4, true",
-    "CHIP, Infinity, false",
-    "CHIP, 2.4, false",
-    "CHIP, 2.4, true"
-  })
-  void theGradientIsThatOfTheCost(KickKind kind, double loss, boolean offsets) {
+  @CsvSource({"FLAT, Infinity", "FLAT, 2.4", "CHIP, Infinity", "CHIP, 2.4"})
+  void theGradientIsThatOfTheCost(KickKind kind, double loss) {
     for (long seed = 1; seed <= 5; seed++) {
-      Set set = set(kind, seed, offsets);
+      Set set = set(kind, seed);
       FlightProblem problem = set.problem();
       problem.lossScale(loss);
       problem.prior(2, set.theta()[2] + 0.03, 0.01);
@@ -90,9 +76,9 @@ class FlightProblemTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"FLAT, false", "FLAT, true", "CHIP, false", "CHIP, true"})
-  void theMatrixIsThatOfTheResiduals(KickKind kind, boolean offsets) {
-    Set set = set(kind, 7, offsets);
+  @EnumSource(KickKind.class)
+  void theMatrixIsThatOfTheResiduals(KickKind kind) {
+    Set set = set(kind, 7);
     FlightProblem problem = set.problem();
     FlightData data = problem.data();
     int n = problem.size();
@@ -129,7 +115,7 @@ class FlightProblemTest {
 
   @Test
   void whatIsNotUsedDoesNotCount() {
-    Set set = set(KickKind.FLAT, 3, false);
+    Set set = set(KickKind.FLAT, 3);
     FlightProblem problem = set.problem();
     double[] squared = new double[problem.data().size];
     problem.squaredDistances(set.theta(), squared);
@@ -143,7 +129,7 @@ class FlightProblemTest {
 
   @Test
   void cauchysLossIsNearlyQuadraticForSmallResidualsAndBoundedGrowthForLarge() {
-    Set set = set(KickKind.FLAT, 4, false);
+    Set set = set(KickKind.FLAT, 4);
     FlightProblem problem = set.problem();
     double plain = problem.cost(set.theta());
     problem.lossScale(1e4);

@@ -70,6 +70,17 @@ final class IdealKicks {
         kind == KickKind.FLAT
             ? BallPhysics.ideal(truth[5], truth[6], truth[7], 0.75, 0.95, 0.5)
             : BallPhysics.ideal(-3.2, truth[9], 0.65, truth[6], truth[7], truth[8]);
+    return observe(kind, truth, physics, id, conditions, random);
+  }
+
+  /** A kick of a ball that moves by other laws; of the truth, only position, velocity and time count. */
+  Sample observe(
+      KickKind kind,
+      double[] truth,
+      BallPhysics physics,
+      int id,
+      Conditions conditions,
+      SplittableRandom random) {
     Observations.Builder seen = new Observations.Builder();
     BallBody ball = new BallBody();
     ball.place(truth[0], truth[1]);

@@ -4,10 +4,14 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
+import fieldcal.ball.Parameter;
 import fieldcal.camera.Camera;
+import fieldcal.fit.joint.ScoreSystem;
+import fieldcal.fit.joint.SharedProblem;
 import fieldcal.kick.KickFinderSettings;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.LUDecomposition;
@@ -15,7 +19,7 @@ import org.apache.commons.math3.linear.RealMatrix;
 
 /**
  * How much a kick will tell of its model's three parameters: Fisher information from the closed form's sensitivities, seen by the cameras that are there, with position, velocity and time of the kick as further
- * unknowns. Immutable.
+ * unknowns, which the kernel eliminates. Immutable.
  */
 final class KickInformation {
   private static final double RATE = 70;
@@ -29,7 +33,11 @@ final class KickInformation {
   /** What is known of a chip's accRoll beforehand, m/s². */
   private static final double ROLL_KNOWN = 0.05;
 
+  /** Keeps what a kick does not tell of from being singular. */
   private static final double TINY = 1e-9;
+
+  /** Parameters of each model that a play is after. */
+  private static final int PARAMETERS = 3;
 
   private static final double LOST = KickFinderSettings.defaults().lostAfter();
 
@@ -95,17 +103,17 @@ final class KickInformation {
       path.sensitivitiesAt(t, sum.xyz, sum.dx, sum.dy, dz);
       sum.observe(t, dz);
     }
-    sum.known(ChipTrajectory.ACC_ROLL, ROLL_KNOWN);
+    sum.know(ChipTrajectory.ACC_ROLL, ROLL_KNOWN);
     return sum.information(ChipTrajectory.DAMPING_XY_FIRST_HOP);
   }
 
-  /** Normal equations of one kick. */
+  /** What is seen of one kick: the rows of its derivatives. */
   private final class Sum {
     private final int size;
     private final double[] xyz = new double[3];
     private final double[] dx;
     private final double[] dy;
-    private final double[][] normal;
+    private final List<double[]> rows = new ArrayList<>();
     private final double[] jacobian = new double[6];
     private double seen;
 
@@ -113,21 +121,20 @@ final class KickInformation {
       this.size = size;
       dx = new double[size];
       dy = new double[size];
-      normal = new double[size][size];
-      for (int i = 0; i < size; i++) {
-        normal[i][i] = TINY;
-      }
     }
 
     /** The resting ball pins its place. */
     void rest(double x, double y) {
       double n = settle * RATE * seeing(x, y, 0).size();
-      normal[FlatTrajectory.X0][FlatTrajectory.X0] += n / (noise * noise);
-      normal[FlatTrajectory.Y0][FlatTrajectory.Y0] += n / (noise * noise);
+      know(FlatTrajectory.X0, noise / Math.sqrt(n));
+      know(FlatTrajectory.Y0, noise / Math.sqrt(n));
     }
 
-    void known(int index, double error) {
-      normal[index][index] += 1 / (error * error);
+    /** One number is known to an error. */
+    void know(int index, double error) {
+      double[] row = new double[size];
+      row[index] = 1 / error;
+      rows.add(row);
     }
 
     /** A chip that leaves all images is lost, and what comes after is no part of the kick. */
@@ -140,27 +147,45 @@ final class KickInformation {
         Camera camera = one.camera();
         seen = t;
         camera.groundJacobian(xyz[0], xyz[1], xyz[2], jacobian);
-        for (int row = 0; row < 2; row++) {
-          double[] column = new double[size];
+        for (int axis = 0; axis < 2; axis++) {
+          double[] row = new double[size];
           for (int i = 0; i < size; i++) {
-            column[i] =
-                (jacobian[3 * row] * dx[i]
-                        + jacobian[3 * row + 1] * dy[i]
-                        + jacobian[3 * row + 2] * dz[i])
+            row[i] =
+                (jacobian[3 * axis] * dx[i]
+                        + jacobian[3 * axis + 1] * dy[i]
+                        + jacobian[3 * axis + 2] * dz[i])
                     / noise;
           }
-          for (int i = 0; i < size; i++) {
-            for (int j = 0; j < size; j++) {
-              normal[i][j] += column[i] * column[j];
-            }
-          }
+          rows.add(row);
         }
       }
     }
 
+    /** On three parameters of the model from {@code first} on; all others are the kick's own. */
     RealMatrix information(int first) {
-      RealMatrix covariance = inverse(new Array2DRowRealMatrix(normal, false));
-      return inverse(covariance.getSubMatrix(first, first + 2, first, first + 2));
+      LinearKick kick = new LinearKick(rows, first, PARAMETERS);
+      List<Parameter> globals = new ArrayList<>();
+      for (int k = 0; k < PARAMETERS; k++) {
+        globals.add(new Parameter("model " + k, "", 0, 1, -1, 1, true, "linear"));
+      }
+      ScoreSystem system =
+          ScoreSystem.at(
+              new SharedProblem<>(
+                  double[]::clone,
+                  List.of(kick),
+                  List.of(new double[kick.ownSize()]),
+                  globals,
+                  Collections.nCopies(PARAMETERS, SharedProblem.Prior.NONE),
+                  List.of(),
+                  new double[] {1}));
+      RealMatrix information = new Array2DRowRealMatrix(PARAMETERS, PARAMETERS);
+      for (int i = 0; i < PARAMETERS; i++) {
+        for (int j = 0; j < PARAMETERS; j++) {
+          information.setEntry(i, j, system.curvature(i, j));
+        }
+        information.addToEntry(i, i, TINY);
+      }
+      return information;
     }
   }
 

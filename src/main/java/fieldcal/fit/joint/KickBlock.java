@@ -158,6 +158,11 @@ final class KickBlock {
     return t;
   }
 
+  /** What is left of chi-square and of the own parameters' priors when those parameters follow, to first order. */
+  double reducedCost() {
+    return chiSquare + priorCost - dot(ga, solvedGradient);
+  }
+
   /** The own step that belongs to a shared one. */
   double[] ownStep(double[] sharedStep) {
     double[] step = solvedGradient.clone();

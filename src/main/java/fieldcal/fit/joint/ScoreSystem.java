@@ -1,5 +1,7 @@
 package fieldcal.fit.joint;
 
+import java.util.List;
+
 /**
  * Normal equations of a solution with further columns beside its free global parameters: what each column, or any set of them, would gain to first order, and how evenly over the kicks. All kicks' own parameters are eliminated.
  * Columns {@code 0 … base()−1} are the free global parameters of the solution, the others the probes in the order in which they were asked for. Immutable.
@@ -8,13 +10,15 @@ public final class ScoreSystem {
   private final int base;
   private final double[][][] perKick;
   private final double[][] gradients;
+  private final double[] costs;
   private final double[][] total;
   private final double[] gradient;
 
-  ScoreSystem(int base, double[][][] perKick, double[][] gradients) {
+  private ScoreSystem(int base, double[][][] perKick, double[][] gradients, double[] costs) {
     this.base = base;
     this.perKick = perKick;
     this.gradients = gradients;
+    this.costs = costs;
     int n = gradients[0].length;
     total = new double[n][n];
     gradient = new double[n];
@@ -27,6 +31,38 @@ public final class ScoreSystem {
         }
       }
     }
+  }
+
+  /** Of kicks' normal equations, the first columns being those of the solution; takes the blocks apart. */
+  static ScoreSystem of(int base, KickBlock[] blocks) {
+    double[][][] s = new double[blocks.length][][];
+    double[][] t = new double[blocks.length][];
+    double[] costs = new double[blocks.length];
+    for (int k = 0; k < blocks.length; k++) {
+      blocks[k].factor(0);
+      s[k] = blocks[k].reducedMatrix();
+      t[k] = blocks[k].reducedGradient();
+      costs[k] = blocks[k].reducedCost();
+      blocks[k] = null;
+    }
+    return new ScoreSystem(base, s, t, costs);
+  }
+
+  /**
+   * The normal equations of a problem where it starts, without solving it: what kicks would tell that nobody has made yet.
+   *
+   * @param problem with the kicks' own parameters and the global ones where the equations are wanted
+   * @param <S> what the global parameters amount to
+   * @return the system; its columns are the free global parameters
+   */
+  public static <S> ScoreSystem at(SharedProblem<S> problem) {
+    int[] free = problem.free();
+    double[] scatters =
+        problem.randoms().stream().mapToDouble(RandomEffect::scatter).toArray();
+    Linearizer<S> linearizer =
+        new Linearizer<>(
+            problem, List.copyOf(problem.kicks()), problem.starts(), problem.values(), scatters);
+    return of(free.length, linearizer.blocks(free, problem.meanColumns(free)));
   }
 
   /**
@@ -101,6 +137,16 @@ public final class ScoreSystem {
   }
 
   /**
+   * What is left of a kick's chi-square, and of what is known of its own parameters, when those follow to first order and everything shared is held.
+   *
+   * @param kick which
+   * @return in units of chi-square
+   */
+  public double cost(int kick) {
+    return costs[kick];
+  }
+
+  /**
    * The same system in which one column also has a value of each kick's own, normally distributed with a scatter: a random effect.
    *
    * @param column whose
@@ -111,9 +157,11 @@ public final class ScoreSystem {
     int n = gradient.length;
     double[][][] s = new double[perKick.length][n][n];
     double[][] t = new double[perKick.length][n];
+    double[] left = costs.clone();
     for (int k = 0; k < perKick.length; k++) {
       double[] row = perKick[k][column];
       double d = row[column] + 1 / (scatter * scatter);
+      left[k] -= gradients[k][column] * gradients[k][column] / d;
       for (int i = 0; i < n; i++) {
         double share = row[i] / d;
         t[k][i] = gradients[k][i] - share * gradients[k][column];
@@ -122,7 +170,7 @@ public final class ScoreSystem {
         }
       }
     }
-    return new ScoreSystem(base, s, t);
+    return new ScoreSystem(base, s, t, left);
   }
 
   /**

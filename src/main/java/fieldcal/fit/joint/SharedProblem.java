@@ -1,6 +1,7 @@
 package fieldcal.fit.joint;
 
 import fieldcal.ball.Parameter;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 
@@ -105,6 +106,13 @@ public record SharedProblem<S>(
   int[] free() {
     return java.util.stream.IntStream.range(0, globals.size())
         .filter(k -> globals.get(k).estimated())
+        .toArray();
+  }
+
+  /** For each random effect, the column of its mean among the free global parameters; −1 when that is held. */
+  int[] meanColumns(int[] free) {
+    return randoms.stream()
+        .mapToInt(r -> Math.max(-1, Arrays.binarySearch(free, r.mean())))
         .toArray();
   }
 }

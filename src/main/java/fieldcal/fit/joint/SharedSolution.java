@@ -15,7 +15,7 @@ import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
  * The solution of a {@link SharedProblem}.
  *
  * <p>Covariance: residuals are taken to be whitened and independent within a kick, kicks to be independent of each other. The variance of a global parameter is the larger of the one that follows from
- * the residuals, times the reduced chi-square, and the one from the scatter between kicks (cluster-robust; Liang and Zeger 1986): where the model is not quite right, the first is too small. There is none where the
+ * the residuals, times the reduced chi-square with the kicks' weights, and the one from the scatter between kicks (cluster-robust; Liang and Zeger 1986): where the model is not quite right, the first is too small. There is none where the
  * equations are singular.
  *
  * @param <S> what the global parameters amount to
@@ -221,11 +221,24 @@ public final class SharedSolution<S> {
    * @return about 1 where the model is right
    */
   public double reducedChiSquare() {
+    return chiSquare() / degreesOfFreedom();
+  }
+
+  private double degreesOfFreedom() {
     int unknowns = free.length;
     for (double[] p : own) {
       unknowns += p.length - scatters.length;
     }
-    return chiSquare() / Math.max(1, rows() - unknowns);
+    return Math.max(1, rows() - unknowns);
+  }
+
+  /** A kick that weighs less has already had its noise enlarged. */
+  private double weightedReducedChiSquare() {
+    double sum = 0;
+    for (int k = 0; k < chiSquares.length; k++) {
+      sum += problem.weights()[k] * chiSquares[k];
+    }
+    return sum / degreesOfFreedom();
   }
 
   /**
@@ -316,7 +329,7 @@ public final class SharedSolution<S> {
     // The number of clusters less the parameters they share; Student's t of so few has longer
     // tails.
     double small = count > n + 1 ? count / (double) (count - 1) : 1;
-    double noise = Math.max(1, reducedChiSquare());
+    double noise = Math.max(1, weightedReducedChiSquare());
     double[][] sandwich = product(product(v, scatter), v);
     double[] larger = new double[n];
     for (int i = 0; i < n; i++) {
@@ -373,6 +386,9 @@ public final class SharedSolution<S> {
         scaled[i][j] = h[i][j] * scale[i] * scale[j];
       }
       scaled[i][i] += 1e-9;
+      if (!Double.isFinite(scaled[i][i])) {
+        return Optional.empty();
+      }
     }
     try {
       double[][] v =
@@ -469,23 +485,10 @@ public final class SharedSolution<S> {
    */
   public ScoreSystem scores(List<S> states, double[] steps, double[] weights) {
     SharedProblem<S> weighted = problem.withWeights(weights);
-    int[] meanColumns =
-        problem.randoms().stream()
-            .mapToInt(r -> Arrays.binarySearch(free, r.mean()))
-            .map(i -> Math.max(i, -1))
-            .toArray();
     KickBlock[] blocks =
         new Linearizer<>(weighted, kicks, own, values, scatters)
-            .blocks(free, meanColumns, states, steps);
-    double[][][] s = new double[blocks.length][][];
-    double[][] t = new double[blocks.length][];
-    for (int k = 0; k < blocks.length; k++) {
-      blocks[k].factor(0);
-      s[k] = blocks[k].reducedMatrix();
-      t[k] = blocks[k].reducedGradient();
-      blocks[k] = null;
-    }
-    return new ScoreSystem(free.length, s, t);
+            .blocks(free, problem.meanColumns(free), states, steps);
+    return ScoreSystem.of(free.length, blocks);
   }
 
   /** The full report: why it stopped, costs, counts, values, bounds hit. */

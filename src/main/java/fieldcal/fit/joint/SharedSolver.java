@@ -200,12 +200,13 @@ public final class SharedSolver {
     return best;
   }
 
-  /** Whether a cost is lower by more than rounding; an impossible variant costs infinitely much. */
-  private static boolean isLess(double cost, double than) {
-    return Double.isInfinite(than) ? cost < than : cost < than - 1e-6 * Math.abs(than);
+  /** By more than rounding; anything is less than what is impossible. */
+  private static boolean isLess(double a, double b) {
+    return a < b && (Double.isInfinite(b) || a < b - 1e-6 * Math.abs(b));
   }
 
-  private static <S> KickBlock block(KickTerm<S> term, double[] own, S state, double[] residuals) {
+  private static <S> KickBlock block(
+      KickTerm<S> term, double[] own, S state, double[] residuals) {
     double[][] ownColumns = new double[own.length][residuals.length];
     term.ownColumns(own, state, residuals, ownColumns);
     KickBlock block = new KickBlock(own.length, 0);
@@ -280,11 +281,7 @@ public final class SharedSolver {
         values[f] = problem.globals().get(f).clamp(values[f]);
       }
       scatters = problem.randoms().stream().mapToDouble(RandomEffect::scatter).toArray();
-      meanColumns =
-          problem.randoms().stream()
-              .mapToInt(r -> Arrays.binarySearch(free, r.mean()))
-              .map(i -> Math.max(i, -1))
-              .toArray();
+      meanColumns = problem.meanColumns(free);
     }
 
     SharedSolution<S> solve() {
@@ -344,9 +341,11 @@ public final class SharedSolver {
       return changed;
     }
 
+    /** False, and nothing changed, when they are settled. */
     private boolean updateScatters() {
       boolean moved = false;
       double[] means = means(values);
+      double[] updated = new double[scatters.length];
       for (int r = 0; r < scatters.length; r++) {
         double sum = 0;
         for (int k = 0; k < kicks.size(); k++) {
@@ -359,7 +358,10 @@ public final class SharedSolver {
         double next = Math.sqrt(sum / kicks.size());
         next = Math.max(random.smallest(), Math.min(random.largest(), next));
         moved |= Math.abs(next - scatters[r]) > SCATTER_SETTLED * scatters[r];
-        scatters[r] = next;
+        updated[r] = next;
+      }
+      if (moved) {
+        System.arraycopy(updated, 0, scatters, 0, updated.length);
       }
       return moved;
     }
