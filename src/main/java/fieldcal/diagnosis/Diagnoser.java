@@ -234,7 +234,7 @@ public final class Diagnoser {
     private FittedModel searchNamed(List<KickRecord> kicks) {
       FittedModel best = flatsFirst(kicks);
       for (int round = 0; round < SCREENINGS; round++) {
-        best = search(best, catalogue, problem.maxCauses() + SPARE);
+        best = search(best, catalogue, problem.maxCauses() + SPARE, true);
         List<KickRecord> before = fitter.kicks();
         List<KickRecord> revised = screen.revise(best, true);
         if (revised.equals(before)) {
@@ -277,7 +277,7 @@ public final class Diagnoser {
       fitter = new ModelFitter(flats, problem.sessionStart());
       arena = arena(flats);
       FittedModel alone = fitter.fit(base.model().forKinds(true, false), solver);
-      FittedModel found = search(alone, catalogue, problem.maxCauses() + SPARE);
+      FittedModel found = search(alone, catalogue, problem.maxCauses() + SPARE, true);
       fitter = all;
       arena = whole;
       if (found.solution().reducedChiSquare() > EXPLAINED) {
@@ -291,12 +291,13 @@ public final class Diagnoser {
       return fitter.fit(start, base, true, solver);
     }
 
-    private FittedModel search(FittedModel start, List<? extends Effect> effects, int most) {
+    private FittedModel search(
+        FittedModel start, List<? extends Effect> effects, int most, boolean revises) {
       int n = start.kickCount();
       if (n <= SEARCHED_KICKS) {
         CauseSearch search =
             new CauseSearch(fitter, new Dictionary(effects, arena), most, solver);
-        FittedModel found = search.search(start);
+        FittedModel found = search.search(start, revises);
         trace.addAll(search.trace());
         return found;
       }
@@ -312,7 +313,7 @@ public final class Diagnoser {
               false,
               solver);
       CauseSearch search = new CauseSearch(few, new Dictionary(effects, arena), most, solver);
-      FittedModel found = search.search(begin);
+      FittedModel found = search.search(begin, revises);
       trace.addAll(search.trace());
       EffectModel model =
           found.model().startingAt(found.solution().values(), found.solution().scatters());
@@ -333,12 +334,18 @@ public final class Diagnoser {
       List<Judgement> judged = List.of();
       HoldOut held = heldBase;
       if (!found.model().components().isEmpty()) {
-        HoldOut heldFound = HoldOut.of(found, true, seed);
-        FittedModel at = found;
-        HoldOut heldAt = heldFound;
+        // The search gave kicks that it did not explain less weight; decisions give all the same.
+        FittedModel at =
+            fitter.fit(
+                found.model().startingAt(found.solution().values(), found.solution().scatters()),
+                found,
+                false,
+                solver);
+        HoldOut heldAt = HoldOut.of(at, true, seed);
         // Without what is dropped the others may change: once more, until nothing is dropped.
         for (int round = 0; round < found.model().components().size(); round++) {
           judged = decision.judge(at, heldAt);
+          if (System.getenv("DBG") != null) judged.forEach(j -> System.out.println("        J " + j));
           List<Component> kept = new ArrayList<>();
           for (Judgement j : judged) {
             boolean law = !j.component().template().starts().isEmpty();
@@ -369,7 +376,8 @@ public final class Diagnoser {
                     search(
                         start,
                         LearnedLibrary.of(arena),
-                        start.model().components().size() + MOST_LEARNED));
+                        start.model().components().size() + MOST_LEARNED,
+                        false));
         if (learned.model().components().size() > named.model().components().size()) {
           HoldOut heldLearned = HoldOut.of(learned, true, seed);
           if (heldLearned.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()) {

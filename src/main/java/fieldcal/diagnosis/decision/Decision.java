@@ -92,9 +92,11 @@ public final class Decision {
     double[] gain = held.gainOn(heldWithout, seed);
     Optional<Map<String, Double>> errors = model.errors(i);
     double largest = 0;
+    boolean law = !c.template().starts().isEmpty();
     for (int j = 0; j < evidence.length; j++) {
-      boolean sameKind = isMotion(model.model().components().get(j)) == isMotion(c);
-      largest = sameKind ? Math.max(largest, evidence[j]) : largest;
+      // A law is the form of everything that it takes part in; other causes only of their kind.
+      boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
+      largest = compared ? Math.max(largest, evidence[j]) : largest;
     }
     Outcome outcome = outcome(model, i, without, evidence[i], largest, gain, heldWithout, held);
     List<String> ties =
@@ -139,7 +141,7 @@ public final class Decision {
     if (isOneKicks(model, without)) {
       return Outcome.ONE_KICK;
     }
-    if (evidence < settings.formShare() * largest) {
+    if (evidence < settings.formShare() * largest && gain[1] < 100 * settings.formGain()) {
       return Outcome.FORM;
     }
     if (!(gain[1] > 100 * settings.leastGain())) {

@@ -95,16 +95,19 @@ public final class CauseSearch {
    * Searches.
    *
    * @param start the model to begin with, fitted to the same kicks
+   * @param revises whether early choices are questioned when something is left, and simpler ones looked for; what is in the model already stays otherwise
    * @return the best model found
    */
-  public FittedModel search(FittedModel start) {
+  public FittedModel search(FittedModel start, boolean revises) {
     best = start;
     addLaws();
     grow(mostAtOnce);
-    for (int round = 0; round < MOST_REVISIONS && !isExplained(best) && revise(); round++) {
+    for (int i = 0; revises && i < MOST_REVISIONS && !isExplained(best) && revise(); i++) {
       grow(mostAtOnce);
     }
-    simplify();
+    if (revises) {
+      simplify();
+    }
     return best;
   }
 

@@ -11,11 +11,11 @@ import java.util.List;
 /**
  * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the slip of the contact
  * point u = v − s, s the spin as a velocity: the impulse along the ground undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, but is at most friction times the normal impulse, |Δv| ≤ friction·(1 + e_z)·|v_z|; its torque turns the
- * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet swallows beside that is a part of the speed over the ground.
+ * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet swallows beside that is a part of the motion along the ground, of speed and spin alike.
  *
  * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
- * @param loss part of the speed over the ground that each impact takes besides (–)
+ * @param loss part of the speed over the ground and of the spin that each impact takes in addition (–)
  */
 public record ContactImpacts(double reversed, double friction, double loss) implements ImpactLaw {
   private static final String ID = "contact_impacts";
@@ -109,19 +109,19 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
   public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
     double slip = arrival.slip();
     double kept = 1 - loss;
-    if (slip == 0) {
-      after[0] *= kept;
-      after[1] *= kept;
-      return;
+    if (slip > 0) {
+      double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
+      double most = friction * (1 + dampingZ) * Math.abs(arrival.vz());
+      double perSlip = -Math.min(wanted, most) / slip;
+      double dx = perSlip * (after[0] - after[2]);
+      double dy = perSlip * (after[1] - after[3]);
+      after[0] += dx;
+      after[1] += dy;
+      after[2] -= dx / inertiaFactor;
+      after[3] -= dy / inertiaFactor;
     }
-    double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
-    double most = friction * (1 + dampingZ) * Math.abs(arrival.vz());
-    double perSlip = -Math.min(wanted, most) / slip;
-    double dx = perSlip * (after[0] - after[2]);
-    double dy = perSlip * (after[1] - after[3]);
-    after[0] = kept * (after[0] + dx);
-    after[1] = kept * (after[1] + dy);
-    after[2] -= dx / inertiaFactor;
-    after[3] -= dy / inertiaFactor;
+    for (int i = 0; i < after.length; i++) {
+      after[i] *= kept;
+    }
   }
 }
