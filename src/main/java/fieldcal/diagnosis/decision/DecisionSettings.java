@@ -7,7 +7,7 @@ package fieldcal.diagnosis.decision;
  * @param tried independent things that were tried: columns of the dictionary, and places of those that have one; measured as the effective number of independent score tests on sound simulated recordings
  * @param formShare a cause that explains less than that share of what the largest cause of its kind (motion, measurement) explains, and gains little, is that one's form: a law whose shape is right to a sixth leaves three hundredths of its
  *     chi-square
- * @param formGain share of the held-out residual from which on it is a cause all the same: nothing that leaves the noise plus two per cent is a matter of form
+ * @param formGain share of the held-out residual from which on it is a cause all the same: three per cent of the noise is a quarter of it in variance
  * @param oneKick share of what a cause explains that kicks other than the one that gains most must have
  * @param tie difference of cost up to which two explanations are equals: odds of e³ = 20 : 1
  * @param tieShare the same as a share of what the cause explains: where much is explained, errors of the model that all explanations share decide more than noise does
@@ -29,6 +29,6 @@ public record DecisionSettings(
    * @return the defaults
    */
   public static DecisionSettings defaults() {
-    return new DecisionSettings(2e-3, 200, 0.03, 0.02, 0.15, 6, 0.002, 0.002);
+    return new DecisionSettings(2e-3, 200, 0.03, 0.03, 0.15, 6, 0.002, 0.002);
   }
 }

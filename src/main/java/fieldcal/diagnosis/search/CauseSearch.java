@@ -6,6 +6,7 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.effect.Effect;
+import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -43,6 +44,12 @@ public final class CauseSearch {
 
   /** Share of the kicks that must be explained. */
   private static final double MOST_KICKS = 0.85;
+
+  /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
+  private static final double LITTLE = 0.2;
+
+  /** A simpler component may look that much worse to first order, as a share of what it explains, and be tried all the same. */
+  private static final double FIRST_ORDER = 0.02;
 
   /** Rounds of revision; each is as long as a search. */
   private static final int MOST_REVISIONS = 2;
@@ -184,16 +191,28 @@ public final class CauseSearch {
     }
   }
 
-  /** Whether a law explains what values of each kick's own were needed for. */
-  private boolean lawForRandom() {
-    for (Component out : best.model().random()) {
-      for (Effect law : dictionary.laws(best.model())) {
-        List<Component> rest = new ArrayList<>(best.model().components());
-        rest.remove(out);
+  /** Whether a law, begun again, explains what another component was needed for: the two may share what the law alone would have. */
+  private boolean lawForOther() {
+    List<Component> had = best.model().components();
+    for (Component out : had) {
+      if (!(out.template() instanceof MotionEffect) || !out.template().starts().isEmpty()) {
+        continue;
+      }
+      List<Component> rest = new ArrayList<>(had);
+      rest.remove(out);
+      List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
+      for (Component c : had) {
+        if (!c.template().starts().isEmpty()) {
+          laws.add(c.template());
+          rest.remove(c);
+        }
+      }
+      boolean small = weakness(out) < LITTLE;
+      for (Effect law : small || out.isPerKick() ? laws : List.<Effect>of()) {
         for (Effect start : law.starts()) {
           Component c = Component.of(start, start.magnitudes());
           FittedModel next = fitted(added(rest, List.of(c)));
-          double gain = weightedGain(best, next) + penalty(List.of(out)) - penalty(List.of(c));
+          double gain = weightedGain(best, next) + penalty(List.of(out));
           if (gain > 0) {
             trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
             best = next;
@@ -205,8 +224,13 @@ public final class CauseSearch {
     return false;
   }
 
+  /** What a component of the model explains, as a share of all residuals. */
+  private double weakness(Component c) {
+    return loss(best, best.model().components().indexOf(c)) / best.solution().rows();
+  }
+
   private boolean simplifyOnce() {
-    if (lawForRandom()) {
+    if (lawForOther()) {
       return true;
     }
     List<Component> had = best.model().components();
@@ -221,10 +245,11 @@ public final class CauseSearch {
       List<Component> rest = new ArrayList<>(had);
       rest.removeAll(removed);
       Proposal top = null;
-      double most = kept;
+      double most = kept - FIRST_ORDER * Math.abs(kept);
+      int size = removed.stream().mapToInt(Component::size).sum();
       for (Proposal p : proposals) {
-        double net = sweep.gain(scorer.columns(p)) - penalty(p.components());
-        boolean fits = !clashes(p, rest) && p.size() < removed.stream().mapToInt(Component::size).sum();
+        boolean fits = !clashes(p, rest) && p.size() < size;
+        double net = fits ? sweep.gain(scorer.columns(p)) - penalty(p.components()) : 0;
         if (fits && net > most) {
           most = net;
           top = p;
