@@ -300,7 +300,8 @@ public final class SharedSolution<S> {
       }
     }
     int count = kicks.size();
-    // The number of clusters less the parameters they share; Student's t of so few has longer tails.
+    // The number of clusters less the parameters they share; Student's t of so few has longer
+    // tails.
     double small = count > n + 1 ? count / (double) (count - 1) : 1;
     double noise = Math.max(1, weightedReducedChiSquare());
     double[][] sandwich = product(product(v, scatter), v);
@@ -472,7 +473,8 @@ public final class SharedSolution<S> {
     text.append(
         String.format(
             Locale.ROOT,
-            "%s after %d steps: cost %.6g, chi-square %.6g of %d residuals (reduced %.4g), %d kicks%n",
+            "%s after %d steps: cost %.6g, chi-square %.6g of %d residuals (reduced %.4g), %d"
+                + " kicks%n",
             stopReason,
             iterations,
             cost(),
@@ -484,11 +486,7 @@ public final class SharedSolution<S> {
     for (int i = 0; i < values.length; i++) {
       Parameter p = problem.globals().get(i);
       int index = i;
-      String error =
-          !p.estimated()
-              ? "held"
-              : v.map(c -> error(c, index))
-                  .orElse("singular");
+      String error = !p.estimated() ? "held" : v.map(c -> error(c, index)).orElse("singular");
       text.append(
           String.format(Locale.ROOT, "  %s = %.6g %s %s%n", p.name(), values[i], p.unit(), error));
     }

@@ -188,7 +188,8 @@ public final class SharedSolver {
         bestPriced = priced;
       }
     }
-    for (KickTerm.Restart<S> other : stuck ? term.restarts(own, state) : List.<KickTerm.Restart<S>>of()) {
+    for (KickTerm.Restart<S> other :
+        stuck ? term.restarts(own, state) : List.<KickTerm.Restart<S>>of()) {
       OwnFit<S> tried = fitOwn(other.term(), other.own(), state, means, scatters);
       double priced = tried.cost + other.term().penalty(tried.own, state);
       if (isLess(priced, bestPriced)) {
@@ -204,8 +205,7 @@ public final class SharedSolver {
     return a < b && (Double.isInfinite(b) || a < b - 1e-6 * Math.abs(b));
   }
 
-  private static <S> KickBlock block(
-      KickTerm<S> term, double[] own, S state, double[] residuals) {
+  private static <S> KickBlock block(KickTerm<S> term, double[] own, S state, double[] residuals) {
     double[][] ownColumns = new double[own.length][residuals.length];
     term.ownColumns(own, state, residuals, ownColumns);
     KickBlock block = new KickBlock(own.length, 0);
@@ -324,18 +324,15 @@ public final class SharedSolver {
                       kicks.get(k).neighbours().isEmpty()
                           ? null
                           : bestVariant(
-                              kicks.get(k),
-                              own.get(k),
-                              state,
-                              means,
-                              scatters,
-                              reduced[k] > limit))
+                              kicks.get(k), own.get(k), state, means, scatters, reduced[k] > limit))
               .toList();
       boolean changed = false;
       for (int k = 0; k < fits.size(); k++) {
         OwnFit<S> fit = fits.get(k);
         if (fit != null && (fit.term() != kicks.get(k) || reduced[k] > limit)) {
-          changed |= fit.term() != kicks.get(k) || fit.chiSquare() < IMPROVED * reduced[k] * fit.term().rows();
+          changed |=
+              fit.term() != kicks.get(k)
+                  || fit.chiSquare() < IMPROVED * reduced[k] * fit.term().rows();
           kicks.set(k, fit.term());
           own.set(k, fit.own());
         }

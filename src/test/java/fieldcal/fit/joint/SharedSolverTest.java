@@ -54,8 +54,7 @@ class SharedSolverTest {
     assertClose(s.own(4), Arrays.copyOfRange(dense.values(), 8, 10), 1e-6);
     assertThat(s.chiSquare()).isEqualTo(dense.chiSquare(), within(1e-6));
     assertThat(s.rows()).isEqualTo(9 * 12);
-    assertThat(s.reducedChiSquare())
-        .isEqualTo(dense.chiSquare() / (9 * 12 - 21), within(1e-7));
+    assertThat(s.reducedChiSquare()).isEqualTo(dense.chiSquare() / (9 * 12 - 21), within(1e-7));
     double[][] v = s.covariance().orElseThrow();
     for (int i = 0; i < 3; i++) {
       // The larger of what residuals and what the scatter between kicks say.
@@ -140,8 +139,7 @@ class SharedSolverTest {
   @Test
   void aProblemsEquationsAreThereWithoutSolvingIt() {
     List<ToyKick> kicks = kicks(8, 5);
-    SharedProblem<double[]> problem =
-        ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
+    SharedProblem<double[]> problem = ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
     ScoreSystem system = ScoreSystem.at(problem);
     assertThat(system.base()).isEqualTo(3);
     // One Newton step from anywhere is the answer, and what is left then is its cost.
@@ -247,8 +245,7 @@ class SharedSolverTest {
       int start = kicks.size() % 3 == 0 ? 4 : kicks.size() % 3;
       kicks.add(new ToyKick(y, kick.a, kick.b).withShift(start));
     }
-    SharedProblem<double[]> problem =
-        ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
+    SharedProblem<double[]> problem = ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
     SharedSolution<double[]> s = SOLVER.settlingVariants().solve(problem);
     assertThat(s.kicks()).allSatisfy(k -> assertThat(((ToyKick) k).shift()).isEqualTo(2));
     assertThat(SOLVER.solve(problem).kicks()).isEqualTo(problem.kicks());
@@ -293,12 +290,10 @@ class SharedSolverTest {
 
   @Test
   void wrongProblemsAreRefused() {
-    assertThatThrownBy(
-            () -> ToyProblem.problem(List.of(), globals(1), ToyProblem.noPriors(1)))
+    assertThatThrownBy(() -> ToyProblem.problem(List.of(), globals(1), ToyProblem.noPriors(1)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("at least one kick");
-    assertThatThrownBy(
-            () -> ToyProblem.problem(kicks(2, 1), globals(3), ToyProblem.noPriors(2)))
+    assertThatThrownBy(() -> ToyProblem.problem(kicks(2, 1), globals(3), ToyProblem.noPriors(2)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("3 global parameters, but 2 priors");
     assertThatThrownBy(() -> new RandomEffect(0, 1, 2, 3))
