@@ -197,8 +197,7 @@ public final class JointFitter {
       for (int k = 0; k < contrasts.size(); k++) {
         for (String axis : new String[] {"x", "y"}) {
           String name = "contrast " + axis + " " + (k + 1) + " of the cameras' offsets";
-          Parameter p =
-              new Parameter(name, "m", 0, OFFSET_SCALE, -1, 1, true, "starts at none");
+          Parameter p = new Parameter(name, "m", 0, OFFSET_SCALE, -1, 1, true, "starts at none");
           all.add(problem.offsets() ? p : p.fixed());
         }
       }
@@ -211,7 +210,9 @@ public final class JointFitter {
         Parameter p = globals.get(k);
         double deviation = EXPECTED * p.scale();
         priors.add(
-            k < FlightTerm.OFFSETS ? new Prior(p.value(), 1 / (deviation * deviation)) : Prior.NONE);
+            k < FlightTerm.OFFSETS
+                ? new Prior(p.value(), 1 / (deviation * deviation))
+                : Prior.NONE);
       }
       return priors;
     }
@@ -242,8 +243,7 @@ public final class JointFitter {
               .toList();
       SharedModel<double[]> model = this::state;
       SharedSolution<double[]> solution =
-          solver.solve(
-              new SharedProblem<>(model, kicks, starts, at, priors(), randoms, weights));
+          solver.solve(new SharedProblem<>(model, kicks, starts, at, priors(), randoms, weights));
       iterations += solution.iterations();
       return solution;
     }
@@ -275,8 +275,7 @@ public final class JointFitter {
       List<FlightTerm> before = kicks(solution);
       double[] state = solution.state();
       return IntStream.range(0, before.size())
-          .mapToObj(
-              k -> before.get(k).screened(solution.own(k), state, settings.outlierDistance()))
+          .mapToObj(k -> before.get(k).screened(solution.own(k), state, settings.outlierDistance()))
           .toList();
     }
 
@@ -360,8 +359,7 @@ public final class JointFitter {
       return list;
     }
 
-    private Map<Integer, JointFit.Offset> offsets(
-        double[] state, Optional<double[][]> covariance) {
+    private Map<Integer, JointFit.Offset> offsets(double[] state, Optional<double[][]> covariance) {
       Map<Integer, JointFit.Offset> offsets = new LinkedHashMap<>();
       for (int c = 0; c < cameraIds.length; c++) {
         CameraView view = problem.cameras().get(cameraIds[c]);

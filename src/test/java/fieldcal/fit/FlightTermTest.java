@@ -49,8 +49,7 @@ class FlightTermTest extends KickTermContract<double[]> {
         for (int[] scattering : new int[][] {NOTHING_SCATTERS, {0, 2, 3, 5}}) {
           FlightTerm term = term(kind, seed, scattering);
           String name = kind + ", seed " + seed + ", " + scattering.length + " scatter";
-          cases.add(
-              new Case<>(name, term, term.start(), double[]::clone, globals(), TOLERANCE));
+          cases.add(new Case<>(name, term, term.start(), double[]::clone, globals(), TOLERANCE));
         }
       }
     }

@@ -149,7 +149,8 @@ final class Explanation implements SharedModel<ExpectedKick.State> {
       terms.add(term);
       starts.add(term.start());
     }
-    double[] weights = Collections.nCopies(kicks.size(), 1.0).stream().mapToDouble(d -> d).toArray();
+    double[] weights =
+        Collections.nCopies(kicks.size(), 1.0).stream().mapToDouble(d -> d).toArray();
     return new SharedProblem<>(this, terms, starts, globals, priors, List.of(), weights);
   }
 
@@ -169,10 +170,7 @@ final class Explanation implements SharedModel<ExpectedKick.State> {
       return this;
     }
     double[] better =
-        SharedSolver.withDefaults()
-            .withMaxIterations(STEPS)
-            .solve(problem(kicks, other))
-            .values();
+        SharedSolver.withDefaults().withMaxIterations(STEPS).solve(problem(kicks, other)).values();
     return new Explanation(base, observers, better, null).knowing(kicks);
   }
 

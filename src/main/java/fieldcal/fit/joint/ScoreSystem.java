@@ -57,8 +57,7 @@ public final class ScoreSystem {
    */
   public static <S> ScoreSystem at(SharedProblem<S> problem) {
     int[] free = problem.free();
-    double[] scatters =
-        problem.randoms().stream().mapToDouble(RandomEffect::scatter).toArray();
+    double[] scatters = problem.randoms().stream().mapToDouble(RandomEffect::scatter).toArray();
     Linearizer<S> linearizer =
         new Linearizer<>(
             problem, List.copyOf(problem.kicks()), problem.starts(), problem.values(), scatters);

@@ -378,7 +378,8 @@ public final class SharedSolution<S> {
     return h;
   }
 
-  private static Optional<double[][]> inverse(double[][] h, double[] scale) {
+  /** Inverse of an information matrix; empty when that is singular. */
+  static Optional<double[][]> inverse(double[][] h, double[] scale) {
     int n = scale.length;
     double[][] scaled = new double[n][n];
     for (int i = 0; i < n; i++) {

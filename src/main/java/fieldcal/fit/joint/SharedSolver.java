@@ -205,8 +205,7 @@ public final class SharedSolver {
     return a < b && (Double.isInfinite(b) || a < b - 1e-6 * Math.abs(b));
   }
 
-  private static <S> KickBlock block(
-      KickTerm<S> term, double[] own, S state, double[] residuals) {
+  private static <S> KickBlock block(KickTerm<S> term, double[] own, S state, double[] residuals) {
     double[][] ownColumns = new double[own.length][residuals.length];
     term.ownColumns(own, state, residuals, ownColumns);
     KickBlock block = new KickBlock(own.length, 0);
@@ -346,13 +345,19 @@ public final class SharedSolver {
       boolean moved = false;
       double[] means = means(values);
       double[] updated = new double[scatters.length];
+      for (KickBlock block : blocks) {
+        block.factor(0);
+      }
       for (int r = 0; r < scatters.length; r++) {
+        double meanVariance = meanVariance(r);
         double sum = 0;
         for (int k = 0; k < kicks.size(); k++) {
           int i = own.get(k).length - scatters.length + r;
-          blocks[k].factor(0);
           double d = own.get(k)[i] - means[r];
-          sum += d * d + blocks[k].ownVariance(i);
+          double left = blocks[k].ownVariance(i);
+          // A value that the kick itself determines does not follow the mean when that errs.
+          double stays = 1 - left / (scatters[r] * scatters[r]);
+          sum += d * d + left + stays * stays * meanVariance;
         }
         RandomEffect random = problem.randoms().get(r);
         double next = Math.sqrt(sum / kicks.size());
@@ -364,6 +369,33 @@ public final class SharedSolver {
         System.arraycopy(updated, 0, scatters, 0, updated.length);
       }
       return moved;
+    }
+
+    /** Variance of a random effect's mean; 0 when that is held or not determined. */
+    private double meanVariance(int random) {
+      int column = meanColumns[random];
+      if (column < 0) {
+        return 0;
+      }
+      int n = free.length;
+      double[][] h = new double[n][n];
+      double[] scale = new double[n];
+      for (KickBlock block : blocks) {
+        double[][] reduced = block.reducedMatrix();
+        for (int i = 0; i < n; i++) {
+          for (int j = 0; j < n; j++) {
+            h[i][j] += reduced[i][j];
+          }
+        }
+      }
+      for (int i = 0; i < n; i++) {
+        h[i][i] += problem.priors().get(free[i]).precision();
+        scale[i] = problem.globals().get(free[i]).scale();
+      }
+      return SharedSolution.inverse(h, scale)
+          .map(v -> v[column][column])
+          .filter(v -> v < scatters[random] * scatters[random])
+          .orElse(0.0);
     }
 
     private void descend() {

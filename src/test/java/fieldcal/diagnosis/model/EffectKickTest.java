@@ -1,7 +1,11 @@
 package fieldcal.diagnosis.model;
 
+import fieldcal.ball.BallState;
+import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
+import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
+import fieldcal.ball.FlatTrajectory;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
@@ -19,10 +23,6 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.KickEnd;
 import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
-import fieldcal.ball.BallState;
-import fieldcal.ball.BallTrajectory;
-import fieldcal.ball.ChipTrajectory;
-import fieldcal.ball.FlatTrajectory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

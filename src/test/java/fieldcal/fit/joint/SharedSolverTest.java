@@ -54,8 +54,7 @@ class SharedSolverTest {
     assertClose(s.own(4), Arrays.copyOfRange(dense.values(), 8, 10), 1e-6);
     assertThat(s.chiSquare()).isEqualTo(dense.chiSquare(), within(1e-6));
     assertThat(s.rows()).isEqualTo(9 * 12);
-    assertThat(s.reducedChiSquare())
-        .isEqualTo(dense.chiSquare() / (9 * 12 - 21), within(1e-7));
+    assertThat(s.reducedChiSquare()).isEqualTo(dense.chiSquare() / (9 * 12 - 21), within(1e-7));
     double[][] v = s.covariance().orElseThrow();
     for (int i = 0; i < 3; i++) {
       // The larger of what residuals and what the scatter between kicks say.
@@ -137,11 +136,61 @@ class SharedSolverTest {
     assertThat(sum).isEqualTo(system.slope(2), within(1e-9));
   }
 
-  /** All kicks alike, each measuring its value ten times: the maximum of the marginal likelihood is known. */
+  @Test
+  void aProblemsEquationsAreThereWithoutSolvingIt() {
+    List<ToyKick> kicks = kicks(8, 5);
+    SharedProblem<double[]> problem = ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
+    ScoreSystem system = ScoreSystem.at(problem);
+    assertThat(system.base()).isEqualTo(3);
+    // One Newton step from anywhere is the answer, and what is left then is its cost.
+    SharedSolution<double[]> s = SOLVER.solve(problem);
+    double left = 0;
+    for (int k = 0; k < 8; k++) {
+      left += system.cost(k);
+    }
+    for (int i = 0; i < 3; i++) {
+      double slope = 0;
+      for (int j = 0; j < 3; j++) {
+        slope += system.curvature(i, j) * s.values()[j];
+      }
+      assertThat(system.slope(i)).isEqualTo(slope, within(1e-5));
+      left -= s.values()[i] * system.slope(i);
+    }
+    assertThat(left).isEqualTo(s.cost(), within(1e-4));
+  }
+
+  /** What a column with values of each kick's own would gain is what the likelihood says, exactly in a linear problem. */
+  @Test
+  void aRandomColumnIsWorthItsLikelihood() {
+    List<ToyKick> kicks = kicks(8, 11);
+    SharedSolution<double[]> s = solve(kicks);
+    double[] stepped = s.values();
+    stepped[0] += 0.1;
+    double[] weights = new double[8];
+    Arrays.fill(weights, 1);
+    ScoreSystem system = s.scores(List.of(stepped), new double[] {0.1}, weights);
+    double scatter = 0.4;
+    double gain = 0;
+    for (int k = 0; k < 8; k++) {
+      double c = system.curvature(k, 3, 3);
+      double v = c * c * scatter * scatter + c;
+      double g = system.slope(k, 3);
+      gain += g * g / c - g * g / v - Math.log(v / c);
+    }
+    assertThat(system.randomGain(3, scatter)).isEqualTo(gain, within(1e-9));
+    ScoreSystem random = system.withRandom(3, scatter);
+    for (int k = 0; k < 8; k++) {
+      double share = 1 / (1 + system.curvature(k, 3, 3) * scatter * scatter);
+      assertThat(random.slope(k, 3)).isEqualTo(share * system.slope(k, 3), within(1e-9));
+      assertThat(random.cost(k)).isLessThan(system.cost(k));
+    }
+  }
+
+  /** All kicks alike, each measuring its value ten times: the maximum of the restricted likelihood is known. */
   @Test
   void theScatterIsTheMostLikelyOne() {
     SplittableRandom random = new SplittableRandom(6);
-    int n = 40;
+    int n = 8;
     int rows = 10;
     double[] means = new double[n];
     List<ToyKick> kicks = new ArrayList<>();
@@ -161,7 +210,7 @@ class SharedSolverTest {
       starts.add(new double[1]);
     }
     double mean = Arrays.stream(means).average().orElseThrow();
-    double variance = Arrays.stream(means).map(m -> (m - mean) * (m - mean)).sum() / n;
+    double variance = Arrays.stream(means).map(m -> (m - mean) * (m - mean)).sum() / (n - 1);
     SharedSolution<double[]> s =
         SOLVER.solve(
             new SharedProblem<>(
@@ -196,8 +245,7 @@ class SharedSolverTest {
       int start = kicks.size() % 3 == 0 ? 4 : kicks.size() % 3;
       kicks.add(new ToyKick(y, kick.a, kick.b).withShift(start));
     }
-    SharedProblem<double[]> problem =
-        ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
+    SharedProblem<double[]> problem = ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
     SharedSolution<double[]> s = SOLVER.settlingVariants().solve(problem);
     assertThat(s.kicks()).allSatisfy(k -> assertThat(((ToyKick) k).shift()).isEqualTo(2));
     assertThat(SOLVER.solve(problem).kicks()).isEqualTo(problem.kicks());
@@ -242,12 +290,10 @@ class SharedSolverTest {
 
   @Test
   void wrongProblemsAreRefused() {
-    assertThatThrownBy(
-            () -> ToyProblem.problem(List.of(), globals(1), ToyProblem.noPriors(1)))
+    assertThatThrownBy(() -> ToyProblem.problem(List.of(), globals(1), ToyProblem.noPriors(1)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("at least one kick");
-    assertThatThrownBy(
-            () -> ToyProblem.problem(kicks(2, 1), globals(3), ToyProblem.noPriors(2)))
+    assertThatThrownBy(() -> ToyProblem.problem(kicks(2, 1), globals(3), ToyProblem.noPriors(2)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("3 global parameters, but 2 priors");
     assertThatThrownBy(() -> new RandomEffect(0, 1, 2, 3))

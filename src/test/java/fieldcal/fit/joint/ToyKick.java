@@ -82,9 +82,7 @@ final class ToyKick implements KickTerm<double[]> {
 
   @Override
   public List<KickTerm<double[]>> neighbours() {
-    return movable
-        ? List.of(withShift((int) shift - 1), withShift((int) shift + 1))
-        : List.of();
+    return movable ? List.of(withShift((int) shift - 1), withShift((int) shift + 1)) : List.of();
   }
 
   @Override

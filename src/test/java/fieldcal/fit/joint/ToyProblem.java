@@ -55,8 +55,7 @@ final class ToyProblem {
     kicks.forEach(k -> starts.add(new double[k.ownSize()]));
     double[] weights = new double[kicks.size()];
     Arrays.fill(weights, 1);
-    return new SharedProblem<>(
-        double[]::clone, kicks, starts, globals, priors, List.of(), weights);
+    return new SharedProblem<>(double[]::clone, kicks, starts, globals, priors, List.of(), weights);
   }
 
   static List<Prior> noPriors(int n) {
