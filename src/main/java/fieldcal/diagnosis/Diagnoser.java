@@ -69,6 +69,9 @@ public final class Diagnoser {
   /** A simpler model is taken unless a larger one predicts held-out kicks better by that share: a tenth of the noise's excess that matters. */
   private static final double CLEARLY_BETTER = 0.01;
 
+  /** A component that explains less than that share of what the largest explains does not decide about others. */
+  private static final double LITTLE = 0.05;
+
   private static final int FIT_ITERATIONS = 25;
 
   private final List<? extends Effect> catalogue;
@@ -299,7 +302,7 @@ public final class Diagnoser {
             new CauseSearch(fitter, new Dictionary(effects, arena), most, solver);
         FittedModel found = search.search(start, revises);
         trace.addAll(search.trace());
-        return found;
+        return evenly(found);
       }
       List<KickRecord> some = new ArrayList<>();
       for (int i = 0; i < SEARCHED_KICKS; i++) {
@@ -320,6 +323,13 @@ public final class Diagnoser {
       return fitter.fit(model, start, false, solver);
     }
 
+    /** The search gave kicks that it did not explain less weight; decisions give all the same. */
+    private FittedModel evenly(FittedModel found) {
+      EffectModel model =
+          found.model().startingAt(found.solution().values(), found.solution().scatters());
+      return fitter.fit(model, found, false, solver);
+    }
+
     /** What was decided: the model to predict with, and the judgements of what is in it. */
     private record Answer(
         FittedModel extended, List<Judgement> judged, List<Cause> kickers, HoldOut held, HoldOut heldBase) {}
@@ -334,36 +344,10 @@ public final class Diagnoser {
       List<Judgement> judged = List.of();
       HoldOut held = heldBase;
       if (!found.model().components().isEmpty()) {
-        // The search gave kicks that it did not explain less weight; decisions give all the same.
-        FittedModel at =
-            fitter.fit(
-                found.model().startingAt(found.solution().values(), found.solution().scatters()),
-                found,
-                false,
-                solver);
-        HoldOut heldAt = HoldOut.of(at, true, seed);
-        // Without what is dropped the others may change: once more, until nothing is dropped.
-        for (int round = 0; round < found.model().components().size(); round++) {
-          judged = decision.judge(at, heldAt);
-          if (System.getenv("DBG") != null) judged.forEach(j -> System.out.println("        J " + j));
-          List<Component> kept = new ArrayList<>();
-          for (Judgement j : judged) {
-            boolean law = !j.component().template().starts().isEmpty();
-            if (j.outcome() == Outcome.NAMED || law && j.outcome() == Outcome.FORM) {
-              kept.add(j.component().startingAt(j.effect()));
-            }
-          }
-          if (kept.size() == judged.size()) {
-            break;
-          }
-          EffectModel start =
-              at.model().startingAt(at.solution().values(), new double[0]).with(kept);
-          at = fitter.fit(start, at, false, solver);
-          heldAt = HoldOut.of(at, true, seed);
-          judged = List.of();
-        }
-        named = at;
-        held = heldAt;
+        Weighed weighed = weigh(decision, found);
+        named = weighed.model;
+        judged = weighed.judged;
+        held = weighed.held;
       }
       if (Leftover.of(named).isSignificant()) {
         progress.accept("describing what has no name");
@@ -375,15 +359,15 @@ public final class Diagnoser {
                 () ->
                     search(
                         start,
-                        LearnedLibrary.of(arena),
+                        learnedAndLaws(),
                         start.model().components().size() + MOST_LEARNED,
                         false));
         if (learned.model().components().size() > named.model().components().size()) {
-          HoldOut heldLearned = HoldOut.of(learned, true, seed);
-          if (heldLearned.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()) {
-            named = learned;
-            held = heldLearned;
-            judged = decision.judge(named, held);
+          Weighed weighed = weigh(decision, learned);
+          if (weighed.held.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()) {
+            named = weighed.model;
+            judged = weighed.judged;
+            held = weighed.held;
           }
         }
       }
@@ -397,6 +381,55 @@ public final class Diagnoser {
               ? new KickerBias(named, problem.commands(), seed).causes(catalogue, arena)
               : List.of();
       return new Answer(named, judged, kickers, held, heldBase);
+    }
+
+    /** The library of smooth terms, and the laws: with what was hidden before in the model, one may be right after all. */
+    private List<Effect> learnedAndLaws() {
+      List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
+      catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
+      return all;
+    }
+
+    /** A model all of whose components stand up to the decision. */
+    private record Weighed(FittedModel model, List<Judgement> judged, HoldOut held) {}
+
+    /** Drops what does not stand up, the weakest first: without it the others may. A law goes last, since others may have taken its place. */
+    private Weighed weigh(Decision decision, FittedModel found) {
+      FittedModel at = found;
+      while (true) {
+        HoldOut held = HoldOut.of(at, true, problem.seed());
+        List<Judgement> judged = decision.judge(at, held);
+        if (System.getenv("DBG") != null) judged.forEach(j -> System.out.println("        J " + j)); //XXX
+        List<Judgement> failed = judged.stream().filter(j -> !stays(j)).toList();
+        List<Judgement> others = failed.stream().filter(j -> !isLaw(j.component())).toList();
+        List<Judgement> leaving = others.isEmpty() ? failed : others;
+        if (leaving.isEmpty()) {
+          return new Weighed(at, judged, held);
+        }
+        double weakest = leaving.stream().mapToDouble(Judgement::evidence).min().orElse(0);
+        double largest = judged.stream().mapToDouble(Judgement::evidence).max().orElse(0);
+        List<Component> kept = new ArrayList<>();
+        for (Judgement j : judged) {
+          // What is little beside the largest changes nothing for the others, and goes at once.
+          boolean goes =
+              leaving.contains(j) && j.evidence() <= Math.max(weakest, LITTLE * largest);
+          if (!goes) {
+            kept.add(j.component().startingAt(j.effect()));
+          }
+        }
+        EffectModel start =
+            at.model().startingAt(at.solution().values(), new double[0]).with(kept);
+        at = fitter.fit(start, at, false, solver);
+      }
+    }
+
+    private static boolean isLaw(Component c) {
+      return !c.template().starts().isEmpty();
+    }
+
+    /** A cause stays, and so does the form of another that has no cause: a law, or a curve that pays on held-out kicks. */
+    private static boolean stays(Judgement j) {
+      return j.outcome() == Outcome.NAMED || isLaw(j.component()) && j.outcome() == Outcome.FORM;
     }
 
     private Diagnosis result(Answer a) {

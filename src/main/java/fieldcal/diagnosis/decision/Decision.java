@@ -7,6 +7,7 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
@@ -54,6 +55,8 @@ public final class Decision {
     List<FittedModel> without = new ArrayList<>();
     double[] evidence = new double[n];
     double noise = Math.max(1, model.solution().reducedChiSquare());
+    Leftover left = Leftover.of(model);
+    double excess = left.isSignificant() ? left.systematic() * model.solution().rows() / noise : 0;
     for (int i = 0; i < n; i++) {
       FittedModel w = without(model, i);
       without.add(w);
@@ -61,7 +64,7 @@ public final class Decision {
     }
     List<Judgement> all = new ArrayList<>();
     for (int i = 0; i < n; i++) {
-      all.add(judge(model, i, without.get(i), evidence, held));
+      all.add(judge(model, i, without.get(i), evidence, excess, held));
     }
     return all;
   }
@@ -86,19 +89,25 @@ public final class Decision {
   }
 
   private Judgement judge(
-      FittedModel model, int i, FittedModel without, double[] evidence, HoldOut held) {
+      FittedModel model,
+      int i,
+      FittedModel without,
+      double[] evidence,
+      double excess,
+      HoldOut held) {
     Component c = model.model().components().get(i);
     HoldOut heldWithout = HoldOut.of(without, false, seed);
     double[] gain = held.gainOn(heldWithout, seed);
     Optional<Map<String, Double>> errors = model.errors(i);
-    double largest = 0;
+    // What is left may be another form of anything.
+    double largest = excess;
     boolean law = !c.template().starts().isEmpty();
     for (int j = 0; j < evidence.length; j++) {
       // A law is the form of everything that it takes part in; other causes only of their kind.
       boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
       largest = compared ? Math.max(largest, evidence[j]) : largest;
     }
-    Outcome outcome = outcome(model, i, without, evidence[i], largest, gain, heldWithout, held);
+    Outcome outcome = outcome(model, i, without, evidence[i], largest, excess, gain);
     List<String> ties =
         outcome == Outcome.NAMED
             ? alternatives.equalTo(
@@ -125,9 +134,8 @@ public final class Decision {
       FittedModel without,
       double evidence,
       double largest,
-      double[] gain,
-      HoldOut heldWithout,
-      HoldOut held) {
+      double excess,
+      double[] gain) {
     Component c = model.model().components().get(i);
     int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
     double chance = settings.falseAlarms() / settings.tried();
@@ -136,6 +144,10 @@ public final class Decision {
       return Outcome.CHANCE;
     }
     if (!c.isPerKick() && c.template().starts().isEmpty() && isUneven(model, i, size, chance)) {
+      return Outcome.UNSTEADY;
+    }
+    if (c.isPerKick() && evidence < excess) {
+      // A value for each kick takes up something of whatever is left.
       return Outcome.UNSTEADY;
     }
     if (isOneKicks(model, without)) {

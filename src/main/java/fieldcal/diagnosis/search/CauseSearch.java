@@ -45,6 +45,9 @@ public final class CauseSearch {
   /** Share of the kicks that must be explained. */
   private static final double MOST_KICKS = 0.85;
 
+  /** Odds of a hundred to one, in units of chi-square, that a law of physics holds rather than that all kicks have the same fault. */
+  private static final double LAW_PREFERRED = 9;
+
   /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
   private static final double LITTLE = 0.2;
 
@@ -56,6 +59,9 @@ public final class CauseSearch {
 
   /** How many others may come for one that is taken out: a shadow may hide two causes. */
   private static final int EXCHANGED = 2;
+
+  /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
+  private static final double WORTH = 0.003;
 
   /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
   private static final double REALISED = 0.1;
@@ -114,6 +120,8 @@ public final class CauseSearch {
     }
     if (revises) {
       simplify();
+    } else {
+      lawForOther();
     }
     return best;
   }
@@ -212,7 +220,7 @@ public final class CauseSearch {
         for (Effect start : law.starts()) {
           Component c = Component.of(start, start.magnitudes());
           FittedModel next = fitted(added(rest, List.of(c)));
-          double gain = weightedGain(best, next) + penalty(List.of(out));
+          double gain = weightedGain(best, next) + penalty(List.of(out)) + LAW_PREFERRED;
           if (gain > 0) {
             trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
             best = next;
@@ -246,9 +254,9 @@ public final class CauseSearch {
       rest.removeAll(removed);
       Proposal top = null;
       double most = kept - FIRST_ORDER * Math.abs(kept);
-      int size = removed.stream().mapToInt(Component::size).sum();
+      double cost = penalty(removed);
       for (Proposal p : proposals) {
-        boolean fits = !clashes(p, rest) && p.size() < size;
+        boolean fits = !clashes(p, rest) && penalty(p.components()) < cost;
         double net = fits ? sweep.gain(scorer.columns(p)) - penalty(p.components()) : 0;
         if (fits && net > most) {
           most = net;
@@ -323,11 +331,12 @@ public final class CauseSearch {
     List<Component> chosen = new ArrayList<>();
     List<Proposal> from = new ArrayList<>();
     double first = 0;
+    double worth = WORTH * best.solution().rows();
     double expected = 0;
     while (from.size() < atOnce
         && model.components().size() + chosen.size() < maxComponents) {
       Proposal top = null;
-      double topNet = Math.max(0, TOGETHER * first);
+      double topNet = Math.max(worth, TOGETHER * first);
       double topGain = 0;
       for (Proposal p : proposals) {
         if (clashes(p, chosen) || banned != null && clashes(p, List.of(banned))) {

@@ -34,6 +34,9 @@ public final class SharedSolution<S> {
     SINGULAR
   }
 
+  /** Relative damping of the step to the solution without some kicks: along directions that hardly any kick determines it would lead beyond where the equations hold. */
+  private static final double NEWTON_DAMPING = 0.01;
+
   private final SharedProblem<S> problem;
   private final List<KickTerm<S>> kicks;
   private final List<double[]> own;
@@ -468,7 +471,7 @@ public final class SharedSolution<S> {
       Prior prior = problem.priors().get(free[i]);
       g[i] -= prior.precision() * (values[free[i]] - prior.mean());
     }
-    double[] step = SharedSolver.solveScaled(information(without), g, scales(), 0);
+    double[] step = SharedSolver.solveScaled(information(without), g, scales(), NEWTON_DAMPING);
     double[] moved = values.clone();
     for (int i = 0; step != null && i < n; i++) {
       moved[free[i]] = problem.globals().get(free[i]).clamp(values[free[i]] + step[i]);
