@@ -72,6 +72,9 @@ public final class Diagnoser {
   /** A component that explains less than that share of what the largest explains does not decide about others. */
   private static final double LITTLE = 0.05;
 
+  /** Change of a cause's size by which a learned term beside it has taken its place, as a share. */
+  private static final double SUPPLANTED = 0.5;
+
   private static final int FIT_ITERATIONS = 25;
 
   private final List<? extends Effect> catalogue;
@@ -363,7 +366,7 @@ public final class Diagnoser {
                         start.model().components().size() + MOST_LEARNED,
                         false));
         if (learned.model().components().size() > named.model().components().size()) {
-          Weighed weighed = weigh(decision, learned);
+          Weighed weighed = weigh(decision, withoutSupplanted(named, learned));
           if (weighed.held.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()) {
             named = weighed.model;
             judged = weighed.judged;
@@ -383,6 +386,44 @@ public final class Diagnoser {
       return new Answer(named, judged, kickers, held, heldBase);
     }
 
+    /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
+    private FittedModel withoutSupplanted(FittedModel before, FittedModel after) {
+      double[] then = before.solution().values();
+      double[] now = after.solution().values();
+      List<Component> kept = new ArrayList<>();
+      List<Component> had = before.model().components();
+      List<Component> have = after.model().components();
+      List<Effect> effects = after.effects();
+      for (int i = 0; i < have.size(); i++) {
+        Component c = have.get(i);
+        boolean stays = c.isPerKick() || isLaw(c);
+        boolean known = false;
+        for (int j = 0; j < had.size(); j++) {
+          if (had.get(j).isSameCause(c) && had.get(j).size() == c.size()) {
+            known = true;
+            double change = 0;
+            double size = 0;
+            for (int k = 0; k < c.magnitudeCount(); k++) {
+              double was = then[before.model().offset(j) + k];
+              double is = now[after.model().offset(i) + k];
+              change += (is - was) * (is - was);
+              size += was * was;
+            }
+            stays |= change < SUPPLANTED * SUPPLANTED * size;
+          }
+        }
+        if (stays || !known) {
+          kept.add(c.startingAt(effects.get(i)));
+        }
+      }
+      if (kept.size() == have.size()) {
+        return after;
+      }
+      EffectModel model =
+          after.model().startingAt(now, after.solution().scatters()).with(kept);
+      return fitter.fit(model, after, false, solver);
+    }
+
     /** The library of smooth terms, and the laws: with what was hidden before in the model, one may be right after all. */
     private List<Effect> learnedAndLaws() {
       List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
@@ -396,6 +437,7 @@ public final class Diagnoser {
     /** Drops what does not stand up, the weakest first: without it the others may. A law goes last, since others may have taken its place. */
     private Weighed weigh(Decision decision, FittedModel found) {
       FittedModel at = found;
+      boolean simplified = false;
       while (true) {
         HoldOut held = HoldOut.of(at, true, problem.seed());
         List<Judgement> judged = decision.judge(at, held);
@@ -404,7 +446,16 @@ public final class Diagnoser {
         List<Judgement> others = failed.stream().filter(j -> !isLaw(j.component())).toList();
         List<Judgement> leaving = others.isEmpty() ? failed : others;
         if (leaving.isEmpty()) {
-          return new Weighed(at, judged, held);
+          CauseSearch search =
+              new CauseSearch(fitter, new Dictionary(catalogue, arena), problem.maxCauses(), solver);
+          FittedModel simpler = simplified ? at : search.simplified(at);
+          simplified = true;
+          if (simpler == at) {
+            return new Weighed(at, judged, held);
+          }
+          trace.addAll(search.trace());
+          at = evenly(simpler);
+          continue;
         }
         double weakest = leaving.stream().mapToDouble(Judgement::evidence).min().orElse(0);
         double largest = judged.stream().mapToDouble(Judgement::evidence).max().orElse(0);

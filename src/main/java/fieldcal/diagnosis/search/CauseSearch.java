@@ -55,7 +55,10 @@ public final class CauseSearch {
   private static final double FIRST_ORDER = 0.02;
 
   /** Rounds of revision; each is as long as a search. */
-  private static final int MOST_REVISIONS = 2;
+  private static final int MOST_REVISIONS = 1;
+
+  /** Joint refits after which early choices are not questioned any more: a recording whose physics the dictionary does not have would keep the search busy. */
+  private static final int MOST_FITS = 60;
 
   /** How many others may come for one that is taken out: a shadow may hide two causes. */
   private static final int EXCHANGED = 2;
@@ -75,7 +78,7 @@ public final class CauseSearch {
   private final SharedSolver solver;
   private final List<SearchStep> trace = new ArrayList<>();
   private final Set<String> rejected = new HashSet<>();
-  private int mostAtOnce = MOST_AT_ONCE;
+  private int fits;
   private Component banned;
   private FittedModel best;
 
@@ -114,15 +117,27 @@ public final class CauseSearch {
   public FittedModel search(FittedModel start, boolean revises) {
     best = start;
     addLaws();
-    grow(mostAtOnce);
+    grow(MOST_AT_ONCE);
     for (int i = 0; revises && i < MOST_REVISIONS && !isExplained(best) && revise(); i++) {
-      grow(mostAtOnce);
+      grow(MOST_AT_ONCE);
     }
     if (revises) {
       simplify();
     } else {
       lawForOther();
     }
+    return best;
+  }
+
+  /**
+   * Only lets simpler components stand for others, and laws for what they explain.
+   *
+   * @param model the model to begin with
+   * @return the model, or a simpler one that explains as much
+   */
+  public FittedModel simplified(FittedModel model) {
+    best = model;
+    simplify();
     return best;
   }
 
@@ -156,6 +171,9 @@ public final class CauseSearch {
     String what = "";
     Set<String> tabu = Set.copyOf(rejected);
     for (Component out : before.model().components()) {
+      if (fits > MOST_FITS) {
+        break;
+      }
       best = before;
       rejected.clear();
       List<Component> without = new ArrayList<>(before.model().components());
@@ -441,6 +459,7 @@ public final class CauseSearch {
   }
 
   private FittedModel fitted(List<Component> components) {
+    fits++;
     double[] none = new double[0];
     EffectModel start =
         best.model().startingAt(best.solution().values(), none).with(started(components));
