@@ -11,9 +11,11 @@ import fieldcal.effect.KickerEffect;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffect;
+import fieldcal.effect.MotionEffect.ImpactLaw;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import fieldcal.effect.MotionEffects;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
@@ -103,7 +105,7 @@ final class Explanation {
     this.base = base;
     this.observers = observers;
     for (Effect effect : base.effects()) {
-      if (!(effect instanceof KickerEffect)) {
+      if (!(effect instanceof KickerEffect) && !isForm(effect)) {
         List<Effect> to = effect instanceof SpinAtKick ? ofEachKick : shared;
         effect.probes().stream().filter(probe -> moves(effect, probe)).forEach(to::add);
       }
@@ -131,6 +133,11 @@ final class Explanation {
             model.effects(),
             model.sessionStart());
     return new Explanation(whole, observers, null, null);
+  }
+
+  /** A learned curve or a law of impacts is the form of the model: it holds as it is. */
+  private static boolean isForm(Effect effect) {
+    return effect instanceof LearnedTerm || effect instanceof ImpactLaw;
   }
 
   /** Only magnitudes that the explanation uses may move. */

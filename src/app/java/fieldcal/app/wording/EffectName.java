@@ -8,6 +8,7 @@ import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
@@ -16,12 +17,16 @@ public final class EffectName {
   private EffectName() {}
 
   /**
-   * The name of a sort of effect.
+   * The name of a sort of effect, or of one camera's.
    *
-   * @param id as in files
+   * @param id as in files; also with a camera, for example "camera_offset of camera 1"
    * @return a few words in lower case; of an unknown id, the id with blanks
    */
   public static String of(String id) {
+    Optional<Rival> ofCamera = Rival.ofCamera(id);
+    if (ofCamera.isPresent()) {
+      return of(ofCamera.get().id()) + ", camera " + ofCamera.get().camera();
+    }
     return EffectWords.of(id).map(EffectWords::name).orElseGet(() -> id.replace('_', ' '));
   }
 

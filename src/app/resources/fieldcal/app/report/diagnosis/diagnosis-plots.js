@@ -228,6 +228,50 @@ const DiagnosisPlots = (() => {
 
   const mapFactor = map => magnification([...map.beforeX, ...map.beforeY]);
 
+  // ---- what was learned ----
+
+  const named = (curve, i) => curve.axes[i] + (curve.axisUnits[i] ? ' [' + curve.axisUnits[i] + ']' : '');
+  const digits = values => { const size = Math.max(...values.map(Math.abs)); return size > 0 ? Math.max(0, Math.min(5, 2 - Math.floor(Math.log10(size)))) : 2; };
+
+  /** A learned curve with its band of two standard errors. */
+  function curve(theme, curve) {
+    const option = base(theme, named(curve, 0), curve.unit || 'change');
+    const rows = curve.x.map((x, i) => ({x, v: curve.value[i], e: known(curve.error[i]) ? 2 * curve.error[i] : 0}));
+    const decimals = digits(curve.value);
+    option.xAxis.min = rows[0].x;
+    option.xAxis.max = rows[rows.length - 1].x;
+    const high = Math.max(...rows.map(row => row.v + row.e), 0), low = Math.min(...rows.map(row => row.v - row.e), 0);
+    const room = 0.08 * (high - low || 1);
+    Object.assign(option.yAxis, {min: low - room, max: high + room});
+    option.yAxis.axisLabel.showMinLabel = option.yAxis.axisLabel.showMaxLabel = false;
+    const outline = [...rows.map(row => [row.x, row.v + row.e]), ...[...rows].reverse().map(row => [row.x, row.v - row.e])];
+    option.series.push(zero(theme),
+      {type: 'custom', silent: true, z: 2, data: [0], renderItem: (params, api) => ({type: 'polygon', shape: {points: outline.map(corner => api.coord(corner))}, style: {fill: theme.accent, opacity: 0.25}})},
+      {type: 'line', data: rows.map(row => ({value: [row.x, row.v], row})), symbol: 'circle', symbolSize: rows.length > 12 ? 5 : 8, showAllSymbol: true, z: 4, lineStyle: {color: theme.accent, width: 2.5}, itemStyle: {color: theme.accent}});
+    option.tooltip.formatter = ({data}) => data && data.row ? tip(curve.axes[0] + ' ' + number(data.row.x, 2) + ' ' + curve.axisUnits[0], signed(data.row.v, decimals) + ' ' + curve.unit, '± ' + number(data.row.e / 2, decimals) + ' (standard error)') : '';
+    return option;
+  }
+
+  /** A table over two numbers as a heat map; what is within two standard errors of nothing is drawn small. */
+  function table(theme, curve) {
+    const option = base(theme, named(curve, 0), named(curve, 1));
+    const xs = [...new Set(curve.x)].sort((a, b) => a - b), ys = [...new Set(curve.y)].sort((a, b) => a - b);
+    const decimals = digits(curve.value);
+    const size = Math.max(...curve.value.map(Math.abs)) || 1;
+    const labels = values => values.map(value => number(value, 1));
+    Object.assign(option.xAxis, axis(theme, named(curve, 0), {type: 'category', data: labels(xs), splitLine: {show: false}, axisLabel: {color: theme.text, fontSize: 12, hideOverlap: true}}));
+    Object.assign(option.yAxis, axis(theme, named(curve, 1), {type: 'category', data: labels(ys), nameGap: 46, splitLine: {show: false}, axisLabel: {color: theme.text, fontSize: 12, hideOverlap: true}}));
+    option.grid.right = 84;
+    option.visualMap = {min: -size, max: size, calculable: false, orient: 'vertical', right: 0, top: 'middle', itemHeight: 120, precision: decimals, textStyle: {color: theme.text, fontSize: 12}, inRange: {color: [theme.accent, theme.panel, theme.warn]}, formatter: value => signed(value, decimals)};
+    option.series.push({
+      type: 'heatmap', itemStyle: {borderColor: theme.line, borderWidth: 1},
+      label: {show: xs.length * ys.length <= 100, color: theme.text, fontSize: 11, formatter: ({data}) => Math.abs(data.v) > 2 * data.e ? signed(data.v, Math.max(0, decimals - 1)) : ''},
+      data: curve.value.map((v, i) => ({value: [xs.indexOf(curve.x[i]), ys.indexOf(curve.y[i]), v], v, e: known(curve.error[i]) ? curve.error[i] : 0, i})),
+    });
+    option.tooltip.formatter = ({data}) => data ? tip(named(curve, 0) + ' ' + number(curve.x[data.i], 1) + ', ' + named(curve, 1) + ' ' + number(curve.y[data.i], 1), signed(data.v, decimals) + ' ' + curve.unit, '± ' + number(data.e, decimals) + ' (standard error)') : '';
+    return option;
+  }
+
   // ---- gain ----
 
   /** Prediction error by horizon as bars. */
@@ -253,5 +297,5 @@ const DiagnosisPlots = (() => {
     return option;
   }
 
-  return {profile, kickByKick, path, residual, map, mapFactor, magnification, deviations, horizons};
+  return {curve, table, profile, kickByKick, path, residual, map, mapFactor, magnification, deviations, horizons};
 })();
