@@ -27,7 +27,6 @@ import java.util.stream.Collectors;
 final class DiagnosisText {
   private static final int WIDTH = 98;
   private static final int MOST_PROBLEMS = 3;
-  private static final int FEW_KICKS = 10;
 
   /** Of more causes only what is wrong is said; what it does and what to do about it is in the report. */
   private static final int MOST_IN_FULL = 3;
@@ -44,7 +43,7 @@ final class DiagnosisText {
     wrapped("", "", verdict.first());
     if (diagnosis.verdict() == Verdict.MODEL_ADEQUATE) {
       line("%s", quality(diagnosis));
-      if (diagnosis.kicks().size() < FEW_KICKS) {
+      if (VerdictText.hasFewKicks(diagnosis)) {
         wrapped("", "", "So few kicks do not show small causes: record twenty, of all speeds.");
       }
     } else {
@@ -68,8 +67,9 @@ final class DiagnosisText {
   private static String quality(Diagnosis d) {
     return String.format(
         Locale.ROOT,
-        "%d kicks fit to %s mm; the cameras' noise is %s mm.",
+        "%d %s to %s mm; the cameras' noise is %s mm.",
         d.kicks().size(),
+        d.kicks().size() == 1 ? "kick fits" : "kicks fit",
         mm(d.base().rmsMm()),
         mm(d.base().noiseMm()));
   }
@@ -108,7 +108,8 @@ final class DiagnosisText {
     }
     CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
     line("");
-    line("What has no name:");
+    boolean laws = diagnosis.learned().stream().allMatch(f -> f.curves().isEmpty());
+    line(laws ? "Another form of the model:" : "What has no name:");
     for (LearnedFinding finding : diagnosis.learned()) {
       CauseText text = words.of(finding);
       wrapped("-  ", "   ", text.what() + " " + gainSentence(finding.gain()));

@@ -35,6 +35,9 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
 
   private static final int MOST_VARIABLES = 3;
 
+  /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
+  private static final int FEW_KICKS = 10;
+
   /** Copies the list. {@inheritDoc} */
   public VerdictText {
     lines = List.copyOf(lines);
@@ -149,7 +152,19 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
             "%d sorts of causes were tried, and none of them predicts kicks that it has not seen"
                 + " any better.",
             sorts(d)));
-    return "The model is right: nothing to correct.";
+    return hasFewKicks(d)
+        ? "These few kicks show nothing wrong with the model."
+        : "The model is right: nothing to correct.";
+  }
+
+  /**
+   * Whether small causes do not show in so few kicks.
+   *
+   * @param d the diagnosis
+   * @return true for fewer than ten
+   */
+  public static boolean hasFewKicks(Diagnosis d) {
+    return d.kicks().size() < FEW_KICKS;
   }
 
   private static String explained(Diagnosis d, List<String> lines) {

@@ -34,13 +34,19 @@ class VerdictTextTest {
 
   @Test
   void adequateIsCalm() {
-    VerdictText text = VerdictText.of(SampleDiagnosis.adequate(4));
+    VerdictText text = VerdictText.of(SampleDiagnosis.adequate(12));
     assertThat(text.first())
         .isEqualTo(
             "Passes are predicted 13 mm wrong after 1 s. The model is right: nothing to correct.");
     assertThat(text.lines().get(0)).contains("are 1.5 mm; their noise alone makes 1.5 mm");
     assertThat(text.lines().get(1))
         .startsWith(EffectCatalogue.all().size() + " sorts of causes were tried");
+  }
+
+  @Test
+  void aFewKicksDoNotProveAModelRight() {
+    assertThat(VerdictText.of(SampleDiagnosis.adequate(1)).verdict())
+        .isEqualTo("These few kicks show nothing wrong with the model.");
   }
 
   @Test

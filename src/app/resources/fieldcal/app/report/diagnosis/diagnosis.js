@@ -58,7 +58,7 @@
         el('p', {}, el('span', {class: 'label'}, 'Strength '), el('b', {}, cause.strength)),
         fact('Gain, held-out kicks', gainWords(cause)),
         fact('95 % bounds', bounds(cause)),
-        fact('Certainty', cause.certainty)));
+        el('p', {}, el('span', {class: 'label'}, 'Certainty '), el('b', {}, cause.certainty))));
   }
 
   function showCauses() {
@@ -71,15 +71,17 @@
   function learnedItem(box, finding) {
     const item = el('article', {},
       el('p', {class: 'what'}, finding.what),
-      el('p', {class: 'formula'}, (finding.law ? 'The form of the bounce: ' : 'Formula: ') + finding.formula),
+      finding.law || finding.curves.length === 1 ? el('p', {class: 'formula'}, (finding.law ? 'Another form of the model, with ' : 'Formula: ') + finding.formula) : '',
       el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.'),
       finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
       el('div', {class: 'charts two'}));
     box.append(item);
     const pictures = item.querySelector('.charts');
     for (const curve of finding.curves) {
-      const place = figure(pictures, curve.title.charAt(0).toUpperCase() + curve.title.slice(1) + (curve.unit ? ' [' + curve.unit + ']' : ''), curve.formula);
-      draw(place, curve.axes.length > 1 ? DiagnosisPlots.table(theme, curve) : DiagnosisPlots.curve(theme, curve));
+      const formula = finding.curves.length > 1 ? curve.formula : '';
+      const title = curve.title.charAt(0).toUpperCase() + curve.title.slice(1) + (curve.unit ? ' [' + curve.unit + ']' : '');
+      if (curve.axes.length > 1) pictures.append(el('figure', {}, el('figcaption', {}, title, el('span', {}, formula)), el('div', {class: 'scroll'}, DiagnosisPlots.table(curve))));
+      else draw(figure(pictures, title, formula), DiagnosisPlots.curve(theme, curve));
     }
   }
 
@@ -90,7 +92,10 @@
     const drawn = report.learned.flatMap(finding => finding.curves);
     $('learned-legend').replaceChildren(...(drawn.length ? [
       el('span', {}, 'What the simple model lacks, as learned from the kicks, over the range that they cover'),
-      ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : [])] : []));
+      ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
+      ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of nothing')] : [])] : []));
+    const laws = report.learned.every(finding => finding.law);
+    $('learned-title').textContent = laws ? 'Another form of the model' : 'What has no name';
     report.learned.forEach(finding => learnedItem(box, finding));
   }
 
