@@ -45,12 +45,13 @@ public final class CauseWords {
    */
   public CauseText of(Cause cause) {
     CauseText text = of(cause.effect(), cause.standardErrors());
-    if (!(cause.scatter() > 0)) {
-      return text;
-    }
-    String scatter =
-        text("%s; differs from kick to kick by ± %s", text.strength(), Amount.of(cause.scatter()));
-    return new CauseText(text.name(), text.what(), text.consequence(), text.advice(), scatter);
+    String strength =
+        cause.scatter() > 0
+            ? text(
+                "%s; differs from kick to kick by ± %s",
+                text.strength(), Amount.of(cause.scatter()))
+            : text.strength();
+    return new CauseText(EffectName.of(cause), text.what(), text.consequence(), text.advice(), strength);
   }
 
   /**

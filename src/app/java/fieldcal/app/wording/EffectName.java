@@ -1,6 +1,7 @@
 package fieldcal.app.wording;
 
 import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.Cause;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.learned.LearnedTerm;
@@ -63,6 +64,25 @@ public final class EffectName {
       return name + " " + FieldWords.line(effect.value("normal"), effect.value("distance"));
     }
     return name;
+  }
+
+  /**
+   * The name of a cause: where the sign of spin is within its errors, neither topspin nor backspin.
+   *
+   * @param cause of a diagnosis
+   * @return as {@link #of(Effect)}
+   */
+  public static String of(Cause cause) {
+    return hasUnsureSign(cause.effect(), cause.standardErrors())
+        ? of(cause.effect().id())
+        : of(cause.effect());
+  }
+
+  /** Whether spin from the kicker may be topspin or backspin, so far as its two standard errors tell. */
+  static boolean hasUnsureSign(Effect effect, Map<String, Double> standardErrors) {
+    return effect.id().equals("kick_spin")
+        && Math.abs(effect.value("fraction"))
+            < 2 * standardErrors.getOrDefault("fraction", Double.NaN);
   }
 
   /** Whose robot an effect is about, for example "yellow 3". */

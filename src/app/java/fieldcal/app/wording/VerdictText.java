@@ -284,8 +284,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
 
   private static String names(Diagnosis d) {
     return d.causes().stream()
-        .map(Cause::effect)
-        .map(EffectName::of)
+        .map((Cause cause) -> EffectName.of(cause))
         .collect(Collectors.joining("; "));
   }
 

@@ -284,6 +284,17 @@ class CauseWordsTest {
             List.of("air_drag", "camera_time_offset"));
     assertThat(WORDS.of(spin).strength())
         .isEqualTo("fraction −0.200 ± 0.030; differs from kick to kick by ± 0.080");
+    assertThat(WORDS.of(spin).name()).isEqualTo("backspin from the kicker");
+    Cause unsure =
+        new Cause(
+            new KickSpin(0.11),
+            Map.of("fraction", 0.12),
+            0.08,
+            12,
+            new Gain(1, 10, 0.5, 1.5),
+            List.of());
+    assertThat(WORDS.of(unsure).what()).contains("topspin with some kicks and backspin with others");
+    assertThat(WORDS.of(unsure).name()).isEqualTo("topspin/backspin from the kicker");
     assertThat(CauseWords.rivals(spin)).contains("from air drag or wrong time stamps:");
     assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
   }
