@@ -1,12 +1,12 @@
 package fieldcal.app.cli;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
 import fieldcal.app.wording.Certainty;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.StructureWords;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.diagnosis.Cause;

@@ -1,6 +1,5 @@
 package fieldcal.app.console;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
@@ -12,6 +11,7 @@ import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.diagnose.ExtendedModelFile;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.DiagnosisProblem;
@@ -147,8 +147,7 @@ final class DiagnosisDesk {
    */
   void decide(Acceptance acceptance) {
     DiagnosisNote note = notes.now().diagnosis();
-    boolean partly =
-        note != null && note.verdict().equals(Verdict.PARTLY_EXPLAINED.id());
+    boolean partly = note != null && note.verdict().equals(Verdict.PARTLY_EXPLAINED.id());
     if (note == null || note.causes().isEmpty() && !partly) {
       throw ApiException.conflict("there is no extended model: no cause was found");
     }

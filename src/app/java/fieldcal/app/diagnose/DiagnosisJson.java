@@ -147,8 +147,7 @@ final class DiagnosisJson {
     }
     Optional<LearnedCurve> main = strongest(finding.curves());
     node.put(
-        "formula",
-        main.map(c -> SimpleFormula.of(c).text()).orElse(finding.effect().sentence()));
+        "formula", main.map(c -> SimpleFormula.of(c).text()).orElse(finding.effect().sentence()));
     node.set("points", main.map(this::points).orElseGet(nodes::arrayNode));
     put(node, "holdout_gain_mm", finding.gain().mm());
     put(node, "holdout_gain_percent", finding.gain().percent());

@@ -36,8 +36,7 @@ final class CauseWatch {
 
   /** Whether there are enough kicks, and enough new ones, for another diagnosis. */
   boolean isDue(int good) {
-    boolean news =
-        good >= FEWEST_KICKS && good - lookedAt >= Math.max(1, NEWS * good);
+    boolean news = good >= FEWEST_KICKS && good - lookedAt >= Math.max(1, NEWS * good);
     return directory.isPresent() && !busy && news;
   }
 

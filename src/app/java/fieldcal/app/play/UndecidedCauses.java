@@ -1,8 +1,8 @@
 package fieldcal.app.play;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.Rival;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -74,7 +74,13 @@ final class UndecidedCauses {
               Explanation.of(instead(model, cause.effect(), rival.get()), observers)
                   .fittedTo(named, kicks);
           String words = EffectName.of(cause.effect()) + " or " + EffectName.of(rival.get());
-          pairs.add(new Pair(words, NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()), whole(model), named, other));
+          pairs.add(
+              new Pair(
+                  words,
+                  NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()),
+                  whole(model),
+                  named,
+                  other));
         }
       }
     }

@@ -51,7 +51,8 @@ public final class CauseWords {
                 "%s; differs from kick to kick by ± %s",
                 text.strength(), Amount.of(cause.scatter()))
             : text.strength();
-    return new CauseText(EffectName.of(cause), text.what(), text.consequence(), text.advice(), strength);
+    return new CauseText(
+        EffectName.of(cause), text.what(), text.consequence(), text.advice(), strength);
   }
 
   /**
@@ -98,7 +99,8 @@ public final class CauseWords {
     List<String> cameras = new ArrayList<>();
     List<String> names = new ArrayList<>();
     for (String rival : cause.indistinguishableFrom()) {
-      Optional<Rival> ofCamera = Rival.ofCamera(rival).filter(r -> ofOneCamera && r.id().equals(id));
+      Optional<Rival> ofCamera =
+          Rival.ofCamera(rival).filter(r -> ofOneCamera && r.id().equals(id));
       if (ofCamera.isPresent()) {
         cameras.add("camera " + ofCamera.get().camera());
       } else {

@@ -39,12 +39,24 @@ final class EffectWords {
               BounceWords::bounceSpinCoupling),
           bounce("contact_impacts", "bounces that build up spin", BounceWords::contactImpacts),
           camera("camera_offset", "camera offset", "is shifted", CameraWords::offset),
-          camera("camera_time_offset", "wrong time stamps", "has wrong time stamps", CameraWords::timeOffset),
+          camera(
+              "camera_time_offset",
+              "wrong time stamps",
+              "has wrong time stamps",
+              CameraWords::timeOffset),
           camera("camera_pose_error", "misplaced camera", "is misplaced", CameraWords::poseError),
           camera("camera_moved", "knocked camera", "was knocked", CameraWords::moved),
-          camera("lens_distortion_error", "wrong lens distortion", "has the wrong lens distortion", CameraWords::lensDistortion),
+          camera(
+              "lens_distortion_error",
+              "wrong lens distortion",
+              "has the wrong lens distortion",
+              CameraWords::lensDistortion),
           camera("ball_height_error", "wrong ball height in vision", CameraWords::ballHeight),
-          camera("clock_skew", "camera clock at the wrong rate", "has a clock at the wrong rate", CameraWords::clockSkew),
+          camera(
+              "clock_skew",
+              "camera clock at the wrong rate",
+              "has a clock at the wrong rate",
+              CameraWords::clockSkew),
           camera("rolling_shutter", "rolling shutter", CameraWords::rollingShutter));
 
   /** What is said of a camera whose effect has no words for that. */

@@ -114,7 +114,9 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     double after = held ? d.extended().holdoutRmsMm() : d.extended().rmsMm();
     String text =
         text(
-            held ? "The model misses kicks that it has not seen by %s mm" : "The model misses by %s mm",
+            held
+                ? "The model misses kicks that it has not seen by %s mm"
+                : "The model misses by %s mm",
             mm(before));
     return with.isEmpty() ? text + "." : text + "; " + with + "by " + mm(after) + " mm.";
   }

@@ -88,7 +88,9 @@ class DiagnoseCommandTest {
     Path out = folder.resolve("out");
     Answer answer = run("diagnose", simulated(kicks).toString(), "--out=" + out);
     assertThat(answer.exit()).as(answer.err()).isZero();
-    assertThat(answer.out()).contains("These few kicks show nothing wrong").contains("record twenty");
+    assertThat(answer.out())
+        .contains("These few kicks show nothing wrong")
+        .contains("record twenty");
     JsonNode root = new ObjectMapper().readTree(out.resolve("diagnosis.json").toFile());
     assertThat(root.get("verdict").textValue()).isEqualTo("model_adequate");
     assertThat(out.resolve("diagnosis.html")).isNotEmptyFile();
@@ -114,7 +116,9 @@ class DiagnoseCommandTest {
         ? packet
         : EditedLog.withBalls(
             packet,
-            packet.frame().orElseThrow().balls().stream().map(DiagnoseCommandTest::rounded).toList());
+            packet.frame().orElseThrow().balls().stream()
+                .map(DiagnoseCommandTest::rounded)
+                .toList());
   }
 
   private static BallDetection rounded(BallDetection b) {

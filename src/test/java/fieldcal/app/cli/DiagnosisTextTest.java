@@ -75,7 +75,8 @@ class DiagnosisTextTest {
     assertThat(line).contains("odds better than a thousand to one");
     assertThat(line).contains("What has no name: -  The carpet grips the ball");
     assertThat(line).contains("the reports of camera 1 are too far").contains("It gains 1.4 mm");
-    assertThat(line).contains("2.90 mm beyond the noise remain unexplained, depending on the height");
+    assertThat(line)
+        .contains("2.90 mm beyond the noise remain unexplained, depending on the height");
     assertThat(line).contains("Use the extended model").contains("To find the rest: record chips");
   }
 
@@ -84,7 +85,8 @@ class DiagnosisTextTest {
     Diagnosis d = SampleDiagnosis.adequate(4);
     Diagnosis failed = SampleDiagnosis.with(d, List.of(), d.base(), List.of("the search failed"));
     assertThat(String.join(" ", printed(failed, 0)))
-        .contains("A part of the diagnosis failed, so there may be more to find: the search failed.");
+        .contains(
+            "A part of the diagnosis failed, so there may be more to find: the search failed.");
   }
 
   @Test
@@ -94,10 +96,7 @@ class DiagnosisTextTest {
     for (int i = 0; i < 4; i++) {
       eight.addAll(d.causes().stream().map(DiagnosisTextTest::withoutRivals).toList());
     }
-    List<String> lines =
-        printed(
-            SampleDiagnosis.with(d, eight, d.base(), List.of()),
-            5);
+    List<String> lines = printed(SampleDiagnosis.with(d, eight, d.base(), List.of()), 5);
     assertThat(lines).anyMatch(line -> line.startsWith("8. "));
   }
 

@@ -293,7 +293,8 @@ class CauseWordsTest {
             12,
             new Gain(1, 10, 0.5, 1.5),
             List.of());
-    assertThat(WORDS.of(unsure).what()).contains("topspin with some kicks and backspin with others");
+    assertThat(WORDS.of(unsure).what())
+        .contains("topspin with some kicks and backspin with others");
     assertThat(WORDS.of(unsure).name()).isEqualTo("topspin/backspin from the kicker");
     assertThat(CauseWords.rivals(spin)).contains("from air drag or wrong time stamps:");
     assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
@@ -334,7 +335,8 @@ class CauseWordsTest {
     ReportedShifts shifts = new ReportedShifts(SampleDiagnosis.observers(), DIAGNOSIS.kicks(), 0);
     assertThat(shifts.of(new CameraMoved(12, -7, 45, 1))).isPresent();
     assertThat(shifts.of(later)).isEmpty();
-    assertThat(new ReportedShifts(SampleDiagnosis.observers(), DIAGNOSIS.kicks(), -100_000).of(later))
+    assertThat(
+            new ReportedShifts(SampleDiagnosis.observers(), DIAGNOSIS.kicks(), -100_000).of(later))
         .isPresent();
   }
 

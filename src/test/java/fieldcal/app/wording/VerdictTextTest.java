@@ -26,10 +26,10 @@ class VerdictTextTest {
             "The model is wrong, and 2 causes are found: camera offset, camera 1; air drag.");
     assertThat(text.lines())
         .containsExactly(
-            "With what was found in the model, kicks that it has never seen fit to 1.6 mm instead of"
-                + " 14.6 mm (the cameras' noise is 1.5 mm). Predictions are off by 5.1 mm instead of 21 mm"
-                + " 0.5 s ahead, 12 mm instead of 38 mm 1 s ahead, 29 mm instead of 65 mm 2 s"
-                + " ahead.");
+            "With what was found in the model, kicks that it has never seen fit to 1.6 mm instead"
+                + " of 14.6 mm (the cameras' noise is 1.5 mm). Predictions are off by 5.1 mm"
+                + " instead of 21 mm 0.5 s ahead, 12 mm instead of 38 mm 1 s ahead, 29 mm instead"
+                + " of 65 mm 2 s ahead.");
   }
 
   @Test
@@ -71,9 +71,10 @@ class VerdictTextTest {
         .startsWith("The model is wrong, and a part of it is explained: air drag. What helps")
         .contains("and has no name: braking that depends on the speed; height of bounces")
         .endsWith("The extended model also has another form: bounces that build up spin.");
-    assertThat(text.lines().get(1)).isEqualTo(
-        "Still unexplained: balls are off by 2.9 mm beyond the noise, depending on the height of the"
-            + " ball, then on the row in the image.");
+    assertThat(text.lines().get(1))
+        .isEqualTo(
+            "Still unexplained: balls are off by 2.9 mm beyond the noise, depending on the height"
+                + " of the ball, then on the row in the image.");
     assertThat(text.lines().get(2))
         .startsWith("Use the extended model")
         .contains("To find the rest: record chips of different height");
@@ -85,7 +86,8 @@ class VerdictTextTest {
     Quality base = new Quality(14.2, 1.5, 14.6, Map.of(0.5, 5.2, 1.0, 12.9));
     assertThat(headline(d, base))
         .isEqualTo(
-            "The model misses kicks that it has not seen by 14.6 mm; with what was found by 1.6 mm.");
+            "The model misses kicks that it has not seen by 14.6 mm; with what was found by 1.6"
+                + " mm.");
     Quality few = new Quality(14.2, 1.5, Double.NaN, Map.of());
     assertThat(headline(d, few))
         .isEqualTo("The model misses by 14.2 mm; with what was found by 1.5 mm.");

@@ -165,10 +165,7 @@ public record DiagnosisReport(
    * @param named whether it is one of the causes
    */
   public record CandidateRow(
-      String name,
-      String strength,
-      @Rounded(1) double scoreGain,
-      boolean named) {}
+      String name, String strength, @Rounded(1) double scoreGain, boolean named) {}
 
   /**
    * Something that helps the prediction and has no name.

@@ -1,6 +1,5 @@
 package fieldcal.app.report.diagnosis;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
@@ -17,6 +16,7 @@ import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
 import fieldcal.app.wording.Certainty;
 import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -159,8 +159,7 @@ public final class DiagnosisReportBuilder {
   private List<CandidateRow> candidates() {
     return diagnosis.candidates().stream()
         .sorted(
-            Comparator.comparing((Candidate c) -> !c.named())
-                .thenComparing(c -> -c.scoreGain()))
+            Comparator.comparing((Candidate c) -> !c.named()).thenComparing(c -> -c.scoreGain()))
         .collect(
             Collectors.toMap(
                 DiagnosisReportBuilder::sort, c -> c, (best, other) -> best, LinkedHashMap::new))

@@ -67,12 +67,7 @@ public final class SampleDiagnosis {
                 new Gain(12.1, 82.9, 11.6, 12.7),
                 List.of("camera_offset of camera 0", "ball_height_error")),
             new Cause(
-                DRAG,
-                Map.of("cd", 0.021),
-                0,
-                231.4,
-                new Gain(0.94, 37.6, 0.71, 1.2),
-                List.of())),
+                DRAG, Map.of("cd", 0.021), 0, 231.4, new Gain(0.94, 37.6, 0.71, 1.2), List.of())),
         List.of(),
         candidates(true),
         new Unexplained(false, 0.1, 0.8, List.of()),
@@ -97,8 +92,7 @@ public final class SampleDiagnosis {
         new Quality(24.2, 1.5, 25.1, Map.of(0.5, 121.3, 1.0, 502.0, 2.0, 864.9)),
         new Quality(4.1, 1.5, 4.5, Map.of(0.5, 31.0, 1.0, 88.0, 2.0, 131.0)),
         List.of(
-            new Cause(
-                DRAG, Map.of("cd", 0.021), 0, 11.4, new Gain(9.4, 37.6, 7.1, 12), List.of())),
+            new Cause(DRAG, Map.of("cd", 0.021), 0, 11.4, new Gain(9.4, 37.6, 7.1, 12), List.of())),
         learned,
         candidates(false),
         new Unexplained(
