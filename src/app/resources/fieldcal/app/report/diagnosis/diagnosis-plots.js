@@ -238,6 +238,9 @@ const DiagnosisPlots = (() => {
     const option = base(theme, named(curve, 0), curve.unit || 'change');
     const rows = curve.x.map((x, i) => ({x, v: curve.value[i], e: known(curve.error[i]) ? 2 * curve.error[i] : 0}));
     const decimals = digits(curve.value);
+    // Values of a few thousandths have long labels.
+    option.grid.left = 74;
+    option.yAxis.nameGap = 58;
     option.xAxis.min = rows[0].x;
     option.xAxis.max = rows[rows.length - 1].x;
     const high = Math.max(...rows.map(row => row.v + row.e), 0), low = Math.min(...rows.map(row => row.v - row.e), 0);
