@@ -18,8 +18,10 @@ import fieldcal.diagnosis.Unexplained;
 import fieldcal.diagnosis.Verdict;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -78,6 +80,7 @@ final class DiagnosisText {
     Diagnosis diagnosis = outcome.diagnosis();
     CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
     boolean full = diagnosis.causes().size() <= MOST_IN_FULL;
+    Set<String> said = new HashSet<>();
     int number = 1;
     for (Cause cause : diagnosis.causes()) {
       CauseText text = words.of(cause);
@@ -94,7 +97,7 @@ final class DiagnosisText {
         wrapped("   ", "   ", rivals);
       }
       String next = NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom());
-      if (!next.isEmpty()) {
+      if (!next.isEmpty() && said.add(next)) {
         wrapped("   ", "   ", "To tell them apart: " + next);
       }
     }
