@@ -87,11 +87,12 @@ final class EffectCorrection {
     for (int i = 0; i < seen.size(); i++) {
       double t = seen.time(i);
       int camera = seen.camera(i);
+      double stamp = t - sessionStart;
       simple.positionAt(t, ball);
-      perfectCameras.report(camera, ball, without);
-      double time = cameras.ballTime(camera, t - sessionStart, seen.pixelY(i)) + sessionStart;
+      perfectCameras.report(camera, stamp, ball, without);
+      double time = cameras.ballTime(camera, stamp, seen.pixelY(i)) + sessionStart;
       extended.positionAt(time, ball);
-      cameras.report(camera, ball, with);
+      cameras.report(camera, stamp, ball, with);
       double dx = without[0] - with[0];
       double dy = without[1] - with[1];
       // A ball above the camera has no report; what was seen then was no ball of this path.

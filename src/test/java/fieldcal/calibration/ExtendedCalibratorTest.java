@@ -11,6 +11,7 @@ import fieldcal.ball.FlatModel;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.measurement.BallHeightError;
+import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraTimeOffset;
 import fieldcal.effect.motion.AirDrag;
@@ -149,6 +150,20 @@ class ExtendedCalibratorTest {
     assertTrue(c.chip(), "dampingXyOtherHops", 0.95);
     assertTrue(c.chip(), "dampingZ", 0.52);
     // The cameras agree: there is nothing left for their offsets to take out.
+    assertThat(c.joint().orElseThrow().offsets().values())
+        .allSatisfy(o -> assertThat(Math.hypot(o.x(), o.y())).isLessThan(4e-4));
+  }
+
+  @Test
+  void aKnockedCameraIsCorrectedFromThenOnOnly() throws IOException {
+    CollectedKicks data =
+        simulated(
+            "--scenario=flat",
+            "--kicks=12",
+            "--flat-model=-3.1,-0.28,0.65",
+            "--effect=camera_moved:x_mm=25,y_mm=-15,at=40,camera=1");
+    Calibration c = calibrated(data, new CameraMoved(25, -15, 40, 1)).calibration();
+    assertTrue(c.flat(), "accRoll", -0.28);
     assertThat(c.joint().orElseThrow().offsets().values())
         .allSatisfy(o -> assertThat(Math.hypot(o.x(), o.y())).isLessThan(4e-4));
   }

@@ -1,24 +1,27 @@
 package fieldcal.app.cli;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
-import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.Certainty;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.StructureWords;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Gain;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
 import fieldcal.diagnosis.Unexplained;
 import fieldcal.diagnosis.Verdict;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -26,7 +29,6 @@ import java.util.stream.Collectors;
 final class DiagnosisText {
   private static final int WIDTH = 98;
   private static final int MOST_PROBLEMS = 3;
-  private static final int FEW_KICKS = 10;
 
   /** Of more causes only what is wrong is said; what it does and what to do about it is in the report. */
   private static final int MOST_IN_FULL = 3;
@@ -40,20 +42,24 @@ final class DiagnosisText {
   void print(DiagnosisOutcome outcome, Path directory) {
     Diagnosis diagnosis = outcome.diagnosis();
     VerdictText verdict = VerdictText.of(diagnosis);
+    wrapped("", "", verdict.first());
     if (diagnosis.verdict() == Verdict.MODEL_ADEQUATE) {
-      wrapped("", "", verdict.headline() + " " + quality(diagnosis));
-      if (diagnosis.kicks().size() < FEW_KICKS) {
+      line("%s", quality(diagnosis));
+      if (VerdictText.hasFewKicks(diagnosis)) {
         wrapped("", "", "So few kicks do not show small causes: record twenty, of all speeds.");
       }
     } else {
-      wrapped("", "", verdict.headline());
       causes(outcome);
+      learned(outcome);
       if (diagnosis.verdict() == Verdict.UNEXPLAINED_STRUCTURE) {
         line("");
         verdict.lines().forEach(text -> wrapped("", "", text));
       }
       line("");
       table(diagnosis);
+    }
+    if (diagnosis.verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
+      VerdictText.failures(diagnosis).forEach(text -> wrapped("", "", text));
     }
     recordings(outcome, directory);
     out.flush();
@@ -63,8 +69,9 @@ final class DiagnosisText {
   private static String quality(Diagnosis d) {
     return String.format(
         Locale.ROOT,
-        "%d kicks fit to %s mm; the cameras' noise is %s mm.",
+        "%d %s to %s mm; the cameras' noise is %s mm.",
         d.kicks().size(),
+        d.kicks().size() == 1 ? "kick fits" : "kicks fit",
         mm(d.base().rmsMm()),
         mm(d.base().noiseMm()));
   }
@@ -73,6 +80,7 @@ final class DiagnosisText {
     Diagnosis diagnosis = outcome.diagnosis();
     CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
     boolean full = diagnosis.causes().size() <= MOST_IN_FULL;
+    Set<String> said = new HashSet<>();
     int number = 1;
     for (Cause cause : diagnosis.causes()) {
       CauseText text = words.of(cause);
@@ -80,17 +88,34 @@ final class DiagnosisText {
         line("");
       }
       wrapped(number++ + ". ", "   ", full ? text.sentences() : text.what());
-      wrapped("   ", "   ", text.strength() + "; " + gain(cause.gain()));
-      if (!cause.indistinguishableFrom().isEmpty()) {
-        String rivals =
-            cause.indistinguishableFrom().stream()
-                .map(EffectName::of)
-                .collect(Collectors.joining(" or "));
-        wrapped("   ", "   ", "These kicks cannot tell it from: " + rivals + ".");
+      wrapped(
+          "   ",
+          "   ",
+          text.strength() + "; " + Certainty.of(cause.evidence()) + "; " + gain(cause.gain()));
+      String rivals = CauseWords.rivals(cause);
+      if (!rivals.isEmpty()) {
+        wrapped("   ", "   ", rivals);
       }
-      if (!NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()).isEmpty()) {
-        wrapped("   ", "   ", "To tell them apart: " + NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
+      String next = NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom());
+      if (!next.isEmpty() && said.add(next)) {
+        wrapped("   ", "   ", "To tell them apart: " + next);
       }
+    }
+  }
+
+  /** What has no name: an item each. */
+  private void learned(DiagnosisOutcome outcome) {
+    Diagnosis diagnosis = outcome.diagnosis();
+    if (diagnosis.learned().isEmpty()) {
+      return;
+    }
+    CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
+    line("");
+    boolean laws = diagnosis.learned().stream().allMatch(f -> f.curves().isEmpty());
+    line(laws ? "Another form of the model:" : "What has no name:");
+    for (LearnedFinding finding : diagnosis.learned()) {
+      CauseText text = words.of(finding);
+      wrapped("-  ", "   ", text.what() + " " + gainSentence(finding.gain()));
     }
   }
 
@@ -111,20 +136,26 @@ final class DiagnosisText {
         + " %, on kicks held out";
   }
 
+  private static String gainSentence(Gain gain) {
+    return Double.isFinite(gain.mm())
+        ? "It " + gain(gain) + "."
+        : "There are too few kicks to tell the gain.";
+  }
+
   private void table(Diagnosis d) {
     TreeSet<Double> horizons = new TreeSet<>(d.base().predictionErrorMm().keySet());
     StringBuilder head = new StringBuilder(String.format("%-21s%8s%10s", "mm", "fit", "held out"));
     horizons.forEach(h -> head.append(String.format("%13s", seconds(h) + " s ahead")));
     line("%s", head);
     row("calibrated model", d.base(), horizons);
-    if (!d.causes().isEmpty()) {
+    if (!d.causes().isEmpty() || !d.learned().isEmpty()) {
       row("with what was found", d.extended(), horizons);
     }
     line("%-21s%8s", "noise of the cameras", mm(d.base().noiseMm()));
     Unexplained rest = d.unexplained();
     if (!rest.significant()) {
       line("What remains is no more than noise.");
-    } else if (d.verdict() == Verdict.EXPLAINED) {
+    } else if (d.verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
       String on =
           rest.dependsOn().stream()
               .limit(2)
@@ -136,6 +167,9 @@ final class DiagnosisText {
           String.format(
               "%s mm beyond the noise remain unexplained%s.",
               mm(rest.systematicMm()), on.isEmpty() ? "" : ", depending on " + on));
+    }
+    if (d.verdict() == Verdict.PARTLY_EXPLAINED) {
+      wrapped("", "", VerdictText.advice(d));
     }
   }
 

@@ -1,6 +1,5 @@
 package fieldcal.app.console;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
@@ -12,9 +11,11 @@ import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.diagnose.ExtendedModelFile;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.diagnosis.Verdict;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
 import fieldcal.vision.Epoch;
@@ -121,7 +122,7 @@ final class DiagnosisDesk {
         new CauseWords(outcome.diagnosis(), outcome.calibration().data().observers());
     return new DiagnosisNote(
         outcome.diagnosis().verdict().id(),
-        words.headline(),
+        words.first(),
         words.lines(),
         outcome.diagnosis().causes().stream().map(c -> note(c, causes.of(c))).toList(),
         outcome.calibration().selection().dropped().keySet(),
@@ -146,7 +147,8 @@ final class DiagnosisDesk {
    */
   void decide(Acceptance acceptance) {
     DiagnosisNote note = notes.now().diagnosis();
-    if (note == null || note.causes().isEmpty()) {
+    boolean partly = note != null && note.verdict().equals(Verdict.PARTLY_EXPLAINED.id());
+    if (note == null || note.causes().isEmpty() && !partly) {
       throw ApiException.conflict("there is no extended model: no cause was found");
     }
     Optional<ExtendedModel> model =

@@ -5,6 +5,9 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.wording.CauseText;
+import fieldcal.app.wording.CauseWords;
+import fieldcal.app.wording.LearnedWords;
 import fieldcal.app.wording.NextKicks;
 import fieldcal.diagnosis.Candidate;
 import fieldcal.diagnosis.Cause;
@@ -21,9 +24,11 @@ import fieldcal.effect.EffectFields;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.SimpleFormula;
 import fieldcal.fit.CameraView;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 
 /** Builds {@code diagnosis.json}. SI units unless the name says otherwise; what is not known is null; never NaN. */
@@ -37,11 +42,13 @@ final class DiagnosisJson {
 
   private final DiagnosisOutcome outcome;
   private final Diagnosis diagnosis;
+  private final CauseWords words;
   private final JsonNodeFactory nodes = JsonNodeFactory.instance;
 
   DiagnosisJson(DiagnosisOutcome outcome) {
     this.outcome = outcome;
     diagnosis = outcome.diagnosis();
+    words = new CauseWords(diagnosis, outcome.problem().observers());
   }
 
   ObjectNode build() {
@@ -138,23 +145,44 @@ final class DiagnosisJson {
     } else {
       node.putNull("camera");
     }
-    node.put("formula", finding.formula().map(SimpleFormula::text).orElse(finding.effect().sentence()));
-    ArrayNode points = node.putArray("points");
-    for (LearnedCurve curve : finding.curves()) {
-      for (LearnedCurve.Point point : curve.points()) {
-        ArrayNode one = points.addArray();
-        add(one, point.x());
-        if (curve.isTable()) {
-          add(one, point.y());
-        }
-        add(one, point.value());
-        add(one, point.error());
-      }
-    }
+    Optional<LearnedCurve> main = strongest(finding.curves());
+    node.put(
+        "formula", main.map(c -> SimpleFormula.of(c).text()).orElse(finding.effect().sentence()));
+    node.set("points", main.map(this::points).orElseGet(nodes::arrayNode));
     put(node, "holdout_gain_mm", finding.gain().mm());
     put(node, "holdout_gain_percent", finding.gain().percent());
+    CauseText text = words.of(finding);
+    node.put("name", text.name());
+    node.put("sentence", text.what());
+    ArrayNode curves = node.putArray("curves");
+    for (LearnedCurve curve : finding.curves()) {
+      ObjectNode one = curves.addObject().put("of", LearnedWords.quantity(curve));
+      one.put("unit", curve.family().quantity().unit());
+      one.put("formula", SimpleFormula.of(curve).text());
+      one.set("points", points(curve));
+    }
     node.set("term", effect(finding.effect()));
     return node;
+  }
+
+  /** Of the two components of a shift, the one that changes more. */
+  private static Optional<LearnedCurve> strongest(List<LearnedCurve> curves) {
+    return curves.stream()
+        .max(Comparator.comparingDouble(c -> c.highest().value() - c.lowest().value()));
+  }
+
+  private ArrayNode points(LearnedCurve curve) {
+    ArrayNode points = nodes.arrayNode();
+    for (LearnedCurve.Point point : curve.points()) {
+      ArrayNode one = points.addArray();
+      add(one, point.x());
+      if (curve.isTable()) {
+        add(one, point.y());
+      }
+      add(one, point.value());
+      add(one, point.error());
+    }
+    return points;
   }
 
   private ObjectNode effect(Effect effect) {

@@ -28,8 +28,8 @@ import java.util.stream.Collectors;
 
 /** Recordings in, diagnosis and its files out. */
 public final class DiagnosisSession {
-  /** With fewer kicks none can be held out of a fit of both the model and a cause. */
-  public static final int MIN_KICKS = 4;
+  /** A single kick shows what the model gets wrong of it; to hold kicks out, and to be sure, it takes more. */
+  public static final int MIN_KICKS = 1;
 
   private final FitSettings settings;
   private final int maxCauses;
@@ -84,14 +84,18 @@ public final class DiagnosisSession {
    * @param calibration of the simple model, with the decisions that say which kicks are left out
    * @param progress told what is done, in words
    * @return the outcome
-   * @throws InputException when there are too few kicks; one line for the operator
+   * @throws InputException when there are too few kicks, or these have too few detections; one line for the operator
    */
   public DiagnosisOutcome diagnose(CalibrationOutcome calibration, Consumer<String> progress)
       throws InputException {
     DiagnosisProblem problem = problem(calibration);
     requireKicks(calibration, problem);
-    Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress);
-    return new DiagnosisOutcome(calibration, problem, diagnosis);
+    try {
+      Diagnosis diagnosis = new Diagnoser().diagnose(problem, progress);
+      return new DiagnosisOutcome(calibration, problem, diagnosis);
+    } catch (IllegalArgumentException e) {
+      throw new InputException(logs(calibration) + ": " + e.getMessage());
+    }
   }
 
   private DiagnosisProblem problem(CalibrationOutcome outcome) {
@@ -130,7 +134,6 @@ public final class DiagnosisSession {
       return;
     }
     int found = outcome.data().kicks().size();
-    String logs = outcome.logs().stream().map(Path::toString).collect(Collectors.joining(", "));
     String have =
         found == 0
             ? "no kick found"
@@ -142,7 +145,17 @@ public final class DiagnosisSession {
             .map(k -> " (kick " + k.fit().kick().id() + ": " + reason(k) + ")")
             .orElse("");
     throw new InputException(
-        logs + ": " + have + why + "; a diagnosis needs at least " + MIN_KICKS + ", better 20");
+        logs(outcome)
+            + ": "
+            + have
+            + why
+            + "; a diagnosis needs at least "
+            + MIN_KICKS
+            + ", better 20");
+  }
+
+  private static String logs(CalibrationOutcome outcome) {
+    return outcome.logs().stream().map(Path::toString).collect(Collectors.joining(", "));
   }
 
   private static String reason(CalibratedKick kick) {

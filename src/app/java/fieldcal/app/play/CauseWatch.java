@@ -16,6 +16,9 @@ final class CauseWatch {
   /** The more kicks there are, the longer a diagnosis takes and the less one kick more changes: it waits for this share of new ones. */
   private static final double NEWS = 0.15;
 
+  /** Fewer kicks leave everything undecided: with them none can be held out of a fit of both the model and a cause. */
+  private static final int FEWEST_KICKS = 4;
+
   private final Optional<Path> directory;
   private final Executor executor;
   private volatile boolean busy;
@@ -33,8 +36,7 @@ final class CauseWatch {
 
   /** Whether there are enough kicks, and enough new ones, for another diagnosis. */
   boolean isDue(int good) {
-    boolean news =
-        good >= DiagnosisSession.MIN_KICKS && good - lookedAt >= Math.max(1, NEWS * good);
+    boolean news = good >= FEWEST_KICKS && good - lookedAt >= Math.max(1, NEWS * good);
     return directory.isPresent() && !busy && news;
   }
 
@@ -59,8 +61,8 @@ final class CauseWatch {
               .diagnose(
                   PlayRun.calibrate(directory.orElseThrow(), CalibrationSession.Progress.UNSEEN),
                   said -> {});
-      // One that explains nothing decides nothing either: often a single kick of a new sort does
-      // that.
+      // What a part of it is explained by is known and may be undecided; a diagnosis that explains
+      // nothing decides nothing either: often a single kick of a new sort does that.
       if (outcome.diagnosis().verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
         latest = UndecidedCauses.of(outcome);
       }

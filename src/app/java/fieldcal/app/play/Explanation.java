@@ -9,7 +9,9 @@ import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.KickerEffect;
 import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffect;
+import fieldcal.effect.MotionEffect.ImpactLaw;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedModel;
 import fieldcal.fit.joint.SharedProblem;
@@ -83,7 +85,7 @@ final class Explanation implements SharedModel<ExpectedKick.State> {
     List<String> used =
         effect.magnitudes().stream().filter(name -> effect.value(name) != 0).toList();
     boolean perKick = effect.differsFromKickToKick() && effect instanceof MotionEffect;
-    if (effect instanceof KickerEffect || used.isEmpty() || perKick) {
+    if (effect instanceof KickerEffect || isForm(effect) || used.isEmpty() || perKick) {
       held.add(effect);
       if (perKick) {
         ofEachKick.add(Component.perKick(effect.withNone()));
@@ -109,6 +111,11 @@ final class Explanation implements SharedModel<ExpectedKick.State> {
             model.effects(),
             model.sessionStart());
     return new Explanation(whole, observers, null, null);
+  }
+
+  /** A learned curve or a law of impacts is the form of the model: it holds as it is. */
+  private static boolean isForm(Effect effect) {
+    return effect instanceof LearnedTerm || effect instanceof ImpactLaw;
   }
 
   private RealMatrix beforehand() {

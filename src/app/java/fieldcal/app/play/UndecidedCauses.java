@@ -1,8 +1,9 @@
 package fieldcal.app.play;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.NextKicks;
+import fieldcal.app.wording.Rival;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.diagnosis.Candidate;
@@ -73,7 +74,13 @@ final class UndecidedCauses {
               Explanation.of(instead(model, cause.effect(), rival.get()), observers)
                   .fittedTo(named, kicks);
           String words = EffectName.of(cause.effect()) + " or " + EffectName.of(rival.get());
-          pairs.add(new Pair(words, NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()), whole(model), named, other));
+          pairs.add(
+              new Pair(
+                  words,
+                  NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()),
+                  whole(model),
+                  named,
+                  other));
         }
       }
     }
@@ -83,10 +90,18 @@ final class UndecidedCauses {
 
   /** The rival as the diagnosis tried it: of several places or cameras, the one that explains most. */
   private static Optional<Effect> rival(Diagnosis diagnosis, String id) {
+    Optional<Rival> ofCamera = Rival.ofCamera(id);
+    String sort = ofCamera.map(Rival::id).orElse(id);
     return diagnosis.candidates().stream()
-        .filter(c -> c.effect().id().equals(id) && !c.named())
+        .filter(c -> c.effect().id().equals(sort) && !c.named())
+        .filter(c -> ofCamera.isEmpty() || isOf(ofCamera.get().camera(), c.effect()))
         .max(Comparator.comparingDouble(Candidate::scoreGain))
         .map(Candidate::effect);
+  }
+
+  private static boolean isOf(int camera, Effect effect) {
+    return effect.parameters().stream()
+        .anyMatch(p -> p.name().equals("camera") && p.value() == camera);
   }
 
   private static ExtendedModel instead(ExtendedModel model, Effect cause, Effect rival) {

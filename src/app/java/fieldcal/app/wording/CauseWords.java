@@ -4,11 +4,19 @@ import static fieldcal.app.wording.Sentences.text;
 
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.learned.LearnedTerm;
+import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Puts causes into an operator's words. The numbers of what a cause does to a kick are those of the diagnosis' own model; those of what a camera reports
@@ -26,7 +34,7 @@ public final class CauseWords {
    */
   public CauseWords(Diagnosis diagnosis, Collection<ObservedCamera> observers) {
     kicks = new ExampleKicks(diagnosis.model());
-    shifts = new ReportedShifts(observers, diagnosis.kicks());
+    shifts = new ReportedShifts(observers, diagnosis.kicks(), diagnosis.model().sessionStart());
   }
 
   /**
@@ -37,12 +45,14 @@ public final class CauseWords {
    */
   public CauseText of(Cause cause) {
     CauseText text = of(cause.effect(), cause.standardErrors());
-    if (!(cause.scatter() > 0)) {
-      return text;
-    }
-    String scatter =
-        text("%s; differs from kick to kick by ± %s", text.strength(), Amount.of(cause.scatter()));
-    return new CauseText(text.name(), text.what(), text.consequence(), text.advice(), scatter);
+    String strength =
+        cause.scatter() > 0
+            ? text(
+                "%s; differs from kick to kick by ± %s",
+                text.strength(), Amount.of(cause.scatter()))
+            : text.strength();
+    return new CauseText(
+        EffectName.of(cause), text.what(), text.consequence(), text.advice(), strength);
   }
 
   /**
@@ -66,18 +76,65 @@ public final class CauseWords {
   }
 
   /**
-   * What could not be told apart, in a sentence.
+   * Something that has no name: a learned curve, or a law that takes the place of the simple model's.
+   *
+   * @param finding of the diagnosis
+   * @return its text; the strength is the formula of a curve, the numbers of a law
+   */
+  public CauseText of(LearnedFinding finding) {
+    return finding.effect() instanceof LearnedTerm term
+        ? LearnedWords.of(term, finding.curves())
+        : of(finding.effect(), Map.of());
+  }
+
+  /**
+   * What could not be told apart, in a sentence or two.
    *
    * @param cause of the diagnosis
    * @return empty when nothing else explains the same
    */
   public static String rivals(Cause cause) {
-    List<String> names = cause.indistinguishableFrom().stream().map(EffectName::of).toList();
-    return names.isEmpty()
-        ? ""
-        : text(
+    String id = cause.effect().id();
+    boolean ofOneCamera = isOfOneCamera(cause.effect());
+    List<String> cameras = new ArrayList<>();
+    List<String> names = new ArrayList<>();
+    for (String rival : cause.indistinguishableFrom()) {
+      Optional<Rival> ofCamera =
+          Rival.ofCamera(rival).filter(r -> ofOneCamera && r.id().equals(id));
+      if (ofCamera.isPresent()) {
+        cameras.add("camera " + ofCamera.get().camera());
+      } else {
+        names.add(EffectName.of(rival));
+      }
+    }
+    String other =
+        text(
             "These kicks cannot tell it from %s: it is named because it is the simpler explanation"
                 + " or explains a little more.",
             String.join(" or ", names));
+    return Stream.of(whichCamera(cause, cameras), names.isEmpty() ? "" : other)
+        .filter(s -> !s.isEmpty())
+        .collect(Collectors.joining(" "));
+  }
+
+  private static boolean isOfOneCamera(Effect effect) {
+    return effect.parameters().stream()
+        .anyMatch(p -> p.name().equals("camera") && p.value() != EffectParameters.ALL_CAMERAS);
+  }
+
+  private static String whichCamera(Cause cause, List<String> others) {
+    if (others.isEmpty()) {
+      return "";
+    }
+    List<String> all = new ArrayList<>(others);
+    all.add("camera " + (int) cause.effect().value("camera"));
+    all.sort(
+        Comparator.comparingInt((String camera) -> camera.length())
+            .thenComparing(Comparator.naturalOrder()));
+    return text(
+        "These kicks cannot tell whether %s or %s %s.",
+        String.join(", ", all.subList(0, all.size() - 1)),
+        all.get(all.size() - 1),
+        EffectWords.ofOneCamera(cause.effect().id()));
   }
 }

@@ -1,6 +1,7 @@
 package fieldcal.app.wording;
 
 import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.Cause;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.learned.LearnedTerm;
@@ -8,6 +9,7 @@ import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
@@ -16,12 +18,16 @@ public final class EffectName {
   private EffectName() {}
 
   /**
-   * The name of a sort of effect.
+   * The name of a sort of effect, or of one camera's.
    *
-   * @param id as in files
+   * @param id as in files; also with a camera, for example "camera_offset of camera 1"
    * @return a few words in lower case; of an unknown id, the id with blanks
    */
   public static String of(String id) {
+    Optional<Rival> ofCamera = Rival.ofCamera(id);
+    if (ofCamera.isPresent()) {
+      return of(ofCamera.get().id()) + ", camera " + ofCamera.get().camera();
+    }
     return EffectWords.of(id).map(EffectWords::name).orElseGet(() -> id.replace('_', ' '));
   }
 
@@ -58,6 +64,25 @@ public final class EffectName {
       return name + " " + FieldWords.line(effect.value("normal"), effect.value("distance"));
     }
     return name;
+  }
+
+  /**
+   * The name of a cause: where the sign of spin is within its errors, neither topspin nor backspin.
+   *
+   * @param cause of a diagnosis
+   * @return as {@link #of(Effect)}
+   */
+  public static String of(Cause cause) {
+    return hasUnsureSign(cause.effect(), cause.standardErrors())
+        ? of(cause.effect().id())
+        : of(cause.effect());
+  }
+
+  /** Whether spin from the kicker may be topspin or backspin, so far as its two standard errors tell. */
+  static boolean hasUnsureSign(Effect effect, Map<String, Double> standardErrors) {
+    return effect.id().equals("kick_spin")
+        && Math.abs(effect.value("fraction"))
+            < 2 * standardErrors.getOrDefault("fraction", Double.NaN);
   }
 
   /** Whose robot an effect is about, for example "yellow 3". */

@@ -38,20 +38,37 @@ final class EffectWords {
               "bounces that depend on spin",
               BounceWords::bounceSpinCoupling),
           bounce("contact_impacts", "bounces that build up spin", BounceWords::contactImpacts),
-          camera("camera_offset", "camera offset", CameraWords::offset),
-          camera("camera_time_offset", "wrong time stamps", CameraWords::timeOffset),
-          camera("camera_pose_error", "misplaced camera", CameraWords::poseError),
-          camera("camera_moved", "knocked camera", CameraWords::moved),
-          camera("lens_distortion_error", "wrong lens distortion", CameraWords::lensDistortion),
+          camera("camera_offset", "camera offset", "is shifted", CameraWords::offset),
+          camera(
+              "camera_time_offset",
+              "wrong time stamps",
+              "has wrong time stamps",
+              CameraWords::timeOffset),
+          camera("camera_pose_error", "misplaced camera", "is misplaced", CameraWords::poseError),
+          camera("camera_moved", "knocked camera", "was knocked", CameraWords::moved),
+          camera(
+              "lens_distortion_error",
+              "wrong lens distortion",
+              "has the wrong lens distortion",
+              CameraWords::lensDistortion),
           camera("ball_height_error", "wrong ball height in vision", CameraWords::ballHeight),
-          camera("clock_skew", "camera clock at the wrong rate", CameraWords::clockSkew),
+          camera(
+              "clock_skew",
+              "camera clock at the wrong rate",
+              "has a clock at the wrong rate",
+              CameraWords::clockSkew),
           camera("rolling_shutter", "rolling shutter", CameraWords::rollingShutter));
 
+  /** What is said of a camera whose effect has no words for that. */
+  private static final String AFFECTED = "has the fault";
+
   private final String name;
+  private final String predicate;
   private final Maker maker;
 
-  private EffectWords(String name, Maker maker) {
+  private EffectWords(String name, String predicate, Maker maker) {
     this.name = name;
+    this.predicate = predicate;
     this.maker = maker;
   }
 
@@ -83,12 +100,18 @@ final class EffectWords {
 
   private static Map.Entry<String, EffectWords> camera(
       String id, String name, Function<CameraWords, Sentences> words) {
-    return entry(
-        id, name, (e, errors, k, shifts) -> words.apply(new CameraWords(e, errors, shifts)));
+    return camera(id, name, AFFECTED, words);
+  }
+
+  /** The predicate is that of one camera: "camera 1 is shifted". */
+  private static Map.Entry<String, EffectWords> camera(
+      String id, String name, String predicate, Function<CameraWords, Sentences> words) {
+    Maker maker = (e, errors, k, shifts) -> words.apply(new CameraWords(e, errors, shifts));
+    return Map.entry(id, new EffectWords(name, predicate, maker));
   }
 
   private static Map.Entry<String, EffectWords> entry(String id, String name, Maker maker) {
-    return Map.entry(id, new EffectWords(name, maker));
+    return Map.entry(id, new EffectWords(name, AFFECTED, maker));
   }
 
   /** Empty for an effect that has no words of its own. */
@@ -99,6 +122,11 @@ final class EffectWords {
   /** A few words in lower case. */
   String name() {
     return name;
+  }
+
+  /** What is said of one camera of several: "camera 1" and this. */
+  static String ofOneCamera(String id) {
+    return of(id).map(words -> words.predicate).orElse(AFFECTED);
   }
 
   /** What is wrong, what it does, what to do. */

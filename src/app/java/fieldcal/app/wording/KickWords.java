@@ -27,10 +27,14 @@ final class KickWords extends MotionText {
                         " A flat kick rolls from %s %% of its speed on instead of %s %%.",
                         percent(m.kSwitch() + (1 - m.kSwitch()) * fraction), percent(m.kSwitch())))
             .orElse("");
+    String what =
+        EffectName.hasUnsureSign(effect, errors)
+            ? "The kickers give the ball topspin with some kicks and backspin with others."
+            : text(
+                "The kickers give the ball %s: %s %% of the spin of a rolling ball.",
+                sort, percent(Math.abs(fraction)));
     return new Sentences(
-        text(
-            "The kickers give the ball %s: %s %% of the spin of a rolling ball.",
-            sort, percent(Math.abs(fraction))),
+        what,
         pass("without spin", PASS, PASS_TIME) + switching,
         "Look at the height at which the kickers hit the ball, and whether the dribblers still turn"
             + " then; until that is mended, predict with the extended model.");

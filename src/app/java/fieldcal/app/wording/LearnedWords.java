@@ -16,6 +16,8 @@ public final class LearnedWords {
   /** A session's drift is said over this time, s. */
   private static final double SESSION_STEP = 600;
 
+  private static final double MINUTE = 60;
+
   private LearnedWords() {}
 
   /**
@@ -60,6 +62,104 @@ public final class LearnedWords {
         curves.stream().map(c -> SimpleFormula.of(c).text()).collect(Collectors.joining(", "));
     return new CauseText(
         name(term), what.isEmpty() ? nothing(term) : what, "", advice(term), strength);
+  }
+
+  /**
+   * What a curve is drawn over.
+   *
+   * @param curve of a fitted term
+   * @param number 0 = the first number of a point, 1 = the second of a table
+   * @return a few words without the unit
+   */
+  public static String axis(LearnedCurve curve, int number) {
+    Variable variable = numbered(curve, number);
+    if (variable.dimension() == 2) {
+      String below = variable == Variable.IMAGE_POSITION ? " from below the camera" : "";
+      return (number == 0 ? "x" : "y") + below;
+    }
+    return switch (variable) {
+      case HEADING -> "direction of travel";
+      case HOP -> "bounce";
+      case DISTANCE_ROLLED -> "distance from the kick";
+      case SESSION_TIME -> "time of the session";
+      default -> noun(variable);
+    };
+  }
+
+  /**
+   * The unit of {@link #axis}: degrees for angles, minutes for the session's time.
+   *
+   * @param curve of a fitted term
+   * @param number 0 or 1
+   * @return may be empty
+   */
+  public static String axisUnit(LearnedCurve curve, int number) {
+    return switch (numbered(curve, number)) {
+      case HEADING -> "°";
+      case SESSION_TIME -> "min";
+      default -> numbered(curve, number).unit();
+    };
+  }
+
+  /**
+   * A point's number in the {@link #axisUnit}.
+   *
+   * @param curve of a fitted term
+   * @param number 0 or 1
+   * @param value as in the point
+   * @return the same in the axis' unit
+   */
+  public static double onAxis(LearnedCurve curve, int number, double value) {
+    return switch (numbered(curve, number)) {
+      case HEADING -> Math.toDegrees(value);
+      case SESSION_TIME -> value / MINUTE;
+      default -> value;
+    };
+  }
+
+  private static Variable numbered(LearnedCurve curve, int number) {
+    List<Variable> variables = curve.family().variables();
+    return variables.get(Math.min(number, variables.size() - 1));
+  }
+
+  /**
+   * What a curve shows.
+   *
+   * @param curve of a fitted term
+   * @return for example "acceleration along the path"
+   */
+  public static String quantity(LearnedCurve curve) {
+    return switch (curve.family().quantity()) {
+      case ACCELERATION_ALONG -> "acceleration along the path";
+      case ACCELERATION_ACROSS -> "acceleration to the left";
+      case VERTICAL_RESTITUTION -> "change of the vertical damping";
+      case TANGENTIAL_RESTITUTION -> "change of the horizontal damping";
+      case TURN -> "turn to the left";
+      case SPIN -> "spin, share of rolling";
+      case SHIFT -> "reported too far along " + (curve.component() == 0 ? "x" : "y");
+      case TIME_ERROR -> "stamp too late";
+    };
+  }
+
+  /**
+   * The unit of {@link #inUnit}.
+   *
+   * @param curve of a fitted term
+   * @return degrees for a turn; may be empty
+   */
+  public static String unit(LearnedCurve curve) {
+    return curve.family().quantity() == Quantity.TURN ? "°" : curve.family().quantity().unit();
+  }
+
+  /**
+   * A value of a curve in its {@link #unit}.
+   *
+   * @param curve of a fitted term
+   * @param value as in a point
+   * @return the same in the unit
+   */
+  public static double inUnit(LearnedCurve curve, double value) {
+    return curve.family().quantity() == Quantity.TURN ? Math.toDegrees(value) : value;
   }
 
   private static String nothing(LearnedTerm term) {

@@ -28,7 +28,7 @@ abstract class MotionText {
 
   final Effect effect;
   final ExampleKicks kicks;
-  private final Map<String, Double> errors;
+  final Map<String, Double> errors;
 
   MotionText(Effect effect, Map<String, Double> errors, ExampleKicks kicks) {
     this.effect = effect;

@@ -47,6 +47,18 @@ public final class NextKicks {
           + " commands recorded: a kicker of the wrong strength changes the speed right after the"
           + " kick, spin how far the ball slides after it.";
 
+  private static final String WHICH_IS_SHIFTED =
+      "No kick tells which of the cameras is right: lay a ball on a mark of the field that both"
+          + " see, such as the centre, and compare what they report.";
+
+  private static final String WHICH_IS_LATE =
+      "No kick tells which of the cameras is right: compare the clocks of their computers with a"
+          + " time server.";
+
+  private static final String WHICH_VIEW =
+      "Record four flat kicks of 2–3 m/s each through the whole view of either camera, lengthwise"
+          + " and crosswise: only in the view of the one that is wrong do they go wrong.";
+
   /** By the two ids, in any order. */
   private static final Map<Set<String>, String> PAIRS =
       Map.ofEntries(
@@ -228,16 +240,26 @@ public final class NextKicks {
    * Which kicks to record next.
    *
    * @param cause id of the effect that is named
-   * @param rivals ids of those that would explain the same
+   * @param rivals ids of those that would explain the same; "id of camera n" where another camera would
    * @return a sentence or two for each sort of rival; empty without rivals
    */
   public static String toTellApart(String cause, List<String> rivals) {
     return rivals.stream()
-        .map(rival -> rival.replaceFirst(" of camera \\d+$", ""))
         .filter(rival -> !rival.equals(cause))
-        .map(rival -> toTellApart(cause, rival))
+        .map(rival -> Rival.ofCamera(rival).map(Rival::id).orElse(rival))
+        .map(rival -> rival.equals(cause) ? whichCamera(cause) : toTellApart(cause, rival))
+        .filter(text -> !text.isEmpty())
         .distinct()
         .collect(Collectors.joining(" "));
+  }
+
+  /** What is relative to the other cameras no kick decides; an error of a pose or lens shows in its own view. */
+  private static String whichCamera(String cause) {
+    return switch (cause) {
+      case "camera_offset", "camera_moved" -> WHICH_IS_SHIFTED;
+      case "camera_time_offset", "clock_skew" -> WHICH_IS_LATE;
+      default -> WHICH_VIEW;
+    };
   }
 
   private static String toTellApart(String cause, String rival) {

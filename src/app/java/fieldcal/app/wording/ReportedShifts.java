@@ -18,9 +18,14 @@ final class ReportedShifts {
   private final List<ObservedCamera> observers;
   private final List<KickResiduals> kicks;
 
-  ReportedShifts(Collection<ObservedCamera> observers, List<KickResiduals> kicks) {
+  private final double sessionStart;
+
+  /** The session's begin is on the clock of the kicks, s. */
+  ReportedShifts(
+      Collection<ObservedCamera> observers, List<KickResiduals> kicks, double sessionStart) {
     this.observers = List.copyOf(observers);
     this.kicks = List.copyOf(kicks);
+    this.sessionStart = sessionStart;
   }
 
   /**
@@ -61,8 +66,9 @@ final class ReportedShifts {
       Observations o = kick.kick().observations();
       for (int i = 0; i < o.size(); i += step) {
         double[] ball = {o.x(i), o.y(i), 0};
-        with.report(o.camera(i), ball, a);
-        without.report(o.camera(i), ball, b);
+        double stamp = o.time(i) - sessionStart;
+        with.report(o.camera(i), stamp, ball, a);
+        without.report(o.camera(i), stamp, ball, b);
         double squared = Math.pow(a[0] - b[0], 2) + Math.pow(a[1] - b[1], 2);
         if (squared > 0) {
           sum += squared;

@@ -4,21 +4,39 @@ import static fieldcal.app.wording.Sentences.text;
 
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
 import fieldcal.diagnosis.Unexplained;
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
  * A whole diagnosis in an operator's words.
  *
- * @param headline the verdict in one sentence
- * @param lines what it means in numbers, one sentence or two each
+ * @param headline what it means for the team, in one sentence: how wrong passes are predicted, before and after
+ * @param verdict what it comes to, with the causes by name, in one sentence or two
+ * @param lines more of it, one sentence or two each
  */
-public record VerdictText(String headline, List<String> lines) {
+public record VerdictText(String headline, String verdict, List<String> lines) {
+  /** How far ahead a pass is predicted in the headline, s. */
+  private static final double AHEAD = 1;
+
+  /** Predictions that gain less than this share are not worth a headline; chosen. */
+  private static final double LEAST_GAIN = 0.1;
+
+  /** From that error on it is said in cm. */
+  private static final double CENTIMETRES_FROM_MM = 100;
+
+  private static final int MOST_VARIABLES = 3;
+
+  /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
+  private static final int FEW_KICKS = 10;
 
   /** Copies the list. {@inheritDoc} */
   public VerdictText {
@@ -33,15 +51,98 @@ public record VerdictText(String headline, List<String> lines) {
    */
   public static VerdictText of(Diagnosis diagnosis) {
     List<String> lines = new ArrayList<>();
-    String headline =
+    String verdict =
         switch (diagnosis.verdict()) {
           case MODEL_ADEQUATE -> adequate(diagnosis, lines);
           case EXPLAINED -> explained(diagnosis, lines);
           case PARTLY_EXPLAINED -> partly(diagnosis, lines);
           case UNEXPLAINED_STRUCTURE -> unexplained(diagnosis, lines);
         };
-    return new VerdictText(headline, lines);
+    lines.addAll(failures(diagnosis));
+    return new VerdictText(headline(diagnosis), verdict, lines);
   }
+
+  /**
+   * Headline and verdict.
+   *
+   * @return in one line
+   */
+  public String first() {
+    return headline + " " + verdict;
+  }
+
+  // ---- what it means for the team ----
+
+  private static String headline(Diagnosis d) {
+    boolean helped = !d.causes().isEmpty() || !d.learned().isEmpty();
+    Optional<Double> horizon = horizon(d);
+    if (!helped) {
+      return horizon.map(h -> predicted(d, h, "")).orElseGet(() -> fitted(d, ""));
+    }
+    if (horizon.isPresent()) {
+      double before = d.base().predictionErrorMm().get(horizon.get());
+      double after = d.extended().predictionErrorMm().get(horizon.get());
+      if (after < (1 - LEAST_GAIN) * before) {
+        return predicted(d, horizon.get(), "with what was found ");
+      }
+    }
+    return fitted(d, "with what was found ");
+  }
+
+  /** An empty {@code with} leaves the extended model out. */
+  private static String predicted(Diagnosis d, double horizon, String with) {
+    double before = d.base().predictionErrorMm().get(horizon);
+    double after = with.isEmpty() ? before : d.extended().predictionErrorMm().get(horizon);
+    boolean cm = Math.max(before, after) >= CENTIMETRES_FROM_MM;
+    String text =
+        text(
+            "%s are predicted %s %s wrong after %s s",
+            kicks(d), length(before, cm), cm ? "cm" : "mm", seconds(horizon));
+    return with.isEmpty()
+        ? text + "."
+        : text + "; " + with + length(after, cm) + (cm ? " cm." : " mm.");
+  }
+
+  private static String length(double mm, boolean cm) {
+    double value = cm ? mm / 10 : mm;
+    return Amount.decimals(value, value < 5 ? 1 : 0);
+  }
+
+  private static String fitted(Diagnosis d, String with) {
+    boolean held = !Double.isNaN(d.base().holdoutRmsMm());
+    double before = held ? d.base().holdoutRmsMm() : d.base().rmsMm();
+    double after = held ? d.extended().holdoutRmsMm() : d.extended().rmsMm();
+    String text =
+        text(
+            held
+                ? "The model misses kicks that it has not seen by %s mm"
+                : "The model misses by %s mm",
+            mm(before));
+    return with.isEmpty() ? text + "." : text + "; " + with + "by " + mm(after) + " mm.";
+  }
+
+  private static String kicks(Diagnosis d) {
+    boolean chips =
+        !d.kicks().isEmpty() && d.kicks().stream().allMatch(k -> k.kind() == KickKind.CHIP);
+    return chips ? "Chips" : "Passes";
+  }
+
+  /** The horizon of the headline: a second where there is one, else the longest. */
+  private static Optional<Double> horizon(Diagnosis d) {
+    Map<Double, Double> before = d.base().predictionErrorMm();
+    Map<Double, Double> after = d.extended().predictionErrorMm();
+    List<Double> all =
+        before.keySet().stream()
+            .filter(h -> isKnown(before.get(h)) && isKnown(after.get(h)))
+            .toList();
+    return all.contains(AHEAD) ? Optional.of(AHEAD) : all.stream().reduce((a, b) -> b);
+  }
+
+  private static boolean isKnown(Double value) {
+    return value != null && Double.isFinite(value);
+  }
+
+  // ---- the verdict ----
 
   private static String adequate(Diagnosis d, List<String> lines) {
     lines.add(
@@ -53,69 +154,97 @@ public record VerdictText(String headline, List<String> lines) {
             "%d sorts of causes were tried, and none of them predicts kicks that it has not seen"
                 + " any better.",
             sorts(d)));
-    horizon(d.base())
-        .ifPresent(
-            h ->
-                lines.add(
-                    text(
-                        "From the first 0.3 s of a kick, the model predicts the ball %s s ahead to"
-                            + " %s mm.",
-                        seconds(h.getKey()), Amount.of(h.getValue()))));
-    return "The model is right: nothing to correct.";
+    return hasFewKicks(d)
+        ? "These few kicks show nothing wrong with the model."
+        : "The model is right: nothing to correct.";
+  }
+
+  /**
+   * Whether small causes do not show in so few kicks.
+   *
+   * @param d the diagnosis
+   * @return true for fewer than ten
+   */
+  public static boolean hasFewKicks(Diagnosis d) {
+    return d.kicks().size() < FEW_KICKS;
   }
 
   private static String explained(Diagnosis d, List<String> lines) {
     lines.add(gain(d));
-    if (d.unexplained().significant()) {
-      lines.add("A part of it is still unexplained: " + rest(d.unexplained()));
-    }
-    return d.causes().size() == 1
-        ? text("The model is wrong, and the cause is found: %s.", names(d))
-        : text("The model is wrong, and %d causes are found: %s.", d.causes().size(), names(d));
+    String found =
+        d.causes().size() == 1
+            ? text("The model is wrong, and the cause is found: %s.", names(d))
+            : text("The model is wrong, and %d causes are found: %s.", d.causes().size(), names(d));
+    return found + laws(d);
   }
 
   private static String partly(Diagnosis d, List<String> lines) {
+    boolean left = d.unexplained().significant();
     lines.add(gain(d));
-    if (d.unexplained().significant()) {
-      lines.add("A part of it is still unexplained: " + rest(d.unexplained()));
+    if (left) {
+      lines.add("Still unexplained: " + rest(d.unexplained()));
     }
-    return d.causes().isEmpty()
-        ? "The model is wrong; what helps has no name yet, but the extended model predicts better."
-        : text("The model is wrong, and a part of the cause is found: %s.", names(d));
+    lines.add(advice(d));
+    String unnamed = unnamed(d);
+    String found =
+        d.causes().isEmpty()
+            ? "The model is wrong, and no known cause explains it."
+            : text("The model is wrong, and a part of it is explained: %s.", names(d));
+    String more = unnamed.isEmpty() ? "" : text(" What helps and has no name: %s.", unnamed);
+    return found + more + laws(d);
   }
 
   private static String unexplained(Diagnosis d, List<String> lines) {
     lines.add(Sentences.begin(rest(d.unexplained())));
     lines.add(
-        d.causes().isEmpty()
-            ? text(
-                "None of the %d causes tried explains it, so none is blamed: look at the pictures"
-                    + " for what changes with it.",
-                d.candidates().size())
-            : text(
-                "What is found so far (%s) is not all of it; no other known cause explains the"
-                    + " rest.",
-                names(d)));
-    if (!d.causes().isEmpty()) {
-      lines.add(gain(d));
-    }
+        text(
+            "None of the %d sorts of causes that were tried predicts kicks that it has not seen any"
+                + " better, so none is named: look at the pictures for what changes with it.",
+            sorts(d)));
     d.unexplained().dependsOn().stream()
         .findFirst()
         .ifPresent(v -> lines.add(StructureWords.kicksToRecord(v)));
     return "Something is wrong that no known cause explains.";
   }
 
+  /**
+   * What to do where a part is explained.
+   *
+   * @param d the diagnosis
+   * @return a sentence or two
+   */
+  public static String advice(Diagnosis d) {
+    return "Use the extended model: it predicts better than the simple one, whatever is left."
+        + d.unexplained().dependsOn().stream()
+            .findFirst()
+            .map(v -> " To find the rest: " + lower(StructureWords.kicksToRecord(v)))
+            .orElse("");
+  }
+
+  /**
+   * Parts of the diagnosis that did not come to an end.
+   *
+   * @param d the diagnosis
+   * @return a sentence for each
+   */
+  public static List<String> failures(Diagnosis d) {
+    return d.problems().stream()
+        .map(p -> "A part of the diagnosis failed, so there may be more to find: " + p + ".")
+        .toList();
+  }
+
   private static long sorts(Diagnosis d) {
     return d.candidates().stream().map(c -> c.effect().id()).distinct().count();
   }
 
-  /** What the causes gain together. */
+  /** What was found gains together. */
   private static String gain(Diagnosis d) {
     Quality before = d.base();
     Quality after = d.extended();
     String horizons =
         before.predictionErrorMm().entrySet().stream()
-            .filter(e -> after.predictionErrorMm().containsKey(e.getKey()))
+            .filter(e -> isKnown(e.getValue()))
+            .filter(e -> isKnown(after.predictionErrorMm().get(e.getKey())))
             .map(
                 e ->
                     text(
@@ -127,18 +256,18 @@ public record VerdictText(String headline, List<String> lines) {
     String held =
         Double.isNaN(before.holdoutRmsMm())
             ? text(
-                "With %s in the model the residual falls from %s to %s mm; too few kicks to hold"
-                    + " some out (the cameras' noise is %s mm).",
-                them(d), mm(before.rmsMm()), mm(after.rmsMm()), mm(after.noiseMm()))
+                "With what was found in the model, the residual falls from %s to %s mm; too few"
+                    + " kicks to hold some out (the cameras' noise is %s mm).",
+                mm(before.rmsMm()), mm(after.rmsMm()), mm(after.noiseMm()))
             : text(
-                "With %s in the model, kicks that it has never seen fit to %s mm instead of %s mm"
-                    + " (the cameras' noise is %s mm).",
-                them(d), mm(after.holdoutRmsMm()), mm(before.holdoutRmsMm()), mm(after.noiseMm()));
+                "With what was found in the model, kicks that it has never seen fit to %s mm"
+                    + " instead of %s mm (the cameras' noise is %s mm).",
+                mm(after.holdoutRmsMm()), mm(before.holdoutRmsMm()), mm(after.noiseMm()));
     return horizons.isEmpty() ? held : held + " Predictions are off by " + horizons + ".";
   }
 
   /**
-   * What is left when all causes are in the model.
+   * What is left when all that was found is in the model.
    *
    * @param u what that is
    * @return a sentence that begins in lower case
@@ -149,27 +278,38 @@ public record VerdictText(String headline, List<String> lines) {
             ? "without a pattern that could be named"
             : "depending on "
                 + u.dependsOn().stream()
-                    .limit(3)
+                    .limit(MOST_VARIABLES)
                     .map(StructureWords::of)
                     .collect(Collectors.joining(", then on "));
     return text("balls are off by %s mm beyond the noise, %s.", mm(u.systematicMm()), on);
   }
 
-  private static String them(Diagnosis d) {
-    return d.causes().size() == 1 ? "it" : "them";
-  }
-
   private static String names(Diagnosis d) {
     return d.causes().stream()
-        .map(Cause::effect)
-        .map(EffectName::of)
+        .map((Cause cause) -> EffectName.of(cause))
         .collect(Collectors.joining("; "));
   }
 
-  private static Optional<Map.Entry<Double, Double>> horizon(Quality quality) {
-    return quality.predictionErrorMm().entrySet().stream()
-        .filter(e -> e.getKey() <= 1)
-        .reduce((a, b) -> b);
+  /** Learned curves by name. */
+  private static String unnamed(Diagnosis d) {
+    return names(d, f -> f.effect() instanceof LearnedTerm);
+  }
+
+  /** What takes the place of the simple model's own laws; begins with a blank. */
+  private static String laws(Diagnosis d) {
+    String names = names(d, f -> !(f.effect() instanceof LearnedTerm));
+    return names.isEmpty() ? "" : text(" The extended model also has another form: %s.", names);
+  }
+
+  private static String names(Diagnosis d, Predicate<LearnedFinding> which) {
+    return d.learned().stream()
+        .filter(which)
+        .map(f -> EffectName.of(f.effect()))
+        .collect(Collectors.joining("; "));
+  }
+
+  private static String lower(String text) {
+    return Character.toLowerCase(text.charAt(0)) + text.substring(1);
   }
 
   private static String seconds(double s) {

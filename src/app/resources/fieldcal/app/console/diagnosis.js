@@ -3,7 +3,9 @@ import {button, progress, renew} from './parts.js';
 
 const {el} = Charts;
 const {$} = Frame;
-const MARKS = {model_adequate: ['good', '✔'], explained: ['warn', '⚠'], unexplained_structure: ['warn', '?']};
+const MARKS = {model_adequate: ['good', '✔'], explained: ['warn', '⚠'], partly_explained: ['warn', '◐'], unexplained_structure: ['warn', '?']};
+/** Of a verdict that a later version wrote. */
+const markOf = verdict => MARKS[verdict] || ['warn', '?'];
 
 export function diagnosisPage(app) {
   const page = {id: 'diagnosis', title: 'Diagnosis', show, worked, themed, badge, keys: {}, keyWords: []};
@@ -15,7 +17,7 @@ export function diagnosisPage(app) {
 
   function badge() {
     if (!app.state || !app.state.diagnosis || !note()) return '';
-    return ' ' + MARKS[note().verdict][1];
+    return ' ' + markOf(note().verdict)[1];
   }
 
   function show() {
@@ -32,7 +34,7 @@ export function diagnosisPage(app) {
   function showActions() {
     if (!state().calibration) return;
     const {acceptance} = state().diagnosis;
-    const found = note() && note().causes.length > 0;
+    const found = note() && (note().causes.length > 0 || note().verdict === 'partly_explained');
     const accept = what => () => app.run('diagnosis/acceptance', {acceptance: what});
     renew($('diagnose-actions'), [running(), note(), acceptance, state().diagnosis.outdated, Boolean(state().work.asked)], () => [
       running() ? button('Cancel', () => app.run('cancel'), {id: 'diagnose-cancel'})
@@ -52,9 +54,10 @@ export function diagnosisPage(app) {
     if (!note()) {
       if (!running()) rows.push(el('p', {}, 'Finds what the calibrated model gets wrong, which causes explain it, and what is gained by knowing them. It uses the ' + used + ' kicks that are not dropped by hand, and takes about a minute.'));
     } else {
-      const [level, mark] = MARKS[note().verdict];
+      const [level, mark] = markOf(note().verdict);
       rows.push(el('p', {id: 'headline', class: 'headline ' + level}, mark + ' ' + note().headline));
       if (outdated) rows.push(el('p', {class: 'notice warn'}, 'The kicks have changed since the diagnosis: diagnose again.'));
+      if (note().verdict === 'partly_explained') rows.push(...note().lines.map(line => el('p', {}, line)));
       rows.push(...note().causes.map(causeOf));
       if (state().diagnosis.next.length) rows.push(el('p', {}, el('a', {href: '#play', id: 'to-play'}, 'Send the kicks to record next to the play'), ': ' + state().diagnosis.next.map(w => w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s').join('; ') + '.'));
       if (acceptance === 'accepted') rows.push(el('p', {id: 'accepted'}, Frame.badge('good', '✔ accepted'), ' The model on the other pages is valid together with these effects. Programs that know only the league\'s message need the model without them: refuse it for these.'));

@@ -30,7 +30,9 @@ class DiagnosisTextTest {
   @Test
   void nothingWrongIsSaidAtOnce() {
     List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
-    assertThat(lines.get(0)).contains("The model is right").contains("24 kicks");
+    assertThat(lines.get(0))
+        .startsWith("Passes are predicted 13 mm wrong after 1 s. The model is right");
+    assertThat(lines.get(1)).contains("24 kicks");
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
     assertThat(String.join(" ", lines)).doesNotContain("So few kicks");
     assertThat(String.join(" ", printed(SampleDiagnosis.adequate(6), 0))).contains("So few kicks");
@@ -39,10 +41,16 @@ class DiagnosisTextTest {
   @Test
   void causesComeInWordsWithTheirNumbers() {
     String text = String.join("\n", printed(SampleDiagnosis.explained(24), 2));
-    assertThat(text).startsWith("The model is wrong, and 2 causes are found");
+    assertThat(text)
+        .startsWith("Passes are predicted 38 mm wrong after 1 s; with what was found 12 mm. The");
+    assertThat(text.replace('\n', ' '))
+        .contains("The model is wrong, and 2 causes are found: camera offset, camera 1; air drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
     assertThat(text).contains("21.20 ± 0.12").contains("12 mm (12 to 13), 83 %");
-    assertThat(text).contains("cannot tell it from: wrong ball height in vision");
+    assertThat(text).contains("; certain; gains");
+    assertThat(text).contains("These kicks cannot tell whether camera 0 or camera 1 is shifted.");
+    assertThat(text.replaceAll("\\s+", " ")).contains("tell it from wrong ball height in vision:");
+    assertThat(text).doesNotContain("evidence", "18234");
     assertThat(text).contains("calibrated model").contains("14.20").contains("64.9");
     assertThat(text).contains("with what was found").contains("1.52").contains("29.0");
     assertThat(text).contains("What remains is no more than noise.");
@@ -52,9 +60,33 @@ class DiagnosisTextTest {
   @Test
   void whatIsUnexplainedSaysOnWhatItDepends() {
     String text = String.join("\n", printed(SampleDiagnosis.unexplained(24), 12));
-    assertThat(text).startsWith("Something is wrong that no known cause explains.");
+    assertThat(text).startsWith("Passes are predicted 19 mm wrong after 1 s. Something is wrong");
     assertThat(text).contains("depending on the time since the kick");
     assertThat(text).contains("in the data: 9 more, see diagnosis.json");
+  }
+
+  @Test
+  void whatIsPartlyExplainedSaysWhatIsFoundWhatIsLeftAndWhatToDo() {
+    String text = String.join("\n", printed(SampleDiagnosis.partly(24), 0));
+    assertThat(text)
+        .startsWith("Passes are predicted 50 cm wrong after 1 s; with what was found 9 cm. The");
+    String line = text.replace("\n   ", " ").replace('\n', ' ');
+    assertThat(line).contains("a part of it is explained: air drag.");
+    assertThat(line).contains("odds better than a thousand to one");
+    assertThat(line).contains("What has no name: -  The carpet grips the ball");
+    assertThat(line).contains("the reports of camera 1 are too far").contains("It gains 1.4 mm");
+    assertThat(line)
+        .contains("2.90 mm beyond the noise remain unexplained, depending on the height");
+    assertThat(line).contains("Use the extended model").contains("To find the rest: record chips");
+  }
+
+  @Test
+  void aStageThatFailedIsSaid() {
+    Diagnosis d = SampleDiagnosis.adequate(4);
+    Diagnosis failed = SampleDiagnosis.with(d, List.of(), d.base(), List.of("the search failed"));
+    assertThat(String.join(" ", printed(failed, 0)))
+        .contains(
+            "A part of the diagnosis failed, so there may be more to find: the search failed.");
   }
 
   @Test
@@ -64,27 +96,12 @@ class DiagnosisTextTest {
     for (int i = 0; i < 4; i++) {
       eight.addAll(d.causes().stream().map(DiagnosisTextTest::withoutRivals).toList());
     }
-    List<String> lines =
-        printed(
-            new Diagnosis(
-                d.verdict(),
-                d.base(),
-                d.extended(),
-                eight,
-                d.candidates(),
-                d.unexplained(),
-                d.structureBefore(),
-                d.structureAfter(),
-                d.kicks(),
-                d.simpleModel(),
-                d.model(),
-                d.seed()),
-            5);
+    List<String> lines = printed(SampleDiagnosis.with(d, eight, d.base(), List.of()), 5);
     assertThat(lines).anyMatch(line -> line.startsWith("8. "));
   }
 
   private static Cause withoutRivals(Cause c) {
     return new Cause(
-        c.effect(), c.standardErrors(), c.scatter(), c.evidence(), c.gain(), List.of(), "");
+        c.effect(), c.standardErrors(), c.scatter(), c.evidence(), c.gain(), List.of());
   }
 }

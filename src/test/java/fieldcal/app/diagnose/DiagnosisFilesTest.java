@@ -38,23 +38,11 @@ class DiagnosisFilesTest {
   }
 
   private static Diagnosis withCauses(Diagnosis d, List<Cause> causes, Quality base) {
-    return new Diagnosis(
-        d.verdict(),
-        base,
-        d.extended(),
-        causes,
-        d.candidates(),
-        d.unexplained(),
-        d.structureBefore(),
-        d.structureAfter(),
-        d.kicks(),
-        d.simpleModel(),
-        d.model(),
-        d.seed());
+    return SampleDiagnosis.with(d, causes, base, List.of());
   }
 
   private static Cause cause(Effect effect, double scatter) {
-    return new Cause(effect, Map.of(), scatter, 10, new Gain(1, 10, 0.5, 1.5), List.of(), "");
+    return new Cause(effect, Map.of(), scatter, 10, new Gain(1, 10, 0.5, 1.5), List.of());
   }
 
   @Test
@@ -83,10 +71,42 @@ class DiagnosisFilesTest {
     assertThat(offset.get("holdout_gain_mm").doubleValue()).isEqualTo(12.1);
     assertThat(offset.get("holdout_gain_percent").doubleValue()).isEqualTo(82.9);
     assertThat(offset.get("indistinguishable_from").get(0).textValue())
-        .isEqualTo("ball_height_error");
-    assertThat(offset.get("discriminating_kicks").textValue()).contains("flat kicks");
+        .isEqualTo("camera_offset of camera 0");
+    assertThat(offset.get("discriminating_kicks").textValue()).contains("lay a ball on a mark");
     assertThat(root.get("unexplained").get("significant").isBoolean()).isTrue();
     assertThat(root.get("unexplained").get("depends_on").isArray()).isTrue();
+  }
+
+  @Test
+  void whatWasLearnedHasItsPoints() throws IOException {
+    JsonNode root = written(SampleDiagnosis.partly(8));
+    assertThat(root.get("verdict").textValue()).isEqualTo("partly_explained");
+    JsonNode learned = root.get("learned");
+    assertThat(learned).hasSize(4);
+    for (JsonNode one : learned) {
+      assertThat(one.get("acts_on").textValue()).isIn("ground", "impact", "kick", "measurement");
+      assertThat(one.get("depends_on").isArray()).isTrue();
+      assertThat(one.get("formula").textValue()).isNotBlank();
+      assertThat(one.get("holdout_gain_mm").isDouble()).isTrue();
+      assertThat(one.get("holdout_gain_percent").isDouble()).isTrue();
+    }
+    assertThat(learned.get(0).get("points")).as("of a law").isEmpty();
+    assertThat(learned.get(1).get("points").get(3)).hasSize(3);
+    assertThat(learned.get(1).get("depends_on").get(0).textValue()).isEqualTo("speed");
+    assertThat(learned.get(1).get("camera").isNull()).isTrue();
+    assertThat(learned.get(2).get("points").get(3)).hasSize(4);
+    assertThat(learned.get(3).get("camera").intValue()).isEqualTo(1);
+    assertThat(learned.get(3).get("points")).as("of one component").hasSize(81);
+    assertThat(learned.get(3).get("curves")).hasSize(2);
+  }
+
+  @Test
+  void learnedTermsAndLawsComeBackWithTheModel() throws IOException {
+    Diagnosis d = SampleDiagnosis.partly(4);
+    assertThat(d.model().effects()).hasSize(5);
+    DiagnosisSession.writeAll(SampleOutcome.of(d, 0), folder);
+    Path file = folder.resolve("extended_model.json");
+    assertThat(ExtendedModelFile.read(file, SampleOutcome.EPOCH)).isEqualTo(d.model());
   }
 
   @Test
@@ -126,8 +146,7 @@ class DiagnosisFilesTest {
             0,
             Double.POSITIVE_INFINITY,
             none,
-            List.of(),
-            "");
+            List.of());
     JsonNode root = written(withCauses(d, List.of(cause), few));
     assertThat(root.get("base").get("holdout_rms_mm").isNull()).isTrue();
     assertThat(root.get("base").get("prediction_error_mm").get("2.0").isNull()).isTrue();
@@ -174,6 +193,7 @@ class DiagnosisFilesTest {
             d.base(),
             d.extended(),
             d.causes(),
+            d.learned(),
             d.candidates(),
             new Unexplained(false, Double.NaN, Double.NaN, List.of()),
             d.structureBefore(),
@@ -181,6 +201,8 @@ class DiagnosisFilesTest {
             d.kicks(),
             d.simpleModel(),
             d.model(),
+            d.trace(),
+            d.problems(),
             d.seed());
     assertThat(written(bare).get("unexplained").get("systematic_mm").isNull()).isTrue();
   }

@@ -134,7 +134,7 @@ class CauseWordsTest {
                 + " more when it rolls and brakes 6.0 % less when it slides.",
             "brakes 12 % less when it rolls and brakes 6.0 % more"),
         Arguments.of(
-            new ContactImpacts(-0.2, 0.3),
+            new ContactImpacts(-0.2, 0.3, 0),
             "does not quite stop the slip of the ball's lowest point: 20 % of it stays",
             "reverses the slip of the ball's lowest point: 20 % of it comes back"),
         Arguments.of(
@@ -281,12 +281,63 @@ class CauseWordsTest {
             0.08,
             12,
             new Gain(1, 10, 0.5, 1.5),
-            List.of("air_drag", "camera_time_offset"),
-            "");
+            List.of("air_drag", "camera_time_offset"));
     assertThat(WORDS.of(spin).strength())
         .isEqualTo("fraction −0.200 ± 0.030; differs from kick to kick by ± 0.080");
+    assertThat(WORDS.of(spin).name()).isEqualTo("backspin from the kicker");
+    Cause unsure =
+        new Cause(
+            new KickSpin(0.11),
+            Map.of("fraction", 0.12),
+            0.08,
+            12,
+            new Gain(1, 10, 0.5, 1.5),
+            List.of());
+    assertThat(WORDS.of(unsure).what())
+        .contains("topspin with some kicks and backspin with others");
+    assertThat(WORDS.of(unsure).name()).isEqualTo("topspin/backspin from the kicker");
     assertThat(CauseWords.rivals(spin)).contains("from air drag or wrong time stamps:");
     assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
+  }
+
+  @Test
+  void ofTwoCamerasItIsSaidThatEitherMayBeWrong() {
+    assertThat(rivals(new CameraOffset(21, 0, 1), "camera_offset of camera 0"))
+        .isEqualTo("These kicks cannot tell whether camera 0 or camera 1 is shifted.");
+    assertThat(
+            rivals(
+                new CameraTimeOffset(3, 10),
+                "camera_time_offset of camera 2",
+                "rolling_shutter",
+                "camera_time_offset of camera 0"))
+        .startsWith(
+            "These kicks cannot tell whether camera 0, camera 2 or camera 10 has wrong time stamps."
+                + " These kicks cannot tell it from rolling shutter:");
+    assertThat(rivals(new BallHeightError(8), "camera_offset of camera 1"))
+        .startsWith("These kicks cannot tell it from camera offset, camera 1:");
+    assertThat(
+            rivals(
+                new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS),
+                "lens_distortion_error of camera 1"))
+        .startsWith("These kicks cannot tell it from wrong lens distortion, camera 1:");
+    assertThat(EffectName.of("camera_offset of camera 1")).isEqualTo("camera offset, camera 1");
+  }
+
+  private static String rivals(Effect effect, String... rivals) {
+    return CauseWords.rivals(
+        new Cause(effect, Map.of(), 0, 12, new Gain(1, 10, 0.5, 1.5), List.of(rivals)));
+  }
+
+  @Test
+  void whatACameraReportedBeforeItWasKnockedIsNoShift() {
+    assertThat(WORDS.of(new CameraMoved(12, -7, 45, 1), Map.of()).what()).contains("from 45 s");
+    CameraMoved later = new CameraMoved(12, -7, 100_000, 1);
+    ReportedShifts shifts = new ReportedShifts(SampleDiagnosis.observers(), DIAGNOSIS.kicks(), 0);
+    assertThat(shifts.of(new CameraMoved(12, -7, 45, 1))).isPresent();
+    assertThat(shifts.of(later)).isEmpty();
+    assertThat(
+            new ReportedShifts(SampleDiagnosis.observers(), DIAGNOSIS.kicks(), -100_000).of(later))
+        .isPresent();
   }
 
   @Test

@@ -70,6 +70,17 @@ class NextKicksTest {
   }
 
   @Test
+  void betweenTwoCamerasNoKickMayDecide() {
+    assertThat(NextKicks.toTellApart("camera_offset", List.of("camera_offset of camera 1")))
+        .startsWith("No kick tells which")
+        .contains("lay a ball on a mark");
+    assertThat(NextKicks.toTellApart("camera_pose_error", List.of("camera_pose_error of camera 2")))
+        .startsWith("Record four flat kicks");
+    assertThat(NextKicks.toTellApart("ball_height_error", List.of("camera_offset of camera 1")))
+        .isEqualTo(NextKicks.toTellApart("ball_height_error", List.of("camera_offset")));
+  }
+
+  @Test
   void whatServesTwoRivalsIsSaidOnce() {
     String both = NextKicks.toTellApart("air_drag", List.of("magnus", "speed_dependent_roll"));
     assertThat(both).isEqualTo(NextKicks.toTellApart("air_drag", List.of("magnus")));

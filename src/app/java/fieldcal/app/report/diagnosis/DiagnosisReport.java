@@ -15,8 +15,9 @@ import java.util.Optional;
  * @param provenance what the diagnosis was made from, and by what
  * @param verdict what it comes to, in words
  * @param causes in the order in which they explain most
+ * @param learned what helps the prediction and has no name
  * @param before the simple model
- * @param after the model with all causes
+ * @param after the model with all that was found
  * @param candidates all that were tried, best first
  * @param remains what is left
  * @param profiles how residuals depend on each variable
@@ -32,6 +33,7 @@ public record DiagnosisReport(
     Provenance provenance,
     VerdictWords verdict,
     List<CauseRow> causes,
+    List<LearnedRow> learned,
     QualityRow before,
     QualityRow after,
     List<CandidateRow> candidates,
@@ -55,6 +57,7 @@ public record DiagnosisReport(
     Objects.requireNonNull(verdict, "verdict");
     Objects.requireNonNull(field, "field");
     causes = List.copyOf(causes);
+    learned = List.copyOf(learned);
     candidates = List.copyOf(candidates);
     profiles = List.copyOf(profiles);
     cameras = List.copyOf(cameras);
@@ -67,10 +70,11 @@ public record DiagnosisReport(
    * The verdict.
    *
    * @param id as in {@code diagnosis.json}
-   * @param headline one sentence
-   * @param lines what it means
+   * @param headline what it means for the team, one sentence
+   * @param verdict what it comes to, with the causes by name
+   * @param lines more of it
    */
-  public record VerdictWords(String id, String headline, List<String> lines) {
+  public record VerdictWords(String id, String headline, String verdict, List<String> lines) {
 
     /** Copies the list. */
     public VerdictWords {
@@ -88,7 +92,7 @@ public record DiagnosisReport(
    * @param advice what to do
    * @param strength numbers with errors
    * @param parameters its parameters, in the order of files
-   * @param evidence natural logarithm of the Bayes factor
+   * @param certainty how sure it is, in words
    * @param gainMm what kicks that were held out gain, root mean square, mm
    * @param gainPercent the same in per cent
    * @param gainLowMm lower bound, 2.5 %
@@ -104,7 +108,7 @@ public record DiagnosisReport(
       String advice,
       String strength,
       List<EffectParameter> parameters,
-      @Rounded(2) double evidence,
+      String certainty,
       @Rounded(3) double gainMm,
       @Rounded(2) double gainPercent,
       @Rounded(3) double gainLowMm,
@@ -157,18 +161,43 @@ public record DiagnosisReport(
    *
    * @param name a few words, with camera, robot or place
    * @param strength the numbers that would fit best
-   * @param scoreGain by how much chi-square would fall
-   * @param evidence logarithm of the Bayes factor alone; NaN when it had no chance
-   * @param addedEvidence the same beside the causes named; NaN for these
+   * @param scoreGain by how much chi-square would fall, were it the only cause
    * @param named whether it is one of the causes
    */
   public record CandidateRow(
+      String name, String strength, @Rounded(1) double scoreGain, boolean named) {}
+
+  /**
+   * Something that helps the prediction and has no name.
+   *
+   * @param name a few words
+   * @param what what it does, a sentence with numbers
+   * @param advice what to do; may be empty
+   * @param formula the best simple formula of a curve, the numbers of a law
+   * @param law whether it is a law that takes the place of the simple model's; then there are no curves
+   * @param gainMm what kicks that were held out gain, root mean square, mm
+   * @param gainPercent the same in per cent
+   * @param gainLowMm lower bound, 2.5 %
+   * @param gainHighMm upper bound, 97.5 %
+   * @param curves pictures, one of each component
+   */
+  public record LearnedRow(
       String name,
-      String strength,
-      @Rounded(1) double scoreGain,
-      @Rounded(2) double evidence,
-      @Rounded(2) double addedEvidence,
-      boolean named) {}
+      String what,
+      String advice,
+      String formula,
+      boolean law,
+      @Rounded(3) double gainMm,
+      @Rounded(2) double gainPercent,
+      @Rounded(3) double gainLowMm,
+      @Rounded(3) double gainHighMm,
+      List<CurvePicture> curves) {
+
+    /** Copies the list. */
+    public LearnedRow {
+      curves = List.copyOf(curves);
+    }
+  }
 
   /**
    * What is left when all causes are in the model.

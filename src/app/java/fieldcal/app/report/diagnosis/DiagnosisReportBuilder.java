@@ -1,6 +1,5 @@
 package fieldcal.app.report.diagnosis;
 
-import fieldcal.app.wording.NextKicks;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
@@ -8,13 +7,16 @@ import fieldcal.app.report.Provenance;
 import fieldcal.app.report.diagnosis.DiagnosisReport.CandidateRow;
 import fieldcal.app.report.diagnosis.DiagnosisReport.CauseRow;
 import fieldcal.app.report.diagnosis.DiagnosisReport.EffectParameter;
+import fieldcal.app.report.diagnosis.DiagnosisReport.LearnedRow;
 import fieldcal.app.report.diagnosis.DiagnosisReport.ParameterRow;
 import fieldcal.app.report.diagnosis.DiagnosisReport.QualityRow;
 import fieldcal.app.report.diagnosis.DiagnosisReport.Remains;
 import fieldcal.app.report.diagnosis.DiagnosisReport.VerdictWords;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
+import fieldcal.app.wording.Certainty;
 import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.NextKicks;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -22,6 +24,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.Candidate;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
 import fieldcal.diagnosis.StructureVariable;
 import fieldcal.diagnosis.Unexplained;
@@ -81,8 +84,10 @@ public final class DiagnosisReportBuilder {
     KickPictures kicks = new KickPictures(data, diagnosis.kicks().size());
     return new DiagnosisReport(
         Provenance.of(sources, data, diagnosis.seed()),
-        new VerdictWords(diagnosis.verdict().id(), verdict.headline(), verdict.lines()),
+        new VerdictWords(
+            diagnosis.verdict().id(), verdict.headline(), verdict.verdict(), verdict.lines()),
         diagnosis.causes().stream().map(this::cause).toList(),
+        diagnosis.learned().stream().map(this::learned).toList(),
         quality(diagnosis.base()),
         quality(diagnosis.extended()),
         candidates(),
@@ -117,13 +122,28 @@ public final class DiagnosisReportBuilder {
         text.advice(),
         text.strength(),
         parameters,
-        cause.evidence(),
+        Certainty.of(cause.evidence()),
         cause.gain().mm(),
         cause.gain().percent(),
         cause.gain().lowMm(),
         cause.gain().highMm(),
         CauseWords.rivals(cause),
         NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
+  }
+
+  private LearnedRow learned(LearnedFinding finding) {
+    CauseText text = words.of(finding);
+    return new LearnedRow(
+        text.name(),
+        text.what(),
+        text.advice(),
+        text.strength(),
+        finding.curves().isEmpty(),
+        finding.gain().mm(),
+        finding.gain().percent(),
+        finding.gain().lowMm(),
+        finding.gain().highMm(),
+        finding.curves().stream().map(CurvePicture::of).toList());
   }
 
   private static QualityRow quality(Quality q) {
@@ -135,16 +155,11 @@ public final class DiagnosisReportBuilder {
         q.predictionErrorMm().values().stream().mapToDouble(e -> e).toArray());
   }
 
-  /** The causes, then by evidence alone, beside the causes, and score; of what the search tried in several ways, the best. */
+  /** The causes, then by what each explains alone; of what the search tried in several ways, the best. */
   private List<CandidateRow> candidates() {
     return diagnosis.candidates().stream()
         .sorted(
-            Comparator.comparing((Candidate c) -> !c.named())
-                .thenComparing(c -> Double.isNaN(c.evidence()))
-                .thenComparing(c -> -c.evidence())
-                .thenComparing(c -> Double.isNaN(c.addedEvidence()))
-                .thenComparing(c -> -c.addedEvidence())
-                .thenComparing(c -> -c.scoreGain()))
+            Comparator.comparing((Candidate c) -> !c.named()).thenComparing(c -> -c.scoreGain()))
         .collect(
             Collectors.toMap(
                 DiagnosisReportBuilder::sort, c -> c, (best, other) -> best, LinkedHashMap::new))
@@ -164,8 +179,6 @@ public final class DiagnosisReportBuilder {
         EffectName.of(c.effect()),
         EffectName.strength(c.effect(), Map.of()),
         c.scoreGain(),
-        c.evidence(),
-        c.addedEvidence(),
         c.named());
   }
 
@@ -195,7 +208,8 @@ public final class DiagnosisReportBuilder {
         return strongest.get();
       }
     }
-    boolean explained = diagnosis.verdict() == Verdict.EXPLAINED;
+    boolean explained =
+        diagnosis.verdict() == Verdict.EXPLAINED || diagnosis.verdict() == Verdict.PARTLY_EXPLAINED;
     return largest(
         profiles,
         p ->

@@ -1,10 +1,10 @@
 /*
- * The plots of a diagnosis: each function turns a part of the view model (DiagnosisReport as JSON) into an ECharts option. They know no page. Before is the simple
+ * The plots of a diagnosis: each function turns a part of the view model (DiagnosisReport as JSON) into an ECharts option, or into a table. They know no page. Before is the simple
  * model, hollow and dashed; after is the extended model, filled and solid.
  */
 const DiagnosisPlots = (() => {
   'use strict';
-  const {known, number, signed, tip, axis, base, extent, fieldView} = Charts;
+  const {el, known, number, signed, tip, axis, base, extent, fieldView} = Charts;
 
   const HALF_WINDOW = 0.1; // s; a mean over so much of a kick shows millimetres in noise of the same size
   const MARK_EVERY = 0.5; // s
@@ -228,6 +228,52 @@ const DiagnosisPlots = (() => {
 
   const mapFactor = map => magnification([...map.beforeX, ...map.beforeY]);
 
+  // ---- what was learned ----
+
+  const named = (curve, i) => curve.axes[i] + (curve.axisUnits[i] ? ' [' + curve.axisUnits[i] + ']' : '');
+  const digits = values => { const size = Math.max(...values.map(Math.abs)); return size > 0 ? Math.max(0, Math.min(5, 2 - Math.floor(Math.log10(size)))) : 2; };
+
+  /** A learned curve with bounds of two standard errors. */
+  function curve(theme, curve) {
+    const option = base(theme, named(curve, 0), curve.unit || 'change');
+    const rows = curve.x.map((x, i) => ({x, v: curve.value[i], e: known(curve.error[i]) ? 2 * curve.error[i] : 0}));
+    const decimals = digits(curve.value);
+    // Values of a few thousandths have long labels.
+    option.grid.left = 74;
+    option.yAxis.nameGap = 58;
+    option.xAxis.min = rows[0].x;
+    option.xAxis.max = rows[rows.length - 1].x;
+    const high = Math.max(...rows.map(row => row.v + row.e), 0), low = Math.min(...rows.map(row => row.v - row.e), 0);
+    const room = 0.08 * (high - low || 1);
+    Object.assign(option.yAxis, {min: low - room, max: high + room});
+    option.yAxis.axisLabel.showMinLabel = option.yAxis.axisLabel.showMaxLabel = false;
+    const bound = sign => line(rows.map(row => [row.x, row.v + sign * row.e]), theme.accent, {lineStyle: {color: theme.accent, width: 1, opacity: 0.6}, z: 3});
+    // The charts that the page carries fill no area between two lines: bars that touch do.
+    const bars = rows.flatMap(row => [[row.x, row.v - row.e], [row.x, row.v + row.e], [row.x, null]]);
+    option.series.push(zero(theme), bound(1), bound(-1), line(bars, theme.accent, {lineStyle: {color: theme.accent, width: rows.length > 12 ? 9 : 4, opacity: 0.2}, z: 2}),
+      {type: 'line', data: rows.map(row => ({value: [row.x, row.v], row})), symbol: 'circle', symbolSize: rows.length > 12 ? 5 : 8, showAllSymbol: true, z: 4, lineStyle: {color: theme.accent, width: 2.5}, itemStyle: {color: theme.accent}});
+    option.tooltip.formatter = ({data}) => data && data.row ? tip(curve.axes[0] + ' ' + number(data.row.x, 2) + ' ' + curve.axisUnits[0], signed(data.row.v, decimals) + ' ' + curve.unit, '± ' + number(data.row.e / 2, decimals) + ' (standard error)') : '';
+    return option;
+  }
+
+  /** A table over two numbers, coloured by value; a number where it is more than two standard errors. */
+  function table(curve) {
+    const xs = [...new Set(curve.x)].sort((a, b) => a - b), ys = [...new Set(curve.y)].sort((a, b) => b - a);
+    const size = Math.max(...curve.value.map(Math.abs)) || 1;
+    const decimals = Math.max(0, digits(curve.value) - 1);
+    const cell = (x, y) => {
+      const i = curve.x.findIndex((_, k) => curve.x[k] === x && curve.y[k] === y);
+      const v = curve.value[i], e = known(curve.error[i]) ? curve.error[i] : 0;
+      const strength = (85 * Math.abs(v) / size).toFixed(0);
+      return el('td', {style: 'background: color-mix(in srgb, var(--' + (v > 0 ? 'warn' : 'accent') + ') ' + strength + '%, var(--panel))', class: strength > 50 ? 'strong' : null,
+        title: named(curve, 0) + ' ' + number(x, 1) + ', ' + named(curve, 1) + ' ' + number(y, 1) + ': ' + signed(v, decimals + 1) + ' ' + curve.unit + ' ± ' + number(e, decimals + 1)}, Math.abs(v) > 2 * e ? signed(v, decimals) : '·');
+    };
+    return el('table', {class: 'heat'}, el('tbody', {},
+      ys.map((y, i) => el('tr', {}, i === 0 ? el('th', {rowspan: ys.length, class: 'axis'}, named(curve, 1)) : '', el('th', {scope: 'row'}, number(y, 1)), xs.map(x => cell(x, y)))),
+      el('tr', {}, el('th', {}), el('th', {}), xs.map(x => el('th', {scope: 'col'}, number(x, 1)))),
+      el('tr', {}, el('th', {}), el('th', {}), el('th', {colspan: xs.length, class: 'axis'}, named(curve, 0)))));
+  }
+
   // ---- gain ----
 
   /** Prediction error by horizon as bars. */
@@ -253,5 +299,5 @@ const DiagnosisPlots = (() => {
     return option;
   }
 
-  return {profile, kickByKick, path, residual, map, mapFactor, magnification, deviations, horizons};
+  return {curve, table, profile, kickByKick, path, residual, map, mapFactor, magnification, deviations, horizons};
 })();

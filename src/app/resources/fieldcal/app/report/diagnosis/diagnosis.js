@@ -4,8 +4,8 @@
   const {el, known, number, signed, withError} = Charts;
   const {$, content, draw, forget, figure, choices, badge, swatch} = Frame;
   const report = JSON.parse(document.getElementById('data').textContent);
-  const found = report.causes.length > 0;
-  // Without causes both models are the same, and one picture is enough.
+  const found = report.causes.length + report.learned.length > 0;
+  // When nothing was found both models are the same, and one picture is enough.
   const sides = found ? ['before', 'after'] : ['before'];
   const noise = report.before.noiseMm;
   const gainOf = kick => kick.rmsBeforeMm - kick.rmsAfterMm;
@@ -17,9 +17,9 @@
   const state = {variable: report.shown, kick: null, all: false};
   let theme;
 
-  const sideName = side => found ? (side === 'before' ? 'before: simple model' : 'after: with the causes') : 'simple model';
+  const sideName = side => found ? (side === 'before' ? 'before: simple model' : 'after: with what was found') : 'simple model';
   const sideSwatches = (...more) => found
-    ? [el('span', {}, swatch('circle', theme.warn, true), 'before: simple model'), el('span', {}, swatch('circle', theme.accent), 'after: with the causes'), ...more]
+    ? [el('span', {}, swatch('circle', theme.warn, true), 'before: simple model'), el('span', {}, swatch('circle', theme.accent), 'after: with what was found'), ...more]
     : [el('span', {}, swatch('circle', theme.accent), 'simple model'), ...more];
   const cameraSwatches = () => report.cameras.map(id => el('span', {}, swatch(theme.camera(id).symbol, theme.camera(id).colour), 'camera ' + id));
 
@@ -27,10 +27,10 @@
 
   function showVerdict() {
     const box = $('verdict');
-    const {id, headline, lines} = report.verdict;
-    const mark = {model_adequate: '✔ ', explained: '⚠ ', unexplained_structure: '? '}[id] || '';
+    const {id, headline, verdict, lines} = report.verdict;
+    const mark = {model_adequate: '✔ ', explained: '⚠ ', partly_explained: '◐ ', unexplained_structure: '? '}[id] || '';
     box.className = id;
-    box.replaceChildren(el('p', {class: 'headline'}, mark + headline), ...lines.map(line => el('p', {}, line)));
+    box.replaceChildren(el('p', {class: 'headline'}, mark + headline), el('p', {class: 'came'}, verdict), ...lines.map(line => el('p', {}, line)));
   }
 
   function fact(label, value) {
@@ -46,7 +46,7 @@
   const bounds = cause => known(cause.gainLowMm) && known(cause.gainHighMm) ? number(cause.gainLowMm, 2) + ' to ' + number(cause.gainHighMm, 2) + ' mm' : '–';
 
   function causeItem(cause, i) {
-    const rivals = [cause.rivals, cause.kicksToRecord ? 'To tell, record ' + cause.kicksToRecord.replace(/^record /i, '').replace(/\.?$/, '.') : ''].filter(Boolean);
+    const rivals = [cause.rivals, cause.kicksToRecord ? 'To tell them apart: ' + cause.kicksToRecord : ''].filter(Boolean);
     return el('li', {},
       el('div', {class: 'rank', 'aria-hidden': 'true'}, String(i + 1)),
       el('div', {class: 'words'},
@@ -58,12 +58,45 @@
         el('p', {}, el('span', {class: 'label'}, 'Strength '), el('b', {}, cause.strength)),
         fact('Gain, held-out kicks', gainWords(cause)),
         fact('95 % bounds', bounds(cause)),
-        fact('Evidence', number(cause.evidence, 0))));
+        el('p', {}, el('span', {class: 'label'}, 'Certainty '), el('b', {}, cause.certainty))));
   }
 
   function showCauses() {
-    $('causes').hidden = !found;
+    $('causes').hidden = report.causes.length === 0;
     content('causes').replaceChildren(...report.causes.map(causeItem));
+  }
+
+  // ---- what has no name ----
+
+  function learnedItem(box, finding) {
+    const item = el('article', {},
+      el('p', {class: 'what'}, finding.what),
+      finding.law || finding.curves.length === 1 ? el('p', {class: 'formula'}, (finding.law ? 'Another form of the model, with ' : 'Formula: ') + finding.formula) : '',
+      el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.'),
+      finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
+      el('div', {class: 'charts two'}));
+    box.append(item);
+    const pictures = item.querySelector('.charts');
+    for (const curve of finding.curves) {
+      const formula = finding.curves.length > 1 ? curve.formula : '';
+      const title = curve.title.charAt(0).toUpperCase() + curve.title.slice(1) + (curve.unit ? ' [' + curve.unit + ']' : '');
+      if (curve.axes.length > 1) pictures.append(el('figure', {}, el('figcaption', {}, title, el('span', {}, formula)), el('div', {class: 'scroll'}, DiagnosisPlots.table(curve))));
+      else draw(figure(pictures, title, formula), DiagnosisPlots.curve(theme, curve));
+    }
+  }
+
+  function showLearned() {
+    $('learned').hidden = report.learned.length === 0;
+    const box = content('learned');
+    forget(box);
+    const drawn = report.learned.flatMap(finding => finding.curves);
+    $('learned-legend').replaceChildren(...(drawn.length ? [
+      el('span', {}, 'What the simple model lacks, as learned from the kicks, over the range that they cover'),
+      ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
+      ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of nothing')] : [])] : []));
+    const laws = report.learned.every(finding => finding.law);
+    $('learned-title').textContent = laws ? 'Another form of the model' : 'What has no name';
+    report.learned.forEach(finding => learnedItem(box, finding));
   }
 
   // ---- what the error depends on ----
@@ -184,29 +217,20 @@
     box.append(el('p', {class: 'legend'}, sideSwatches()));
   }
 
-  function standing(candidate) {
-    if (candidate.named) return badge('warn', '✔ cause');
-    const beside = found ? candidate.addedEvidence : candidate.evidence;
-    if (known(beside) && beside > 0) return 'not accepted';
-    if (!known(candidate.evidence)) return 'no chance';
-    if (candidate.evidence <= 0) return 'speaks against it';
-    return known(beside) ? 'nothing left for it' : 'not needed';
-  }
-
+  /** What a candidate explains alone, as a share of what the best one does. */
   function showCandidates() {
-    const best = Math.max(1, ...report.candidates.map(c => c.evidence).filter(known));
-    const width = c => known(c.evidence) && c.evidence > 0 ? 100 * Math.log10(1 + c.evidence) / Math.log10(1 + best) : 0;
+    const best = Math.max(...report.candidates.map(c => c.scoreGain).filter(known), 0);
+    const share = c => best > 0 && known(c.scoreGain) ? Math.max(0, 100 * c.scoreGain / best) : 0;
+    const words = percent => percent >= 9.5 ? number(percent, 0) + ' %' : percent >= 0.1 ? number(percent, 1) + ' %' : 'nothing';
     const shown = state.all ? report.candidates : report.candidates.filter((c, i) => c.named || i < CANDIDATES);
     const rows = shown.map(c => el('tr', {class: c.named ? 'named' : null},
       el('td', {class: 'text wrap'}, c.name, ' ', el('small', {}, c.strength)),
-      el('td', {class: 'evidence'}, width(c) > 0 ? el('i', {style: 'width: ' + width(c).toFixed(1) + '%'}) : ''),
-      el('td', {}, known(c.evidence) ? signed(c.evidence, Math.abs(c.evidence) < 10 ? 1 : 0) : '–'),
-      found ? el('td', {}, known(c.addedEvidence) ? signed(c.addedEvidence, Math.abs(c.addedEvidence) < 10 ? 1 : 0) : '') : '',
-      el('td', {class: 'text'}, standing(c))));
-    const head = ['Possible cause', 'Evidence', 'alone', ...(found ? ['beside'] : []), ''];
-    content('candidates').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null, title: h === 'beside' ? 'beside the causes found' : null}, h)))), el('tbody', {}, rows))),
-      el('p', {class: 'note'}, 'Evidence alone, bars logarithmic' + (found ? '; beside: what is left of it when the causes found are in the model. ' : '. ')
-        + (rows.length && shown.some(c => standing(c) === 'not accepted') ? 'These numbers take the cameras\' noise for all that disturbs. Where more remains unexplained, evidence counts for less, and a cause must pay on kicks that were held out: what does not is not accepted.' : '')));
+      el('td', {class: 'evidence'}, share(c) > 0 ? el('i', {style: 'width: ' + share(c).toFixed(1) + '%'}) : ''),
+      el('td', {}, words(share(c))),
+      el('td', {class: 'text'}, c.named ? badge('warn', '✔ cause') : '')));
+    const head = ['Possible cause', 'Explains alone', 'of the best', ''];
+    content('candidates').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null}, h)))), el('tbody', {}, rows))),
+      el('p', {class: 'note'}, 'How much of the misfit each would explain if it were the only cause, and how strong it would then be. What looks like a true cause explains much of the same; a cause is named for what it adds to all others, on kicks that were held out.'));
     const more = report.candidates.length - CANDIDATES;
     if (more > 0) choices('candidates-shown', [[false, 'best ' + CANDIDATES], [true, 'all ' + report.candidates.length]], state.all, all => { state.all = all; showCandidates(); });
   }
@@ -227,9 +251,9 @@
 
   function showCauseTable() {
     const box = content('cause-table');
-    $('cause-table').hidden = !found;
+    $('cause-table').hidden = report.causes.length === 0;
     const rows = report.causes.flatMap(cause => [
-      el('tr', {class: 'group'}, el('th', {colspan: 3}, cause.name, ' ', el('small', {}, cause.id + ' · evidence ' + number(cause.evidence, 1) + ' · gain ' + gainWords(cause) + ', ' + bounds(cause)))),
+      el('tr', {class: 'group'}, el('th', {colspan: 3}, cause.name, ' ', el('small', {}, cause.id + ' · ' + cause.certainty + ' · gain ' + gainWords(cause) + ', ' + bounds(cause)))),
       ...cause.parameters.map(p => el('tr', {}, el('td', {class: 'text'}, p.name), el('td', {class: known(p.error) ? 'big' : null}, known(p.error) ? withError(p.value, p.error) : Charts.number(p.value, Number.isInteger(p.value) ? 0 : 3)), el('td', {class: 'text'}, p.unit === 'rad' ? 'rad = ' + number(p.value * 180 / Math.PI, 1) + '°' : p.unit))),
     ]);
     box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text'}, 'Parameter'), el('th', {}, 'Value ± s.e.'), el('th', {class: 'text'}, 'Unit'))), el('tbody', {}, rows)));
@@ -243,7 +267,7 @@
     });
     const head = ['Parameter', found ? 'before' : 'Value', ...(found ? ['after', 'change'] : [])];
     content('parameters').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows))),
-      el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for the causes; with the causes in it they are the ball\'s own.' : '.')));
+      el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for what it leaves out; with that in it they are the ball\'s own.' : '.')));
   }
 
   // ---- the whole page ----
@@ -252,6 +276,7 @@
     Frame.showProvenance(report.provenance, 'j and k go to the next and the previous kick');
     showVerdict();
     showCauses();
+    showLearned();
     showProfiles();
     $('kicks').hidden = report.kicks.length === 0;
     if (report.kicks.length > 0) {

@@ -50,7 +50,11 @@ class DiagnosisReportTest {
     assertThat(offset.parameters().get(0))
         .isEqualTo(new DiagnosisReport.EffectParameter("x_mm", "mm", 21.2, 0.12));
     assertThat(offset.parameters().get(2).error()).as("which camera").isNaN();
-    assertThat(offset.rivals()).contains("wrong ball height in vision");
+    assertThat(offset.rivals())
+        .startsWith("These kicks cannot tell whether camera 0 or camera 1 is shifted.")
+        .contains("wrong ball height in vision");
+    assertThat(offset.certainty()).isEqualTo("certain");
+    assertThat(report.verdict().headline()).startsWith("Passes are predicted 38 mm wrong");
     assertThat(report.before().horizons()).containsExactly(0.5, 1, 2);
     assertThat(report.after().predictionErrorMm()).containsExactly(5.1, 12.4, 29.0);
     assertThat(report.candidates()).hasSize(d.candidates().size());
@@ -163,6 +167,15 @@ class DiagnosisReportTest {
     assertThat(unexplained.remains().words()).contains("the time since the kick");
     assertThat(unexplained.remains().dependsOn()).containsExactly("time_since_kick", "speed");
     keep("unexplained", write(unexplained));
+    DiagnosisReport partly = report(SampleDiagnosis.partly(24), "session.log.gz", true);
+    assertThat(partly.verdict().id()).isEqualTo("partly_explained");
+    assertThat(partly.learned()).hasSize(4);
+    assertThat(partly.learned().get(0).law()).isTrue();
+    assertThat(partly.learned().get(1).curves()).hasSize(1);
+    assertThat(partly.learned().get(1).curves().get(0).axes()).containsExactly("speed");
+    assertThat(partly.learned().get(2).curves().get(0).axes()).containsExactly("x", "y");
+    assertThat(partly.learned().get(3).curves()).hasSize(2);
+    keep("partly", write(partly));
     assertThat(PageChecks.found(write(unexplained), "NaN|Infinity\\b(?!;)").size())
         .as("of the scripts only")
         .isEqualTo(PageChecks.found(write(adequate), "NaN|Infinity\\b(?!;)").size());

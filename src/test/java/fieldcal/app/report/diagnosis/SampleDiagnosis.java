@@ -8,6 +8,7 @@ import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Gain;
 import fieldcal.diagnosis.KickResiduals;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
 import fieldcal.diagnosis.StructureVariable;
 import fieldcal.diagnosis.Unexplained;
@@ -64,16 +65,10 @@ public final class SampleDiagnosis {
                 0,
                 18234,
                 new Gain(12.1, 82.9, 11.6, 12.7),
-                List.of("ball_height_error"),
-                "flat kicks along y through the middle of each camera's view"),
+                List.of("camera_offset of camera 0", "ball_height_error")),
             new Cause(
-                DRAG,
-                Map.of("cd", 0.021),
-                0,
-                231.4,
-                new Gain(0.94, 37.6, 0.71, 1.2),
-                List.of(),
-                "")),
+                DRAG, Map.of("cd", 0.021), 0, 231.4, new Gain(0.94, 37.6, 0.71, 1.2), List.of())),
+        List.of(),
         candidates(true),
         new Unexplained(false, 0.1, 0.8, List.of()),
         SampleProfiles.of(residuals, false),
@@ -81,7 +76,56 @@ public final class SampleDiagnosis {
         residuals,
         model(List.of()),
         model(List.of(OFFSET, DRAG)),
+        List.of(),
+        List.of(),
         42);
+  }
+
+  /** Drag found, and beside it another law of the bounce, a curve over the speed, reports that depend on the place in the image, and something left. */
+  public static Diagnosis partly(int kicks) {
+    List<KickResiduals> residuals = SampleKicks.of(kicks, 10, List.of(DRAG), true);
+    List<LearnedFinding> learned = SampleLearned.findings();
+    List<Effect> effects = new ArrayList<>(List.of(DRAG));
+    learned.forEach(f -> effects.add(f.effect()));
+    return new Diagnosis(
+        Verdict.PARTLY_EXPLAINED,
+        new Quality(24.2, 1.5, 25.1, Map.of(0.5, 121.3, 1.0, 502.0, 2.0, 864.9)),
+        new Quality(4.1, 1.5, 4.5, Map.of(0.5, 31.0, 1.0, 88.0, 2.0, 131.0)),
+        List.of(
+            new Cause(DRAG, Map.of("cd", 0.021), 0, 11.4, new Gain(9.4, 37.6, 7.1, 12), List.of())),
+        learned,
+        candidates(false),
+        new Unexplained(
+            true, 2.9, 41, List.of(StructureVariable.HEIGHT, StructureVariable.IMAGE_ROW)),
+        SampleProfiles.of(residuals, false),
+        SampleProfiles.of(residuals, true),
+        residuals,
+        model(List.of()),
+        model(effects),
+        List.of(),
+        List.of(),
+        42);
+  }
+
+  /** The same with other causes, another base, and what failed. */
+  public static Diagnosis with(
+      Diagnosis d, List<Cause> causes, Quality base, List<String> problems) {
+    return new Diagnosis(
+        d.verdict(),
+        base,
+        d.extended(),
+        causes,
+        d.learned(),
+        d.candidates(),
+        d.unexplained(),
+        d.structureBefore(),
+        d.structureAfter(),
+        d.kicks(),
+        d.simpleModel(),
+        d.model(),
+        d.trace(),
+        problems,
+        d.seed());
   }
 
   /** Nothing wrong. */
@@ -93,6 +137,7 @@ public final class SampleDiagnosis {
         quality,
         quality,
         List.of(),
+        List.of(),
         candidates(false),
         new Unexplained(false, 0.05, 0.3, List.of()),
         SampleProfiles.of(residuals, false),
@@ -100,6 +145,8 @@ public final class SampleDiagnosis {
         residuals,
         model(List.of()),
         model(List.of()),
+        List.of(),
+        List.of(),
         42);
   }
 
@@ -112,6 +159,7 @@ public final class SampleDiagnosis {
         quality,
         quality,
         List.of(),
+        List.of(),
         candidates(false),
         new Unexplained(
             true, 2.9, 41, List.of(StructureVariable.TIME_SINCE_KICK, StructureVariable.SPEED)),
@@ -120,23 +168,27 @@ public final class SampleDiagnosis {
         residuals,
         model(List.of()),
         model(List.of()),
+        List.of(),
+        List.of(),
         42);
   }
 
   private static List<Candidate> candidates(boolean found) {
     List<Candidate> all = new ArrayList<>();
     if (found) {
-      all.add(new Candidate(OFFSET, 38000, 18234, Double.NaN, true));
-      all.add(new Candidate(new CameraOffset(-21.2, 0.4, 0), 38000, 18230, -4, false));
-      all.add(new Candidate(DRAG, 1520, 412, Double.NaN, true));
+      all.add(candidate(OFFSET, 38000, true));
+      all.add(candidate(new CameraOffset(-21.2, 0.4, 0), 37990, false));
+      all.add(candidate(DRAG, 1520, true));
     }
     for (Effect effect : EffectCatalogue.all()) {
       if (all.stream().noneMatch(c -> c.effect().id().equals(effect.id()))) {
-        boolean tried = all.size() % 3 > 0;
-        Effect small = effect.probes().get(0);
-        all.add(new Candidate(small, 2, tried ? 9.0 - all.size() : Double.NaN, -5, false));
+        all.add(candidate(effect.probes().get(0), 400.0 / all.size(), false));
       }
     }
     return all;
+  }
+
+  private static Candidate candidate(Effect effect, double scoreGain, boolean named) {
+    return new Candidate(effect, scoreGain, Double.NaN, Double.NaN, named);
   }
 }
