@@ -5,20 +5,26 @@ import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.ModelState;
 import fieldcal.diagnosis.model.MovingNoise;
 import fieldcal.diagnosis.screening.KickScreen;
 import fieldcal.diagnosis.screening.TypicalBall;
 import fieldcal.effect.Arena;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
 import fieldcal.fit.Screening;
 import fieldcal.fit.joint.SharedSolver;
+import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.vision.RobotId;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -36,7 +42,7 @@ public record FittedField(
   private static final Map<SimulationSettings, FittedField> KNOWN = new ConcurrentHashMap<>();
 
   /** Nothing wrong: a ball that obeys the league's model to the letter, two cameras. */
-  private static final SimulationSettings SOUND =
+  public static final SimulationSettings SOUND =
       SimulationSettings.DEFAULT
           .withPhysics(BallPhysics.ideal(-3.1, -0.28, 5.0 / 7, 0.75, 0.95, 0.52))
           .withCameras(CameraSettings.DEFAULT.withCount(2))
@@ -87,6 +93,31 @@ public record FittedField(
 
   private static boolean has(List<KickRecord> kicks, KickKind kind) {
     return kicks.stream().anyMatch(k -> k.kind() == kind);
+  }
+
+  /** A kick fitted again, all of its detections taken for the ball. */
+  public KickRecord again(Kick kick, KickKind kind) {
+    ModelState state = simple.solution().state();
+    KickFit fit =
+        new KickFitter(FitSettings.defaults())
+            .fit(FitProblem.of(kick, noise.cameras(), state.flat(), state.chip()), kind);
+    boolean[] kept = new boolean[kick.observations().size()];
+    Arrays.fill(kept, true);
+    return new KickRecord(fit, kept, noise.cameras(), noise.stampNoise());
+  }
+
+  /** The simple model, fitted to other records of the field's kicks. */
+  public FittedModel simple(List<KickRecord> kicks) {
+    return fitter(kicks)
+        .fit(
+            simple.model().forKinds(has(kicks, KickKind.FLAT), has(kicks, KickKind.CHIP)),
+            SOLVER.settlingVariants());
+  }
+
+  /** The screen of a diagnosis of this field. */
+  public KickScreen screen() {
+    return new KickScreen(
+        noise, simple.model(), problem.sessionStart(), FitSettings.defaults());
   }
 
   /** The same field with other kicks. */
