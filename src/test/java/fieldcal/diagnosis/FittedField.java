@@ -74,8 +74,7 @@ public record FittedField(
   /** The field of any recording. */
   public static FittedField of(DiagnosisProblem problem) {
     List<KickFit> fits = problem.fits();
-    List<boolean[]> kept =
-        fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
+    List<boolean[]> kept = fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
     MovingNoise noise = MovingNoise.of(fits, kept, problem.cameras());
     List<KickRecord> kicks = fits.stream().map(f -> KickScreen.record(f, noise)).toList();
     ModelFitter fitter = new ModelFitter(kicks, problem.sessionStart());
@@ -116,8 +115,7 @@ public record FittedField(
 
   /** The screen of a diagnosis of this field. */
   public KickScreen screen() {
-    return new KickScreen(
-        noise, simple.model(), problem.sessionStart(), FitSettings.defaults());
+    return new KickScreen(noise, simple.model(), problem.sessionStart(), FitSettings.defaults());
   }
 
   /** The same field with other kicks. */

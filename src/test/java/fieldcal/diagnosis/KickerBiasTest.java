@@ -56,7 +56,8 @@ class KickerBiasTest {
       double direction = Math.atan2(own[3], own[2]) - 0.005 * random.nextGaussian();
       RobotId robot = new RobotId(Team.YELLOW, k % 3);
       commands.put(
-          field.simple().kick(k).record().kick().id(), new KickCommand(robot, told, direction, 0.7));
+          field.simple().kick(k).record().kick().id(),
+          new KickCommand(robot, told, direction, 0.7));
     }
     return !causes(commands).isEmpty();
   }

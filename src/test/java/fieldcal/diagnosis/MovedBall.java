@@ -22,8 +22,7 @@ public final class MovedBall {
       xy[0] = seen.x(i);
       xy[1] = seen.y(i);
       shift.add(seen.time(i), xy);
-      moved.add(
-          seen.time(i), seen.camera(i), xy[0], xy[1], seen.pixelX(i), seen.pixelY(i));
+      moved.add(seen.time(i), seen.camera(i), xy[0], xy[1], seen.pixelX(i), seen.pixelY(i));
     }
     return kick.withObservations(moved.build());
   }

@@ -194,13 +194,10 @@ class DecisionTest {
     kicks.set(
         2,
         field.again(
-            MovedBall.shifted(
-                kicks.get(2).kick(), t -> 0.02 * Math.max(0, t) * Math.max(0, t)),
+            MovedBall.shifted(kicks.get(2).kick(), t -> 0.02 * Math.max(0, t) * Math.max(0, t)),
             KickKind.FLAT));
     List<Judgement> judged = judge(field, kicks, new FieldSlope(0, 0));
     assertThat(judged.get(0).evidence()).isGreaterThan(30);
-    assertThat(judged.get(0).outcome())
-        .as("%s", judged)
-        .isIn(Outcome.ONE_KICK, Outcome.UNSTEADY);
+    assertThat(judged.get(0).outcome()).as("%s", judged).isIn(Outcome.ONE_KICK, Outcome.UNSTEADY);
   }
 }

@@ -86,8 +86,7 @@ class ComponentTest {
         down[i] -= h;
         j[i] = (c.effect(up, 0).value(name) - c.effect(down, 0).value(name)) / (2 * h);
       }
-      double variance =
-          j[0] * j[0] * v[0][0] + 2 * j[0] * j[1] * v[0][1] + j[1] * j[1] * v[1][1];
+      double variance = j[0] * j[0] * v[0][0] + 2 * j[0] * j[1] * v[0][1] + j[1] * j[1] * v[1][1];
       assertThat(c.errors(at, v, 0).get(name)).isCloseTo(Math.sqrt(variance), within(1e-8));
     }
   }

@@ -105,7 +105,8 @@ class KickScreenTest {
     FittedField field = FittedField.flats();
     Kick kick = field.fitter().kicks().get(WHICH).kick();
     KickRecord stray =
-        field.again(MovedBall.shifted(kick, t -> 0.1 * Math.sin(12 * Math.max(0, t))), KickKind.FLAT);
+        field.again(
+            MovedBall.shifted(kick, t -> 0.1 * Math.sin(12 * Math.max(0, t))), KickKind.FLAT);
     FittedModel fitted = field.simple(with(field, stray));
     List<KickRecord> left = field.screen().withoutStrays(fitted);
     assertThat(left).hasSize(fitted.kickCount() - 1).noneMatch(k -> k == stray);

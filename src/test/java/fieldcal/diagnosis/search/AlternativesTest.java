@@ -20,8 +20,7 @@ class AlternativesTest {
   private final FittedField field =
       FittedField.flats("air_drag:cd=0.45", "camera_offset:x_mm=10,y_mm=-4,camera=1");
   private final Alternatives alternatives =
-      new Alternatives(
-          field.fitter(), new Dictionary(EffectCatalogue.all(), field.arena()));
+      new Alternatives(field.fitter(), new Dictionary(EffectCatalogue.all(), field.arena()));
 
   private FittedModel withDragAnd(int camera) {
     Effect drag = new AirDrag(0.45);

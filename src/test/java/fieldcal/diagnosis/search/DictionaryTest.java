@@ -15,6 +15,7 @@ import fieldcal.effect.motion.Wind;
 import fieldcal.effect.motion.WornRegion;
 import fieldcal.simulation.ScenarioKind;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -82,7 +83,7 @@ class DictionaryTest {
         .isNotEmpty()
         .allMatch(Component::isPerKick);
     assertThat(left.stream().flatMap(p -> p.components().stream()))
-        .filteredOn(c -> c.camera().equals(java.util.OptionalInt.of(0)))
+        .filteredOn(c -> c.camera().equals(OptionalInt.of(0)))
         .isNotEmpty()
         .allMatch(c -> c.magnitudeCount() > 1);
   }

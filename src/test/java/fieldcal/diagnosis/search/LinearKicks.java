@@ -36,8 +36,7 @@ final class LinearKicks {
       for (int r = 0; r < ROWS; r++) {
         y[k][r] = k + random.nextGaussian();
         for (int c = 0; c < COLUMNS; c++) {
-          x[k][r][c] =
-              c == COLUMNS - 1 ? x[k][r][2] + x[k][r][3] : random.nextGaussian() + 0.3 * c;
+          x[k][r][c] = c == COLUMNS - 1 ? x[k][r][2] + x[k][r][3] : random.nextGaussian() + 0.3 * c;
           y[k][r] += TRUTH[c] * x[k][r][c];
         }
       }
@@ -138,8 +137,7 @@ final class LinearKicks {
     }
 
     @Override
-    public void ownColumns(
-        double[] own, double[] state, double[] residuals, double[][] columns) {
+    public void ownColumns(double[] own, double[] state, double[] residuals, double[][] columns) {
       Arrays.fill(columns[0], 1);
     }
 

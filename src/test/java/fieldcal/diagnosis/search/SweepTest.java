@@ -12,8 +12,7 @@ class SweepTest {
   private static final Offset<Double> EXACT = within(1e-8);
 
   private final LinearKicks kicks = new LinearKicks(3);
-  private final Sweep sweep =
-      new Sweep(kicks.system(), new double[LinearKicks.COLUMNS]);
+  private final Sweep sweep = new Sweep(kicks.system(), new double[LinearKicks.COLUMNS]);
 
   private Sweep withBase() {
     Sweep base = sweep.copy();

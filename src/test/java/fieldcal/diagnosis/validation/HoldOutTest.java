@@ -91,8 +91,7 @@ class HoldOutTest {
       KickRecord record = drag.kick(k).record();
       double[] rx = new double[record.size()];
       double[] ry = new double[record.size()];
-      drag.kick(k)
-          .plainResiduals(drag.solution().own(k), drag.solution().state(), rx, ry);
+      drag.kick(k).plainResiduals(drag.solution().own(k), drag.solution().state(), rx, ry);
       for (int i = 0; i < rx.length; i++) {
         if (record.used()[i]) {
           sum += rx[i] * rx[i] + ry[i] * ry[i];
