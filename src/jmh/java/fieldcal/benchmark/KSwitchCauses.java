@@ -38,6 +38,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.apache.commons.math3.stat.StatUtils;
 
 /**
@@ -204,10 +205,15 @@ final class KSwitchCauses {
         diagnosis.causes().stream().map(KSwitchCauses::text).collect(Collectors.joining("; "));
     return switch (diagnosis.verdict()) {
       case MODEL_ADEQUATE -> "model adequate";
-      case EXPLAINED ->
-          diagnosis.unexplained().significant()
-              ? "%s; %.2f mm remain".formatted(causes, diagnosis.unexplained().systematicMm())
-              : causes;
+      case EXPLAINED -> causes;
+      case PARTLY_EXPLAINED ->
+          Stream.of(
+                  Stream.of(causes).filter(c -> !c.isEmpty()),
+                  diagnosis.learned().stream()
+                      .map(l -> "%s depends on %s".formatted(l.actsOn(), l.dependsOn())),
+                  Stream.of("%.2f mm remain".formatted(diagnosis.unexplained().systematicMm())))
+              .flatMap(s -> s)
+              .collect(Collectors.joining("; "));
       case UNEXPLAINED_STRUCTURE ->
           "%.2f mm unexplained, depends on %s"
               .formatted(

@@ -9,8 +9,10 @@ import fieldcal.benchmark.FieldcalProcess;
 import fieldcal.benchmark.Goal;
 import fieldcal.benchmark.Scratch;
 import fieldcal.calibration.HandSelection;
+import fieldcal.diagnosis.search.Alternatives;
+import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.effect.EffectCatalogue;
 import fieldcal.fit.FitSettings;
-import fieldcal.fit.KickFit;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
@@ -21,7 +23,7 @@ import java.util.Locale;
 
 /**
  * Wall time and memory of {@code ./fieldcal diagnose} as the operator has it, a process of its own with its report, on recordings of 24 kicks with different causes in them; and time of the score tests alone, of all
- * effects at all places, warm.
+ * effects that act everywhere, warm.
  */
 public final class DiagnosisSpeed {
   private static final Goal SECONDS = Goal.atMost(20, "%.0f s");
@@ -105,20 +107,13 @@ public final class DiagnosisSpeed {
 
   /** Fastest of three, s. */
   private static double scores(DiagnosisProblem problem) {
-    List<KickFit> fits = problem.fits();
-    NoiseCalibration noise = NoiseCalibration.of(fits, problem.cameras());
-    HypothesisFitter fitter =
-        new HypothesisFitter(
-            fits.stream().map(f -> new KickData(f, noise.cameras(), noise.stampNoise())).toList(),
-            problem.observers(),
-            problem.sessionStart(),
-            Kinds.flat(fits),
-            Kinds.chip(fits, Kinds.flat(fits)));
-    FittedHypothesis simple = fitter.fitSimple();
+    FittedField field = FittedField.of(problem);
+    Alternatives all =
+        new Alternatives(field.fitter(), new Dictionary(EffectCatalogue.all(), field.arena()));
     double[] seconds = new double[3];
     for (int i = 0; i < seconds.length; i++) {
       long before = System.nanoTime();
-      new CauseSearch(fitter, what -> {}).scores(simple);
+      all.scores(field.simple());
       seconds[i] = (System.nanoTime() - before) * 1e-9;
     }
     return Arrays.stream(seconds).min().orElseThrow();

@@ -3,7 +3,12 @@ package fieldcal.diagnosis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.diagnosis.hidden.HiddenCase;
+import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import java.util.HashMap;
@@ -17,41 +22,49 @@ import org.junit.jupiter.api.Test;
 class KickerBiasTest {
   private static final RobotId SOUND = new RobotId(Team.YELLOW, 3);
   private static final RobotId BIASED = new RobotId(Team.BLUE, 7);
+  private static final SimulationSettings FIELD =
+      HiddenCase.of(41000019, ScenarioKind.CHIP).settings();
 
-  private final ChipsField field = ChipsField.fitted();
+  private final FittedField field = FittedField.of(FIELD);
 
   /** The causes when every second kick is that share faster, and that much aside (rad), than told. */
   private List<Cause> causes(double speed, double yaw, double scale, boolean two) {
     Random random = new Random(5);
     Map<Integer, KickCommand> commands = new HashMap<>();
-    for (int k = 0; k < field.fitter.kicks.size(); k++) {
-      double[] own = field.simple.own().get(k);
+    for (int k = 0; k < field.simple().kickCount(); k++) {
+      double[] own = field.simple().solution().own(k);
       boolean biased = k % 2 == 0;
       double seen = Math.sqrt(own[2] * own[2] + own[3] * own[3] + own[4] * own[4]);
       double told = seen / (scale * (1 + (biased ? speed : 0) + 0.01 * random.nextGaussian()));
       double direction =
           Math.atan2(own[3], own[2]) - (biased ? yaw : 0) - 0.004 * random.nextGaussian();
       commands.put(
-          field.fitter.kicks.get(k).kick.id(),
+          field.simple().kick(k).record().kick().id(),
           new KickCommand(biased && two ? BIASED : SOUND, told, direction, 0.7));
     }
-    return new KickerBias(field.fitter, field.simple, commands, 1).causes();
+    return causes(commands);
   }
 
   /** Fourteen kicks of three sound robots, so that four or five must tell of each. */
   private boolean isSomebodyNamed(long seed) {
     Random random = new Random(seed);
     Map<Integer, KickCommand> commands = new HashMap<>();
-    for (int k = 0; k < field.fitter.kicks.size(); k++) {
-      double[] own = field.simple.own().get(k);
+    for (int k = 0; k < field.simple().kickCount(); k++) {
+      double[] own = field.simple().solution().own(k);
       double seen = Math.sqrt(own[2] * own[2] + own[3] * own[3] + own[4] * own[4]);
       double told = seen / (1 + 0.01 * random.nextGaussian());
       double direction = Math.atan2(own[3], own[2]) - 0.005 * random.nextGaussian();
       RobotId robot = new RobotId(Team.YELLOW, k % 3);
       commands.put(
-          field.fitter.kicks.get(k).kick.id(), new KickCommand(robot, told, direction, 0.7));
+          field.simple().kick(k).record().kick().id(),
+          new KickCommand(robot, told, direction, 0.7));
     }
-    return !new KickerBias(field.fitter, field.simple, commands, 1).causes().isEmpty();
+    return !causes(commands).isEmpty();
+  }
+
+  private List<Cause> causes(Map<Integer, KickCommand> commands) {
+    Arena arena = field.arena(KickerBias.robots(commands));
+    return new KickerBias(field.simple(), commands, 1).causes(EffectCatalogue.all(), arena);
   }
 
   private static double value(Cause cause, String name) {
@@ -107,6 +120,6 @@ class KickerBiasTest {
 
   @Test
   void withoutCommandsNobodyIsBlamed() {
-    assertThat(new KickerBias(field.fitter, field.simple, Map.of(), 1).causes()).isEmpty();
+    assertThat(causes(Map.of())).isEmpty();
   }
 }

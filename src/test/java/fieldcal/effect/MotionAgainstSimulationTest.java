@@ -30,6 +30,7 @@ import fieldcal.simulation.physics.ImpactLaw.Contact;
 import fieldcal.simulation.physics.Region;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -111,13 +112,13 @@ class MotionAgainstSimulationTest {
             new BounceSpinCoupling(0.2),
             new KickSpin(-0.6),
             new SideSpin(0.2)),
-        of(sticking(p, 0, 0.6), new ContactImpacts(0, 0.6)),
-        of(sticking(p, 0, 0.2), new ContactImpacts(0, 0.2)),
-        of(sticking(p, 0, 0.6).spin(-0.5, 0), new ContactImpacts(0, 0.6), new KickSpin(-0.5)),
+        of(sticking(p, 0, 0.6), new ContactImpacts(0, 0.6, 0)),
+        of(sticking(p, 0, 0.2), new ContactImpacts(0, 0.2, 0)),
+        of(sticking(p, 0, 0.6).spin(-0.5, 0), new ContactImpacts(0, 0.6, 0), new KickSpin(-0.5)),
         of(
             sticking(p, 0, 0.3).spin(-0.6, 0.3).air(p.air.withLift(0.5)),
             new Magnus(0.5),
-            new ContactImpacts(0, 0.3),
+            new ContactImpacts(0, 0.3, 0),
             new KickSpin(-0.6),
             new SideSpin(0.3)),
         of(slippery(p, 0.05), new SlipDependentFriction(0.05)),
@@ -165,21 +166,8 @@ class MotionAgainstSimulationTest {
     return world.impact(world.impact.withTangential(new Contact(reversed, friction, 0)));
   }
 
-  /** The simulation's friction grows from its value without slip, ours from that at 2 m/s. */
   private static World slippery(World world, double slope) {
-    double still = 1 - 2 * slope;
-    return world.ground(GroundLaw.uniform(still * 3.1 / 9.81, 0.28).withSlipSlope(slope / still));
-  }
-
-  /** The simulation's field leans under balls on the carpet only, and its fixed losses at impacts take no notice of spin. */
-  static Stream<Arguments> worldsOfChips() {
-    return worlds().filter(w -> isTheSameForChips((List<?>) w.get()[1]));
-  }
-
-  private static boolean isTheSameForChips(List<?> effects) {
-    boolean spins = effects.stream().anyMatch(MotionEffect.SpinAtKick.class::isInstance);
-    boolean contact = effects.stream().anyMatch(MotionEffect.ImpactLaw.class::isInstance);
-    return (contact || !spins) && effects.stream().noneMatch(FieldSlope.class::isInstance);
+    return world.ground(GroundLaw.uniform(3.1 / 9.81, 0.28).withSlipSlope(slope));
   }
 
   @ParameterizedTest
@@ -194,31 +182,67 @@ class MotionAgainstSimulationTest {
     }
   }
 
-  /** Spin at impacts and a slope in flight are the simulation's alone as yet. */
+  private static final double[][] CHIPS = {{3, 1, 3}, {2, -1, 4.2}};
+
+  /** Impacts with a law of their own, and balls that the kick gave no spin. */
   static Stream<Arguments> worldsOfChips() {
-    return worlds()
-        .filter(
-            a -> {
-              World w = (World) a.get()[0];
-              boolean level = w.ground.slopeX() == 0 && w.ground.slopeY() == 0;
-              return level && w.roll == 0 && w.side == 0;
-            });
+    return worlds().filter(a -> !spins(a));
+  }
+
+  /** The league's fixed losses, and spin of the kick beside them: Coulomb friction limits none of these impacts. */
+  static Stream<Arguments> worldsOfSpinningChips() {
+    return worlds().filter(MotionAgainstSimulationTest::spins);
+  }
+
+  private static boolean spins(Arguments a) {
+    List<?> effects = (List<?>) a.get()[1];
+    return effects.stream().anyMatch(MotionEffect.SpinAtKick.class::isInstance)
+        && effects.stream().noneMatch(MotionEffect.ImpactLaw.class::isInstance);
+  }
+
+  private static ExtendedTrajectory chip(List<MotionEffect> effects, double[] v) {
+    return ExtendedTrajectory.chip(
+        CHIP, MotionEffects.of(effects), 0, SESSION_TIME, 0, 0, v[0], v[1], v[2]);
   }
 
   @ParameterizedTest
   @MethodSource("worldsOfChips")
   void chipsAgree(World world, List<MotionEffect> effects) {
-    double[][] kicks = {{3, 1, 3}, {2, -1, 4.2}};
-    for (double[] v : kicks) {
-      ExtendedTrajectory path =
-          ExtendedTrajectory.chip(
-              CHIP, MotionEffects.of(effects), 0, SESSION_TIME, 0, 0, v[0], v[1], v[2]);
+    for (double[] v : CHIPS) {
+      ExtendedTrajectory path = chip(effects, v);
       assertThat(path.flights()).isGreaterThan(2);
       compare(world, path, v);
     }
   }
 
+  @ParameterizedTest
+  @MethodSource("worldsOfSpinningChips")
+  void spinOfTheKickActsAtTheFirstImpact(World world, List<MotionEffect> effects) {
+    for (double[] v : CHIPS) {
+      // Air changes how long a flight takes by a few hundredths.
+      double second = 0.95 * 2 * v[2] / BallPhysics.GRAVITY * (1 + CHIP.dampingZ());
+      compare(world, chip(effects, v), v, SESSION_TIME + second);
+    }
+  }
+
+  /**
+   * From the second impact on they differ by up to 1.3 mm. The simulation lets the whole difference of the spinning ball and the one without spin obey the contact law, u −= k·(u − q), q += k/β·(u − q), with one k; the effect takes the horizontal damping
+   * of the hop for u, and its q does not feel u. After the last flight the simulation's ball slides until the slip that is left has gone, the effect's rolls at once.
+   */
+  @Disabled("the effect's spin after the first impact follows another law than the simulation's")
+  @ParameterizedTest
+  @MethodSource("worldsOfSpinningChips")
+  void spinOfTheKickActsAtAllImpacts(World world, List<MotionEffect> effects) {
+    for (double[] v : CHIPS) {
+      compare(world, chip(effects, v), v);
+    }
+  }
+
   private static void compare(World world, ExtendedTrajectory path, double[] v) {
+    compare(world, path, v, path.restTime() + 0.1);
+  }
+
+  private static void compare(World world, ExtendedTrajectory path, double[] v, double until) {
     BallBody ball = new BallBody();
     ball.place(0, 0);
     ball.kick(v[0], v[1], v[2], world.roll, world.side, Ball.GOLF_BALL.radius());
@@ -229,7 +253,7 @@ class MotionAgainstSimulationTest {
     integrator.advance(ball, SESSION_TIME, path.restTime() + 0.2, history);
     double[] truth = new double[3];
     double[] xyz = new double[3];
-    for (double t = SESSION_TIME; t < path.restTime() + 0.1; t += 0.0137) {
+    for (double t = SESSION_TIME; t < until; t += 0.0137) {
       assertThat(history.positionAt(t, truth)).isTrue();
       path.positionAt(t, xyz);
       assertThat(xyz).containsExactly(truth, within(LIMIT));

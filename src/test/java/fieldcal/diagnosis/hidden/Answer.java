@@ -110,9 +110,8 @@ public record Answer(
         details(d));
   }
 
-  /** The terms that were learned; this diagnosis learns none. */
   private static List<Term> learned(Diagnosis d) {
-    return List.of();
+    return d.learned().stream().map(f -> new Term(f.actsOn(), f.dependsOn())).toList();
   }
 
   private static Named named(Cause c) {
@@ -135,6 +134,9 @@ public record Answer(
     lines.add("extended  " + d.extended());
     lines.add("left      " + d.unexplained());
     d.causes().forEach(c -> lines.add("cause     " + c));
+    d.learned().forEach(l -> lines.add("learned   " + l.effect() + " gain " + l.gain()));
+    d.trace().forEach(step -> lines.add("tried     " + step));
+    d.problems().forEach(p -> lines.add("problem   " + p));
     for (Candidate c : d.candidates()) {
       lines.add(
           String.format(

@@ -15,6 +15,7 @@ import fieldcal.fit.CameraViews;
 import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
+import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.truth.KickTruth;
 import fieldcal.simulation.truth.Truth;
 import fieldcal.vision.Epoch;
@@ -73,6 +74,16 @@ public record HiddenRun(DiagnosisProblem problem, Answer answer, Truth truth, Ti
    */
   public static DiagnosisProblem problem(HiddenCase hidden) {
     return problem(SeenKicks.of(hidden.settings()), hidden.commands());
+  }
+
+  /**
+   * What the diagnosis of a simulated recording is given, without what the robots were told.
+   *
+   * @param world to be simulated
+   * @return kicks and cameras as seen, fitted one by one
+   */
+  public static DiagnosisProblem problem(SimulationSettings world) {
+    return problem(SeenKicks.of(world), false);
   }
 
   /**

@@ -1,0 +1,112 @@
+package fieldcal.diagnosis.validation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.diagnosis.FittedField;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.effect.motion.AirDrag;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** What kicks say of a model that was not fitted to them. */
+class HoldOutTest {
+  private static final long SEED = 1;
+
+  private final FittedField field = FittedField.flats("air_drag:cd=0.45");
+  private final FittedModel drag =
+      field
+          .fitter()
+          .fit(
+              field.simple().model().with(List.of(Component.of(new AirDrag(0), List.of("cd")))),
+              field.simple(),
+              false,
+              FittedField.SOLVER);
+
+  /** The step is exact where the model is linear; a ball's is nearly so over a standard error. */
+  @Test
+  void leavingKicksOutByOneStepIsFittingAgainWithoutThem() {
+    boolean[] without = new boolean[drag.kickCount()];
+    for (int k = 0; k < 5; k++) {
+      without[k] = true;
+    }
+    double[] stepped = drag.solution().valuesWithout(without);
+    List<KickRecord> rest = new ArrayList<>();
+    for (int k = 0; k < without.length; k++) {
+      if (!without[k]) {
+        rest.add(drag.kick(k).record());
+      }
+    }
+    double[] refitted =
+        field
+            .fitter(rest)
+            .fit(drag.model(), drag.restrictedTo(rest), false, FittedField.SOLVER)
+            .solution()
+            .values();
+    double[][] covariance = drag.solution().covariance().orElseThrow();
+    double moved = 0;
+    for (int i = 0; i < stepped.length; i++) {
+      double error = Math.sqrt(covariance[i][i]);
+      if (drag.model().globals().get(i).estimated()) {
+        assertThat(stepped[i])
+            .as(drag.model().globals().get(i).name())
+            .isCloseTo(refitted[i], within(0.1 * error));
+        moved = Math.max(moved, Math.abs(refitted[i] - drag.solution().values()[i]) / error);
+      }
+    }
+    assertThat(moved).as("standard errors that the kicks make a difference of").isGreaterThan(0.2);
+  }
+
+  @Test
+  void theRightModelPredictsWhatItHasNotSeen() {
+    HoldOut with = HoldOut.of(drag, true, SEED);
+    HoldOut without = HoldOut.of(field.simple(), true, SEED);
+    double[] gain = with.gainOn(without, SEED);
+    assertThat(gain[0]).isCloseTo(without.rmsMm() - with.rmsMm(), within(1e-9));
+    assertThat(gain[2]).isPositive().isLessThan(gain[0]);
+    assertThat(gain[3]).isGreaterThan(gain[0]);
+    Map<Double, Double> predicted = with.predictionMm();
+    assertThat(predicted).containsOnlyKeys(0.5, 1.0, 2.0);
+    predicted.forEach(
+        (horizon, mm) -> assertThat(mm).isLessThan(without.predictionMm().get(horizon)));
+  }
+
+  @Test
+  void aModelGainsNothingOnItself() {
+    HoldOut held = HoldOut.of(drag, false, SEED);
+    assertThat(held.gainOn(held, SEED)).containsExactly(0, 0, 0, 0);
+    assertThat(held.predictionMm()).isEmpty();
+  }
+
+  @Test
+  void heldOutKicksAreNeverFittedBetterThanTheirOwnFitDoes() {
+    HoldOut held = HoldOut.of(drag, false, SEED);
+    double sum = 0;
+    double n = 0;
+    for (int k = 0; k < drag.kickCount(); k++) {
+      KickRecord record = drag.kick(k).record();
+      double[] rx = new double[record.size()];
+      double[] ry = new double[record.size()];
+      drag.kick(k).plainResiduals(drag.solution().own(k), drag.solution().state(), rx, ry);
+      for (int i = 0; i < rx.length; i++) {
+        if (record.used()[i]) {
+          sum += rx[i] * rx[i] + ry[i] * ry[i];
+          n += 2;
+        }
+      }
+    }
+    double fitted = 1000 * Math.sqrt(sum / n);
+    // Four parameters from ten kicks cost some thousandths of the residual.
+    assertThat(held.rmsMm()).isBetween(0.9999 * fitted, 1.02 * fitted);
+  }
+
+  @Test
+  void theSameSeedDealsTheSameKicks() {
+    assertThat(HoldOut.of(drag, false, SEED).squares())
+        .isEqualTo(HoldOut.of(drag, false, SEED).squares());
+  }
+}

@@ -1,0 +1,55 @@
+package fieldcal.diagnosis.validation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.diagnosis.FittedField;
+import fieldcal.diagnosis.MovedBall;
+import fieldcal.diagnosis.model.KickRecord;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** What is no noise. */
+class LeftoverTest {
+  /** One of so many standard deviations happens once in 30 000 times. */
+  private static final double CHANCE = 4;
+
+  private static Leftover bump(double metres) {
+    FittedField field = FittedField.flats();
+    List<KickRecord> moved =
+        field.fitter().kicks().stream()
+            .map(
+                k ->
+                    field.again(
+                        MovedBall.shifted(
+                            k.kick(), t -> metres * Math.exp(-0.5 * Math.pow((t - 1) / 0.2, 2))),
+                        k.kind()))
+            .toList();
+    return Leftover.of(field.simple(moved));
+  }
+
+  @Test
+  void noiseAloneIsNotSignificant() {
+    for (FittedField field : List.of(FittedField.flats(), FittedField.chips())) {
+      Leftover left = Leftover.of(field.simple());
+      assertThat(left.isSignificant()).isFalse();
+      assertThat(left.deviation()).isBetween(-CHANCE, CHANCE);
+      assertThat(left.systematic()).isCloseTo(0, within(0.04));
+    }
+  }
+
+  @Test
+  void aBumpInThePathIsSignificant() {
+    assertThat(bump(0).isSignificant()).isFalse();
+    Leftover left = bump(0.005);
+    assertThat(left.isSignificant()).isTrue();
+    assertThat(left.deviation()).isGreaterThan(10);
+    assertThat(bump(0.01).systematic()).isGreaterThan(2 * left.systematic());
+  }
+
+  @Test
+  void whatTheSimpleModelLeavesOutIsSignificant() {
+    assertThat(Leftover.of(FittedField.flats("air_drag:cd=0.45").simple()).isSignificant())
+        .isTrue();
+  }
+}
