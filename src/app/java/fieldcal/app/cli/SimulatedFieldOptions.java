@@ -3,6 +3,7 @@ package fieldcal.app.cli;
 import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.Preset;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.VisionCharacter;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Option;
@@ -23,9 +24,18 @@ final class SimulatedFieldOptions {
               + " them)")
   private final List<String> effects = new ArrayList<>();
 
-  /** The field of the preset, if there is one. */
+  @Option(
+      names = "--vision-like",
+      paramLabel = "NAME[,NAME]",
+      description =
+          "simulated field: what its vision is like; ideal, simultaneous (cameras stamp the same"
+              + " times), disagreeing (40 mm apart), noiseless, stalling")
+  private String vision = "ideal";
+
+  /** The field of the preset, if there is one, with the vision that is wanted. */
   SimulationSettings withPreset(SimulationSettings settings) {
-    return preset == null ? settings : Preset.of(preset).applyTo(settings);
+    SimulationSettings found = preset == null ? settings : Preset.of(preset).applyTo(settings);
+    return VisionCharacter.apply(VisionCharacter.parse(vision), found);
   }
 
   /** With the effects, and no others. */
