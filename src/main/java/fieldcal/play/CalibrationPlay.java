@@ -192,7 +192,7 @@ public final class CalibrationPlay {
     idle = ledger.made() > madeBefore ? 0 : idle + span;
     madeBefore = ledger.made();
     if (idle > plan.limits().stall()) {
-      String last = ledger.failures() > 0 ? ledger.lastFailure() : waiting.orElse("");
+      String last = ledger.lastReason().isEmpty() ? waiting.orElse("") : ledger.lastReason();
       stop(
           String.format(
               Locale.ROOT,

@@ -64,7 +64,7 @@ final class CheckStep implements Step {
           : this;
     }
     if (ledger.timesNotFetched() >= FETCHES) {
-      return new HelpStep(ledger, ledger.lastFailure());
+      return new HelpStep(ledger, ledger.lastReason());
     }
     return next(s, ledger.next(ball));
   }

@@ -18,7 +18,9 @@ final class Ledger {
   private int bad;
   private int failures;
   private int notFetched;
+  private final int[] losses = new int[2];
   private String lastFailure = "";
+  private String lastReason = "";
 
   Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
     wanted = plan.kicks();
@@ -56,6 +58,7 @@ final class Ledger {
     made++;
     failures = 0;
     notFetched = 0;
+    lastReason = "";
     return made;
   }
 
@@ -78,11 +81,34 @@ final class Ledger {
   void failed(String reason) {
     failures++;
     lastFailure = reason;
+    lastReason = reason;
   }
 
   /** A robot tried to take the ball in vain. */
   void notFetched() {
     notFetched++;
+  }
+
+  /** A robot had the ball and lost it on the way. */
+  void lost(int robot, String reason) {
+    losses[robot]++;
+    notFetched++;
+    lastReason = reason;
+  }
+
+  /** How often a robot has lost the ball on the way since the play began: how well its dribbler holds. */
+  int losses(int robot) {
+    return losses[robot];
+  }
+
+  /** Something did not work that is no kick in vain. */
+  void remember(String reason) {
+    lastReason = reason;
+  }
+
+  /** Why the last thing that did not work did not; empty when all has worked since the last kick. */
+  String lastReason() {
+    return lastReason;
   }
 
   /** The ball was laid down somewhere else. */

@@ -126,6 +126,48 @@ class CalibrationPlayTest {
     assertFinishes();
   }
 
+  /** Chips start on the half-way line: this ball has to be carried there. */
+  private void chipsFromAfar() {
+    field.ball(4, -3);
+    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 2), 2, 0.7);
+  }
+
+  @Test
+  void aDribblerThatSlipsIsDrivenMoreGently() {
+    field.pullsUpTo = 0.7;
+    chipsFromAfar();
+    assertFinishes();
+    assertThat(field.lost).isBetween(1, 3);
+    assertThat(field.requests).isZero();
+    assertThat(kicks.get(0).time()).isLessThan(40);
+  }
+
+  @Test
+  void aLossIsNoticedAtOnceAndNamed() {
+    field.pullsUpTo = 0.7;
+    chipsFromAfar();
+    while (field.lost == 0) {
+      field.tick(play);
+    }
+    double lost = field.time;
+    until(PlayPhase.CHECK);
+    assertThat(field.time - lost).isLessThan(0.4);
+  }
+
+  @Test
+  void afterThreeLossesSomebodyIsAskedForHelp() {
+    field.holdsUpTo = 0.15;
+    chipsFromAfar();
+    field.somebodyHelps = false;
+    for (int i = 0; i < 5000 && field.request.isEmpty(); i++) {
+      field.tick(play);
+    }
+    assertThat(field.request.orElseThrow().reason()).contains("ball");
+    assertThat(field.time).isLessThan(40);
+    field.somebodyHelps = true;
+    assertFinishes();
+  }
+
   @Test
   void aKickerThatNeverFiresEndsThePlay() {
     flat(2);

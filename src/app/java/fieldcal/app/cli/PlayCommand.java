@@ -312,11 +312,12 @@ final class PlayCommand implements Callable<Integer> {
       throw new IllegalArgumentException(out + ": " + e.getMessage(), e);
     }
     return InteractiveField.later(
-        settings,
-        request.first(),
-        request.second(),
-        FieldTrouble.random(seed, troubles, 8.0 * kicks),
-        earlier * BETWEEN_SESSIONS);
+            settings,
+            request.first(),
+            request.second(),
+            FieldTrouble.random(seed, troubles, 8.0 * kicks),
+            earlier * BETWEEN_SESSIONS)
+        .robotsLike(fieldOptions.robots());
   }
 
   private SessionRequest request() {
