@@ -235,7 +235,7 @@ public final class CalibrationPlay {
   }
 
   /**
-   * Whether a kick counts. Kicks that are not judged are waited for at the end.
+   * Whether a kick counts. Kicks that are not judged are waited for at the end. A kick may be judged again, when later ones showed it in another light.
    *
    * @param number of the {@link PlayedKick}
    * @param good false to make it again

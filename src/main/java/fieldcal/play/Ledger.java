@@ -12,6 +12,7 @@ final class Ledger {
   private final Consumer<PlayedKick> listener;
   private final int maxAttempts;
   private final Map<Integer, PlannedKick> unjudged = new HashMap<>();
+  private final Map<Integer, Judged> judged = new HashMap<>();
   private PlannedKick next;
   private int made;
   private int good;
@@ -21,6 +22,9 @@ final class Ledger {
   private final int[] losses = new int[2];
   private String lastFailure = "";
   private String lastReason = "";
+
+  /** A kick and whether it counts, so far. */
+  private record Judged(PlannedKick kick, boolean counts) {}
 
   Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
     wanted = plan.kicks();
@@ -72,10 +76,25 @@ final class Ledger {
   void judge(int number, boolean counts) {
     PlannedKick kick = unjudged.remove(number);
     if (kick != null) {
-      good += counts ? 1 : 0;
-      bad += counts ? 0 : 1;
+      count(counts, 1);
+      judged.put(number, new Judged(kick, counts));
       chooser.done(kick, counts);
+      return;
     }
+    Judged before = judged.get(number);
+    if (before != null && before.counts() != counts) {
+      count(!counts, -1);
+      count(counts, 1);
+      judged.put(number, new Judged(before.kick(), counts));
+      if (!counts) {
+        chooser.done(before.kick(), false);
+      }
+    }
+  }
+
+  private void count(boolean counts, int by) {
+    good += counts ? by : 0;
+    bad += counts ? 0 : by;
   }
 
   void failed(String reason) {

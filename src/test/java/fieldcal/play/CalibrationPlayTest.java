@@ -126,6 +126,25 @@ class CalibrationPlayTest {
     assertFinishes();
   }
 
+  @Test
+  void aKickThatTurnsOutBadLaterIsMadeAgain() {
+    play =
+        new CalibrationPlay(
+            PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 3),
+            new SpreadKicks(3, 2, 5, 0, 1),
+            kick -> {
+              kicks.add(kick);
+              play.judge(kick.number(), true);
+              if (kick.number() == 2) {
+                play.judge(1, false);
+                play.judge(1, false);
+              }
+            });
+    assertFinishes();
+    assertThat(kicks).hasSize(4);
+    assertThat(play.state().good()).isEqualTo(3);
+  }
+
   /** Chips start on the half-way line: this ball has to be carried there. */
   private void chipsFromAfar() {
     field.ball(4, -3);

@@ -16,6 +16,7 @@ import fieldcal.kick.KickKind;
 import fieldcal.play.PlayState;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -26,6 +27,7 @@ import java.util.Set;
 final class PlayText {
   private final PrintWriter out;
   private final Set<String> complaints = new HashSet<>();
+  private final List<Boolean> goodWhenTold = new ArrayList<>();
   private int told;
   private Undecided undecided = new Undecided(List.of(), false, List.of());
 
@@ -40,8 +42,19 @@ final class PlayText {
 
   /** One line for each kick when it is judged; what is being done now in place on a terminal. */
   void follow(SessionSnapshot s, TerminalProgress progress) {
+    for (int i = 0; i < told; i++) {
+      KickResult k = s.kicks().get(i);
+      if (k.good() != goodWhenTold.get(i)) {
+        progress.say("");
+        goodWhenTold.set(i, k.good());
+        line(
+            "%3d  %s",
+            k.played().number(), k.good() ? "used after all" : "not used after all: " + k.reason());
+      }
+    }
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
       progress.say("");
+      goodWhenTold.add(s.kicks().get(told).good());
       kick(s.kicks().get(told++));
     }
     if (!s.undecided().equals(undecided)) {

@@ -223,7 +223,9 @@ public final class PlaySession {
     for (KickResult result : fits.judge(now)) {
       play.judge(result.played().number(), result.good());
       averages = fits.model();
-      precise = fits.precision() <= request.precision();
+      precise =
+          request.precision() > 0
+              && fits.precision(request.slowest(), request.fastest()) <= request.precision();
       shown = Double.NEGATIVE_INFINITY;
     }
     lookForCauses();
