@@ -63,7 +63,7 @@ final class ServeOptions {
       out.printf(
           Locale.ROOT,
           "serving %s and %s on %.0f x %.0f m: vision to %s, control %d, blue %d, yellow %d;"
-              + " Ctrl-C ends it%n",
+              + " seed %d; Ctrl-C ends it%n",
           pair[0],
           pair[1],
           settings.field().length(),
@@ -71,7 +71,8 @@ final class ServeOptions {
           place,
           ports.control(),
           ports.blue(),
-          ports.yellow());
+          ports.yellow(),
+          settings.seed());
       out.flush();
       server.serve(stop::get);
     }

@@ -62,7 +62,8 @@ final class LiveFits {
           List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ"));
 
   private final KickKind kind;
-  private final KickFitter fitter = new KickFitter(FitSettings.defaults());
+  private final long seed;
+  private final KickFitter fitter;
   private final KickFinder finder = new KickFinder(KickFinderSettings.defaults(), this::found);
   private final List<Kick> kicks = new ArrayList<>();
   private final List<KickResult> results = new ArrayList<>();
@@ -77,8 +78,10 @@ final class LiveFits {
   private FlatModel flat = FlatModel.typical();
   private ChipModel chip = ChipModel.typical();
 
-  LiveFits(KickKind kind) {
+  LiveFits(KickKind kind, long seed) {
     this.kind = kind;
+    this.seed = seed;
+    fitter = new KickFitter(FitSettings.defaults().withSeed(seed));
   }
 
   void geometry(FieldGeometry geometry) {
@@ -193,8 +196,7 @@ final class LiveFits {
   }
 
   private List<KickResult> judgeAll() {
-    Calibration judged =
-        Calibrator.judged(List.copyOf(fits.values()), fittedWith, FitSettings.defaults().seed());
+    Calibration judged = Calibrator.judged(List.copyOf(fits.values()), fittedWith, seed);
     averages = kind == KickKind.FLAT ? judged.flat() : judged.chip();
     Map<KickFit, CalibratedKick> byFit = new IdentityHashMap<>();
     judged.kicks().forEach(k -> byFit.put(k.fit(), k));

@@ -89,7 +89,7 @@ public final class PlaySession {
     this.request = request;
     this.field = field;
     this.listener = listener;
-    fits = new LiveFits(request.kind());
+    fits = new LiveFits(request.kind(), request.seed());
     Optional<Path> watched = request.adaptive() ? request.directory() : Optional.empty();
     causes =
         new CauseWatch(watched, field.goesOnByItself() ? PlaySession::inBackground : Runnable::run);
@@ -386,6 +386,11 @@ public final class PlaySession {
    */
   public void abort(String reason) {
     abortReason = reason;
+  }
+
+  /** The one seed of everything random in it. */
+  long seed() {
+    return request.seed();
   }
 
   /**

@@ -41,6 +41,8 @@ public final class NetworkPlayField implements PlayField {
   private final MatchNetwork network;
   private final SimulatorClient client;
   private final WorldModel model = new WorldModel();
+  private final VisionWatch watch = new VisionWatch();
+  private List<String> lastNotes;
   private final long startNanos = System.nanoTime();
   private final double startTime;
   private PlayField.Receiver receiver;
@@ -56,6 +58,7 @@ public final class NetworkPlayField implements PlayField {
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
+      watch.frame(frame.captureTime(), network.lastFrame() * 1e-9);
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
       clockJumped |= sent < newestFrame - CLOCK_JUMP;
       if (!(sent <= newestFrame)) {
@@ -194,7 +197,11 @@ public final class NetworkPlayField implements PlayField {
 
   @Override
   public List<String> notes() {
+    if (lastNotes != null) {
+      return lastNotes;
+    }
     List<String> notes = new ArrayList<>(network.notes());
+    notes.addAll(watch.notes());
     if (Double.isNaN(newestFrame)) {
       notes.add("is the simulator running, and does it send its vision to " + network + "?");
     }
@@ -204,11 +211,15 @@ public final class NetworkPlayField implements PlayField {
 
   @Override
   public List<String> complaints() {
-    return client.complaints();
+    List<String> all = new ArrayList<>(client.complaints());
+    all.addAll(watch.complaints());
+    return all;
   }
 
   @Override
   public void close() throws IOException {
+    // What comes after the play, a calibration for example, is no silence of vision's.
+    lastNotes = lastNotes == null ? List.copyOf(notes()) : lastNotes;
     network.close();
     client.close();
   }
