@@ -37,6 +37,7 @@ public final class CalibrationPlay {
   private Step step;
   private Optional<String> waiting = Optional.empty();
   private boolean paused;
+  private Optional<String> hostReason = Optional.empty();
   private String holding;
   private double heldSince;
   private double lastTick = Double.NaN;
@@ -117,6 +118,9 @@ public final class CalibrationPlay {
   private Optional<String> reasonToHold(Situation s) {
     if (paused) {
       return Optional.of("paused");
+    }
+    if (hostReason.isPresent()) {
+      return hostReason;
     }
     Permission permission = s.world().permission();
     if (permission != Permission.RUN) {
@@ -227,6 +231,15 @@ public final class CalibrationPlay {
   /** Both robots stand from the next tick on, until {@link #resume}. A ball that rolls is watched all the same. */
   public void pause() {
     paused = true;
+  }
+
+  /**
+   * Both robots stand while there is a reason, as long as the play's patience lasts: whoever drives them is not heard, for example. A ball that rolls is watched all the same.
+   *
+   * @param reason for the operator; empty to go on
+   */
+  public void hold(Optional<String> reason) {
+    hostReason = Objects.requireNonNull(reason, "reason");
   }
 
   /** Goes on after {@link #pause}. */

@@ -31,6 +31,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicReference;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
@@ -70,7 +72,11 @@ final class LiveFits {
   private final Map<Integer, Kick> found = new TreeMap<>();
   private final Map<Integer, KickFit> fits = new TreeMap<>();
   private final List<KickResult> missed = new ArrayList<>();
+  private final Executor executor;
+  private final AtomicReference<Done> done = new AtomicReference<>();
   private CameraViews fittedWith;
+  private boolean pending;
+  private boolean busy;
   private Map<String, Average> averages = Map.of();
   private final Map<Integer, Camera> cameras = new TreeMap<>();
   private final Map<Integer, SeeingCamera> seeing = new TreeMap<>();
@@ -78,7 +84,9 @@ final class LiveFits {
   private FlatModel flat = FlatModel.typical();
   private ChipModel chip = ChipModel.typical();
 
-  LiveFits(KickKind kind, long seed) {
+  /** Fits are made by an executor: at once, or beside the play, whose robots must not wait for them. */
+  LiveFits(KickKind kind, long seed, Executor executor) {
+    this.executor = executor;
     this.kind = kind;
     this.seed = seed;
     fitter = new KickFitter(FitSettings.defaults().withSeed(seed));
@@ -124,7 +132,7 @@ final class LiveFits {
     boolean fresh = false;
     for (int i = 0; i < results.size(); i++) {
       KickResult open = results.get(i);
-      if (open.verdict().isEmpty() && open.fit().isEmpty()) {
+      if (open.verdict().isEmpty() && !found.containsKey(open.played().number())) {
         Optional<Kick> kick = kickOf(open.played());
         if (kick.isPresent()) {
           found.put(open.played().number(), kick.get());
@@ -137,9 +145,13 @@ final class LiveFits {
     }
     List<KickResult> changed = new ArrayList<>(missed);
     missed.clear();
-    if (fresh) {
-      fitAll();
-      changed.addAll(judgeAll());
+    pending |= fresh;
+    if (pending && !busy) {
+      begin();
+    }
+    Done ready = done.getAndSet(null);
+    if (ready != null) {
+      changed.addAll(take(ready));
     }
     return changed;
   }
@@ -160,23 +172,73 @@ final class LiveFits {
     return new KickResult(played, Optional.empty(), Optional.of(false), reason);
   }
 
-  /** New kicks are fitted, and the earlier ones again when the cameras are known better now. */
-  private void fitAll() {
+  /** What is fitted, without anything that changes meanwhile. */
+  private record Work(
+      Map<Integer, Kick> kicks,
+      Map<Integer, KickFit> fits,
+      Optional<CameraViews> fittedWith,
+      CameraViews published,
+      FlatModel flat,
+      ChipModel chip) {}
+
+  /** What came of it; of a failure nothing but that. */
+  private record Done(
+      Map<Integer, KickFit> fits,
+      Optional<CameraViews> fittedWith,
+      Optional<Calibration> judged,
+      Optional<RuntimeException> failure) {}
+
+  private void begin() {
     List<CameraView> views = new ArrayList<>();
     seen.keySet().forEach(id -> views.add(CameraView.of(id, Optional.ofNullable(cameras.get(id)))));
-    CameraViews published = CameraViews.of(views);
-    CameraViews measured = Calibrator.measured(List.copyOf(found.values()), published);
-    boolean anew = fittedWith == null || moved(fittedWith, measured) > MOVED;
-    for (Map.Entry<Integer, Kick> entry : found.entrySet()) {
-      KickFit before = fits.get(entry.getKey());
-      FitProblem problem = FitProblem.of(entry.getValue(), measured, flat, chip);
+    Work work =
+        new Work(
+            new TreeMap<>(found),
+            new TreeMap<>(fits),
+            Optional.ofNullable(fittedWith),
+            CameraViews.of(views),
+            flat,
+            chip);
+    pending = false;
+    busy = true;
+    executor.execute(
+        () -> {
+          try {
+            done.set(fitAll(work));
+          } catch (RuntimeException e) {
+            done.set(new Done(Map.of(), Optional.empty(), Optional.empty(), Optional.of(e)));
+          }
+        });
+  }
+
+  /** New kicks are fitted, and the earlier ones again when the cameras are known better now. */
+  private Done fitAll(Work work) {
+    CameraViews measured =
+        Calibrator.measured(List.copyOf(work.kicks().values()), work.published());
+    boolean anew = work.fittedWith().isEmpty() || moved(work.fittedWith().get(), measured) > MOVED;
+    CameraViews views = anew ? measured : work.fittedWith().get();
+    Map<Integer, KickFit> made = work.fits();
+    for (Map.Entry<Integer, Kick> entry : work.kicks().entrySet()) {
+      KickFit before = made.get(entry.getKey());
+      FitProblem problem = FitProblem.of(entry.getValue(), views, work.flat(), work.chip());
       if (before == null || anew && before.failure().isPresent()) {
-        fits.put(entry.getKey(), fitter.fit(problem, kind));
+        made.put(entry.getKey(), fitter.fit(problem, kind));
       } else if (anew) {
-        fits.put(entry.getKey(), fitter.refit(problem, before));
+        made.put(entry.getKey(), fitter.refit(problem, before));
       }
     }
-    fittedWith = anew ? measured : fittedWith;
+    Calibration judged = Calibrator.judged(List.copyOf(made.values()), views, seed);
+    return new Done(made, Optional.of(views), Optional.of(judged), Optional.empty());
+  }
+
+  private List<KickResult> take(Done ready) {
+    busy = false;
+    if (ready.failure().isPresent()) {
+      throw ready.failure().get();
+    }
+    fits.putAll(ready.fits());
+    fittedWith = ready.fittedWith().orElseThrow();
+    return judgeAll(ready.judged().orElseThrow());
   }
 
   /** By how much offsets differ, m; a camera that was not known before is new. */
@@ -195,8 +257,7 @@ final class LiveFits {
     return most;
   }
 
-  private List<KickResult> judgeAll() {
-    Calibration judged = Calibrator.judged(List.copyOf(fits.values()), fittedWith, seed);
+  private List<KickResult> judgeAll(Calibration judged) {
     averages = kind == KickKind.FLAT ? judged.flat() : judged.chip();
     Map<KickFit, CalibratedKick> byFit = new IdentityHashMap<>();
     judged.kicks().forEach(k -> byFit.put(k.fit(), k));

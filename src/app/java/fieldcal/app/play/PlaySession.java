@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -89,14 +90,14 @@ public final class PlaySession {
     this.request = request;
     this.field = field;
     this.listener = listener;
-    fits = new LiveFits(request.kind(), request.seed());
+    Executor executor = field.goesOnByItself() ? PlaySession::inBackground : Runnable::run;
+    fits = new LiveFits(request.kind(), request.seed(), executor);
     Optional<Path> watched = request.adaptive() ? request.directory() : Optional.empty();
-    causes =
-        new CauseWatch(watched, field.goesOnByItself() ? PlaySession::inBackground : Runnable::run);
+    causes = new CauseWatch(watched, executor);
   }
 
   private static void inBackground(Runnable task) {
-    Thread thread = new Thread(task, "diagnosis");
+    Thread thread = new Thread(task, "fits and diagnosis");
     thread.setDaemon(true);
     thread.start();
   }
@@ -240,6 +241,7 @@ public final class PlaySession {
     if (abortReason != null) {
       play.abort(abortReason);
     }
+    play.hold(field.hold());
     PlayPhase before = play.state().phase();
     PlayWorld world = model.at(now, field.permission());
     PlayAnswer answer = play.tick(world);
