@@ -18,6 +18,7 @@ final class Ledger {
   private int good;
   private int bad;
   private int failures;
+  private boolean freshFailure;
   private int notFetched;
   private final int[] losses = new int[2];
   private String lastFailure = "";
@@ -99,6 +100,7 @@ final class Ledger {
 
   void failed(String reason) {
     failures++;
+    freshFailure = true;
     lastFailure = reason;
     lastReason = reason;
   }
@@ -156,6 +158,13 @@ final class Ledger {
               + " could; see what is wrong");
     }
     return Optional.empty();
+  }
+
+  /** Whether a kick failed since this was asked last. */
+  boolean takeFreshFailure() {
+    boolean fresh = freshFailure;
+    freshFailure = false;
+    return fresh;
   }
 
   /** Kicks in vain since the last one that was made. */
