@@ -101,6 +101,11 @@ final class PlayBenchmark {
     }
 
     @Override
+    public boolean goesOnByItself() {
+      return inner.goesOnByItself();
+    }
+
+    @Override
     public void close() {
       inner.close();
     }
