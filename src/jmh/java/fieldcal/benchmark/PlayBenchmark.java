@@ -13,6 +13,8 @@ import fieldcal.simulation.FieldTrouble;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.Preset;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.VisionCharacter;
+import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.RobotId;
@@ -20,8 +22,10 @@ import fieldcal.vision.Team;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 
 /** Seeded plays on the embedded field with random troubles: how they end, and whether anybody is hurt. 40 plays per run. */
@@ -40,6 +44,7 @@ final class PlayBenchmark {
     private final EmbeddedPlayField inner;
     private final InteractiveField field;
     private double contactSpeed;
+    private double begun = Double.NaN;
     private double nearestEdge = Double.POSITIVE_INFINITY;
 
     Watched(InteractiveField field) {
@@ -55,6 +60,7 @@ final class PlayBenchmark {
     @Override
     public double next(Receiver receiver) throws IOException {
       double now = inner.next(receiver);
+      begun = Double.isNaN(begun) ? now : begun;
       List<SimulatedRobot> robots =
           field.world().robots().stream().filter(r -> Math.abs(r.x()) < 100).toList();
       for (SimulatedRobot a : robots) {
@@ -95,6 +101,11 @@ final class PlayBenchmark {
     }
 
     @Override
+    public boolean goesOnByItself() {
+      return inner.goesOnByItself();
+    }
+
+    @Override
     public void close() {
       inner.close();
     }
@@ -110,6 +121,7 @@ final class PlayBenchmark {
     double hardest = 0;
     double nearest = Double.POSITIVE_INFINITY;
     double[] times = new double[plays];
+    double[] starts = new double[plays];
     for (int i = 0; i < plays; i++) {
       long seed = 1000 * settings.seed() + i;
       SessionRequest request = request(i, seed);
@@ -126,6 +138,10 @@ final class PlayBenchmark {
               });
       PlaySession.Outcome outcome = session[0].run();
       times[i] = outcome.last().time();
+      starts[i] =
+          outcome.last().kicks().isEmpty()
+              ? outcome.last().time()
+              : outcome.last().kicks().get(0).played().time() - field.begun;
       if (outcome.complete()) {
         well++;
       } else {
@@ -145,6 +161,7 @@ final class PlayBenchmark {
       nearest = Math.min(nearest, field.nearestEdge);
     }
     Arrays.sort(times);
+    Arrays.sort(starts);
     double share = 100.0 * well / plays;
     Goal ended = Goal.atLeast(98, "%.0f %%");
     Goal none = Goal.atMost(0, "%.0f");
@@ -158,6 +175,13 @@ final class PlayBenchmark {
     out.printf(
         "outside of the margin: %d plays (nearest to its edge %.3f m), goal %s: %s%n",
         outside, nearest, none, none.verdict(outside));
+    Goal usual = Goal.atMost(15, "%.0f s");
+    Goal slowest = Goal.atMost(40, "%.0f s");
+    double median = starts[plays / 2];
+    double last = starts[plays - 1];
+    out.printf(
+        "first kick: median after %.1f s, goal %s: %s; last after %.1f s, goal %s: %s%n",
+        median, usual, usual.verdict(median), last, slowest, slowest.verdict(last));
     out.printf(
         "field time: median %.0f s, 95 %% within %.0f s, longest %.0f s%n",
         times[plays / 2], times[(int) (0.95 * (plays - 1))], times[plays - 1]);
@@ -170,6 +194,12 @@ final class PlayBenchmark {
     return SessionRequest.of(kind, KICKS).withRobots(first, second).withChoice(false, seed);
   }
 
+  private static <C> void add(Set<C> characters, C character, int number) {
+    if (number % 2 == 1) {
+      characters.add(character);
+    }
+  }
+
   private static InteractiveField field(SessionRequest request, int i, long seed) {
     SimulationSettings settings = SimulationSettings.DEFAULT.withSeed(seed);
     if (i % 5 == 4) {
@@ -177,10 +207,19 @@ final class PlayBenchmark {
     } else if (i % 5 == 3) {
       settings = Preset.LAB.applyTo(settings);
     }
+    // Each character every other play, in all combinations.
+    Set<RobotCharacter> robots = EnumSet.noneOf(RobotCharacter.class);
+    Set<VisionCharacter> vision = EnumSet.noneOf(VisionCharacter.class);
+    add(robots, RobotCharacter.SLIPPING_DRIBBLER, i / 2);
+    add(robots, RobotCharacter.LATE_KICKER, i / 4);
+    add(robots, RobotCharacter.DRIFTING, i / 8);
+    add(vision, VisionCharacter.SIMULTANEOUS, i / 3);
+    add(vision, VisionCharacter.DISAGREEING, i / 6);
     return InteractiveField.of(
-        settings,
-        request.first(),
-        request.second(),
-        FieldTrouble.random(seed, TROUBLES, 10.0 * KICKS));
+            VisionCharacter.apply(vision, settings),
+            request.first(),
+            request.second(),
+            FieldTrouble.random(seed, TROUBLES, 10.0 * KICKS))
+        .robotsLike(robots);
   }
 }

@@ -62,7 +62,7 @@ public final class Calibrator {
    * @return the calibration; without kicks one that is empty
    */
   public Calibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {
-    CameraViews views = measuredCameras(problem);
+    CameraViews views = measured(problem.kicks(), problem.cameras());
     List<KickFit> fits = fitAll(problem, views, progress);
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
@@ -115,9 +115,36 @@ public final class Calibrator {
         calibration.seed());
   }
 
-  private static CameraViews measuredCameras(CalibrationProblem problem) {
-    CameraViews usable = LensCheck.usable(problem.kicks(), problem.cameras());
-    Map<Integer, Double> noise = CameraNoise.atRest(problem.kicks(), usable);
+  /**
+   * Fits judged as {@link #calibrate} judges them: which kicks are believed, which samples are averaged. For fits that were made one by one, as the kicks came.
+   *
+   * @param fits of all kicks so far
+   * @param cameras with which they were made
+   * @param seed of the fits
+   * @return selection and averages, without a joint fit
+   */
+  public static Calibration judged(List<KickFit> fits, CameraViews cameras, long seed) {
+    List<CalibratedKick> selected =
+        Selection.select(fits, new Selection.Decisions(HandSelection.none(), Epoch.atSecondOf(0L)));
+    return new Calibration(
+        selected,
+        Selection.averages(selected, KickKind.FLAT),
+        Selection.averages(selected, KickKind.CHIP),
+        Optional.empty(),
+        cameras,
+        seed);
+  }
+
+  /**
+   * What the kicks tell of the cameras before any of them is fitted: noise and offsets.
+   *
+   * @param kicks all there are
+   * @param cameras as published
+   * @return with noise and offsets; without unusable lenses
+   */
+  public static CameraViews measured(List<Kick> kicks, CameraViews cameras) {
+    CameraViews usable = LensCheck.usable(kicks, cameras);
+    Map<Integer, Double> noise = CameraNoise.atRest(kicks, usable);
     // A camera that saw too little at rest is taken to be as good as the others.
     double typical =
         noise.values().stream()
@@ -126,8 +153,8 @@ public final class Calibrator {
             .findFirst()
             .orElse(CameraView.DEFAULT_NOISE);
     CameraViews alike = usable.map(v -> v.withNoise(typical));
-    CameraViews measured = CameraNoise.measured(problem.kicks(), alike);
-    return OverlapOffsets.estimate(problem.kicks(), measured);
+    CameraViews measured = CameraNoise.measured(kicks, alike);
+    return OverlapOffsets.estimate(kicks, measured);
   }
 
   private List<KickFit> fitAll(

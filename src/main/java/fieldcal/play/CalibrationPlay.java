@@ -37,6 +37,7 @@ public final class CalibrationPlay {
   private Step step;
   private Optional<String> waiting = Optional.empty();
   private boolean paused;
+  private Optional<String> hostReason = Optional.empty();
   private String holding;
   private double heldSince;
   private double lastTick = Double.NaN;
@@ -118,6 +119,9 @@ public final class CalibrationPlay {
     if (paused) {
       return Optional.of("paused");
     }
+    if (hostReason.isPresent()) {
+      return hostReason;
+    }
     Permission permission = s.world().permission();
     if (permission != Permission.RUN) {
       return Optional.of("referee: " + permission.name());
@@ -192,7 +196,7 @@ public final class CalibrationPlay {
     idle = ledger.made() > madeBefore ? 0 : idle + span;
     madeBefore = ledger.made();
     if (idle > plan.limits().stall()) {
-      String last = ledger.failures() > 0 ? ledger.lastFailure() : waiting.orElse("");
+      String last = ledger.lastReason().isEmpty() ? waiting.orElse("") : ledger.lastReason();
       stop(
           String.format(
               Locale.ROOT,
@@ -229,13 +233,22 @@ public final class CalibrationPlay {
     paused = true;
   }
 
+  /**
+   * Both robots stand while there is a reason, as long as the play's patience lasts: whoever drives them is not heard, for example. A ball that rolls is watched all the same.
+   *
+   * @param reason for the operator; empty to go on
+   */
+  public void hold(Optional<String> reason) {
+    hostReason = Objects.requireNonNull(reason, "reason");
+  }
+
   /** Goes on after {@link #pause}. */
   public void resume() {
     paused = false;
   }
 
   /**
-   * Whether a kick counts. Kicks that are not judged are waited for at the end.
+   * Whether a kick counts. Kicks that are not judged are waited for at the end. A kick may be judged again, when later ones showed it in another light.
    *
    * @param number of the {@link PlayedKick}
    * @param good false to make it again

@@ -19,6 +19,7 @@ final class CheckStep implements Step {
   private final Ledger ledger;
   private final int holder;
   private double since = Double.NaN;
+  private boolean breathes;
 
   CheckStep(Ledger ledger, int holder) {
     this.ledger = ledger;
@@ -34,8 +35,10 @@ final class CheckStep implements Step {
   public Step tick(Situation s) {
     if (Double.isNaN(since)) {
       since = s.time();
+      // Carrying the ball meanwhile is a breath, too.
+      breathes = ledger.takeFreshFailure();
     }
-    double breath = BREATH * Math.min(MOST_BREATHS, ledger.failures());
+    double breath = breathes ? BREATH * Math.min(MOST_BREATHS, ledger.failures()) : 0;
     if (s.time() - since < breath && holder < 0) {
       s.waitFor(ledger.lastFailure() + "; trying again");
       return this;
@@ -64,7 +67,7 @@ final class CheckStep implements Step {
           : this;
     }
     if (ledger.timesNotFetched() >= FETCHES) {
-      return new HelpStep(ledger, ledger.lastFailure());
+      return new HelpStep(ledger, ledger.lastReason());
     }
     return next(s, ledger.next(ball));
   }

@@ -25,6 +25,11 @@ final class Driver {
   }
 
   Velocity to(Robot robot, Pose target, double maxSpeed, List<Circle> obstacles) {
+    return to(robot, target, maxSpeed, braking, obstacles);
+  }
+
+  /** The same with another deceleration before the target, m/s². */
+  Velocity to(Robot robot, Pose target, double maxSpeed, double braking, List<Circle> obstacles) {
     Way way = planner.way(robot.x(), robot.y(), target.x(), target.y(), obstacles);
     double dx = way.x() - robot.x();
     double dy = way.y() - robot.y();

@@ -19,6 +19,9 @@ final class FetchStep extends TaskStep {
   /** Somebody who stands too close for longer is gone round, in another direction, s. */
   private static final double BLOCKED = 3;
 
+  /** A ball that lies nearer to its place is not turned to, m. */
+  private static final double PUSHED = 0.15;
+
   private final double ballX;
   private final double ballY;
   private final double facing;
@@ -36,10 +39,15 @@ final class FetchStep extends TaskStep {
   /** Fetching with the first direction that is free; best the one of the kick to come. */
   static Optional<FetchStep> of(Situation s, Ledger ledger, Task task) {
     BallMemory ball = s.ball();
+    double toX = task.x() - ball.x();
+    double toY = task.y() - ball.y();
+    // Who has lost it before pushes it where it is to lie.
+    boolean pushes = ledger.losses(task.kicker()) > 0 && Math.hypot(toX, toY) > PUSHED;
+    double best = pushes ? Math.atan2(toY, toX) : task.aim();
     for (int i = 0; i < DIRECTIONS; i++) {
       // 0, +1, -1, +2, -2 … sixteenths of a turn.
       double offset = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1) * 2 * Math.PI / DIRECTIONS;
-      double facing = task.aim() + offset;
+      double facing = best + offset;
       Pose behind = Task.behind(ball.x(), ball.y(), facing, Task.BEHIND);
       boolean room = s.area().free(behind.x(), behind.y());
       if (room && inTheWay(s.others(), ball.x(), ball.y(), facing).isEmpty()) {
@@ -89,8 +97,11 @@ final class FetchStep extends TaskStep {
     } else if (s.time() - touching > 0.2) {
       return new PlaceStep(ledger, task);
     }
-    boolean gone = s.ball().distance(ballX, ballY) > 0.5 || passed(s.robot(i));
-    return gone ? lookAgain() : this;
+    if (passed(s.robot(i))) {
+      return notFetched(s.plan().robot(i) + " drove past the ball without getting hold of it");
+    }
+    boolean gone = s.ball().distance(ballX, ballY) > 0.5;
+    return gone ? lookAgain("the ball rolled away from " + s.plan().robot(i)) : this;
   }
 
   private Step notFetched(String reason) {
@@ -105,7 +116,7 @@ final class FetchStep extends TaskStep {
 
   private Step approach(Situation s, int i) {
     if (s.ball().distance(ballX, ballY) > 0.08) {
-      return lookAgain();
+      return lookAgain("the ball moved before " + s.plan().robot(i) + " was at it");
     }
     Pose behind = Task.behind(ballX, ballY, facing, Task.BEHIND);
     s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);

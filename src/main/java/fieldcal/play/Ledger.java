@@ -12,13 +12,20 @@ final class Ledger {
   private final Consumer<PlayedKick> listener;
   private final int maxAttempts;
   private final Map<Integer, PlannedKick> unjudged = new HashMap<>();
+  private final Map<Integer, Judged> judged = new HashMap<>();
   private PlannedKick next;
   private int made;
   private int good;
   private int bad;
   private int failures;
+  private boolean freshFailure;
   private int notFetched;
+  private final int[] losses = new int[2];
   private String lastFailure = "";
+  private String lastReason = "";
+
+  /** A kick and whether it counts, so far. */
+  private record Judged(PlannedKick kick, boolean counts) {}
 
   Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
     wanted = plan.kicks();
@@ -56,6 +63,7 @@ final class Ledger {
     made++;
     failures = 0;
     notFetched = 0;
+    lastReason = "";
     return made;
   }
 
@@ -69,20 +77,59 @@ final class Ledger {
   void judge(int number, boolean counts) {
     PlannedKick kick = unjudged.remove(number);
     if (kick != null) {
-      good += counts ? 1 : 0;
-      bad += counts ? 0 : 1;
+      count(counts, 1);
+      judged.put(number, new Judged(kick, counts));
       chooser.done(kick, counts);
+      return;
     }
+    Judged before = judged.get(number);
+    if (before != null && before.counts() != counts) {
+      count(!counts, -1);
+      count(counts, 1);
+      judged.put(number, new Judged(before.kick(), counts));
+      if (!counts) {
+        chooser.done(before.kick(), false);
+      }
+    }
+  }
+
+  private void count(boolean counts, int by) {
+    good += counts ? by : 0;
+    bad += counts ? 0 : by;
   }
 
   void failed(String reason) {
     failures++;
+    freshFailure = true;
     lastFailure = reason;
+    lastReason = reason;
   }
 
   /** A robot tried to take the ball in vain. */
   void notFetched() {
     notFetched++;
+  }
+
+  /** A robot had the ball and lost it on the way. */
+  void lost(int robot, String reason) {
+    losses[robot]++;
+    notFetched++;
+    lastReason = reason;
+  }
+
+  /** How often a robot has lost the ball on the way since the play began: how well its dribbler holds. */
+  int losses(int robot) {
+    return losses[robot];
+  }
+
+  /** Something did not work that is no kick in vain. */
+  void remember(String reason) {
+    lastReason = reason;
+  }
+
+  /** Why the last thing that did not work did not; empty when all has worked since the last kick. */
+  String lastReason() {
+    return lastReason;
   }
 
   /** The ball was laid down somewhere else. */
@@ -111,6 +158,13 @@ final class Ledger {
               + " could; see what is wrong");
     }
     return Optional.empty();
+  }
+
+  /** Whether a kick failed since this was asked last. */
+  boolean takeFreshFailure() {
+    boolean fresh = freshFailure;
+    freshFailure = false;
+    return fresh;
   }
 
   /** Kicks in vain since the last one that was made. */

@@ -2,14 +2,43 @@ package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
+import fieldcal.play.RobotOrder.Velocity;
 
-/** A robot carries the ball to where it is to be kicked from, turns it into the direction of the kick, lets go and backs off. */
+/**
+ * A robot carries the ball to where it is to be kicked from, turns it into the direction of the kick, lets go and backs off. A robot that has lost the ball before pushes it there if it can, more
+ * slowly, and lets go without turning.
+ */
 final class PlaceStep extends TaskStep {
-  private static final double TIMEOUT = 20;
+  /** Beside the way at half the speed, s. */
+  private static final double TIMEOUT = 15;
+
   private static final double LET_GO = 0.3;
+
+  /** A ball farther from the dribbler is lost, m; a moving one is seen late by up to 60 ms. */
+  private static final double HELD = 0.06;
+
+  private static final double SEEN_LATE = 0.06;
+
+  /** It is lost when that was seen for so long, s: eight frames. */
+  private static final double LOSS = 0.12;
+
+  /** A place is a place within that, when the ball is pushed, m. */
+  private static final double PUSHED_THERE = 0.1;
+
+  /** Nearer to its place the ball is not turned towards it any more, m. */
+  private static final double STRAIGHT = 0.3;
+
+  /** Who would have to turn the ball by more pulls it, rad. */
+  private static final double MOST_TURN = Math.toRadians(100);
 
   private double lost = Double.NaN;
   private double released = Double.NaN;
+  private double last = Double.NaN;
+  private double timeout;
+  private double heading = Double.NaN;
+  private boolean pulls;
+  private boolean enough;
+  private Velocity ordered;
 
   PlaceStep(Ledger ledger, Task task) {
     super(PlayPhase.PLACE, ledger, task);
@@ -18,32 +47,91 @@ final class PlaceStep extends TaskStep {
   @Override
   Step tick(Situation s, int i) {
     driveReceiver(s);
-    if (age(s) > TIMEOUT) {
+    Grip grip = Grip.after(ledger.losses(i), s.limits());
+    Robot r = s.robot(i);
+    if (Double.isNaN(last)) {
+      last = s.time();
+      ordered = new Velocity(r.vx(), r.vy(), 0);
+      timeout = TIMEOUT + Math.hypot(r.x() - task.x(), r.y() - task.y()) / (0.5 * grip.speed());
+      head(r);
+    }
+    if (age(s) > timeout) {
       return giveUp(s.plan().robot(i) + " did not get the ball to its place");
     }
     if (!Double.isNaN(released)) {
       return backOff(s, i);
     }
-    Pose target = Task.behind(task.x(), task.y(), task.aim(), PlayArea.AT_DRIBBLER);
-    s.drive(i, target, s.limits().carrySpeed(), 0);
-    s.dribble(i);
-    Robot r = s.robot(i);
-    // A ball that cannot be seen is hidden by the robot that has it, as long as it is seen again at
-    // the end.
-    boolean away = s.ballUnseen() < 0.15 && s.fromDribbler(i) > 0.12 + 0.05 * r.speed();
-    if (!away) {
-      lost = Double.NaN;
-    } else if (Double.isNaN(lost)) {
-      lost = s.time();
-    } else if (s.time() - lost > 0.3) {
+    if (isLost(s, i)) {
+      String reason = s.plan().robot(i) + " lost the ball while carrying it";
+      ledger.lost(i, reason);
       return lookAgain();
     }
-    double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);
-    boolean there = Math.hypot(r.x() - target.x(), r.y() - target.y()) < 0.04;
-    if (there && Math.abs(turn) < 0.06 && r.speed() < 0.1) {
+    // A ball that is hard to carry is carried no farther than it must be.
+    enough |= grip.gentle() && Decider.fromHere(s, task.kick(), -1).isPresent();
+    Pose target = grip.gentle() ? straight(r) : behind(task.aim());
+    if (enough) {
+      target = new Pose(r.x(), r.y(), r.orientation());
+    }
+    double span = Math.max(0, Math.min(0.1, s.time() - last));
+    last = s.time();
+    ordered = s.carry(i, target, grip, ordered, span);
+    s.dribble(i);
+    if (isThere(r, target, grip)) {
       released = s.time();
     }
     return this;
+  }
+
+  private Pose behind(double orientation) {
+    return Task.behind(task.x(), task.y(), orientation, PlayArea.AT_DRIBBLER);
+  }
+
+  /** Whether it pushes or pulls, by which it has to turn less. */
+  private void head(Robot r) {
+    heading = r.orientation();
+    double[] ball = ball(r);
+    double way = Math.atan2(task.y() - ball[1], task.x() - ball[0]);
+    pulls = Math.abs(Math.IEEEremainder(way - r.orientation(), 2 * Math.PI)) > MOST_TURN;
+  }
+
+  private static double[] ball(Robot r) {
+    return new double[] {
+      r.x() + PlayArea.AT_DRIBBLER * Math.cos(r.orientation()),
+      r.y() + PlayArea.AT_DRIBBLER * Math.sin(r.orientation())
+    };
+  }
+
+  /** Straight before or behind the robot on its way. */
+  private Pose straight(Robot r) {
+    double[] ball = ball(r);
+    double dx = task.x() - ball[0];
+    double dy = task.y() - ball[1];
+    if (Math.hypot(dx, dy) > STRAIGHT) {
+      heading = Math.atan2(dy, dx) + (pulls ? Math.PI : 0);
+    }
+    return behind(heading);
+  }
+
+  private boolean isThere(Robot r, Pose target, Grip grip) {
+    double off = Math.hypot(r.x() - target.x(), r.y() - target.y());
+    if (grip.gentle()) {
+      double[] ball = ball(r);
+      double ballOff = Math.hypot(ball[0] - task.x(), ball[1] - task.y());
+      return (enough || ballOff < PUSHED_THERE) && r.speed() < 0.15;
+    }
+    double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);
+    return off < 0.04 && Math.abs(turn) < 0.06 && r.speed() < 0.1;
+  }
+
+  /** A ball that cannot be seen is hidden by the robot that has it, as long as it is seen again at the end. */
+  private boolean isLost(Situation s, int i) {
+    double held = HELD + SEEN_LATE * s.robot(i).speed();
+    if (s.ballUnseen() > 0.15 || s.fromDribbler(i) < held) {
+      lost = Double.NaN;
+    } else if (Double.isNaN(lost)) {
+      lost = s.time();
+    }
+    return s.time() - lost > LOSS;
   }
 
   private Step backOff(Situation s, int i) {

@@ -1,6 +1,7 @@
 package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Kicker and receiver drive to their places; then everything has to be calm. */
@@ -9,6 +10,9 @@ final class PositionStep extends TaskStep {
 
   /** Somebody who stands in the way for longer is kicked past, in another direction, s. */
   private static final double BLOCKED = 3;
+
+  /** Who takes longer to get behind the ball is waited for, s. */
+  private static final double SLOW = 5;
 
   private double blocked = Double.NaN;
 
@@ -21,13 +25,31 @@ final class PositionStep extends TaskStep {
     s.drive(i, task.behind(), s.limits().driveSpeed(), Task.AROUND);
     driveReceiver(s);
     if (s.ball().distance(task.x(), task.y()) > 0.05 || s.ballUnseen() > 0.5) {
-      return lookAgain();
+      return lookAgain(
+          s.ballUnseen() > 0.5
+              ? "the ball was not seen any more"
+              : "the ball moved before " + s.plan().robot(i) + " was behind it");
     }
     boolean ready = ready(s);
     if (age(s) > TIMEOUT || s.time() - blocked > BLOCKED) {
-      return giveUp(s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball"));
+      return giveUp(
+          s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball") + measured(s));
     }
     return ready ? new KickStep(ledger, task) : this;
+  }
+
+  /** What vision says of the kicker's place, for who has to find out what is wrong. */
+  private String measured(Situation s) {
+    Robot r = s.robot(task.kicker());
+    double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);
+    return String.format(
+        Locale.ROOT,
+        " (%s: %.0f mm behind the ball, %.0f mm aside, turned by %.1f°, %.2f m/s)",
+        r.id(),
+        -1000 * task.along(r.x(), r.y()),
+        1000 * Math.abs(task.aside(r.x(), r.y())),
+        Math.toDegrees(Math.abs(turn)),
+        r.speed());
   }
 
   private boolean ready(Situation s) {
@@ -44,12 +66,20 @@ final class PositionStep extends TaskStep {
     double aside = Math.abs(task.aside(kicker.x(), kicker.y()));
     double behind = -task.along(kicker.x(), kicker.y());
     double turn = Math.IEEEremainder(task.aim() - kicker.orientation(), 2 * Math.PI);
-    boolean placed =
-        aside < 0.015
-            && behind > 0.12
-            && behind < 0.21
-            && Math.abs(turn) < 0.02
-            && kicker.speed() < 0.08;
+    String amiss =
+        aside >= 0.015
+            ? "stands beside the line of the kick"
+            : behind <= 0.12
+                ? "stands too near to the ball"
+                : behind >= 0.21
+                    ? "is not behind the ball"
+                    : Math.abs(turn) >= 0.02
+                        ? "does not face the ball"
+                        : kicker.speed() >= 0.08 ? "does not stand still" : "";
+    boolean placed = amiss.isEmpty();
+    if (!placed && age(s) > SLOW) {
+      s.waitFor(s.plan().robot(task.kicker()) + " " + amiss);
+    }
     double off = Math.hypot(receiver.x() - task.receiver().x(), receiver.y() - task.receiver().y());
     boolean late = age(s) > 8;
     boolean received = off < (late ? 0.6 : 0.15) && receiver.speed() < 0.3;

@@ -112,8 +112,7 @@ final class Situation {
     return ball.distance(x, y);
   }
 
-  /** Drives round everybody, and round the ball at a distance; 0 ignores the ball. */
-  void drive(int index, Pose target, double speed, double ballClearance) {
+  private List<Circle> obstacles(int index) {
     List<Circle> circles = new ArrayList<>();
     double radius = 2 * PlayArea.ROBOT_RADIUS + limits().clearance();
     for (Robot r : seen) {
@@ -121,11 +120,39 @@ final class Situation {
         circles.add(new Circle(r.x() + 0.2 * r.vx(), r.y() + 0.2 * r.vy(), radius));
       }
     }
+    return circles;
+  }
+
+  /** Drives round everybody, and round the ball at a distance; 0 ignores the ball. */
+  void drive(int index, Pose target, double speed, double ballClearance) {
+    List<Circle> circles = obstacles(index);
     if (ballClearance > 0 && ball.known()) {
       circles.add(new Circle(ball.x(), ball.y(), ballClearance));
     }
     velocities[index] = driver.to(ours[index], target, speed, circles);
     targets[index] = target;
+  }
+
+  /**
+   * Drives with a ball at the dribbler: as {@link #drive}, but no faster up and down, and no faster round, than the ball is held.
+   *
+   * @param before what it was ordered in the last tick
+   * @param span since then, s
+   * @return what it is ordered now
+   */
+  Velocity carry(int index, Pose target, Grip grip, Velocity before, double span) {
+    Velocity wanted =
+        driver.to(ours[index], target, grip.speed(), grip.acceleration(), obstacles(index));
+    double dx = wanted.vx() - before.vx();
+    double dy = wanted.vy() - before.vy();
+    double change = Math.hypot(dx, dy);
+    double most = grip.acceleration() * span;
+    double share = change > most ? most / change : 1;
+    double turn = Math.max(-grip.turn(), Math.min(grip.turn(), wanted.angular()));
+    velocities[index] = new Velocity(before.vx() + share * dx, before.vy() + share * dy, turn);
+    // A host with a planner of its own would drive there as fast as it can.
+    targets[index] = null;
+    return velocities[index];
   }
 
   /** Drives straight, whatever is there. */

@@ -53,6 +53,12 @@ abstract class TaskStep implements Step {
     return lookAgain();
   }
 
+  /** Somebody or something moved the ball: looks again what to do. */
+  final Step lookAgain(String reason) {
+    ledger.remember(reason);
+    return lookAgain();
+  }
+
   final Step lookAgain() {
     return new CheckStep(ledger, -1);
   }

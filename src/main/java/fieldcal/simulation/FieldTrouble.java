@@ -41,7 +41,13 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
     /** The referee says HALT. */
     HALT,
     /** No frame arrives. */
-    NO_VISION;
+    NO_VISION,
+    /** Dribblers slip. */
+    SLIPPING_DRIBBLER,
+    /** Kickers fire late. */
+    LATE_KICKER,
+    /** Robots drive beside of where they are told. */
+    DRIFTING;
 
     /**
      * Its name.
@@ -100,6 +106,7 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
       case THIRD_ROBOT -> 5 + 15 * share;
       case HALT -> 1 + 7 * share;
       case NO_VISION -> 0.3 + 4 * share;
+      case SLIPPING_DRIBBLER, LATE_KICKER, DRIFTING -> 20 + 40 * share;
     };
   }
 }

@@ -1,5 +1,6 @@
 package fieldcal.simulation;
 
+import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.simulation.robot.RobotCommand;
 import fieldcal.simulation.robot.RobotCommand.Kick;
 import fieldcal.simulation.robot.RobotLimits;
@@ -14,6 +15,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -45,6 +47,7 @@ public final class InteractiveField {
   private final Map<RobotId, double[]> absent = new HashMap<>();
   private final Deque<Sent> onTheWay = new ArrayDeque<>();
   private final Map<RobotId, RobotCommand> wanted = new HashMap<>();
+  private final Set<RobotCharacter> characters = EnumSet.noneOf(RobotCharacter.class);
   private double[] thirdTarget;
 
   private record Sent(double arrives, RobotId robot, RobotCommand command) {}
@@ -161,6 +164,18 @@ public final class InteractiveField {
   }
 
   /**
+   * What the robots are like from now on, beside the troubles.
+   *
+   * @param like their characters
+   * @return this field
+   */
+  public InteractiveField robotsLike(Set<RobotCharacter> like) {
+    characters.clear();
+    characters.addAll(like);
+    return this;
+  }
+
+  /**
    * Moves everything by {@link SimulatedWorld#TICK}.
    *
    * @param sink gets the packets that arrive meanwhile
@@ -189,11 +204,49 @@ public final class InteractiveField {
         begin(trouble);
       }
     }
+    Set<RobotCharacter> now = charactersNow();
+    world.robotsLike(now);
     for (SimulatedRobot robot : world.robots()) {
-      robot.command(obeyed(robot));
+      RobotCommand command = obeyed(robot);
+      robot.command(
+          now.contains(RobotCharacter.DRIFTING) && !absent.containsKey(robot.id())
+              ? drifting(robot.id(), command)
+              : command);
     }
     bringBack();
     driveThird();
+  }
+
+  private Set<RobotCharacter> charactersNow() {
+    Set<RobotCharacter> now = EnumSet.noneOf(RobotCharacter.class);
+    now.addAll(characters);
+    if (is(FieldTrouble.Kind.SLIPPING_DRIBBLER)) {
+      now.add(RobotCharacter.SLIPPING_DRIBBLER);
+    }
+    if (is(FieldTrouble.Kind.LATE_KICKER)) {
+      now.add(RobotCharacter.LATE_KICKER);
+    }
+    if (is(FieldTrouble.Kind.DRIFTING)) {
+      now.add(RobotCharacter.DRIFTING);
+    }
+    return now;
+  }
+
+  /** The two robots drive beside their way to opposite sides. */
+  private RobotCommand drifting(RobotId robot, RobotCommand command) {
+    int player = players.indexOf(robot);
+    if (player < 0 || !(command.motion() instanceof RobotCommand.Velocity v)) {
+      return command;
+    }
+    double beside = player == 0 ? RobotCharacter.BESIDE : -RobotCharacter.BESIDE;
+    double cos = RobotCharacter.SLOWER * Math.cos(beside);
+    double sin = RobotCharacter.SLOWER * Math.sin(beside);
+    RobotCommand.Velocity driven =
+        new RobotCommand.Velocity(
+            v.vx() * cos - v.vy() * sin + RobotCharacter.CREEP,
+            v.vx() * sin + v.vy() * cos,
+            v.angular());
+    return new RobotCommand(driven, command.kick(), command.dribbler());
   }
 
   private RobotCommand obeyed(SimulatedRobot robot) {

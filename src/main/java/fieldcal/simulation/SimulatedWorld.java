@@ -9,6 +9,7 @@ import fieldcal.simulation.physics.BallIntegrator;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.BallTrace;
 import fieldcal.simulation.robot.Contact;
+import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.simulation.robot.RobotCommand.Kick;
 import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.simulation.truth.EndReason;
@@ -16,8 +17,11 @@ import fieldcal.simulation.truth.KickKind;
 import fieldcal.simulation.truth.KickLog;
 import fieldcal.simulation.truth.KickTruth.KickCommand;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Ball and robots on a field. Robots obey the commands they were given last; {@link #tick} moves everything by {@link #TICK}. Not thread-safe.
@@ -51,6 +55,12 @@ public final class SimulatedWorld implements Scene {
 
   private long ticks;
   private double time;
+  private final Set<RobotCharacter> characters = EnumSet.noneOf(RobotCharacter.class);
+  private final double[] touchedSince;
+  private double slippedAt = Double.NEGATIVE_INFINITY;
+  private int heldSteps;
+  private double heldVx;
+  private double heldVy;
   private SimulatedRobot holder;
   private double holdAside;
   private String purpose = "kick";
@@ -79,6 +89,8 @@ public final class SimulatedWorld implements Scene {
     ballRadius = physics.ball().radius();
     kicker = new Kicker(behaviour, ballRadius, seed);
     readyToKick = new double[this.robots.size()];
+    touchedSince = new double[this.robots.size()];
+    Arrays.fill(touchedSince, Double.NaN);
     trace =
         new BallTrace() {
           @Override
@@ -135,12 +147,54 @@ public final class SimulatedWorld implements Scene {
     double ahead = SimulatedRobot.FRONT + ballRadius;
     double cos = Math.cos(holder.orientation());
     double sin = Math.sin(holder.orientation());
-    ball.place(
-        holder.x() + ahead * cos - holdAside * sin, holder.y() + ahead * sin + holdAside * cos);
+    double x = holder.x() + ahead * cos - holdAside * sin;
+    double y = holder.y() + ahead * sin + holdAside * cos;
+    double vx = (x - ball.x()) / (next - time);
+    double vy = (y - ball.y()) / (next - time);
+    // Within its first step the ball is put straight.
+    boolean slips = heldSteps++ > 0 && slips(vx, vy, next - time);
+    heldVx = slips || heldSteps > 1 ? vx : holder.vx();
+    heldVy = slips || heldSteps > 1 ? vy : holder.vy();
+    ball.place(x, y);
     history.node(next, ball);
-    if (!holder.command().dribbler() && !holder.command().kick().armed()) {
+    if (slips) {
+      slippedAt = next;
+      letRoll(0.9 * vx, 0.9 * vy, next);
+    } else if (!holder.command().dribbler() && !holder.command().kick().armed()) {
+      boolean rollsOff = characters.contains(RobotCharacter.SLIPPING_DRIBBLER);
+      double off = rollsOff ? RobotCharacter.ROLLS_OFF : 0;
+      double aside = off * holdAside / SimulatedRobot.MOUTH;
+      SimulatedRobot from = holder;
+      release();
+      if (rollsOff) {
+        letRoll(from.vx() + off * cos - aside * sin, from.vy() + off * sin + aside * cos, next);
+      }
+    }
+  }
+
+  /** Whether friction is too little for what the holder does. */
+  private boolean slips(double vx, double vy, double span) {
+    if (!characters.contains(RobotCharacter.SLIPPING_DRIBBLER)) {
+      return false;
+    }
+    double cos = Math.cos(holder.orientation());
+    double sin = Math.sin(holder.orientation());
+    double ax = (vx - heldVx) / span;
+    double ay = (vy - heldVy) / span;
+    double pull = Math.max(0, -(ax * cos + ay * sin));
+    double side = -ax * sin + ay * cos;
+    double pulled = Math.max(0, -(vx * cos + vy * sin));
+    return Math.hypot(pull, side) > RobotCharacter.HELD_ACCELERATION
+        || Math.hypot(pulled, vx * sin - vy * cos) > RobotCharacter.HELD_SPEED;
+  }
+
+  /** The ball rolls on its own from now on. */
+  private void letRoll(double vx, double vy, double at) {
+    if (holder != null) {
       release();
     }
+    ball.launch(vx, vy, 0, -vy / ballRadius, vx / ballRadius, 0);
+    history.node(at, ball);
   }
 
   private void meetRobots() {
@@ -152,17 +206,36 @@ public final class SimulatedWorld implements Scene {
       Contact contact = Contact.of(robot, ball, ballRadius);
       Kick order = robot.command().kick();
       boolean reachable = contact.inMouth() && ball.z() < KICKER_HEIGHT;
-      if (order.armed() && reachable && time >= readyToKick[i]) {
+      if (order.armed() && time >= readyToKick[i] && fires(i, contact)) {
         readyToKick[i] = time + RECHARGE;
         kick(robot, order);
       } else if (robot != holder && contact.touches()) {
-        if (robot.command().dribbler() && reachable) {
+        if (robot.command().dribbler() && reachable && time - slippedAt > RobotCharacter.LOST_FOR) {
           stop(robot);
         } else {
           deflect(robot, contact);
         }
       }
     }
+  }
+
+  /** Whether an armed kicker fires now. */
+  private boolean fires(int robot, Contact contact) {
+    boolean low = ball.z() < KICKER_HEIGHT;
+    if (!characters.contains(RobotCharacter.LATE_KICKER)) {
+      return contact.inMouth() && low;
+    }
+    boolean near = contact.atMouth() && contact.penetration() > -RobotCharacter.KICKER_REACH && low;
+    if (!near) {
+      touchedSince[robot] = Double.NaN;
+    } else if (Double.isNaN(touchedSince[robot]) && contact.inMouth()) {
+      touchedSince[robot] = time;
+    }
+    boolean due = time - touchedSince[robot] >= RobotCharacter.DEAD_TIME;
+    if (due) {
+      touchedSince[robot] = Double.NaN;
+    }
+    return due;
   }
 
   private void release() {
@@ -176,6 +249,15 @@ public final class SimulatedWorld implements Scene {
         new KickCommand(
             order.speed(), Math.IEEEremainder(robot.orientation(), 2 * Math.PI), order.elevation());
     kicker.kick(robot, command, ball);
+    if (characters.contains(RobotCharacter.LATE_KICKER)) {
+      ball.launch(
+          ball.vx() + robot.vx(),
+          ball.vy() + robot.vy(),
+          ball.vz(),
+          ball.spinX(),
+          ball.spinY(),
+          ball.spinZ());
+    }
     history.node(time, ball);
     kicks.begin(order.chip() ? KickKind.CHIP : KickKind.FLAT, purpose, time, ball, robot, command);
   }
@@ -184,6 +266,7 @@ public final class SimulatedWorld implements Scene {
     kicks.end(time, EndReason.TOUCHED_ROBOT, Optional.of(robot.id()));
     kicks.beginHold(time, robot.id());
     holder = robot;
+    heldSteps = 0;
     holdAside = robot.aside(ball.x(), ball.y());
     ball.place(ball.x(), ball.y());
     history.node(time, ball);
@@ -279,6 +362,16 @@ public final class SimulatedWorld implements Scene {
     release();
     ball.place(x, y);
     history.node(time, ball);
+  }
+
+  /**
+   * What the robots are like from now on.
+   *
+   * @param like their characters; empty = ideal
+   */
+  public void robotsLike(Set<RobotCharacter> like) {
+    characters.clear();
+    characters.addAll(like);
   }
 
   /**

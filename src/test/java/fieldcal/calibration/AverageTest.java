@@ -46,6 +46,34 @@ class AverageTest {
     assertThat(a.n()).isEqualTo(3);
   }
 
+  private static List<Sample> samples(double... values) {
+    List<Sample> all = new java.util.ArrayList<>();
+    for (int i = 0; i < values.length; i++) {
+      all.add(new Sample(i, "dampingXyFirstHop", values[i], 0.004, Optional.empty()));
+    }
+    return all;
+  }
+
+  /** First hops of a simulator that is not ours: without spin 0.71, with spin 0.64 to 0.68. */
+  @Test
+  void twoSidesGiveTheMedianAndAnErrorThatCoversBoth() {
+    List<Sample> two =
+        samples(0.71, 0.712, 0.708, 0.711, 0.709, 0.713, 0.707, 0.71, 0.711, 0.64, 0.655, 0.64);
+    Average mean = Average.of(two);
+    Average robust = mean.robust(two);
+    assertThat(mean.mean()).isLessThan(0.697);
+    assertThat(robust.mean()).isBetween(0.708, 0.711);
+    assertThat(robust.standardError()).isGreaterThan(robust.mean() - mean.mean());
+  }
+
+  @Test
+  void symmetricSamplesKeepTheirMean() {
+    List<Sample> one = samples(0.70, 0.702, 0.698, 0.705, 0.695, 0.701, 0.699);
+    Average mean = Average.of(one);
+    assertThat(mean.robust(one)).isSameAs(mean);
+    assertThat(Average.of(samples(1, 2)).robust(samples(1, 2)).mean()).isEqualTo(1.5);
+  }
+
   /** Less scatter than the errors explain: τ = 0 and inverse variances, weights 1 and 4. */
   @Test
   void withoutScatterItIsTheInverseVarianceMean() {

@@ -127,6 +127,67 @@ class CalibrationPlayTest {
   }
 
   @Test
+  void aKickThatTurnsOutBadLaterIsMadeAgain() {
+    play =
+        new CalibrationPlay(
+            PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 3),
+            new SpreadKicks(3, 2, 5, 0, 1),
+            kick -> {
+              kicks.add(kick);
+              play.judge(kick.number(), true);
+              if (kick.number() == 2) {
+                play.judge(1, false);
+                play.judge(1, false);
+              }
+            });
+    assertFinishes();
+    assertThat(kicks).hasSize(4);
+    assertThat(play.state().good()).isEqualTo(3);
+  }
+
+  /** Chips start on the half-way line: this ball has to be carried there. */
+  private void chipsFromAfar() {
+    field.ball(4, -3);
+    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 2), 2, 0.7);
+  }
+
+  @Test
+  void aDribblerThatSlipsIsDrivenMoreGently() {
+    field.pullsUpTo = 0.7;
+    chipsFromAfar();
+    assertFinishes();
+    assertThat(field.lost).isBetween(1, 3);
+    assertThat(field.requests).isZero();
+    assertThat(kicks.get(0).time()).isLessThan(40);
+  }
+
+  @Test
+  void aLossIsNoticedAtOnceAndNamed() {
+    field.pullsUpTo = 0.7;
+    chipsFromAfar();
+    while (field.lost == 0) {
+      field.tick(play);
+    }
+    double lost = field.time;
+    until(PlayPhase.CHECK);
+    assertThat(field.time - lost).isLessThan(0.4);
+  }
+
+  @Test
+  void afterThreeLossesSomebodyIsAskedForHelp() {
+    field.holdsUpTo = 0.15;
+    chipsFromAfar();
+    field.somebodyHelps = false;
+    for (int i = 0; i < 5000 && field.request.isEmpty(); i++) {
+      field.tick(play);
+    }
+    assertThat(field.request.orElseThrow().reason()).contains("ball");
+    assertThat(field.time).isLessThan(40);
+    field.somebodyHelps = true;
+    assertFinishes();
+  }
+
+  @Test
   void aKickerThatNeverFiresEndsThePlay() {
     flat(2);
     field.kickersFire = false;

@@ -50,6 +50,14 @@ final class FakeField {
   double visionTime;
   boolean kickersFire = true;
   boolean somebodyHelps = true;
+
+  /** Faster than that a dribbler does not pull a ball, m/s. */
+  double pullsUpTo = Double.POSITIVE_INFINITY;
+
+  /** From a robot that is faster with it the ball jumps off, m/s. */
+  double holdsUpTo = Double.POSITIVE_INFINITY;
+
+  int lost;
   Permission permission = Permission.RUN;
   RobotId holder;
   Optional<BallRequest> request = Optional.empty();
@@ -164,7 +172,10 @@ final class FakeField {
       ballY = b.y + PlayArea.AT_DRIBBLER * Math.sin(b.orientation);
       ballVx = b.vx;
       ballVy = b.vy;
-      if (!b.order.dribbler()) {
+      double pulled = -(b.vx * Math.cos(b.orientation) + b.vy * Math.sin(b.orientation));
+      if (!b.order.dribbler() || pulled > pullsUpTo || Math.hypot(b.vx, b.vy) > holdsUpTo) {
+        ballY += Math.hypot(b.vx, b.vy) > holdsUpTo ? 0.4 * Math.signum(-ballY) : 0;
+        lost += b.order.dribbler() ? 1 : 0;
         holder = null;
         ballVx = 0;
         ballVy = 0;

@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.simulation.robot.RobotCommand;
 import fieldcal.simulation.robot.RobotCommand.Kick;
+import fieldcal.simulation.robot.RobotCommand.Velocity;
+import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 class InteractiveFieldTest {
@@ -101,6 +105,73 @@ class InteractiveFieldTest {
       }
       assertThat(fastest > 3).isEqualTo(fires);
     }
+  }
+
+  /** A robot that has the ball and drives off with it; answers whether it still has it a second later. */
+  private static boolean keeps(Set<RobotCharacter> like, double vx) {
+    InteractiveField field = field().robotsLike(like);
+    double x = field.world().ball().x();
+    double y = field.world().ball().y();
+    field.placeRobot(FIRST, x - 0.15, y, 0);
+    field.command(FIRST, new RobotCommand(new Velocity(0.3, 0, 0), Kick.NONE, true));
+    run(field, 0.4);
+    assertThat(field.world().holder()).isPresent();
+    field.command(FIRST, new RobotCommand(new Velocity(vx, 0, 0), Kick.NONE, true));
+    run(field, 1);
+    return field.world().holder().isPresent();
+  }
+
+  @Test
+  void aSlippingDribblerLosesTheBallThatIsPulledHard() {
+    Set<RobotCharacter> slips = Set.of(RobotCharacter.SLIPPING_DRIBBLER);
+    assertThat(keeps(Set.of(), -1.2)).isTrue();
+    assertThat(keeps(slips, -1.2)).isFalse();
+    assertThat(keeps(slips, 1)).isTrue();
+  }
+
+  @Test
+  void aLateKickerFiresLaterAndAddsTheRobotsSpeed() {
+    double[] fired = new double[2];
+    double[] fastest = new double[2];
+    for (int late = 0; late < 2; late++) {
+      InteractiveField field =
+          field().robotsLike(late == 1 ? Set.of(RobotCharacter.LATE_KICKER) : Set.of());
+      double x = field.world().ball().x();
+      double y = field.world().ball().y();
+      field.placeRobot(FIRST, x - 0.15, y, 0);
+      field.command(FIRST, new RobotCommand(new Velocity(0.3, 0, 0), new Kick(4, 0), false));
+      for (int i = 0; i < 200; i++) {
+        field.step(p -> {});
+        if (fired[late] == 0 && field.world().ball().groundSpeed() > 3) {
+          fired[late] = field.world().time();
+          fastest[late] = field.world().ball().groundSpeed();
+        }
+      }
+    }
+    assertThat(fired[1] - fired[0]).isBetween(0.04, 0.07);
+    assertThat(fastest[1] - fastest[0]).isCloseTo(0.3, within(0.05));
+  }
+
+  @Test
+  void aDriftingRobotDrivesBesideItsWay() {
+    InteractiveField field = field().robotsLike(Set.of(RobotCharacter.DRIFTING));
+    field.placeRobot(FIRST, -2, -2, 0);
+    field.command(FIRST, new RobotCommand(new Velocity(1, 0, 0), Kick.NONE, false));
+    run(field, 2);
+    SimulatedRobot robot =
+        field.world().robots().stream().filter(r -> r.id().equals(FIRST)).findFirst().orElseThrow();
+    assertThat(robot.y() + 2).isBetween(0.08, 0.16);
+  }
+
+  @Test
+  void charactersHaveNames() {
+    assertThat(RobotCharacter.parse("late-kicker,drifting"))
+        .containsExactlyInAnyOrder(RobotCharacter.LATE_KICKER, RobotCharacter.DRIFTING);
+    assertThat(VisionCharacter.parse("simultaneous")).containsExactly(VisionCharacter.SIMULTANEOUS);
+    assertThatThrownBy(() -> RobotCharacter.parse("lazy"))
+        .hasMessageContaining("lazy")
+        .hasMessageContaining("slipping-dribbler");
+    assertThatThrownBy(() -> VisionCharacter.parse("blind")).hasMessageContaining("disagreeing");
   }
 
   @Test

@@ -2,6 +2,7 @@ package fieldcal.app.calibrate;
 
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.ball.ChipModel;
+import fieldcal.calibration.Average;
 import fieldcal.calibration.Calibration;
 import fieldcal.calibration.Calibrator;
 import fieldcal.calibration.ExtendedCalibration;
@@ -9,10 +10,12 @@ import fieldcal.calibration.HandSelection;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
 import fieldcal.vision.BallModels;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -78,6 +81,23 @@ public record CalibrationOutcome(
    */
   public Optional<CommandFile.Command> command(Kick kick) {
     return CommandFile.of(commands, data.epoch().unixSeconds(kick.time()), kick.robot());
+  }
+
+  /**
+   * Whether there is anything to say of a kind of kicks. A push that looks like a flat kick, among chips, determines no parameter of flat kicks.
+   *
+   * @param kind flat or chip
+   * @return true when there are such kicks that determine a parameter, or no kicks that do
+   */
+  public boolean tells(KickKind kind) {
+    boolean determines = determines(kind);
+    boolean other = determines(kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT);
+    return !calibration.kicks(kind).isEmpty() && (determines || !other);
+  }
+
+  private boolean determines(KickKind kind) {
+    Map<String, Average> averages = kind == KickKind.FLAT ? calibration.flat() : calibration.chip();
+    return averages.values().stream().anyMatch(a -> a.n() > 0);
   }
 
   /**

@@ -71,10 +71,10 @@ public final class ReportBuilder {
 
   private CalibrationReport build(Function<CalibratedKick, CalibrationReport.Kick> kicks) {
     List<CalibrationReport.Model> models = new ArrayList<>();
-    if (!calibration.kicks(KickKind.FLAT).isEmpty()) {
+    if (outcome.tells(KickKind.FLAT)) {
       models.add(model(KickKind.FLAT));
     }
-    if (!calibration.kicks(KickKind.CHIP).isEmpty()) {
+    if (outcome.tells(KickKind.CHIP)) {
       models.add(model(KickKind.CHIP));
     }
     return new CalibrationReport(

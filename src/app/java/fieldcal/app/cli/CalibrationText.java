@@ -30,7 +30,7 @@ final class CalibrationText {
   void print(CalibrationOutcome outcome, Path directory) {
     Calibration calibration = outcome.calibration();
     for (KickKind kind : KickKind.values()) {
-      if (!calibration.kicks(kind).isEmpty()) {
+      if (outcome.tells(kind)) {
         model(outcome, kind);
       }
     }
@@ -69,10 +69,11 @@ final class CalibrationText {
     double rms =
         calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
     line(
-        "%s model from %d of %d kicks%s",
+        "%s model from %d of %d %s%s",
         flat ? "Flat" : "Chip",
         used,
         kicks.size(),
+        kicks.size() == 1 ? "kick" : "kicks",
         Double.isNaN(rms)
             ? ""
             : String.format(Locale.ROOT, ", joint fit %.2f mm RMS per axis", rms));

@@ -70,6 +70,14 @@ final class PlayCommand implements Callable<Integer> {
   private String sslSim;
 
   @Option(
+      names = "--robots-at",
+      paramLabel = "HOST:PORT",
+      description =
+          "plays with real robots: sends the simulation protocol's robot commands to a bridge that"
+              + " the team writes (docs/bridge.py), vision comes by multicast")
+  private String robotsAt;
+
+  @Option(
       names = "--kind",
       required = true,
       paramLabel = "flat|chip",
@@ -182,13 +190,13 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--referee",
       paramLabel = "ADDR:PORT",
-      description = "simulator: multicast address of a referee whose HALT and STOP are obeyed")
+      description = "on the network: multicast address of a referee whose HALT and STOP are obeyed")
   private String referee;
 
   @Option(
       names = "--interface",
       paramLabel = "NAME",
-      description = "simulator: network interface for vision and referee (default all)")
+      description = "on the network: network interface for vision and referee (default all)")
   private String networkInterface;
 
   PlayCommand() {}
@@ -199,8 +207,9 @@ final class PlayCommand implements Callable<Integer> {
     Optional<InteractiveField> simulated;
     OutputPlaces.check(out, null);
     try {
-      if (sim == (sslSim != null)) {
-        throw new IllegalArgumentException("name one field: --sim or --ssl-sim HOST");
+      if ((sim ? 1 : 0) + (sslSim == null ? 0 : 1) + (robotsAt == null ? 0 : 1) != 1) {
+        throw new IllegalArgumentException(
+            "name one field: --sim, --ssl-sim HOST or --robots-at HOST:PORT");
       }
       request = request();
       simulated = sim ? Optional.of(simulated(request)) : Optional.empty();
@@ -222,11 +231,14 @@ final class PlayCommand implements Callable<Integer> {
 
   private PlayField onTheNetwork() throws IOException {
     try {
-      return new NetworkPlayField(
-          sslSim,
-          simulator.ports(),
-          simulator.vision(networkInterface),
-          Optional.ofNullable(referee).map(r -> NetworkPlace.parse(r, networkInterface)));
+      NetworkPlace vision = simulator.vision(networkInterface);
+      Optional<NetworkPlace> whistle =
+          Optional.ofNullable(referee).map(r -> NetworkPlace.parse(r, networkInterface));
+      if (robotsAt != null) {
+        RobotId[] pair = simulator.robots();
+        return NetworkPlayField.ofRobots(robotsAt, pair[0], pair[1], vision, whistle);
+      }
+      return new NetworkPlayField(sslSim, simulator.ports(), vision, whistle);
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }
@@ -312,11 +324,12 @@ final class PlayCommand implements Callable<Integer> {
       throw new IllegalArgumentException(out + ": " + e.getMessage(), e);
     }
     return InteractiveField.later(
-        settings,
-        request.first(),
-        request.second(),
-        FieldTrouble.random(seed, troubles, 8.0 * kicks),
-        earlier * BETWEEN_SESSIONS);
+            settings,
+            request.first(),
+            request.second(),
+            FieldTrouble.random(seed, troubles, 8.0 * kicks),
+            earlier * BETWEEN_SESSIONS)
+        .robotsLike(fieldOptions.robots());
   }
 
   private SessionRequest request() {

@@ -16,32 +16,67 @@ import fieldcal.kick.KickKind;
 import fieldcal.play.PlayState;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.LongSupplier;
 
 /** Tells the operator how the play is going, kick by kick, and what came out. */
 final class PlayText {
+  /** Who looks at a file or a pipe sees that it goes on, ns. */
+  private static final long BETWEEN_LINES = 5_000_000_000L;
+
+  /** Causes that go away sooner are not worth a line, s. */
+  private static final double LASTS = 2;
+
   private final PrintWriter out;
+  private final boolean onTerminal;
+  private final LongSupplier nanoTime;
+  private long lastLine;
+  private String cause = "";
+  private double causeSince;
+  private boolean causeTold;
   private final Set<String> complaints = new HashSet<>();
+  private final List<Boolean> goodWhenTold = new ArrayList<>();
   private int told;
   private Undecided undecided = new Undecided(List.of(), false, List.of());
 
   PlayText(PrintWriter out) {
+    this(out, TerminalProgress.isTerminal(TerminalProgress.ERROR_STREAM), System::nanoTime);
+  }
+
+  /** For an operator at a terminal, or for a file; with a clock in ns. */
+  PlayText(PrintWriter out, boolean onTerminal, LongSupplier nanoTime) {
     this.out = out;
+    this.onTerminal = onTerminal;
+    this.nanoTime = nanoTime;
+    lastLine = nanoTime.getAsLong();
   }
 
   private void line(String format, Object... args) {
+    lastLine = nanoTime.getAsLong();
     out.println(String.format(Locale.ROOT, format, args));
     out.flush();
   }
 
   /** One line for each kick when it is judged; what is being done now in place on a terminal. */
   void follow(SessionSnapshot s, TerminalProgress progress) {
+    for (int i = 0; i < told; i++) {
+      KickResult k = s.kicks().get(i);
+      if (k.good() != goodWhenTold.get(i)) {
+        progress.say("");
+        goodWhenTold.set(i, k.good());
+        line(
+            "%3d  %s",
+            k.played().number(), k.good() ? "used after all" : "not used after all: " + k.reason());
+      }
+    }
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
       progress.say("");
+      goodWhenTold.add(s.kicks().get(told).good());
       kick(s.kicks().get(told++));
     }
     if (!s.undecided().equals(undecided)) {
@@ -50,15 +85,43 @@ final class PlayText {
       undecided();
     }
     PlayState state = s.state();
-    progress.say(
+    waiting(s, progress);
+    String now =
         String.format(
             Locale.ROOT,
-            "%5.1f s  %d of %d kicks  %s%s",
+            "%5.1f s  %d of %d good kicks  %s%s",
             s.time(),
             state.good(),
             state.wanted(),
             state.phase().text(),
-            state.waiting().map(w -> ": " + w).orElse("")));
+            state.waiting().map(w -> ": " + w).orElse(""));
+    progress.say(now);
+    if (!onTerminal && nanoTime.getAsLong() - lastLine > BETWEEN_LINES) {
+      line("     %s", now.trim());
+    }
+  }
+
+  /** A cause that lasts is told when it comes up, not only at the end. */
+  private void waiting(SessionSnapshot s, TerminalProgress progress) {
+    String reason = s.state().waiting().orElse("");
+    if (!s.ballWanted().isEmpty()) {
+      reason =
+          String.format(
+              Locale.ROOT,
+              "please lay the ball at (%.1f, %.1f) m: %s",
+              s.ballWanted().get(0),
+              s.ballWanted().get(1),
+              reason);
+    }
+    if (!reason.equals(cause)) {
+      cause = reason;
+      causeSince = s.time();
+      causeTold = false;
+    } else if (!reason.isEmpty() && !causeTold && s.time() - causeSince > LASTS) {
+      causeTold = true;
+      progress.say("");
+      line("     %5.1f s: %s", s.time(), reason);
+    }
   }
 
   /** What the other side complains of is said once, when it comes up. */
@@ -105,10 +168,11 @@ final class PlayText {
   void result(PlayRun.Result result, Optional<JsonNode> truth, Optional<Path> directory) {
     SessionSnapshot last = result.session().last();
     line(
-        "%n%s after %.0f s of field time: %d good kicks of %d made.",
+        "%n%s after %.0f s of field time: %d good %s of %d made.",
         result.session().complete() ? "Finished" : "Stopped",
         last.time(),
         last.state().good(),
+        last.state().good() == 1 ? "kick" : "kicks",
         last.state().made());
     line("");
     if (result.calibration().isPresent()) {
@@ -163,17 +227,20 @@ final class PlayText {
     line("%nKick strength: measured speed = offset + gain × commanded speed");
     for (KickStrength s : strengths) {
       line(
-          "  %-9s %s, %2d kicks: gain %.3f%s, offset %+.2f%s m/s, scatter%s m/s; yaw %+.2f%s°%s",
+          "  %-9s %s, %2d %s: gain %.3f%s%s%s; yaw %+.2f%s°%s",
           s.robot(),
           s.kind().id(),
           s.kicks(),
+          s.kicks() == 1 ? "kick" : "kicks",
           s.gain(),
           error(s.gainError(), "%.3f"),
-          s.offset(),
-          error(s.offsetError(), "%.2f"),
+          Double.isNaN(s.offset())
+              ? " (no offset: the speeds are too few or too alike)"
+              : String.format(
+                  Locale.ROOT, ", offset %+.2f%s m/s", s.offset(), error(s.offsetError(), "%.2f")),
           Double.isNaN(s.speedScatter())
-              ? " unknown"
-              : String.format(Locale.ROOT, " %.2f", s.speedScatter()),
+              ? ""
+              : String.format(Locale.ROOT, ", scatter %.2f m/s", s.speedScatter()),
           Math.toDegrees(s.yaw()),
           error(Math.toDegrees(s.yawError()), "%.2f"),
           s.kind() == KickKind.CHIP

@@ -7,11 +7,13 @@ import fieldcal.app.sslsim.SimulatorPorts;
 import fieldcal.app.sslsim.SimulatorServer;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.vision.RobotId;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -44,14 +46,16 @@ final class ServeOptions {
   }
 
   /** Serves until the program is told to end. */
-  void serve(SimulationSettings settings, PrintWriter out) throws IOException {
+  void serve(SimulationSettings settings, Set<RobotCharacter> robots, PrintWriter out)
+      throws IOException {
     RobotId[] pair = simulator.robots();
     SimulatorPorts ports = simulator.ports();
     NetworkPlace place = simulator.vision(null);
     Impairment impairment = new Impairment(loss / 100, delayMs / 1000);
     InteractiveField field =
         ServedField.now(
-            settings, pair[0], pair[1], List.of(), System.currentTimeMillis() * 1_000_000L);
+                settings, pair[0], pair[1], List.of(), System.currentTimeMillis() * 1_000_000L)
+            .robotsLike(robots);
     AtomicBoolean stop = new AtomicBoolean();
     try (SimulatorServer server =
         new SimulatorServer(field, ports, place.address(), impairment, settings.seed())) {
@@ -59,7 +63,7 @@ final class ServeOptions {
       out.printf(
           Locale.ROOT,
           "serving %s and %s on %.0f x %.0f m: vision to %s, control %d, blue %d, yellow %d;"
-              + " Ctrl-C ends it%n",
+              + " seed %d; Ctrl-C ends it%n",
           pair[0],
           pair[1],
           settings.field().length(),
@@ -67,7 +71,8 @@ final class ServeOptions {
           place,
           ports.control(),
           ports.blue(),
-          ports.yellow());
+          ports.yellow(),
+          settings.seed());
       out.flush();
       server.serve(stop::get);
     }

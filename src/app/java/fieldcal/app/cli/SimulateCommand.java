@@ -204,7 +204,7 @@ final class SimulateCommand implements Callable<Integer> {
       require("--out=FILE", out != null || serving.wanted());
       settings = settings();
       if (serving.wanted()) {
-        serving.serve(settings, spec.commandLine().getOut());
+        serving.serve(settings, field.robots(), spec.commandLine().getOut());
         return 0;
       }
     } catch (IllegalArgumentException e) {

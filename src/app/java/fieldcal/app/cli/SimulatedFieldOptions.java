@@ -3,8 +3,11 @@ package fieldcal.app.cli;
 import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.Preset;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.VisionCharacter;
+import fieldcal.simulation.robot.RobotCharacter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import picocli.CommandLine.Option;
 
 /** What all commands that simulate a field let the operator say of it. */
@@ -23,9 +26,30 @@ final class SimulatedFieldOptions {
               + " them)")
   private final List<String> effects = new ArrayList<>();
 
-  /** The field of the preset, if there is one. */
+  @Option(
+      names = "--vision-like",
+      paramLabel = "NAME[,NAME]",
+      description =
+          "simulated field: what its vision is like; ideal, simultaneous (cameras stamp the same"
+              + " times), disagreeing (40 mm apart), noiseless, stalling")
+  private String vision = "ideal";
+
+  @Option(
+      names = "--robots-like",
+      paramLabel = "NAME[,NAME]",
+      description =
+          "simulated field that is played on or served: what its robots are like; ideal,"
+              + " slipping-dribbler, late-kicker, drifting")
+  private String robots = "ideal";
+
+  Set<RobotCharacter> robots() {
+    return RobotCharacter.parse(robots);
+  }
+
+  /** The field of the preset, if there is one, with the vision that is wanted. */
   SimulationSettings withPreset(SimulationSettings settings) {
-    return preset == null ? settings : Preset.of(preset).applyTo(settings);
+    SimulationSettings found = preset == null ? settings : Preset.of(preset).applyTo(settings);
+    return VisionCharacter.apply(VisionCharacter.parse(vision), found);
   }
 
   /** With the effects, and no others. */

@@ -10,7 +10,7 @@ import me.tongfei.progressbar.ProgressBarStyle;
 
 /** A progress bar on the error stream, if that is a terminal; otherwise nothing. */
 final class TerminalProgress implements AutoCloseable {
-  private static final int ERROR_STREAM = 2;
+  static final int ERROR_STREAM = 2;
   private static final long MEGABYTE = 1_000_000;
   private static final String CLEAR_LINE = "\r\u001b[K";
 

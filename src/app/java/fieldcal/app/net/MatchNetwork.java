@@ -132,6 +132,15 @@ public final class MatchNetwork implements AutoCloseable {
   }
 
   /**
+   * When the frame came that the sink is being told.
+   *
+   * @return on the clock of {@link System#nanoTime}, ns
+   */
+  public long lastFrame() {
+    return visionSource.lastFrame();
+  }
+
+  /**
    * For how long no frame came that counts, whatever else may have come.
    *
    * @return time since the last one, or since the beginning when there was none, s

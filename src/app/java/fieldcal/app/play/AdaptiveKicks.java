@@ -93,9 +93,30 @@ final class AdaptiveKicks implements KickChooser {
     if (!isKnown()) {
       return forParameters(ballX, ballY);
     }
+    Optional<PlannedKick> missing = forScatter();
+    if (missing.isPresent()) {
+      return missing.get();
+    }
     PlannedKick kick = spread.next();
     spreadOut.add(kick);
     return kick;
+  }
+
+  /** Before a scatter is believed, slow, middling and fast kicks must have shown it: of the third of the speeds that has the fewest. */
+  private Optional<PlannedKick> forScatter() {
+    int[] good = new int[3];
+    int fewest = 0;
+    for (int third = 0; third < 3; third++) {
+      good[third] = fits.goodOf(third, request.slowest(), request.fastest());
+      fewest = good[third] < good[fewest] ? third : fewest;
+    }
+    if (request.precision() == 0 || fits.good() >= LiveFits.FEWEST && good[fewest] > 0) {
+      return Optional.empty();
+    }
+    // Not at the edges, whose kicks are the first to fail.
+    double share = (fewest + 0.5) / 3;
+    double speed = request.slowest() + share * (request.fastest() - request.slowest());
+    return Optional.of(new PlannedKick(speed, request.elevation(), line));
   }
 
   /** By what the detections tell; what differs from kick to kick for another reason no choice of kicks makes smaller. */

@@ -39,7 +39,13 @@ final class BallTracker {
   private Seen elsewhere;
   private int elsewhereCount;
 
+  private final CameraOffsets offsets;
+
   private record Seen(double t, double x, double y) {}
+
+  BallTracker(CameraOffsets offsets) {
+    this.offsets = offsets;
+  }
 
   void accept(VisionFrame frame) {
     double t = frame.captureTime();
@@ -99,7 +105,7 @@ final class BallTracker {
     }
   }
 
-  /** Slope within each camera, pooled; position is the mean of what the cameras that see it now say. */
+  /** Slope within each camera, pooled; position is the mean of what the cameras that see it now say, less their offsets. */
   private void estimate(double window) {
     double stt = 0;
     double stx = 0;
@@ -120,11 +126,12 @@ final class BallTracker {
     double sumX = 0;
     double sumY = 0;
     int n = 0;
-    for (Deque<Seen> ring : cameras.values()) {
+    for (Map.Entry<Integer, Deque<Seen>> camera : cameras.entrySet()) {
+      Deque<Seen> ring = camera.getValue();
       double[] mean = mean(ring, time - window);
       if (mean[3] > 0 && time - ring.getLast().t() < 0.06) {
-        sumX += mean[1] + vx * (time - mean[0]);
-        sumY += mean[2] + vy * (time - mean[0]);
+        sumX += mean[1] + vx * (time - mean[0]) - offsets.x(camera.getKey());
+        sumY += mean[2] + vy * (time - mean[0]) - offsets.y(camera.getKey());
         n++;
       }
     }

@@ -20,7 +20,7 @@ import java.util.TreeMap;
  * @param kicks how many
  * @param gain (–)
  * @param gainError standard error; NaN with too few kicks to tell
- * @param offset m/s; 0 when the speeds are too few or too alike to tell it from the gain
+ * @param offset m/s; NaN when the speeds are too few or too alike to tell it from the gain: then the gain is measured over commanded speed
  * @param offsetError m/s; NaN when the offset was not estimated
  * @param speedScatter standard deviation from kick to kick, m/s; NaN with too few kicks
  * @param yaw to the left of what was commanded, rad
@@ -119,10 +119,11 @@ public record KickStrength(
       speeds += p.speed;
     }
     double gain = products / squares;
-    double offset = line ? speeds / n - gain * centre : 0;
+    double through = line ? speeds / n - gain * centre : 0;
+    double offset = line ? through : Double.NaN;
     double rest = 0;
     for (Pair p : pairs) {
-      rest += Math.pow(p.speed - offset - gain * p.told, 2);
+      rest += Math.pow(p.speed - through - gain * p.told, 2);
     }
     int free = n - (line ? 2 : 1);
     double scatter = free > 0 ? Math.sqrt(rest / free) : Double.NaN;

@@ -3,6 +3,9 @@ package fieldcal.app.play;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.calibration.Average;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.Calibrator;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.fit.CameraView;
@@ -12,7 +15,6 @@ import fieldcal.fit.FitProblem;
 import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
-import fieldcal.fit.OverlapOffsets;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderSettings;
@@ -23,12 +25,15 @@ import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicReference;
+import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
@@ -40,10 +45,16 @@ final class LiveFits {
   /** A kick that was found is the one that was played when they are that near in time, s. */
   private static final double SAME = 0.4;
 
-  /** A fit worse than that, and that many times worse than the others, says that something happened to the ball on its way, mm. */
-  private static final double BAD_FIT = 15;
+  private static final String NOT_FOUND = "no kick was found in the detections";
 
-  private static final double WORSE_THAN_OTHERS = 3;
+  /** Offsets that moved by less need no new fits: a quarter of the noise of good cameras, m. */
+  private static final double MOVED = 3e-4;
+
+  /** Fewer kicks do not show what differs from kick to kick. */
+  static final int FEWEST = 6;
+
+  /** Share of a distribution below its mean plus one standard error. */
+  private static final double ONE_SIGMA = 0.841345;
 
   private static final Map<KickKind, List<String>> PARAMETERS =
       Map.of(
@@ -53,18 +64,32 @@ final class LiveFits {
           List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ"));
 
   private final KickKind kind;
-  private final KickFitter fitter = new KickFitter(FitSettings.defaults());
+  private final long seed;
+  private final KickFitter fitter;
   private final KickFinder finder = new KickFinder(KickFinderSettings.defaults(), this::found);
   private final List<Kick> kicks = new ArrayList<>();
   private final List<KickResult> results = new ArrayList<>();
+  private final Map<Integer, Kick> found = new TreeMap<>();
+  private final Map<Integer, KickFit> fits = new TreeMap<>();
+  private final List<KickResult> missed = new ArrayList<>();
+  private final Executor executor;
+  private final AtomicReference<Done> done = new AtomicReference<>();
+  private CameraViews fittedWith;
+  private boolean pending;
+  private boolean busy;
+  private Map<String, Average> averages = Map.of();
   private final Map<Integer, Camera> cameras = new TreeMap<>();
   private final Map<Integer, SeeingCamera> seeing = new TreeMap<>();
   private final Map<Integer, Boolean> seen = new TreeMap<>();
   private FlatModel flat = FlatModel.typical();
   private ChipModel chip = ChipModel.typical();
 
-  LiveFits(KickKind kind) {
+  /** Fits are made by an executor: at once, or beside the play, whose robots must not wait for them. */
+  LiveFits(KickKind kind, long seed, Executor executor) {
+    this.executor = executor;
     this.kind = kind;
+    this.seed = seed;
+    fitter = new KickFitter(FitSettings.defaults().withSeed(seed));
   }
 
   void geometry(FieldGeometry geometry) {
@@ -99,24 +124,36 @@ final class LiveFits {
     results.add(KickResult.open(kick));
   }
 
-  /** Results that became known; to be called in every tick. */
+  /**
+   * Results that became known or changed; to be called in every tick. A kick is judged again with every kick that follows, as a calibration would judge it: the first ones were fitted before anybody
+   * knew by how much the cameras disagree.
+   */
   List<KickResult> judge(double now) {
-    List<KickResult> judged = new ArrayList<>();
+    boolean fresh = false;
     for (int i = 0; i < results.size(); i++) {
       KickResult open = results.get(i);
-      if (open.verdict().isPresent()) {
-        continue;
-      }
-      Optional<Kick> kick = kickOf(open.played());
-      if (kick.isPresent()) {
-        results.set(i, fitted(open.played(), kick.get()));
-        judged.add(results.get(i));
-      } else if (now - open.played().ended() > FINDER_LAG) {
-        results.set(i, bad(open.played(), Optional.empty(), "no kick was found in the detections"));
-        judged.add(results.get(i));
+      if (open.verdict().isEmpty() && !found.containsKey(open.played().number())) {
+        Optional<Kick> kick = kickOf(open.played());
+        if (kick.isPresent()) {
+          found.put(open.played().number(), kick.get());
+          fresh = true;
+        } else if (now - open.played().ended() > FINDER_LAG) {
+          results.set(i, bad(open.played(), NOT_FOUND));
+          missed.add(results.get(i));
+        }
       }
     }
-    return judged;
+    List<KickResult> changed = new ArrayList<>(missed);
+    missed.clear();
+    pending |= fresh;
+    if (pending && !busy) {
+      begin();
+    }
+    Done ready = done.getAndSet(null);
+    if (ready != null) {
+      changed.addAll(take(ready));
+    }
+    return changed;
   }
 
   private Optional<Kick> kickOf(PlayedKick played) {
@@ -131,41 +168,129 @@ final class LiveFits {
     return Optional.ofNullable(best);
   }
 
-  private static KickResult bad(PlayedKick played, Optional<KickFit> fit, String reason) {
-    return new KickResult(played, fit, Optional.of(false), reason);
+  private static KickResult bad(PlayedKick played, String reason) {
+    return new KickResult(played, Optional.empty(), Optional.of(false), reason);
   }
 
-  private KickResult fitted(PlayedKick played, Kick kick) {
+  /** What is fitted, without anything that changes meanwhile. */
+  private record Work(
+      Map<Integer, Kick> kicks,
+      Map<Integer, KickFit> fits,
+      Optional<CameraViews> fittedWith,
+      CameraViews published,
+      FlatModel flat,
+      ChipModel chip) {}
+
+  /** What came of it; of a failure nothing but that. */
+  private record Done(
+      Map<Integer, KickFit> fits,
+      Optional<CameraViews> fittedWith,
+      Optional<Calibration> judged,
+      Optional<RuntimeException> failure) {}
+
+  private void begin() {
     List<CameraView> views = new ArrayList<>();
     seen.keySet().forEach(id -> views.add(CameraView.of(id, Optional.ofNullable(cameras.get(id)))));
-    CameraViews published = CameraViews.of(views);
-    KickFit asPublished = fitter.fit(FitProblem.of(kick, published, flat, chip), kind);
-    // Offsets from a handful of kicks may be wrong, of chips above all: they have to prove
-    // themselves.
-    CameraViews measured = OverlapOffsets.estimate(kicks, published);
-    KickFit corrected = fitter.fit(FitProblem.of(kick, measured, flat, chip), kind);
-    KickFit fit = better(corrected, asPublished) ? corrected : asPublished;
-    Optional<KickFit> there = Optional.of(fit);
-    if (fit.failure().isPresent()) {
-      return bad(played, there, fit.failure().get());
-    }
-    if (fit.rmsMm() > Math.max(BAD_FIT, WORSE_THAN_OTHERS * typicalRms())) {
-      String how = String.format(Locale.ROOT, "the fit is poor, %.0f mm rms", fit.rmsMm());
-      return bad(played, there, how);
-    }
-    // What a chip's roll is, flat kicks say.
-    List<Estimate> needed = fit.modelEstimates().subList(0, 3);
-    for (Estimate e : needed) {
-      if (!e.usable()) {
-        return bad(played, there, "does not determine " + e.name());
-      }
-    }
-    return new KickResult(played, there, Optional.of(true), "");
+    Work work =
+        new Work(
+            new TreeMap<>(found),
+            new TreeMap<>(fits),
+            Optional.ofNullable(fittedWith),
+            CameraViews.of(views),
+            flat,
+            chip);
+    pending = false;
+    busy = true;
+    executor.execute(
+        () -> {
+          try {
+            done.set(fitAll(work));
+          } catch (RuntimeException e) {
+            done.set(new Done(Map.of(), Optional.empty(), Optional.empty(), Optional.of(e)));
+          }
+        });
   }
 
-  private static boolean better(KickFit a, KickFit b) {
-    return b.failure().isPresent()
-        || a.failure().isEmpty() && a.statistics().meanLoss() < b.statistics().meanLoss();
+  /** New kicks are fitted, and the earlier ones again when the cameras are known better now. */
+  private Done fitAll(Work work) {
+    CameraViews measured =
+        Calibrator.measured(List.copyOf(work.kicks().values()), work.published());
+    boolean anew = work.fittedWith().isEmpty() || moved(work.fittedWith().get(), measured) > MOVED;
+    CameraViews views = anew ? measured : work.fittedWith().get();
+    Map<Integer, KickFit> made = work.fits();
+    for (Map.Entry<Integer, Kick> entry : work.kicks().entrySet()) {
+      KickFit before = made.get(entry.getKey());
+      FitProblem problem = FitProblem.of(entry.getValue(), views, work.flat(), work.chip());
+      if (before == null || anew && before.failure().isPresent()) {
+        made.put(entry.getKey(), fitter.fit(problem, kind));
+      } else if (anew) {
+        made.put(entry.getKey(), fitter.refit(problem, before));
+      }
+    }
+    Calibration judged = Calibrator.judged(List.copyOf(made.values()), views, seed);
+    return new Done(made, Optional.of(views), Optional.of(judged), Optional.empty());
+  }
+
+  private List<KickResult> take(Done ready) {
+    busy = false;
+    if (ready.failure().isPresent()) {
+      throw ready.failure().get();
+    }
+    fits.putAll(ready.fits());
+    fittedWith = ready.fittedWith().orElseThrow();
+    return judgeAll(ready.judged().orElseThrow());
+  }
+
+  /** By how much offsets differ, m; a camera that was not known before is new. */
+  private static double moved(CameraViews from, CameraViews to) {
+    Map<Integer, CameraView> old = new HashMap<>();
+    from.all().forEach(v -> old.put(v.id(), v));
+    double most = 0;
+    for (CameraView v : to.all()) {
+      CameraView o = old.get(v.id());
+      double off =
+          o == null
+              ? Double.POSITIVE_INFINITY
+              : Math.hypot(v.offsetX() - o.offsetX(), v.offsetY() - o.offsetY());
+      most = Math.max(most, off);
+    }
+    return most;
+  }
+
+  private List<KickResult> judgeAll(Calibration judged) {
+    averages = kind == KickKind.FLAT ? judged.flat() : judged.chip();
+    Map<KickFit, CalibratedKick> byFit = new IdentityHashMap<>();
+    judged.kicks().forEach(k -> byFit.put(k.fit(), k));
+    List<KickResult> changed = new ArrayList<>();
+    for (int i = 0; i < results.size(); i++) {
+      KickResult before = results.get(i);
+      KickFit fit = fits.get(before.played().number());
+      if (fit != null) {
+        String reason = reason(byFit.get(fit));
+        KickResult now =
+            new KickResult(
+                before.played(), Optional.of(fit), Optional.of(reason.isEmpty()), reason);
+        results.set(i, now);
+        if (!before.verdict().equals(now.verdict())) {
+          changed.add(now);
+        }
+      }
+    }
+    return changed;
+  }
+
+  /** Why a kick does not count; empty when it does. */
+  private static String reason(CalibratedKick kick) {
+    if (kick.rejected().isPresent()) {
+      return kick.rejected().get();
+    }
+    // What a chip's roll is, flat kicks say.
+    for (Estimate e : kick.fit().modelEstimates().subList(0, 3)) {
+      if (!e.usable()) {
+        return "does not determine " + e.name();
+      }
+    }
+    return "";
   }
 
   private double typicalRms() {
@@ -222,35 +347,71 @@ final class LiveFits {
     return rms > 0 ? rms / 1000 : CameraView.DEFAULT_NOISE;
   }
 
-  /** Largest relative standard error of the three parameters; infinite while one is not determined. */
-  double precision() {
-    Map<String, Average> measured = model();
+  /**
+   * Largest relative standard error of the three parameters. Infinite while one is not determined, and while there are too few kicks to see what differs from kick to kick: {@link #FEWEST}, of both
+   * robots, slow, middling and fast.
+   *
+   * @param slowest of the kicks that are wanted, m/s
+   * @param fastest m/s
+   */
+  double precision(double slowest, double fastest) {
+    int fewest = Integer.MAX_VALUE;
+    for (int third = 0; third < 3; third++) {
+      fewest = Math.min(fewest, goodOf(third, slowest, fastest));
+    }
+    List<KickResult> good = results.stream().filter(KickResult::good).toList();
+    long robots = good.stream().map(r -> r.played().robot()).distinct().count();
+    if (good.size() < FEWEST || robots < 2 || fewest == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
     double worst = 0;
     for (String name : PARAMETERS.get(kind)) {
-      Average a = measured.get(name);
+      Average a = averages.get(name);
       double relative =
-          a == null ? Double.POSITIVE_INFINITY : a.standardError() / Math.abs(a.mean());
+          a == null || a.n() < 2
+              ? Double.POSITIVE_INFINITY
+              : inflation(a.n()) * a.standardError() / Math.abs(a.mean());
       worst = Math.max(worst, relative);
     }
     return worst;
   }
 
-  /** Weighted mean of what the good kicks say. */
+  /** A scatter that few kicks show is known badly itself: Student's 68.3 % over the Gaussian's. */
+  private static double inflation(int n) {
+    return new TDistribution(null, n - 1.0).inverseCumulativeProbability(ONE_SIGMA);
+  }
+
+  /** How many good kicks there are in a third of the range of speeds, 0 the slowest. */
+  int goodOf(int third, double slowest, double fastest) {
+    double width = (fastest - slowest) / 3;
+    return (int)
+        results.stream()
+            .filter(KickResult::good)
+            .filter(
+                r ->
+                    width == 0
+                        || third
+                            == Math.max(
+                                0,
+                                Math.min(
+                                    2, (int) ((r.played().planned().speed() - slowest) / width))))
+            .count();
+  }
+
+  /** How many good kicks there are. */
+  int good() {
+    return (int) results.stream().filter(KickResult::good).count();
+  }
+
+  /** Means of what the good kicks say, as a calibration takes them. */
   Map<String, Average> model() {
-    Map<String, List<Estimate>> all = new LinkedHashMap<>();
-    for (KickResult r : results) {
-      if (r.good()) {
-        r.parameters().forEach(e -> all.computeIfAbsent(e.name(), n -> new ArrayList<>()).add(e));
-      }
-    }
-    Map<String, Average> model = new LinkedHashMap<>();
-    all.forEach(
-        (name, list) ->
-            model.put(
-                name,
-                Average.of(
-                    list.stream().mapToDouble(Estimate::value).toArray(),
-                    list.stream().mapToDouble(Estimate::standardError).toArray())));
-    return model;
+    Map<String, Average> known = new LinkedHashMap<>();
+    averages.forEach(
+        (name, average) -> {
+          if (average.n() > 0) {
+            known.put(name, average);
+          }
+        });
+    return known;
   }
 }

@@ -8,6 +8,7 @@ import fieldcal.vision.VisionPacket;
 import java.io.Closeable;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 
 /** A field with robots that obey: simulated in this process, on the network, or real. For one thread. */
 public interface PlayField extends Closeable {
@@ -70,6 +71,15 @@ public interface PlayField extends Closeable {
    * @return {@code RUN} when there is none
    */
   Permission permission();
+
+  /**
+   * Why no robot may drive now, beside what the referee says: whoever drives them is not heard.
+   *
+   * @return for the operator; empty when they may
+   */
+  default Optional<String> hold() {
+    return Optional.empty();
+  }
 
   /**
    * Whether time goes on while nobody asks for the next tick.

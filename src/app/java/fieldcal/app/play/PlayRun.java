@@ -56,12 +56,12 @@ public final class PlayRun {
     if (outcome.last().kicks().isEmpty()) {
       return new Result(outcome, Optional.empty(), List.of());
     }
-    CalibrationOutcome calibration = calibrate(directory, progress);
+    CalibrationOutcome calibration = calibrate(directory, session.seed(), progress);
     return new Result(outcome, Optional.of(calibration), KickStrength.of(calibration));
   }
 
   /**
-   * Calibrates from all sessions in a directory, with the commands beside them.
+   * Calibrates from all sessions in a directory, with the commands beside them and the usual seed.
    *
    * @param directory with at least one session
    * @param progress told how far it is
@@ -70,6 +70,11 @@ public final class PlayRun {
    */
   public static CalibrationOutcome calibrate(Path directory, CalibrationSession.Progress progress)
       throws IOException {
+    return calibrate(directory, FitSettings.defaults().seed(), progress);
+  }
+
+  private static CalibrationOutcome calibrate(
+      Path directory, long seed, CalibrationSession.Progress progress) throws IOException {
     List<Path> logs = logs(directory);
     List<CommandFile.Command> told = new ArrayList<>();
     for (Path log : logs) {
@@ -79,7 +84,7 @@ public final class PlayRun {
       }
     }
     HandSelection byHand = SelectionFile.readOrFormer(null, directory);
-    return new CalibrationSession(FitSettings.defaults())
+    return new CalibrationSession(FitSettings.defaults().withSeed(seed))
         .run(CalibrationRequest.of(logs, byHand, told), progress);
   }
 

@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -89,14 +90,14 @@ public final class PlaySession {
     this.request = request;
     this.field = field;
     this.listener = listener;
-    fits = new LiveFits(request.kind());
+    Executor executor = field.goesOnByItself() ? PlaySession::inBackground : Runnable::run;
+    fits = new LiveFits(request.kind(), request.seed(), executor);
     Optional<Path> watched = request.adaptive() ? request.directory() : Optional.empty();
-    causes =
-        new CauseWatch(watched, field.goesOnByItself() ? PlaySession::inBackground : Runnable::run);
+    causes = new CauseWatch(watched, executor);
   }
 
   private static void inBackground(Runnable task) {
-    Thread thread = new Thread(task, "diagnosis");
+    Thread thread = new Thread(task, "fits and diagnosis");
     thread.setDaemon(true);
     thread.start();
   }
@@ -223,7 +224,9 @@ public final class PlaySession {
     for (KickResult result : fits.judge(now)) {
       play.judge(result.played().number(), result.good());
       averages = fits.model();
-      precise = fits.precision() <= request.precision();
+      precise =
+          request.precision() > 0
+              && fits.precision(request.slowest(), request.fastest()) <= request.precision();
       shown = Double.NEGATIVE_INFINITY;
     }
     lookForCauses();
@@ -238,6 +241,7 @@ public final class PlaySession {
     if (abortReason != null) {
       play.abort(abortReason);
     }
+    play.hold(field.hold());
     PlayPhase before = play.state().phase();
     PlayWorld world = model.at(now, field.permission());
     PlayAnswer answer = play.tick(world);
@@ -384,6 +388,11 @@ public final class PlaySession {
    */
   public void abort(String reason) {
     abortReason = reason;
+  }
+
+  /** The one seed of everything random in it. */
+  long seed() {
+    return request.seed();
   }
 
   /**

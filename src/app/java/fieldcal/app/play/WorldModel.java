@@ -15,7 +15,8 @@ import java.util.TreeMap;
 public final class WorldModel {
   private static final double FORGET = 10;
 
-  private final BallTracker ball = new BallTracker();
+  private final CameraOffsets offsets = new CameraOffsets();
+  private final BallTracker ball = new BallTracker(offsets);
   private final Map<RobotId, RobotTracker> robots = new TreeMap<>();
   private double newest = Double.NEGATIVE_INFINITY;
 
@@ -31,7 +32,9 @@ public final class WorldModel {
     newest = Math.max(newest, frame.captureTime());
     ball.accept(frame);
     for (RobotDetection robot : frame.robots()) {
-      robots.computeIfAbsent(robot.id(), RobotTracker::new).accept(robot, frame.captureTime());
+      robots
+          .computeIfAbsent(robot.id(), id -> new RobotTracker(id, offsets))
+          .accept(frame.cameraId(), robot, frame.captureTime());
     }
   }
 
@@ -45,6 +48,9 @@ public final class WorldModel {
   public PlayWorld at(double now, Permission permission) {
     List<Robot> seen = new ArrayList<>();
     for (RobotTracker tracker : robots.values()) {
+      if (!tracker.known()) {
+        continue;
+      }
       Robot robot = tracker.at(now);
       if (now - robot.seen() < FORGET) {
         seen.add(robot);

@@ -127,10 +127,11 @@ public record Verdict(Advice advice, String title, List<String> lines) {
     String values = estimated(model).stream().map(Verdict::value).collect(Collectors.joining(", "));
     return String.format(
         Locale.ROOT,
-        "%s model from %d of %d kicks: %s; %s.",
+        "%s model from %d of %d %s: %s; %s.",
         model.kind() == Kind.FLAT ? "Flat" : "Chip",
         selected,
         kicks.size(),
+        kicks.size() == 1 ? "kick" : "kicks",
         values.isEmpty() ? "no parameter determined" : values,
         comparison(model, advice));
   }

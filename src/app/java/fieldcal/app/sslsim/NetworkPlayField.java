@@ -13,6 +13,7 @@ import fieldcal.proto.Referee;
 import fieldcal.proto.RobotCommand;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionEncoder;
 import fieldcal.vision.VisionFrame;
@@ -23,7 +24,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** A simulator on the network: vision comes by multicast, robots and ball are moved by the league's simulation protocol. */
+/** A simulator on the network, or real robots behind a bridge: vision comes by multicast, commands go by the league's simulation protocol. */
 public final class NetworkPlayField implements PlayField {
   /** Between two commands, s. */
   private static final double TICK = 0.01;
@@ -39,8 +40,10 @@ public final class NetworkPlayField implements PlayField {
   private final Epoch epoch;
   private final VisionEncoder encoder;
   private final MatchNetwork network;
-  private final SimulatorClient client;
+  private final RobotLink client;
   private final WorldModel model = new WorldModel();
+  private final VisionWatch watch = new VisionWatch();
+  private List<String> lastNotes;
   private final long startNanos = System.nanoTime();
   private final double startTime;
   private PlayField.Receiver receiver;
@@ -56,6 +59,7 @@ public final class NetworkPlayField implements PlayField {
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
+      watch.frame(frame.captureTime(), network.lastFrame() * 1e-9);
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
       clockJumped |= sent < newestFrame - CLOCK_JUMP;
       if (!(sent <= newestFrame)) {
@@ -98,17 +102,62 @@ public final class NetworkPlayField implements PlayField {
   public NetworkPlayField(
       String host, SimulatorPorts ports, NetworkPlace vision, Optional<NetworkPlace> referee)
       throws IOException {
+    this(new SimulatorClient(host, ports), vision, referee);
+  }
+
+  private NetworkPlayField(RobotLink link, NetworkPlace vision, Optional<NetworkPlace> referee)
+      throws IOException {
     long unixNanos = System.currentTimeMillis() * 1_000_000L;
     epoch = Epoch.atSecondOf(unixNanos);
     startTime = epoch.secondsOfNanos(unixNanos);
     encoder = new VisionEncoder(epoch);
-    client = new SimulatorClient(host, ports);
+    client = link;
     try {
       network = new MatchNetwork(vision, referee, epoch, new Sink());
     } catch (IOException e) {
       client.close();
       throw e;
     }
+  }
+
+  /**
+   * The robots of a real team: its bridge takes the simulation protocol's robot commands, vision comes as at a tournament. Robots stand while the bridge does not answer.
+   *
+   * @param bridge host and port; the next port, too, when the robots are of both teams: then blue's commands go to the first
+   * @param first one robot
+   * @param second the other
+   * @param vision where vision sends to
+   * @param referee where a referee sends to, if there is one
+   * @return the field
+   * @throws IOException when the host is unknown or a port cannot be opened; one line for the operator
+   * @throws IllegalArgumentException when the bridge is not HOST:PORT
+   */
+  public static NetworkPlayField ofRobots(
+      String bridge,
+      RobotId first,
+      RobotId second,
+      NetworkPlace vision,
+      Optional<NetworkPlace> referee)
+      throws IOException {
+    int colon = bridge.lastIndexOf(':');
+    int port;
+    try {
+      port = Integer.parseInt(bridge.substring(colon + 1));
+    } catch (NumberFormatException e) {
+      port = 0;
+    }
+    if (colon < 1 || port == 0) {
+      throw new IllegalArgumentException(
+          "the bridge must be HOST:PORT, for example 127.0.0.1:10400, but is '" + bridge + "'");
+    }
+    String host = bridge.substring(0, colon);
+    RobotLink link = new BridgeClient(host, port, first, second, System::nanoTime);
+    return new NetworkPlayField(link, vision, referee);
+  }
+
+  @Override
+  public Optional<String> hold() {
+    return client.hold();
   }
 
   private double wallClock() {
@@ -139,7 +188,7 @@ public final class NetworkPlayField implements PlayField {
     }
     client.listen();
     if (clockJumped) {
-      throw new IOException("vision's clock went back; was the simulator restarted?");
+      throw new IOException("vision's clock went back; was vision or the simulator restarted?");
     }
     double since = (System.nanoTime() - newestArrived) * 1e-9;
     double estimate = Double.isNaN(newestFrame) ? wallClock() : newestFrame + since;
@@ -194,9 +243,13 @@ public final class NetworkPlayField implements PlayField {
 
   @Override
   public List<String> notes() {
+    if (lastNotes != null) {
+      return lastNotes;
+    }
     List<String> notes = new ArrayList<>(network.notes());
+    notes.addAll(watch.notes());
     if (Double.isNaN(newestFrame)) {
-      notes.add("is the simulator running, and does it send its vision to " + network + "?");
+      notes.add("is vision running, and does it send to " + network + "?");
     }
     notes.addAll(client.notes());
     return notes;
@@ -204,11 +257,15 @@ public final class NetworkPlayField implements PlayField {
 
   @Override
   public List<String> complaints() {
-    return client.complaints();
+    List<String> all = new ArrayList<>(client.complaints());
+    all.addAll(watch.complaints());
+    return all;
   }
 
   @Override
   public void close() throws IOException {
+    // What comes after the play, a calibration for example, is no silence of vision's.
+    lastNotes = lastNotes == null ? List.copyOf(notes()) : lastNotes;
     network.close();
     client.close();
   }

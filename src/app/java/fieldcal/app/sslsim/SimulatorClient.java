@@ -12,7 +12,6 @@ import fieldcal.proto.SimulatorError;
 import fieldcal.proto.SimulatorResponse;
 import fieldcal.proto.TeleportBall;
 import fieldcal.vision.Team;
-import java.io.Closeable;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -25,9 +24,10 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Talks to a simulator: robot control for both teams, teleporting; its complaints are counted. Never waits for an answer. Not thread-safe. */
-final class SimulatorClient implements Closeable {
+final class SimulatorClient implements RobotLink {
   private static final int LARGEST = 65_536;
   private static final int MOST_COMPLAINTS = 20;
 
@@ -93,13 +93,14 @@ final class SimulatorClient implements Closeable {
         .build();
   }
 
-  void robots(Team team, List<RobotCommand> commands) throws IOException {
+  @Override
+  public void robots(Team team, List<RobotCommand> commands) throws IOException {
     RobotControl message = RobotControl.newBuilder().addAllRobotCommands(commands).build();
     send(team == Team.BLUE ? blue : yellow, message.toByteArray());
   }
 
-  /** Lays the ball down at rest. */
-  void layBall(double x, double y) throws IOException {
+  @Override
+  public void layBall(double x, double y) throws IOException {
     TeleportBall ball =
         TeleportBall.newBuilder()
             .setX((float) x)
@@ -125,8 +126,8 @@ final class SimulatorClient implements Closeable {
     }
   }
 
-  /** Reads what the simulator answered since the last time. */
-  void listen() throws IOException {
+  @Override
+  public void listen() throws IOException {
     for (DatagramChannel channel : List.of(control, blue, yellow)) {
       byte[] answer = receive(channel);
       while (answer != null) {
@@ -167,8 +168,14 @@ final class SimulatorClient implements Closeable {
     }
   }
 
-  /** For the operator; empty when all is well. */
-  List<String> notes() {
+  /** A simulator's robots are nobody's harm. */
+  @Override
+  public Optional<String> hold() {
+    return Optional.empty();
+  }
+
+  @Override
+  public List<String> notes() {
     List<String> notes = new ArrayList<>();
     if (answers == 0 && isSilent()) {
       notes.add(silence);
@@ -183,8 +190,8 @@ final class SimulatorClient implements Closeable {
     return silent;
   }
 
-  /** What the operator should hear of at once, each in the same words every time. */
-  List<String> complaints() {
+  @Override
+  public List<String> complaints() {
     List<String> all = new ArrayList<>();
     if (isSilent()) {
       all.add(silence);

@@ -1,5 +1,7 @@
 package fieldcal.simulation.imaging;
 
+import java.util.Objects;
+
 /**
  * How the cameras hang and how good they are. Details (position, tilt, lens) vary from camera to camera by a few per cent, drawn from the seed.
  *
@@ -14,6 +16,7 @@ package fieldcal.simulation.imaging;
  * @param ballPlane height of the ball's centre that vision assumes, m
  * @param disagreement by how much neighbouring cameras report the same ball apart, m
  * @param overlap how far each camera sees beyond its share of the field, m
+ * @param exposure whether cameras take their frames together
  */
 public record CameraSettings(
     int count,
@@ -26,18 +29,72 @@ public record CameraSettings(
     double rateMax,
     double ballPlane,
     double disagreement,
-    double overlap) {
+    double overlap,
+    Exposure exposure) {
 
   /** Four good cameras without contradictions. */
   public static final CameraSettings DEFAULT =
-      new CameraSettings(4, 5.3, 0.12, 0.002, 0.0035, 0.01, 70, 75, 0.0215, 0, 0.6);
+      new CameraSettings(4, 5.3, 0.12, 0.002, 0.0035, 0.01, 70, 75, 0.0215, 0, 0.6, Exposure.FREE);
+
+  /** When cameras take their frames. */
+  public enum Exposure {
+    /** Each in its own beat, as most real cameras do. */
+    FREE,
+    /** All at the same moment, with the same time stamp, as simulators and triggered cameras do. */
+    TOGETHER
+  }
+
+  /**
+   * Usual cameras, each in its own beat.
+   *
+   * @param count number of cameras, 1 … 8
+   * @param height above the carpet, m
+   * @param distortion radial distortion, either sign (–)
+   * @param ballNoise standard deviation of a ball's reported position straight below the camera, m
+   * @param robotNoise the same of a robot, m
+   * @param robotAngleNoise standard deviation of a robot's reported orientation, rad
+   * @param rateMin lowest frame rate, 1/s
+   * @param rateMax highest frame rate, 1/s
+   * @param ballPlane height of the ball's centre that vision assumes, m
+   * @param disagreement by how much neighbouring cameras report the same ball apart, m
+   * @param overlap how far each camera sees beyond its share of the field, m
+   * @throws IllegalArgumentException when a value is out of range or NaN
+   */
+  public CameraSettings(
+      int count,
+      double height,
+      double distortion,
+      double ballNoise,
+      double robotNoise,
+      double robotAngleNoise,
+      double rateMin,
+      double rateMax,
+      double ballPlane,
+      double disagreement,
+      double overlap) {
+    this(
+        count,
+        height,
+        distortion,
+        ballNoise,
+        robotNoise,
+        robotAngleNoise,
+        rateMin,
+        rateMax,
+        ballPlane,
+        disagreement,
+        overlap,
+        Exposure.FREE);
+  }
 
   /**
    * Checks the ranges. {@inheritDoc}
    *
    * @throws IllegalArgumentException when a value is out of range or NaN
+   * @throws NullPointerException when the beat is null
    */
   public CameraSettings {
+    Objects.requireNonNull(exposure, "exposure");
     range("count", count, 1, 8);
     range("height", height, 1, 20);
     range("distortion", distortion, -0.25, 1);
@@ -76,7 +133,8 @@ public record CameraSettings(
         rateMax,
         ballPlane,
         disagreement,
-        overlap);
+        overlap,
+        exposure);
   }
 
   /**
@@ -97,7 +155,8 @@ public record CameraSettings(
         rateMax,
         ballPlane,
         disagreement,
-        overlap);
+        overlap,
+        exposure);
   }
 
   /**
@@ -118,7 +177,8 @@ public record CameraSettings(
         rateMax,
         ballPlane,
         disagreement,
-        overlap);
+        overlap,
+        exposure);
   }
 
   /**
@@ -140,7 +200,8 @@ public record CameraSettings(
         rateMax,
         ballPlane,
         disagreement,
-        overlap);
+        overlap,
+        exposure);
   }
 
   /**
@@ -162,6 +223,29 @@ public record CameraSettings(
         rateMax,
         plane,
         apart,
-        overlap);
+        overlap,
+        exposure);
+  }
+
+  /**
+   * Another beat.
+   *
+   * @param beat whether cameras take their frames together
+   * @return the changed settings
+   */
+  public CameraSettings withExposure(Exposure beat) {
+    return new CameraSettings(
+        count,
+        height,
+        distortion,
+        ballNoise,
+        robotNoise,
+        robotAngleNoise,
+        rateMin,
+        rateMax,
+        ballPlane,
+        disagreement,
+        overlap,
+        beat);
   }
 }

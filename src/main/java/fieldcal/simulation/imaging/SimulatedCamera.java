@@ -28,6 +28,7 @@ public final class SimulatedCamera {
   private final double rate;
   private final double phase;
   private final RandomStream timing;
+  private final RandomStream transfer;
   private final RandomStream sensor;
   private final RandomStream robotSensor;
   private final FalseBalls falseBalls;
@@ -61,7 +62,9 @@ public final class SimulatedCamera {
     pixelNoise =
         settings.ballNoise() * trueCalibration.focalLength() / trueCamera.heightAboveBallPlane();
     String name = " of camera " + trueCalibration.id();
-    timing = RandomStream.of(seed, "timing" + name);
+    boolean together = settings.exposure() == CameraSettings.Exposure.TOGETHER;
+    timing = RandomStream.of(seed, together ? "timing of all cameras" : "timing" + name);
+    transfer = together ? RandomStream.of(seed, "transfer" + name) : timing;
     sensor = RandomStream.of(seed, "balls" + name);
     robotSensor = RandomStream.of(seed, "robots" + name);
     falseBalls = new FalseBalls(nuisance, RandomStream.of(seed, "false balls" + name));
@@ -173,7 +176,7 @@ public final class SimulatedCamera {
       VisionFrame frame =
           new VisionFrame(trueCalibration.id(), index, stamp, sent, Double.NaN, balls, detections);
       frames.add(frame);
-      if (timing.happens(nuisance.duplicates())) {
+      if (transfer.happens(nuisance.duplicates())) {
         frames.add(frame);
       }
     }
@@ -189,11 +192,11 @@ public final class SimulatedCamera {
             + limited(timing.gaussian(nuisance.stampNoise()))
             + errors.timeOffset()
             + errors.clockSkew() * exposure;
-    sent = exposure + LATENCY + Math.abs(timing.gaussian(LATENCY_SPREAD));
-    if (timing.happens(nuisance.burstRate() / rate)) {
-      blindUntil = beat + timing.uniform(0.05, 0.4);
+    sent = exposure + LATENCY + Math.abs(transfer.gaussian(LATENCY_SPREAD));
+    if (transfer.happens(nuisance.burstRate() / rate)) {
+      blindUntil = beat + transfer.uniform(0.05, 0.4);
     }
-    boolean dropped = timing.happens(nuisance.frameDrop());
+    boolean dropped = transfer.happens(nuisance.frameDrop());
     boolean gone = nuisance.outages().stream().anyMatch(o -> o.covers(trueCalibration.id(), beat));
     lost = dropped || gone || beat < blindUntil;
   }

@@ -35,7 +35,18 @@ class AdaptiveKicksTest {
     SessionRequest request = SessionRequest.of(kind, 20).withChoice(true, 4, 0.01);
     PlaySession.Outcome outcome = play(request, 4);
     assertThat(outcome.complete()).isTrue();
-    assertThat(outcome.last().kicks()).hasSizeLessThan(5);
+    // Fewer do not show what differs from kick to kick.
+    assertThat(outcome.last().kicks()).hasSizeBetween(6, 10);
+    assertThat(outcome.last().kicks().stream().map(k -> k.played().robot()).distinct()).hasSize(2);
+    assertThat(outcome.last().kicks())
+        .anyMatch(
+            k ->
+                k.played().planned().speed()
+                    < request.slowest() + (request.fastest() - request.slowest()) / 3)
+        .anyMatch(
+            k ->
+                k.played().planned().speed()
+                    > request.fastest() - (request.fastest() - request.slowest()) / 3);
     List<String> names =
         kind == KickKind.FLAT
             ? List.of("accSlide", "accRoll", "kSwitch")
@@ -62,7 +73,10 @@ class AdaptiveKicksTest {
         new PlaySession(
                 request, new EmbeddedPlayField(field, Double.POSITIVE_INFINITY), snapshot -> {})
             .run();
-    KickInformation information = new KickInformation(cameras, 0.002, 0.6);
+    // The noise that the session itself goes by.
+    double[] rms =
+        outcome.last().kicks().stream().mapToDouble(KickResult::rmsMm).sorted().toArray();
+    KickInformation information = new KickInformation(cameras, rms[rms.length / 2] / 1000, 0.6);
     for (KickResult kick : outcome.last().kicks()) {
       var played = kick.played();
       var fit = kick.fit().orElseThrow();
@@ -81,7 +95,8 @@ class AdaptiveKicksTest {
         double reported = fit.modelEstimates().get(i).standardError();
         assertThat(predicted / reported)
             .as("%s of %s", fit.modelEstimates().get(i).name(), played)
-            .isBetween(0.5, 1.6);
+            // A slow ball that stops in sight tells more of accRoll than is counted on.
+            .isBetween(0.5, 2.0);
       }
     }
   }

@@ -1,0 +1,25 @@
+package fieldcal.play;
+
+/**
+ * How a robot drives so that it keeps the ball at its dribbler. Nobody tells how well a dribbler holds: each loss makes its robot drive more gently.
+ *
+ * @param speed fastest, m/s
+ * @param acceleration up and down, m/s²
+ * @param turn fastest, rad/s
+ * @param gentle whether it pushes the ball rather than pulls it, and does not turn with it more than it must
+ */
+record Grip(double speed, double acceleration, double turn, boolean gentle) {
+  /** Part of the speed that is left after 0, 1, 2 … losses. */
+  private static final double[] SPEEDS = {1, 0.5, 0.3, 0.2};
+
+  /** What a ball that foam presses on the carpet follows at first, and after each loss, m/s²; the last is what rolling takes from a ball. */
+  private static final double[] ACCELERATIONS = {1.5, 0.7, 0.4, 0.25};
+
+  /** A ball 0.1 m before the centre then needs 3.6, 0.4, 0.2 and 0.1 m/s² to stay, rad/s. */
+  private static final double[] TURNS = {6, 2, 1.4, 1};
+
+  static Grip after(int losses, PlayLimits limits) {
+    int i = Math.min(losses, SPEEDS.length - 1);
+    return new Grip(SPEEDS[i] * limits.carrySpeed(), ACCELERATIONS[i], TURNS[i], losses > 0);
+  }
+}

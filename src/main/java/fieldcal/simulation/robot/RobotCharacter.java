@@ -1,0 +1,82 @@
+package fieldcal.simulation.robot;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.Locale;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** What real robots and those of other simulators are like, beyond this field's good ones; may be combined. */
+public enum RobotCharacter {
+  /** As it is: the dribbler holds whatever happens, the kicker fires at once, the robot drives where it is told. */
+  IDEAL,
+  /** The dribbler holds the ball by friction only: a robot that pulls, brakes or turns too hard loses it. From a front plate that does not dribble the ball rolls off. */
+  SLIPPING_DRIBBLER,
+  /** The kicker fires some hundredths of a second after the ball has touched it, which is pushed meanwhile; the robot's speed adds to the ball's. */
+  LATE_KICKER,
+  /** The robot drives 4° beside and 5 % slower than it is told, and creeps a little when it is to stand. */
+  DRIFTING;
+
+  /** Largest acceleration that friction gives a ball towards the robot and to its sides, m/s² (chosen: a third of what robots do). */
+  public static final double HELD_ACCELERATION = 1.2;
+
+  /** Largest speed at which a dribbler pulls a ball, m/s (chosen: a well-known simulator loses it at 1.2 m/s). */
+  public static final double HELD_SPEED = 0.9;
+
+  /** A dribbler that has lost a ball does not catch it within that time, s. */
+  public static final double LOST_FOR = 0.3;
+
+  /** At which speed a ball leaves a front plate that lets go of it, m/s. */
+  public static final double ROLLS_OFF = 0.12;
+
+  /** From the touch to the kick, s (chosen: a light barrier, a radio's cycle of a slow robot). */
+  public static final double DEAD_TIME = 0.05;
+
+  /** A kicker reaches so far before the plate, m. */
+  public static final double KICKER_REACH = 0.012;
+
+  /** Beside the direction that is commanded, rad. */
+  public static final double BESIDE = Math.toRadians(4);
+
+  /** Part of the commanded speed that it drives. */
+  public static final double SLOWER = 0.95;
+
+  /** Speed of a robot that is to stand, m/s. */
+  public static final double CREEP = 0.01;
+
+  /**
+   * Its name on the command line.
+   *
+   * @return lower case with dashes
+   */
+  public String label() {
+    return name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  /**
+   * By their names.
+   *
+   * @param labels as {@link #label}, separated by commas
+   * @return the characters
+   * @throws IllegalArgumentException when one is not known; the message names those that are
+   */
+  public static Set<RobotCharacter> parse(String labels) {
+    Set<RobotCharacter> all = EnumSet.noneOf(RobotCharacter.class);
+    for (String label : labels.split(",", -1)) {
+      all.add(
+          Arrays.stream(values())
+              .filter(c -> c.label().equals(label.trim()))
+              .findFirst()
+              .orElseThrow(
+                  () ->
+                      new IllegalArgumentException(
+                          "unknown robots '"
+                              + label
+                              + "'; known are "
+                              + Arrays.stream(values())
+                                  .map(RobotCharacter::label)
+                                  .collect(Collectors.joining(", ")))));
+    }
+    return all;
+  }
+}

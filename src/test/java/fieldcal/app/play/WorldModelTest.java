@@ -1,0 +1,151 @@
+package fieldcal.app.play;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.MessageType;
+import fieldcal.play.PlayWorld;
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.VisionCharacter;
+import fieldcal.simulation.robot.RobotCommand;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.RobotDetection;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import fieldcal.vision.VisionDecoder;
+import fieldcal.vision.VisionFrame;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+/** What the play is told of robots and ball, where cameras overlap above all. */
+class WorldModelTest {
+  private static final RobotId FIRST = new RobotId(Team.YELLOW, 0);
+  private static final RobotId SECOND = new RobotId(Team.YELLOW, 1);
+  private static final Path TEST_DATA =
+      Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data");
+
+  private static VisionFrame frame(int camera, double time, double x, double y) {
+    RobotDetection robot = new RobotDetection(FIRST, x, y, 0.3f, 1, 0.145);
+    return new VisionFrame(camera, 0, time, time, Double.NaN, List.of(), List.of(robot));
+  }
+
+  private static Robot first(WorldModel model, double now) {
+    return model.at(now, Permission.RUN).robot(FIRST).orElseThrow();
+  }
+
+  @Test
+  void recordedRobotsStandUnderCamerasThatDisagree() throws Exception {
+    List<VisionFrame> frames = new ArrayList<>();
+    VisionDecoder decoder = new VisionDecoder(Epoch.atSecondOf(1_795_343_409_000_000_000L));
+    try (GameLogReader log = GameLogReader.open(TEST_DATA.resolve("erforce-standing.log.gz"))) {
+      while (log.next()) {
+        assertThat(log.type()).isEqualTo(MessageType.SSL_VISION_2014);
+        decoder
+            .decode(log.buffer(), log.payloadOffset(), log.payloadLength())
+            .frame()
+            .ifPresent(frames::add);
+      }
+    }
+    assertThat(frames).hasSizeGreaterThan(1000);
+    WorldModel model = new WorldModel();
+    double begin = frames.get(0).captureTime();
+    for (VisionFrame frame : frames) {
+      model.accept(frame);
+      PlayWorld world = model.at(frame.captureTime(), Permission.RUN);
+      if (frame.captureTime() - begin > 2) {
+        // What "it stands" means to the play: 0.08 m/s; the joined filter read 0.4 m/s.
+        assertThat(world.robots()).allSatisfy(r -> assertThat(r.speed()).isLessThan(0.06));
+        assertThat(world.robot(FIRST).orElseThrow().x()).isCloseTo(-0.02, within(0.006));
+        assertThat(world.robot(SECOND).orElseThrow().x()).isCloseTo(-0.02, within(0.006));
+      }
+    }
+  }
+
+  @Test
+  void camerasThatAgreeOnTheTimeButNotOnThePlaceDoNotMakeARobotMove() {
+    WorldModel model = new WorldModel();
+    for (int i = 0; i < 300; i++) {
+      double t = 0.015 * i;
+      model.accept(frame(0, t, 1, -2));
+      model.accept(frame(1, t, 1.04, -2));
+      assertThat(first(model, t).speed()).isLessThan(1e-9);
+    }
+    assertThat(first(model, 4.5).x()).isCloseTo(1.02, within(1e-6));
+    // Out of the sight of one: it does not jump.
+    for (int i = 300; i < 320; i++) {
+      model.accept(frame(0, 0.015 * i, 1, -2));
+      assertThat(first(model, 0.015 * i).x()).isCloseTo(1.02, within(0.001));
+    }
+  }
+
+  @Test
+  void aRobotThatDrivesIntoTheViewOfAnotherCameraKeepsItsVelocity() {
+    WorldModel model = new WorldModel();
+    for (int i = 0; i < 150; i++) {
+      double t = 0.014 * i;
+      if (t < 1.2) {
+        model.accept(frame(0, t, t, 0));
+      }
+      if (t > 1) {
+        model.accept(frame(1, t + 0.005, t + 0.005 + 0.02, 0));
+      }
+      if (t > 0.8) {
+        Robot robot = first(model, t + 0.005);
+        assertThat(robot.vx()).isCloseTo(1, within(0.02));
+        assertThat(robot.x()).isCloseTo(t + 0.005 + 0.01, within(0.015));
+      }
+    }
+  }
+
+  @Test
+  void onePatternTakenForAnotherDoesNotMoveARobot() {
+    WorldModel model = new WorldModel();
+    for (int i = 0; i < 100; i++) {
+      double t = 0.014 * i;
+      model.accept(frame(0, t, 1, 1));
+      if (i > 50 && i < 60) {
+        model.accept(frame(1, t + 0.003, -3, 1));
+      }
+      assertThat(first(model, t + 0.003).x()).isCloseTo(1, within(1e-6));
+    }
+  }
+
+  @Test
+  void simulatedCamerasThatStampTheSameTimesAndDisagree() {
+    SimulationSettings settings =
+        VisionCharacter.apply(
+            Set.of(VisionCharacter.SIMULTANEOUS, VisionCharacter.DISAGREEING),
+            SimulationSettings.DEFAULT.withSeed(2));
+    InteractiveField field = InteractiveField.of(settings, FIRST, SECOND, List.of());
+    field.placeRobot(FIRST, 0, 0, 0);
+    field.command(FIRST, RobotCommand.HALT);
+    WorldModel model = new WorldModel();
+    List<VisionFrame> seen = new ArrayList<>();
+    double fastest = 0;
+    for (int i = 0; i < 800; i++) {
+      field.step(
+          p ->
+              p.packet()
+                  .frame()
+                  .ifPresent(
+                      f -> {
+                        model.accept(f);
+                        seen.add(f);
+                      }));
+      double now = field.world().time();
+      if (now > 2) {
+        fastest = Math.max(fastest, first(model, now).speed());
+      }
+    }
+    assertThat(seen.stream().map(VisionFrame::captureTime).distinct().count())
+        .isLessThan(seen.size() / 3);
+    assertThat(fastest).isLessThan(0.07);
+  }
+}

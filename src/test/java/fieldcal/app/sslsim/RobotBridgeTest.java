@@ -1,0 +1,259 @@
+package fieldcal.app.sslsim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
+import fieldcal.kick.KickKind;
+import fieldcal.play.PlayLimits;
+import fieldcal.proto.RobotCommand;
+import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.robot.SimulatedRobot;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.SocketTimeoutException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+/** Real robots behind a bridge, on loopback: the bridge passes commands on to a served field, as a team's would to its radio. */
+class RobotBridgeTest {
+  private static final RobotId FIRST = new RobotId(Team.YELLOW, 0);
+  private static final RobotId SECOND = new RobotId(Team.YELLOW, 1);
+
+  private static int freePort() throws IOException {
+    try (DatagramSocket socket = new DatagramSocket()) {
+      return socket.getLocalPort();
+    }
+  }
+
+  /** A field of robots with a bridge before it; both can fall silent. */
+  private static final class Robots implements AutoCloseable {
+    final InteractiveField field =
+        ServedField.now(
+            SimulationSettings.DEFAULT.withSeed(6),
+            FIRST,
+            SECOND,
+            List.of(),
+            System.currentTimeMillis() * 1_000_000L);
+    final NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    final AtomicBoolean stop = new AtomicBoolean();
+    final AtomicBoolean bridgeSilent = new AtomicBoolean();
+    final AtomicBoolean visionSilent = new AtomicBoolean();
+    final AtomicInteger heard = new AtomicInteger();
+    final DatagramSocket bridge = new DatagramSocket(0, InetAddress.getLoopbackAddress());
+    private final CompletableFuture<Void> serving;
+    private final CompletableFuture<Void> bridging;
+
+    Robots() throws IOException {
+      SimulatorProtocol protocol = new SimulatorProtocol(field);
+      serving = CompletableFuture.runAsync(() -> run(protocol));
+      bridging = CompletableFuture.runAsync(() -> pass(protocol));
+    }
+
+    private void run(SimulatorProtocol protocol) {
+      fieldcal.vision.VisionEncoder encoder = new fieldcal.vision.VisionEncoder(field.epoch());
+      try (VisionSender sender = new VisionSender(vision.address())) {
+        long begin = System.nanoTime();
+        while (!stop.get()) {
+          synchronized (field) {
+            while (field.world().time() < (System.nanoTime() - begin) * 1e-9) {
+              protocol.beforeStep();
+              field.step(
+                  p -> {
+                    try {
+                      if (!visionSilent.get()) {
+                        sender.send(encoder.encode(p.packet()));
+                      }
+                    } catch (IOException e) {
+                      throw new AssertionError(e);
+                    }
+                  });
+            }
+          }
+          Thread.sleep(1);
+        }
+      } catch (IOException | InterruptedException e) {
+        throw new AssertionError(e);
+      }
+    }
+
+    private void pass(SimulatorProtocol protocol) {
+      try {
+        bridge.setSoTimeout(50);
+        byte[] bytes = new byte[4096];
+        while (!stop.get()) {
+          DatagramPacket packet = new DatagramPacket(bytes, bytes.length);
+          try {
+            bridge.receive(packet);
+          } catch (SocketTimeoutException e) {
+            continue;
+          }
+          heard.incrementAndGet();
+          byte[] answer;
+          synchronized (field) {
+            answer =
+                protocol.robots(
+                    Team.YELLOW, java.util.Arrays.copyOf(packet.getData(), packet.getLength()));
+          }
+          if (!bridgeSilent.get()) {
+            bridge.send(new DatagramPacket(answer, answer.length, packet.getSocketAddress()));
+          }
+        }
+      } catch (IOException e) {
+        throw new AssertionError(e);
+      }
+    }
+
+    NetworkPlayField play() throws IOException {
+      return NetworkPlayField.ofRobots(
+          "127.0.0.1:" + bridge.getLocalPort(), FIRST, SECOND, vision, Optional.empty());
+    }
+
+    /** The faster of the two, m/s. */
+    double speed() {
+      synchronized (field) {
+        return field.world().robots().stream()
+            .filter(r -> r.id().equals(FIRST) || r.id().equals(SECOND))
+            .mapToDouble(SimulatedRobot::speed)
+            .max()
+            .orElseThrow();
+      }
+    }
+
+    @Override
+    public void close() throws Exception {
+      stop.set(true);
+      serving.get(5, TimeUnit.SECONDS);
+      bridging.get(5, TimeUnit.SECONDS);
+      bridge.close();
+    }
+  }
+
+  private static SessionRequest request(int kicks, double patience) {
+    return SessionRequest.of(KickKind.FLAT, kicks)
+        .withRobots(FIRST, SECOND)
+        .withLimits(PlayLimits.DEFAULT.withPatience(patience, 120), Optional.empty());
+  }
+
+  @Test
+  void aTeamsRobotsPlayByItsBridge() throws Exception {
+    try (Robots robots = new Robots()) {
+      PlaySession.Outcome outcome = new PlaySession(request(1, 60), robots.play(), s -> {}).run();
+      assertThat(outcome.complete()).as(outcome.last().state().toString()).isTrue();
+      assertThat(robots.heard.get()).isGreaterThan(300);
+    }
+  }
+
+  /** Runs until the robots drive, silences something, and looks whether they stop although the commands still reach them. */
+  private static void standWhenSilent(boolean bridge) throws Exception {
+    try (Robots robots = new Robots()) {
+      long[] silenced = new long[1];
+      boolean[] drove = new boolean[1];
+      boolean[] stood = new boolean[1];
+      PlaySession session =
+          new PlaySession(
+              request(3, 1.5),
+              robots.play(),
+              s -> {
+                double speed = robots.speed();
+                long now = System.nanoTime();
+                if (!drove[0] && speed > 0.8) {
+                  drove[0] = true;
+                  silenced[0] = now;
+                  (bridge ? robots.bridgeSilent : robots.visionSilent).set(true);
+                } else if (drove[0] && now - silenced[0] > 1_200_000_000L) {
+                  stood[0] |= speed < 0.02;
+                }
+              });
+      PlaySession.Outcome outcome = session.run();
+      assertThat(drove[0]).isTrue();
+      assertThat(stood[0]).isTrue();
+      assertThat(outcome.complete()).isFalse();
+      assertThat(outcome.last().state().waiting().orElseThrow())
+          .contains(bridge ? "the bridge at 127.0.0.1" : "no vision");
+      assertThat(robots.speed()).isLessThan(0.02);
+    }
+  }
+
+  @Test
+  void aBridgeThatFallsSilentStopsBothRobots() throws Exception {
+    standWhenSilent(true);
+  }
+
+  @Test
+  void aVisionThatFallsSilentStopsBothRobots() throws Exception {
+    standWhenSilent(false);
+  }
+
+  @Test
+  void whereABridgeIsMustBeSaid() {
+    NetworkPlace vision = NetworkPlace.parse("127.0.0.1:10006", null);
+    for (String wrong : List.of("localhost", ":10400", "localhost:many", "localhost:70000")) {
+      assertThatThrownBy(
+              () ->
+                  NetworkPlayField.ofRobots(wrong, FIRST, SECOND, vision, Optional.empty()).close())
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("bridge");
+    }
+  }
+
+  /** The documented bridge, run as it is. */
+  @Test
+  void theExampleUnderstandsWhatIsSentAndStopsByItself() throws Exception {
+    Path example = Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "bridge.py");
+    int port = freePort();
+    Process process;
+    try {
+      process =
+          new ProcessBuilder("python3", example.toString(), Integer.toString(port))
+              .redirectError(ProcessBuilder.Redirect.INHERIT)
+              .start();
+    } catch (IOException e) {
+      assumeTrue(false, "no python3 here");
+      return;
+    }
+    try (BridgeClient client =
+            new BridgeClient("127.0.0.1", port, FIRST, SECOND, System::nanoTime);
+        BufferedReader said = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
+      assertThat(client.hold()).isPresent();
+      RobotCommand command = SimulatorClient.command(11, 0.5, -0.25, 1.5, 4, Math.PI / 4, true);
+      for (int i = 0; i < 500 && client.hold().isPresent(); i++) {
+        client.robots(Team.YELLOW, List.of(command));
+        Thread.sleep(10);
+        client.listen();
+      }
+      assertThat(client.hold()).isEmpty();
+      assertThat(client.complaints()).isEmpty();
+      assertThat(said.readLine())
+          .isEqualTo(
+              "robot 11: forward 0.500, left -0.250, angular 1.500, kick 4.000, angle 45.000,"
+                  + " dribbler 3000.000");
+      String line = said.readLine();
+      while (!line.contains("forward 0.000")) {
+        line = said.readLine();
+      }
+      assertThat(line).startsWith("robot 11").contains("kick 0.000");
+      client.listen();
+      Thread.sleep(350);
+      assertThat(client.hold().orElseThrow()).contains("does not answer");
+    } finally {
+      process.destroyForcibly();
+    }
+  }
+}
