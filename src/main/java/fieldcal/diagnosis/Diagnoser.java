@@ -153,8 +153,7 @@ public final class Diagnoser {
 
     private List<KickRecord> screenAndFit() {
       List<KickFit> fits = problem.fits();
-      List<boolean[]> kept =
-          fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
+      List<boolean[]> kept = fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
       MovingNoise noise = MovingNoise.of(fits, kept, problem.cameras());
       List<KickRecord> kicks = new ArrayList<>();
       for (KickFit fit : fits) {
@@ -301,8 +300,7 @@ public final class Diagnoser {
         FittedModel start, List<? extends Effect> effects, int most, boolean revises) {
       int n = start.kickCount();
       if (n <= SEARCHED_KICKS) {
-        CauseSearch search =
-            new CauseSearch(fitter, new Dictionary(effects, arena), most, solver);
+        CauseSearch search = new CauseSearch(fitter, new Dictionary(effects, arena), most, solver);
         FittedModel found = search.search(start, revises);
         trace.addAll(search.trace());
         return evenly(found);
@@ -335,13 +333,16 @@ public final class Diagnoser {
 
     /** What was decided: the model to predict with, and the judgements of what is in it. */
     private record Answer(
-        FittedModel extended, List<Judgement> judged, List<Cause> kickers, HoldOut held, HoldOut heldBase) {}
+        FittedModel extended,
+        List<Judgement> judged,
+        List<Cause> kickers,
+        HoldOut held,
+        HoldOut heldBase) {}
 
     private Answer decide(FittedModel found) {
       long seed = problem.seed();
       HoldOut heldBase = HoldOut.of(base, true, seed);
-      Alternatives alternatives =
-          new Alternatives(fitter, new Dictionary(catalogue, arena));
+      Alternatives alternatives = new Alternatives(fitter, new Dictionary(catalogue, arena));
       Decision decision = new Decision(settings, fitter, alternatives, seed);
       FittedModel named = base;
       List<Judgement> judged = List.of();
@@ -419,8 +420,7 @@ public final class Diagnoser {
       if (kept.size() == have.size()) {
         return after;
       }
-      EffectModel model =
-          after.model().startingAt(now, after.solution().scatters()).with(kept);
+      EffectModel model = after.model().startingAt(now, after.solution().scatters()).with(kept);
       return fitter.fit(model, after, false, solver);
     }
 
@@ -441,13 +441,13 @@ public final class Diagnoser {
       while (true) {
         HoldOut held = HoldOut.of(at, true, problem.seed());
         List<Judgement> judged = decision.judge(at, held);
-        if (System.getenv("DBG") != null) judged.forEach(j -> System.out.println("        J " + j)); //XXX
         List<Judgement> failed = judged.stream().filter(j -> !stays(j)).toList();
         List<Judgement> others = failed.stream().filter(j -> !isLaw(j.component())).toList();
         List<Judgement> leaving = others.isEmpty() ? failed : others;
         if (leaving.isEmpty()) {
           CauseSearch search =
-              new CauseSearch(fitter, new Dictionary(catalogue, arena), problem.maxCauses(), solver);
+              new CauseSearch(
+                  fitter, new Dictionary(catalogue, arena), problem.maxCauses(), solver);
           FittedModel simpler = simplified ? at : search.simplified(at);
           simplified = true;
           if (simpler == at) {
@@ -462,14 +462,12 @@ public final class Diagnoser {
         List<Component> kept = new ArrayList<>();
         for (Judgement j : judged) {
           // What is little beside the largest changes nothing for the others, and goes at once.
-          boolean goes =
-              leaving.contains(j) && j.evidence() <= Math.max(weakest, LITTLE * largest);
+          boolean goes = leaving.contains(j) && j.evidence() <= Math.max(weakest, LITTLE * largest);
           if (!goes) {
             kept.add(j.component().startingAt(j.effect()));
           }
         }
-        EffectModel start =
-            at.model().startingAt(at.solution().values(), new double[0]).with(kept);
+        EffectModel start = at.model().startingAt(at.solution().values(), new double[0]).with(kept);
         at = fitter.fit(start, at, false, solver);
       }
     }
@@ -528,8 +526,7 @@ public final class Diagnoser {
           problem.seed());
     }
 
-    private static Verdict verdict(
-        List<Cause> causes, List<LearnedFinding> learned, boolean left) {
+    private static Verdict verdict(List<Cause> causes, List<LearnedFinding> learned, boolean left) {
       if (causes.isEmpty() && learned.isEmpty()) {
         return left ? Verdict.UNEXPLAINED_STRUCTURE : Verdict.MODEL_ADEQUATE;
       }
@@ -538,8 +535,7 @@ public final class Diagnoser {
     }
 
     private static Cause cause(Judgement j) {
-      return new Cause(
-          j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), gain(j), j.ties());
+      return new Cause(j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), gain(j), j.ties());
     }
 
     static Gain gain(Judgement j) {

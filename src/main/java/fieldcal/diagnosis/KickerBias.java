@@ -82,9 +82,7 @@ final class KickerBias {
         double along = Math.cos(c.elevation()) * c.speed();
         all.add(
             new Sample(
-                new double[] {
-                  along * Math.cos(c.direction()), along * Math.sin(c.direction()), up
-                },
+                new double[] {along * Math.cos(c.direction()), along * Math.sin(c.direction()), up},
                 new double[] {own[2], own[3], chip ? own[4] : 0}));
       }
     }

@@ -123,12 +123,7 @@ public final class KickScreen {
   }
 
   private KickRecord look(
-      FittedModel at,
-      int k,
-      ModelState state,
-      double[] means,
-      double median,
-      boolean cuts) {
+      FittedModel at, int k, ModelState state, double[] means, double median, boolean cuts) {
     EffectKick term = at.kick(k);
     KickRecord now = term.record();
     double[] own = at.solution().own(k);
@@ -216,8 +211,7 @@ public final class KickScreen {
     double[] ball = simple.globals().stream().mapToDouble(p -> p.value()).toArray();
     ModelState state = simple.at(ball);
     KickFit fit =
-        fitter.fit(
-            FitProblem.of(now.kick(), noise.cameras(), state.flat(), state.chip()), kind);
+        fitter.fit(FitProblem.of(now.kick(), noise.cameras(), state.flat(), state.chip()), kind);
     if (fit.failure().isPresent()) {
       return Optional.empty();
     }

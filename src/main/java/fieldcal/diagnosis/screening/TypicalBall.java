@@ -38,9 +38,7 @@ public final class TypicalBall {
         median(fits, KickKind.CHIP, "dampingXyFirstHop", typical.dampingXyFirstHop()),
         median(fits, KickKind.CHIP, "dampingXyOtherHops", typical.dampingXyOtherHops()),
         median(fits, KickKind.CHIP, "dampingZ", typical.dampingZ()),
-        flats
-            ? flat(fits).accRoll()
-            : median(fits, KickKind.CHIP, "accRoll", typical.accRoll()));
+        flats ? flat(fits).accRoll() : median(fits, KickKind.CHIP, "accRoll", typical.accRoll()));
   }
 
   private static double median(List<KickFit> fits, KickKind kind, String name, double otherwise) {

@@ -53,7 +53,8 @@ public final class Alternatives {
     if (proposals.isEmpty()) {
       return List.of();
     }
-    Scorer scorer = new Scorer(model, proposals.stream().flatMap(p -> p.components().stream()).toList());
+    Scorer scorer =
+        new Scorer(model, proposals.stream().flatMap(p -> p.components().stream()).toList());
     List<Scored> all = new ArrayList<>();
     for (Proposal p : proposals) {
       Component c = p.components().get(0);

@@ -261,12 +261,14 @@ public final class CauseSearch {
     }
     List<Component> had = best.model().components();
     List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
-    proposals = proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
+    proposals =
+        proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
     Scorer scorer = new Scorer(best, components(proposals));
     for (List<Integer> set : sets(had)) {
       List<Component> removed = set.stream().map(had::get).toList();
       Sweep sweep = scorer.without(set);
-      int[] columns = set.stream().flatMapToInt(i -> java.util.Arrays.stream(scorer.modelColumns(i))).toArray();
+      int[] columns =
+          set.stream().flatMapToInt(i -> java.util.Arrays.stream(scorer.modelColumns(i))).toArray();
       double kept = sweep.gain(columns) - penalty(removed);
       List<Component> rest = new ArrayList<>(had);
       rest.removeAll(removed);
@@ -351,8 +353,7 @@ public final class CauseSearch {
     double first = 0;
     double worth = WORTH * best.solution().rows();
     double expected = 0;
-    while (from.size() < atOnce
-        && model.components().size() + chosen.size() < maxComponents) {
+    while (from.size() < atOnce && model.components().size() + chosen.size() < maxComponents) {
       Proposal top = null;
       double topNet = Math.max(worth, TOGETHER * first);
       double topGain = 0;
@@ -364,8 +365,7 @@ public final class CauseSearch {
         if (gain - penalty(p) <= topNet) {
           continue;
         }
-        double net =
-            gain - penalty(p.group() ? members(p, scorer, sweep) : p.components());
+        double net = gain - penalty(p.group() ? members(p, scorer, sweep) : p.components());
         if (net > topNet) {
           topNet = net;
           topGain = gain;

@@ -110,8 +110,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
     EffectKick term = model.kick(k);
     KickRecord record = term.record();
     double[] scatters = model.solution().scatters();
-    OwnFit<ModelState> fit =
-        solver.fitOwn(term, model.solution().own(k), state, means, scatters);
+    OwnFit<ModelState> fit = solver.fitOwn(term, model.solution().own(k), state, means, scatters);
     double[] rx = new double[record.size()];
     double[] ry = new double[record.size()];
     boolean[] used = record.used();

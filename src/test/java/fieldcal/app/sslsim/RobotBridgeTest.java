@@ -137,10 +137,10 @@ class RobotBridgeTest {
     }
 
     @Override
-    public void close() throws Exception {
+    public void close() {
       stop.set(true);
-      serving.get(5, TimeUnit.SECONDS);
-      bridging.get(5, TimeUnit.SECONDS);
+      assertThat(serving).succeedsWithin(5, TimeUnit.SECONDS);
+      assertThat(bridging).succeedsWithin(5, TimeUnit.SECONDS);
       bridge.close();
     }
   }

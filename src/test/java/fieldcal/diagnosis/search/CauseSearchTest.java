@@ -27,7 +27,7 @@ class CauseSearchTest {
     FittedField field =
         FittedField.flats("air_drag:cd=0.45", "camera_offset:x_mm=10,y_mm=-4,camera=1");
     CauseSearch search = search(field);
-    FittedModel found = search.search(field.simple());
+    FittedModel found = search.search(field.simple(), true);
     List<Effect> effects = found.effects();
     assertThat(effects.stream().map(Effect::id))
         .as("%s", search.trace())
@@ -46,7 +46,7 @@ class CauseSearchTest {
   void nothingIsFoundOnASoundField() {
     for (FittedField field : List.of(FittedField.flats(), FittedField.chips())) {
       CauseSearch search = search(field);
-      FittedModel found = search.search(field.simple());
+      FittedModel found = search.search(field.simple(), true);
       assertThat(found.effects()).as("%s", search.trace()).isEmpty();
     }
   }
