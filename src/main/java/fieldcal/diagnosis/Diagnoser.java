@@ -76,6 +76,7 @@ public final class Diagnoser {
   private static final double SUPPLANTED = 0.5;
 
   private static final int FIT_ITERATIONS = 25;
+  private static final int COARSE_ITERATIONS = 15;
 
   private final List<? extends Effect> catalogue;
   private final DecisionSettings settings;
@@ -116,6 +117,10 @@ public final class Diagnoser {
     private final Consumer<String> progress;
     private final SharedSolver solver =
         SharedSolver.withDefaults().withMaxIterations(FIT_ITERATIONS).settlingVariants();
+
+    /** Of a search only the differences between models count. */
+    private final SharedSolver coarse = solver.withTolerance(1).withMaxIterations(COARSE_ITERATIONS);
+
     private final List<SearchStep> trace = new ArrayList<>();
     private final List<String> problems = new ArrayList<>();
     private KickScreen screen;
@@ -300,7 +305,7 @@ public final class Diagnoser {
         FittedModel start, List<? extends Effect> effects, int most, boolean revises) {
       int n = start.kickCount();
       if (n <= SEARCHED_KICKS) {
-        CauseSearch search = new CauseSearch(fitter, new Dictionary(effects, arena), most, solver);
+        CauseSearch search = new CauseSearch(fitter, new Dictionary(effects, arena), most, coarse);
         FittedModel found = search.search(start, revises);
         trace.addAll(search.trace());
         return evenly(found);
@@ -316,7 +321,7 @@ public final class Diagnoser {
               start.restrictedTo(some),
               false,
               solver);
-      CauseSearch search = new CauseSearch(few, new Dictionary(effects, arena), most, solver);
+      CauseSearch search = new CauseSearch(few, new Dictionary(effects, arena), most, coarse);
       FittedModel found = search.search(begin, revises);
       trace.addAll(search.trace());
       EffectModel model =

@@ -52,6 +52,16 @@ class RecordedEffectsTest {
 
   private static Cause only(Diagnosis diagnosis, String effect) {
     assertThat(diagnosis.verdict()).isEqualTo(Verdict.EXPLAINED);
+    return named(diagnosis, effect);
+  }
+
+  /** That simulator's ball rolls and bounces by other laws than ours: something is left, and that is said; but nothing else is named. */
+  private static Cause onlyNamed(Diagnosis diagnosis, String effect) {
+    assertThat(diagnosis.verdict()).isEqualTo(Verdict.PARTLY_EXPLAINED);
+    return named(diagnosis, effect);
+  }
+
+  private static Cause named(Diagnosis diagnosis, String effect) {
     assertThat(diagnosis.causes()).hasSize(1);
     Cause cause = diagnosis.causes().get(0);
     assertThat(cause.effect().id()).isEqualTo(effect);
@@ -91,7 +101,7 @@ class RecordedEffectsTest {
   @Test
   void theSameOffsetIsFoundInItsChips() throws IOException {
     Diagnosis diagnosis = diagnose("erforce-chip");
-    Cause offset = only(diagnosis, "camera_offset");
+    Cause offset = onlyNamed(diagnosis, "camera_offset");
     assertThat(2 * Math.abs(offset.effect().value("x_mm"))).isCloseTo(40, within(2.0));
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(0.3 * diagnosis.base().holdoutRmsMm());
@@ -100,7 +110,7 @@ class RecordedEffectsTest {
   @Test
   void theOffsetBetweenTheSimulatorsCamerasIsFoundAndNothingElse() throws IOException {
     Diagnosis diagnosis = diagnose("erforce-flat");
-    Cause offset = only(diagnosis, "camera_offset");
+    Cause offset = onlyNamed(diagnosis, "camera_offset");
     // One camera by 20, the other by -20: 40 mm between them.
     assertThat(2 * Math.abs(offset.effect().value("x_mm"))).isCloseTo(40, within(2.0));
     assertThat(diagnosis.extended().holdoutRmsMm())

@@ -141,10 +141,10 @@ class CamerasTest {
     assertThat(usable.get(0)).isEqualTo(views.get(0));
     assertThat(usable.get(1).camera().orElseThrow().hasPixels()).isFalse();
     assertThat(usable.get(1).camera().orElseThrow().positionZ()).isEqualTo(4);
-    // What is beyond the fold has the noise below the camera, not none.
+    // What is beyond the fold has the noise below the camera, not none; before it somewhat less.
     FlightData data = FlightData.of(kick.observations(), views);
     assertThat(Arrays.stream(data.w11)).allMatch(Double::isFinite);
-    assertThat(Arrays.stream(data.w22)).allMatch(w -> w < 2.1 / CameraView.DEFAULT_NOISE);
+    assertThat(Arrays.stream(data.w22)).allMatch(w -> w < 4 / CameraView.DEFAULT_NOISE);
   }
 
   @Test

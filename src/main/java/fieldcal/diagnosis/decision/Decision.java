@@ -146,8 +146,8 @@ public final class Decision {
     if (!c.isPerKick() && c.template().starts().isEmpty() && isUneven(model, i, size, chance)) {
       return Outcome.UNSTEADY;
     }
-    if (c.isPerKick() && evidence < excess) {
-      // A value for each kick takes up something of whatever is left.
+    if (c.isPerKick() && (evidence < excess || Independence.isLaw(model, i))) {
+      // A value for each kick takes up something of whatever is left, and is no chance where it follows from the kick.
       return Outcome.UNSTEADY;
     }
     if (isOneKicks(model, without)) {

@@ -8,8 +8,10 @@ import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /** What else would explain the same as a component of a model. Immutable and thread-safe. */
@@ -108,12 +110,18 @@ public final class Alternatives {
         proposals.stream()
             .filter(p -> sweep.gain(scorer.columns(p)) > least)
             .sorted(Comparator.comparingDouble(p -> -sweep.gain(scorer.columns(p))))
-            .limit(TRIED)
             .toList();
-    Set<String> equal = new LinkedHashSet<>();
+    // Of several forms of one thing the best stands for all.
+    Map<String, Component> tried = new LinkedHashMap<>();
     for (Proposal p : near) {
       Component c = p.components().get(0);
-      if (cost(swapped(model, i, c)) - cost(model) < tolerance) {
+      if (tried.size() < TRIED) {
+        tried.putIfAbsent(c.template().id() + c.template().subject(), c);
+      }
+    }
+    Set<String> equal = new LinkedHashSet<>();
+    for (Component c : tried.values()) {
+      if (cost(swapped(model, i, scorer.estimated(c, sweep))) - cost(model) < tolerance) {
         equal.add(name(c, own));
       }
     }

@@ -48,6 +48,15 @@ public final class CauseSearch {
   /** Odds of a hundred to one, in units of chi-square, that a law of physics holds rather than that all kicks have the same fault. */
   private static final double LAW_PREFERRED = 9;
 
+  /** How many simpler ones are refitted, best by the score test first. */
+  private static final int SIMPLER_TRIED = 3;
+
+  /** Three standard deviations, squared. */
+  private static final double UNUSUAL = 9;
+
+  /** Difference, as a share of what is explained, that errors of the model make between equals. */
+  private static final double EQUAL = 0.002;
+
   /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
   private static final double LITTLE = 0.2;
 
@@ -260,41 +269,67 @@ public final class CauseSearch {
       return true;
     }
     List<Component> had = best.model().components();
+    List<Effect> now = best.effects();
     List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
     proposals =
         proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
     Scorer scorer = new Scorer(best, components(proposals));
     for (List<Integer> set : sets(had)) {
-      List<Component> removed = set.stream().map(had::get).toList();
+      List<Component> removed =
+          set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
       Sweep sweep = scorer.without(set);
       int[] columns =
           set.stream().flatMapToInt(i -> java.util.Arrays.stream(scorer.modelColumns(i))).toArray();
       double kept = sweep.gain(columns) - penalty(removed);
       List<Component> rest = new ArrayList<>(had);
-      rest.removeAll(removed);
-      Proposal top = null;
-      double most = kept - FIRST_ORDER * Math.abs(kept);
+      set.forEach(i -> rest.remove(had.get(i)));
       double cost = penalty(removed);
-      for (Proposal p : proposals) {
-        boolean fits = !clashes(p, rest) && penalty(p.components()) < cost;
-        double net = fits ? sweep.gain(scorer.columns(p)) - penalty(p.components()) : 0;
-        if (fits && net > most) {
-          most = net;
-          top = p;
-        }
-      }
-      if (top != null) {
-        rest.addAll(top.components());
-        FittedModel next = fitted(rest);
-        double gain = weightedGain(best, next) + penalty(removed) - penalty(top.components());
-        if (gain > 0) {
-          trace.add(new SearchStep(top + " for " + removed, Action.SWAPPED, most - kept, gain));
+      double unusual = removed.stream().mapToDouble(CauseSearch::unusual).sum();
+      // What is far beyond any usual size gives way to an equal of usual size, even if that has more numbers.
+      boolean odd = unusual > UNUSUAL;
+      double least = kept - FIRST_ORDER * Math.abs(kept);
+      List<Proposal> simpler =
+          proposals.stream()
+              .filter(p -> !clashes(p, rest))
+              .filter(p -> penalty(p.components()) < cost + (odd ? unusual : 0))
+              .filter(p -> net(p, scorer, sweep) > least)
+              .sorted(Comparator.comparingDouble(p -> -net(p, scorer, sweep)))
+              .limit(SIMPLER_TRIED)
+              .toList();
+      for (Proposal p : simpler) {
+        List<Component> all = new ArrayList<>(rest);
+        all.add(scorer.estimated(p.components().get(0), sweep));
+        FittedModel next = fitted(all);
+        double gain = weightedGain(best, next) + cost - penalty(p.components());
+        double allowed = odd ? EQUAL * Math.abs(kept) : 0;
+        int last = all.size() - 1;
+        Component found =
+            next.model().components().get(last).startingAt(next.effects().get(last));
+        boolean usual = unusual(found) < (odd ? 0.5 * unusual : UNUSUAL);
+        if (gain > -allowed && usual) {
+          trace.add(
+              new SearchStep(
+                  p + " for " + removed, Action.SWAPPED, net(p, scorer, sweep) - kept, gain));
           best = next;
           return true;
         }
       }
     }
     return false;
+  }
+
+  private static double net(Proposal p, Scorer scorer, Sweep sweep) {
+    return sweep.gain(scorer.columns(p)) - penalty(p.components());
+  }
+
+  /** Squared distance of a component's numbers from none, in standard deviations of what is expected beforehand. */
+  private static double unusual(Component c) {
+    double sum = 0;
+    for (int j = 0; j < c.magnitudeCount(); j++) {
+      double value = c.coordinates().get(j).value();
+      sum += value * value * c.priors().get(j).precision();
+    }
+    return sum;
   }
 
   /** All components of one effect together first, then each alone; not those that are no linear parameters. */

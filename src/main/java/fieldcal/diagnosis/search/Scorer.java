@@ -130,6 +130,21 @@ final class Scorer {
     return p.components().stream().flatMapToInt(c -> Arrays.stream(columns.get(c))).toArray();
   }
 
+  /** A component at the numbers that it would have beside what is swept in. */
+  Component estimated(Component c, Sweep at) {
+    Sweep with = at.copy();
+    int[] of = columns(c);
+    for (int column : of) {
+      with.toggle(column);
+    }
+    double[] values = new double[of.length];
+    for (int i = 0; i < of.length; i++) {
+      double v = with.contains(of[i]) ? with.estimate(of[i]) : 0;
+      values[i] = c.coordinates().get(i).clamp(v);
+    }
+    return c.startingAt(c.effect(values, 0));
+  }
+
   int[] columns(Component c) {
     return columns.get(c);
   }

@@ -42,7 +42,7 @@ public record AirDrag(double cd) implements ExternalForce {
             "",
             cd,
             0.1,
-            -0.5,
+            0,
             2,
             true,
             "golf ball at SSL speeds about 0.45; design, what real matches look like"));

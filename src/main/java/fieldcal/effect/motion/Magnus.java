@@ -3,7 +3,6 @@ package fieldcal.effect.motion;
 import fieldcal.ball.Parameter;
 import fieldcal.effect.BallBody;
 import fieldcal.effect.BallMotion;
-import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.ExternalForce;
 import java.util.List;
@@ -17,8 +16,6 @@ import java.util.List;
 public record Magnus(double cl) implements ExternalForce {
   private static final String ID = "magnus";
 
-  /** A usual spin of a kick, as {@link KickSpin} counts it; kickers that hit low give some tenths of backspin. */
-  private static final double USUAL_BACKSPIN = -0.3;
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -50,11 +47,6 @@ public record Magnus(double cl) implements ExternalForce {
   public Magnus withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 1);
     return new Magnus(v[0]);
-  }
-
-  @Override
-  public List<Effect> companions() {
-    return List.of(new KickSpin(USUAL_BACKSPIN));
   }
 
   @Override

@@ -35,7 +35,7 @@ public final class SharedSolution<S> {
   }
 
   /** Relative damping of the step to the solution without some kicks: along directions that hardly any kick determines it would lead beyond where the equations hold. */
-  private static final double NEWTON_DAMPING = 0.01;
+  private static final double NEWTON_DAMPING = 1e-3;
 
   private final SharedProblem<S> problem;
   private final List<KickTerm<S>> kicks;

@@ -28,8 +28,14 @@ public final class SharedSolver {
   private static final double SMALLEST_DAMPING = 1e-9;
   private static final double FIRST_DAMPING = 1e-5;
 
-  /** Rounds of EM; each shrinks the distance to the best scatter by half or more where the kicks determine their values. */
+  /** Rounds of EM for a tolerance of a hundredth; each shrinks the distance to the best scatter by half or more where the kicks determine their values. */
   private static final int SCATTER_ROUNDS = 12;
+
+  /** Rounds of EM for a coarse solution. */
+  private static final int FEW_SCATTER_ROUNDS = 3;
+
+  /** From that tolerance on a solution is coarse: half a unit of chi-square moves no estimate by more than its error. */
+  private static final double COARSE = 0.5;
 
   /** A scatter that changes by less than that share is settled: its own error is 1/√(2n), a tenth for fifty kicks. */
   private static final double SCATTER_SETTLED = 0.02;
@@ -285,7 +291,8 @@ public final class SharedSolver {
 
     SharedSolution<S> solve() {
       descend();
-      for (int round = 0; round < SCATTER_ROUNDS && scatters.length > 0; round++) {
+      int rounds = tolerance < COARSE ? SCATTER_ROUNDS : FEW_SCATTER_ROUNDS;
+      for (int round = 0; round < rounds && scatters.length > 0; round++) {
         if (!updateScatters()) {
           break;
         }

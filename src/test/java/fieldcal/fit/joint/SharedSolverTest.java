@@ -82,7 +82,8 @@ class SharedSolverTest {
     List<ToyKick> rest = new ArrayList<>(kicks);
     rest.remove(5);
     rest.remove(2);
-    assertClose(solve(kicks).valuesWithout(without), solve(rest).values(), 1e-6);
+    // The step is damped by a thousandth.
+    assertClose(solve(kicks).valuesWithout(without), solve(rest).values(), 1e-3);
   }
 
   private static SharedSolution<double[]> holding(List<ToyKick> kicks, int... held) {
