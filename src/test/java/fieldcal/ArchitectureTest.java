@@ -34,7 +34,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import org.apache.commons.math3.random.RandomGenerator;
-import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -142,7 +141,6 @@ class ArchitectureTest {
 
   /** Effects describe themselves: who searches, fits or designs never asks which one it has before it. */
   @Test
-  @Disabled("fails until the classes of the old engine in fieldcal.diagnosis are deleted")
   void noEffectIsKnownByItsClass() {
     noClasses()
         .that()

@@ -119,7 +119,8 @@ public final class Diagnoser {
         SharedSolver.withDefaults().withMaxIterations(FIT_ITERATIONS).settlingVariants();
 
     /** Of a search only the differences between models count. */
-    private final SharedSolver coarse = solver.withTolerance(1).withMaxIterations(COARSE_ITERATIONS);
+    private final SharedSolver coarse =
+        solver.withTolerance(1).withMaxIterations(COARSE_ITERATIONS);
 
     private final List<SearchStep> trace = new ArrayList<>();
     private final List<String> problems = new ArrayList<>();

@@ -143,11 +143,15 @@ public final class Decision {
     if (!(evidence > limit)) {
       return Outcome.CHANCE;
     }
-    if (!c.isPerKick() && c.template().starts().isEmpty() && isUneven(model, i, size, chance)) {
+    if (!c.isPerKick()
+        && c.template().starts().isEmpty()
+        && isUneven(model, i, size, settings.uneven())) {
       return Outcome.UNSTEADY;
     }
-    if (c.isPerKick() && (evidence < excess || Independence.isLaw(model, i))) {
-      // A value for each kick takes up something of whatever is left, and is no chance where it follows from the kick.
+    boolean small = c.isPerKick() && excess > 0 && isUneven(model, i, 1, settings.uneven());
+    if (c.isPerKick() && (evidence < excess || small || Independence.isLaw(model, i))) {
+      // A value for each kick takes up something of whatever is left, and is no chance where it
+      // follows from the kick.
       return Outcome.UNSTEADY;
     }
     if (isOneKicks(model, without)) {

@@ -5,6 +5,7 @@ package fieldcal.diagnosis.decision;
  *
  * @param falseAlarms chance that a recording with nothing wrong gets a name: the issue's budget is half a per cent, of which the learned terms and the leftover have their share
  * @param tried independent things that were tried: columns of the dictionary, and places of those that have one; measured as the effective number of independent score tests on sound simulated recordings
+ * @param uneven chance that a cause of the same strength in all kicks is taken for one that is not; that noise does not reach it is tested, too
  * @param formShare a cause that explains less than that share of what the largest cause of its kind (motion, measurement) explains, and gains little, is that one's form: a law whose shape is right to a sixth leaves three hundredths of its
  *     chi-square
  * @param formGain share of the held-out residual from which on it is a cause all the same: three per cent of the noise is a quarter of it in variance
@@ -16,6 +17,7 @@ package fieldcal.diagnosis.decision;
 public record DecisionSettings(
     double falseAlarms,
     double tried,
+    double uneven,
     double formShare,
     double formGain,
     double oneKick,
@@ -29,6 +31,6 @@ public record DecisionSettings(
    * @return the defaults
    */
   public static DecisionSettings defaults() {
-    return new DecisionSettings(2e-3, 200, 0.03, 0.03, 0.15, 6, 0.002, 0.002);
+    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 0.15, 6, 0.002, 0.002);
   }
 }

@@ -57,6 +57,9 @@ public final class CauseSearch {
   /** Difference, as a share of what is explained, that errors of the model make between equals. */
   private static final double EQUAL = 0.002;
 
+  /** The same where the simpler one is not also the more usual. */
+  private static final double NEARLY_EQUAL = 5e-4;
+
   /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
   private static final double LITTLE = 0.2;
 
@@ -275,8 +278,7 @@ public final class CauseSearch {
         proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
     Scorer scorer = new Scorer(best, components(proposals));
     for (List<Integer> set : sets(had)) {
-      List<Component> removed =
-          set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
+      List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
       Sweep sweep = scorer.without(set);
       int[] columns =
           set.stream().flatMapToInt(i -> java.util.Arrays.stream(scorer.modelColumns(i))).toArray();
@@ -285,7 +287,8 @@ public final class CauseSearch {
       set.forEach(i -> rest.remove(had.get(i)));
       double cost = penalty(removed);
       double unusual = removed.stream().mapToDouble(CauseSearch::unusual).sum();
-      // What is far beyond any usual size gives way to an equal of usual size, even if that has more numbers.
+      // What is far beyond any usual size gives way to an equal of usual size, even if that has
+      // more numbers.
       boolean odd = unusual > UNUSUAL;
       double least = kept - FIRST_ORDER * Math.abs(kept);
       List<Proposal> simpler =
@@ -301,10 +304,9 @@ public final class CauseSearch {
         all.add(scorer.estimated(p.components().get(0), sweep));
         FittedModel next = fitted(all);
         double gain = weightedGain(best, next) + cost - penalty(p.components());
-        double allowed = odd ? EQUAL * Math.abs(kept) : 0;
+        double allowed = (odd ? EQUAL : NEARLY_EQUAL) * Math.abs(kept);
         int last = all.size() - 1;
-        Component found =
-            next.model().components().get(last).startingAt(next.effects().get(last));
+        Component found = next.model().components().get(last).startingAt(next.effects().get(last));
         boolean usual = unusual(found) < (odd ? 0.5 * unusual : UNUSUAL);
         if (gain > -allowed && usual) {
           trace.add(

@@ -16,7 +16,6 @@ import java.util.List;
 public record Magnus(double cl) implements ExternalForce {
   private static final String ID = "magnus";
 
-
   /**
    * Checks the numbers. {@inheritDoc}
    *

@@ -76,7 +76,7 @@ class DecisionTest {
   /** A nap of that strength is a cause by itself; beside a drag that explains a thousand times as much it may be how well the drag's law is known. */
   @Test
   void aSmallMotionBesideALargeOneIsItsForm() {
-    String small = "carpet_nap:amplitude=0.0015,direction=1";
+    String small = "carpet_nap:amplitude=0.002,direction=1";
     assertThat(outcomes(judge(FittedField.flats(small), new CarpetNap(0, 0))))
         .containsExactly(Outcome.NAMED);
     FittedField both = FittedField.flats("air_drag:cd=0.9", small);
