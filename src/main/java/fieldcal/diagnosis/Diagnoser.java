@@ -33,7 +33,9 @@ import fieldcal.fit.Screening;
 import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 
@@ -212,7 +214,7 @@ public final class Diagnoser {
       double x1 = Double.NEGATIVE_INFINITY;
       double y0 = Double.POSITIVE_INFINITY;
       double y1 = Double.NEGATIVE_INFINITY;
-      java.util.Map<Integer, Integer> seen = new java.util.HashMap<>();
+      Map<Integer, Integer> seen = new HashMap<>();
       for (KickRecord k : kicks) {
         boolean[] used = k.used();
         for (int i = 0; i < used.length; i++) {

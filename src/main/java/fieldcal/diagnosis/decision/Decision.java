@@ -12,11 +12,16 @@ import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.FDistribution;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.SingularMatrixException;
 
 /** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
 public final class Decision {
@@ -71,7 +76,7 @@ public final class Decision {
 
   private static double cost(FittedModel model) {
     double[] ones = new double[model.kickCount()];
-    java.util.Arrays.fill(ones, 1);
+    Arrays.fill(ones, 1);
     return model.solution().costWith(ones);
   }
 
@@ -208,15 +213,14 @@ public final class Decision {
         }
       }
       double[] solved =
-          new org.apache.commons.math3.linear.LUDecomposition(
-                  new org.apache.commons.math3.linear.Array2DRowRealMatrix(r, false))
+          new LUDecomposition(new Array2DRowRealMatrix(r, false))
               .getSolver()
-              .solve(new org.apache.commons.math3.linear.ArrayRealVector(z, false))
+              .solve(new ArrayRealVector(z, false))
               .toArray();
       for (int a = 0; a < x.length; a++) {
         sum += z[a] * solved[a];
       }
-    } catch (org.apache.commons.math3.linear.SingularMatrixException e) {
+    } catch (SingularMatrixException e) {
       return 0;
     }
     return sum;

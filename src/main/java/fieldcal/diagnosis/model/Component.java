@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 
 /**
  * One effect within a model, in coordinates that are smooth at its absence: a magnitude with a direction (a slope, a tilt) is two Cartesian components, every other magnitude is itself. The magnitudes that are not free stay zero. Once
@@ -294,7 +295,7 @@ public final class Component {
    *
    * @return empty for effects that concern no single camera
    */
-  public java.util.OptionalInt camera() {
+  public OptionalInt camera() {
     return template.parameters().stream()
         .filter(p -> p.name().equals("camera") && p.value() >= 0)
         .mapToInt(p -> (int) p.value())

@@ -7,6 +7,7 @@ import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -147,7 +148,7 @@ public final class Alternatives {
 
   private static double cost(FittedModel model) {
     double[] ones = new double[model.kickCount()];
-    java.util.Arrays.fill(ones, 1);
+    Arrays.fill(ones, 1);
     return model.solution().costWith(ones);
   }
 }

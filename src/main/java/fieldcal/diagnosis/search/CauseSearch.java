@@ -9,6 +9,7 @@ import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -281,7 +282,7 @@ public final class CauseSearch {
       List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
       Sweep sweep = scorer.without(set);
       int[] columns =
-          set.stream().flatMapToInt(i -> java.util.Arrays.stream(scorer.modelColumns(i))).toArray();
+          set.stream().flatMapToInt(i -> Arrays.stream(scorer.modelColumns(i))).toArray();
       double kept = sweep.gain(columns) - penalty(removed);
       List<Component> rest = new ArrayList<>(had);
       set.forEach(i -> rest.remove(had.get(i)));

@@ -9,6 +9,7 @@ import fieldcal.fit.joint.SharedSolver.OwnFit;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -96,7 +97,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
           of.add(k);
         }
       }
-      java.util.Collections.shuffle(of, random);
+      Collections.shuffle(of, random);
       for (int k : of) {
         part[k] = dealt++ % PARTS;
       }

@@ -1,9 +1,11 @@
 package fieldcal.fit.joint;
 
 import fieldcal.ball.Parameter;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 
 /**
  * Many kicks that share a model.
@@ -86,8 +88,8 @@ public record SharedProblem<S>(
 
   /** The same for some of the kicks only. */
   SharedProblem<S> restrictedTo(int[] kept) {
-    List<KickTerm<S>> some = new java.util.ArrayList<>();
-    List<double[]> own = new java.util.ArrayList<>();
+    List<KickTerm<S>> some = new ArrayList<>();
+    List<double[]> own = new ArrayList<>();
     double[] weight = new double[kept.length];
     for (int i = 0; i < kept.length; i++) {
       some.add(kicks.get(kept[i]));
@@ -104,9 +106,7 @@ public record SharedProblem<S>(
 
   /** Indices of the global parameters that are estimated. */
   int[] free() {
-    return java.util.stream.IntStream.range(0, globals.size())
-        .filter(k -> globals.get(k).estimated())
-        .toArray();
+    return IntStream.range(0, globals.size()).filter(k -> globals.get(k).estimated()).toArray();
   }
 
   /** For each random effect, the column of its mean among the free global parameters; −1 when that is held. */
