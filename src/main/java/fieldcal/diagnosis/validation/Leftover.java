@@ -28,6 +28,9 @@ public record Leftover(double systematic, double deviation) {
   /** A systematic part of less than that share of the noise's variance matters to nobody: a fifth of the noise, 0.3 mm for the cameras of real fields, below what any closed form promises. */
   private static final double MATTERS = 0.04;
 
+  /** The noise of each camera is known to about a per cent, its variance to two. */
+  private static final double TOLERANCE = 0.02;
+
   /**
    * Measures.
    *
@@ -65,7 +68,10 @@ public record Leftover(double systematic, double deviation) {
     double lost = Math.min(unknowns, 0.5 * blocks);
     double excess = sum + lost;
     double spread = Math.sqrt(2 * Math.max(1, blocks - lost));
-    return new Leftover(excess / Math.max(1, residuals), excess / spread);
+    // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
+    double all = model.solution().reducedChiSquare() - 1 + TOLERANCE;
+    double share = Math.min(excess / Math.max(1, residuals), Math.max(0, all));
+    return new Leftover(share, excess / spread);
   }
 
   /** Indices of successive detections of one camera. */
