@@ -12,7 +12,7 @@ import fieldcal.vision.VisionFrame;
  */
 final class RestingBallNoise {
   private static final int BLOCK = 16;
-  private static final int HALF = BLOCK / 2;
+  private static final int HALF_BLOCK = BLOCK / 2;
 
   /** Two detections farther apart are not of the same resting ball, m: above ten times the worst cameras' noise. */
   private static final double SAME_BALL = 0.03;
@@ -88,8 +88,8 @@ final class RestingBallNoise {
       squares += (values[i] - values[i - 1]) * (values[i] - values[i - 1]);
     }
     double sigma = Math.sqrt(squares / (2 * (BLOCK - 1)));
-    double drift = mean(values, HALF, BLOCK) - mean(values, 0, HALF);
-    return Math.abs(drift) <= MAX_DRIFT * sigma * Math.sqrt(2.0 / HALF);
+    double drift = mean(values, HALF_BLOCK, BLOCK) - mean(values, 0, HALF_BLOCK);
+    return Math.abs(drift) <= MAX_DRIFT * sigma * Math.sqrt(2.0 / HALF_BLOCK);
   }
 
   private static double variance(double[] values) {

@@ -11,10 +11,10 @@ import java.util.List;
  */
 final class ContactWatch {
   /** Robot radius 90 mm, ball radius 21.5 mm, and 30 mm for cameras that disagree, m. */
-  private static final double NEAR = 0.142;
+  private static final double CONTACT_DISTANCE = 0.142;
 
   /** So much farther away the encounter is over, m. */
-  private static final double CLEAR = NEAR + 0.05;
+  private static final double CLEAR = CONTACT_DISTANCE + 0.05;
 
   /** A touch changes the velocity by more than this share, and than 0.3 m/s. */
   private static final double SHARE = 0.25;
@@ -86,7 +86,7 @@ final class ContactWatch {
   }
 
   static boolean isNear(double robotDistance) {
-    return robotDistance <= NEAR;
+    return robotDistance <= CONTACT_DISTANCE;
   }
 
   /** Whether the ball, now at rest, would have rolled on from where it came near a robot. */

@@ -18,7 +18,7 @@ final class ManoeuvreFinder {
   private static final double USUAL_NOISE = 0.0025;
 
   /** Fits after which the noise is believed. */
-  private static final int ENOUGH = 20;
+  private static final int MIN_FITS_FOR_NOISE = 20;
 
   /** A robot that turns by more meanwhile has no one front, rad. */
   private static final double DIFFERENT_FRONT = 1;
@@ -39,7 +39,7 @@ final class ManoeuvreFinder {
   }
 
   boolean noiseKnown() {
-    return noise.samples() >= ENOUGH;
+    return noise.samples() >= MIN_FITS_FOR_NOISE;
   }
 
   /**

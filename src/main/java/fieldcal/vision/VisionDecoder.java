@@ -43,11 +43,11 @@ public final class VisionDecoder {
     private static final long serialVersionUID = 1;
 
     /** A source that splits its geometry sends as many as it has cameras; the league has eight at most. */
-    private static final int MOST = 16;
+    private static final int MAX_GEOMETRY_PARTS = 16;
 
     @Override
     protected boolean removeEldestEntry(Map.Entry<ByteBuffer, Optional<FieldGeometry>> eldest) {
-      return size() > MOST;
+      return size() > MAX_GEOMETRY_PARTS;
     }
   }
 

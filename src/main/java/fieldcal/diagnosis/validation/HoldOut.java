@@ -34,7 +34,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
   private static final double[] HORIZONS = {0.5, 1, 2};
 
   /** Detections that near to a horizon count for it, s. */
-  private static final double NEAR = 0.01;
+  private static final double HORIZON_TOLERANCE = 0.01;
 
   /** Largest error of a prediction, m: one that leaves the field, or that no camera could see, is as wrong as can be. */
   private static final double WORST = 10;
@@ -157,7 +157,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
     whole.plainResiduals(seen, state, rx, ry);
     for (double horizon : HORIZONS) {
       for (int i = 0; i < rx.length; i++) {
-        if (used[i] && Math.abs(record.time(i) - from - horizon) < NEAR) {
+        if (used[i] && Math.abs(record.time(i) - from - horizon) < HORIZON_TOLERANCE) {
           double squared = rx[i] * rx[i] + ry[i] * ry[i];
           prediction
               .computeIfAbsent(horizon, h -> new ArrayList<>())
