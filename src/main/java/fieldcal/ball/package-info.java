@@ -7,4 +7,7 @@
  * least-squares fit needs. Everything is immutable; nothing depends on other packages. Used by the fit, the calibration, the
  * diagnosis, the live monitor, and by the code of a team.
  */
+@PublicApi
 package fieldcal.ball;
+
+import fieldcal.PublicApi;

@@ -9,4 +9,7 @@
  *
  * <p>Used by the operator tools and by {@code diagnosis}.
  */
+@PublicApi
 package fieldcal.calibration;
+
+import fieldcal.PublicApi;

@@ -8,4 +8,7 @@
  *
  * <p>Used by the packages that read vision, find kicks, fit them and simulate them; depends on nothing.
  */
+@PublicApi
 package fieldcal.camera;
+
+import fieldcal.PublicApi;

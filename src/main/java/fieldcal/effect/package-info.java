@@ -9,4 +9,7 @@
  * an extended model. Everything is immutable but the two working objects {@code BallMotion} and {@code Sight}, which effects only see for the
  * time of a call.
  */
+@PublicApi
 package fieldcal.effect;
+
+import fieldcal.PublicApi;

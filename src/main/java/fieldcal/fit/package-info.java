@@ -8,4 +8,7 @@
  * <p>Positions are fitted, never speeds: each detection at its own time stamp, through its own camera, weighted by that camera's
  * noise. Used by {@code calibration}, {@code diagnosis} and {@code live}.
  */
+@PublicApi
 package fieldcal.fit;
+
+import fieldcal.PublicApi;

@@ -9,4 +9,7 @@
  *
  * <p>Used by the commands and by {@code simulation}'s callers to write recordings.
  */
+@PublicApi
 package fieldcal.gamelog;
+
+import fieldcal.PublicApi;

@@ -8,4 +8,7 @@
  *
  * <p>Used by {@code fit} (which decides between flat and chip), {@code calibration} and {@code live}.
  */
+@PublicApi
 package fieldcal.kick;
+
+import fieldcal.PublicApi;

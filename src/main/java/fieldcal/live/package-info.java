@@ -6,4 +6,7 @@
  * java.util.concurrent.Executor} of its host or in {@link fieldcal.live.LiveMonitor#poll}, and hands out an immutable {@link fieldcal.live.LiveSnapshot} to any thread. It has no threads and no clock of
  * its own: time is that of the frames. Memory is bounded; what comes too fast is dropped and counted.
  */
+@PublicApi
 package fieldcal.live;
+
+import fieldcal.PublicApi;

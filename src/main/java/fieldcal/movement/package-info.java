@@ -8,4 +8,7 @@
  *
  * <p>Used by {@code live} and by the command {@code limits}; knows nothing but {@code vision}.
  */
+@PublicApi
 package fieldcal.movement;
+
+import fieldcal.PublicApi;

@@ -7,4 +7,7 @@
  *
  * <p>Each phase of the play is one small step class; {@code Driver}, {@code PathPlanner} and {@code Safety} move the robots round obstacles, and never into each other or out of the margin.
  */
+@PublicApi
 package fieldcal.play;
+
+import fieldcal.PublicApi;

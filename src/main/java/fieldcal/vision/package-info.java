@@ -8,4 +8,7 @@
  *
  * <p>Used by {@code gamelog}, {@code kick}, {@code movement}, {@code play} and {@code simulation}.
  */
+@PublicApi
 package fieldcal.vision;
+
+import fieldcal.PublicApi;

@@ -7,4 +7,7 @@
  * fieldcal.effect.learned.LearnedCurve} is what was found, with bounds, and {@link fieldcal.effect.learned.SimpleFormula} says it in few
  * numbers. Used by the diagnosis and by whoever predicts with an extended model.
  */
+@PublicApi
 package fieldcal.effect.learned;
+
+import fieldcal.PublicApi;

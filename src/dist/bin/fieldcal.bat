@@ -1,0 +1,22 @@
+@echo off
+rem Runs fieldcal with the libraries beside it; needs a Java 17 or newer.
+setlocal
+set "LIB=%~dp0..\lib"
+set "JAVA=java"
+if defined JAVA_HOME if exist "%JAVA_HOME%\bin\java.exe" set "JAVA=%JAVA_HOME%\bin\java.exe"
+if "%JAVA%"=="java" (
+  where java >nul 2>nul
+  if errorlevel 1 (
+    echo fieldcal: found no java; set JAVA_HOME to a Java 17 or newer 1>&2
+    exit /b 1
+  )
+)
+
+rem The same options as in the file fieldcal, which says why.
+set "TUNING=-XX:+UseParallelGC"
+if "%~1"=="console" set "TUNING=-XX:+UseParallelGC -Xmx512m"
+if "%~1"=="diagnose" set "TUNING=-XX:+UseParallelGC -Xmx400m"
+
+"%JAVA%" %TUNING% -Xshare:auto -Dfile.encoding=UTF-8 -Dsun.stdout.encoding=UTF-8 -Dsun.stderr.encoding=UTF-8 ^
+  -Djava.awt.headless=true %FIELDCAL_JAVA_OPTS% -cp "%LIB%\*" fieldcal.app.cli.Main %*
+exit /b %ERRORLEVEL%
