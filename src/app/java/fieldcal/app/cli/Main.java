@@ -19,6 +19,7 @@ import picocli.CommandLine.ParseResult;
       CalibrateCommand.class,
       ConsoleCommand.class,
       DiagnoseCommand.class,
+      ExportCommand.class,
       LimitsCommand.class,
       MonitorCommand.class,
       SimulateCommand.class,

@@ -1,0 +1,321 @@
+package fieldcal.app.export;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.calibrate.InputException;
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.history.HistoryEntry;
+import fieldcal.app.history.HistoryEntry.Action;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectFields;
+import fieldcal.effect.ExtendedModel;
+import fieldcal.vision.BallModels;
+import fieldcal.vision.Epoch;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * A model that is to be exported, from any of the files that this program writes.
+ *
+ * @param file where it comes from
+ * @param models the ball's parameters; may hold none
+ * @param extended the ball with what the parameters leave out: the parameters themselves when nothing is known to be left out
+ * @param beside whether {@code extended} stood beside the model, whose parameters were then calibrated without it
+ * @param quantities what targets can take
+ * @param kicks what it was made from, for which costs are stated; may be empty
+ * @param limits of the robots; may be empty
+ * @param provenance what the history remembers of it
+ */
+public record ExportModel(
+    Path file,
+    BallModels models,
+    Optional<ExtendedModel> extended,
+    boolean beside,
+    Quantities quantities,
+    List<ReferenceKick> kicks,
+    List<RobotLimits> limits,
+    Provenance provenance) {
+  private static final Epoch UNIX = new Epoch(0);
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  /** Copies the lists. {@inheritDoc} */
+  public ExportModel {
+    kicks = List.copyOf(kicks);
+    limits = List.copyOf(limits);
+  }
+
+  /**
+   * Limits of a team with what one number per limit leaves out.
+   *
+   * @param team "yellow" or "blue"
+   * @param name the team's name; empty when unknown
+   * @param values by the names of {@code limits.json}, SI; lacks what is not known
+   * @param unreached names of limits at which the robots were never seen
+   * @param effects coefficient of each effect by its id
+   */
+  public record RobotLimits(
+      String team,
+      String name,
+      Map<String, Double> values,
+      List<String> unreached,
+      Map<String, Double> effects) {
+    /** Copies the collections. {@inheritDoc} */
+    public RobotLimits {
+      values = Map.copyOf(values);
+      unreached = List.copyOf(unreached);
+      effects = Map.copyOf(effects);
+    }
+  }
+
+  /**
+   * From what a model was made.
+   *
+   * @param sources the recordings
+   * @param kicks numbers of the kicks that were used
+   * @param verdict what the calibration says of itself; empty when the file says nothing
+   */
+  public record Provenance(
+      List<String> sources, List<Integer> kicks, Optional<ModelVerdict> verdict) {
+    /** Nothing known. */
+    static final Provenance UNKNOWN = new Provenance(List.of(), List.of(), Optional.empty());
+
+    /** Copies the lists. {@inheritDoc} */
+    public Provenance {
+      sources = List.copyOf(sources);
+      kicks = List.copyOf(kicks);
+    }
+  }
+
+  /**
+   * The verdict in {@code calibration.json}.
+   *
+   * @param decision {@code publish}, {@code record_more}, {@code check_first} or {@code do_not_publish}
+   * @param headline one sentence
+   * @param because the reasons, a sentence each
+   */
+  public record ModelVerdict(String decision, String headline, List<String> because) {
+    /** Copies the list. {@inheritDoc} */
+    public ModelVerdict {
+      because = List.copyOf(because);
+    }
+
+    /**
+     * Whether somebody who used the model would predict worse with it.
+     *
+     * @return true when it must not be exported unless somebody insists
+     */
+    public boolean forbids() {
+      return decision.equals("do_not_publish");
+    }
+
+    static Optional<ModelVerdict> of(JsonNode node) {
+      if (!node.path("decision").isTextual()) {
+        return Optional.empty();
+      }
+      List<String> because = new ArrayList<>();
+      node.path("because").forEach(reason -> because.add(reason.asText()));
+      return Optional.of(
+          new ModelVerdict(node.get("decision").asText(), node.path("headline").asText(), because));
+    }
+  }
+
+  /**
+   * Reads a model.
+   *
+   * @param file {@code calibration.json}, {@code extended_model.json}, {@code limits.json}, or {@code SSL_GeometryModels} in binary or text form
+   * @return the model
+   * @throws InputException when it is none of these, with file and place
+   * @throws IOException when it cannot be read
+   */
+  public static ExportModel read(Path file) throws IOException {
+    byte[] bytes = JsonFiles.bytes(file);
+    if (!new String(bytes, StandardCharsets.UTF_8).stripLeading().startsWith("{")) {
+      return ofBall(file, InitialModels.read(file), Optional.empty());
+    }
+    JsonNode root = JsonFiles.read(file);
+    String schema = root.path("schema").asText();
+    return switch (schema) {
+      case "fieldcal.calibration/1" -> calibration(file, root);
+      case "fieldcal.extended_model/1" -> {
+        ExtendedModel extended = ExtendedModelFile.read(file, UNIX);
+        yield ofBall(file, new BallModels(extended.flat(), extended.chip()), Optional.of(extended));
+      }
+      case "fieldcal.limits/1" -> LimitsReader.read(file, root);
+      default ->
+          throw new InputException(
+              file
+                  + ": schema is '"
+                  + schema
+                  + "'; give calibration.json, extended_model.json, limits.json or"
+                  + " geometry_models.pb");
+    };
+  }
+
+  private static ExportModel ofBall(
+      Path file, BallModels models, Optional<ExtendedModel> extended) {
+    Quantities quantities = Quantities.none();
+    if (models.flat().isPresent()) {
+      quantities = quantities.with(models.flat().get()).with("roll_slope", rollSlope(extended));
+    }
+    if (models.chip().isPresent()) {
+      quantities = quantities.with(models.chip().get());
+    }
+    return new ExportModel(
+        file, models, extended, false, quantities, List.of(), List.of(), Provenance.UNKNOWN);
+  }
+
+  private static double rollSlope(Optional<ExtendedModel> extended) {
+    return extended.stream()
+        .flatMap(m -> m.effects().stream())
+        .filter(e -> e.id().equals("speed_dependent_roll"))
+        .mapToDouble(e -> e.value("slope"))
+        .sum();
+  }
+
+  private static ExportModel calibration(Path file, JsonNode root) throws IOException {
+    BallModels models = InitialModels.read(file);
+    List<ReferenceKick> kicks = new ArrayList<>();
+    List<Integer> used = new ArrayList<>();
+    for (JsonNode kick : root.path("kicks")) {
+      if (kick.path("selected").asBoolean()) {
+        used.add(kick.path("id").asInt());
+        ReferenceKick.of(kick).ifPresent(kicks::add);
+      }
+    }
+    List<String> sources = new ArrayList<>();
+    root.path("sources").forEach(source -> sources.add(source.asText()));
+    ExportModel ball = ofBall(file, models, effects(file, root, models));
+    return new ExportModel(
+        file,
+        models,
+        ball.extended(),
+        false,
+        cameras(ball.quantities(), root.path("cameras")),
+        kicks,
+        List.of(),
+        new Provenance(sources, used, ModelVerdict.of(root.path("verdict"))));
+  }
+
+  /** What the parameters hold together with, when they were calibrated under an extended model. */
+  private static Optional<ExtendedModel> effects(Path file, JsonNode root, BallModels models)
+      throws InputException {
+    JsonNode list = root.path("extended_model").path("effects");
+    if (list.isEmpty()) {
+      return Optional.empty();
+    }
+    List<Effect> effects = new ArrayList<>();
+    for (JsonNode node : list) {
+      try {
+        effects.add(
+            EffectFields.read(
+                node.path("effect").asText(),
+                MAPPER.convertValue(node.path("parameters"), Map.class)));
+      } catch (IllegalArgumentException e) {
+        throw new InputException(
+            file + ", extended_model.effects[" + effects.size() + "]: " + e.getMessage());
+      }
+    }
+    double start = root.path("kicks").path(0).path("t").asDouble(0);
+    return Optional.of(new ExtendedModel(models.flat(), models.chip(), effects, start));
+  }
+
+  /** Root mean squares over the cameras that saw kicks. */
+  private static Quantities cameras(Quantities quantities, JsonNode cameras) {
+    double noise = 0;
+    double offset = 0;
+    int seen = 0;
+    int placed = 0;
+    for (JsonNode camera : cameras) {
+      if (!camera.path("noise_assumed").asBoolean()) {
+        double mm = camera.path("noise_mm").asDouble();
+        noise += mm * mm;
+        seen++;
+      }
+      JsonNode shift = camera.path("offset_mm");
+      if (shift.size() == 2) {
+        double x = shift.get(0).asDouble();
+        double y = shift.get(1).asDouble();
+        offset += x * x + y * y;
+        placed++;
+      }
+    }
+    return quantities
+        .with("ball_noise", Math.sqrt(noise / seen) / 1000)
+        .with("camera_offset", Math.sqrt(offset / placed) / 1000);
+  }
+
+  /**
+   * What the history says of the model when it leaves the session.
+   *
+   * @param action what was done
+   * @param target who got it
+   * @param place the file, address or URL
+   * @param unix when, Unix time in s
+   * @return an entry without a number
+   */
+  public HistoryEntry departure(Action action, String target, String place, double unix) {
+    Map<String, Double> values = new TreeMap<>();
+    for (String name : Quantities.OF_MODEL) {
+      quantities.of(name).ifPresent(value -> values.put(name, value));
+    }
+    limits.forEach(l -> l.values().forEach((name, v) -> values.put(l.team() + "." + name, v)));
+    return new HistoryEntry(
+        HistoryEntry.SCHEMA,
+        0,
+        unix,
+        action,
+        target,
+        place,
+        provenance.verdict().map(ModelVerdict::decision).orElse(null),
+        provenance.sources(),
+        provenance.kicks(),
+        values,
+        models.equals(BallModels.NONE) ? null : models.toText(),
+        null,
+        null);
+  }
+
+  /**
+   * The same model with what is known beside it.
+   *
+   * @param with limits of robots, or an extended model; its own quantities are kept where both have one
+   * @return the changed copy
+   */
+  public ExportModel beside(ExportModel with) {
+    return new ExportModel(
+        file,
+        models,
+        with.extended.or(() -> extended),
+        beside || with.extended.isPresent(),
+        quantities.and(with.limits.isEmpty() ? Quantities.none() : with.quantities),
+        kicks,
+        limits.isEmpty() ? with.limits : limits,
+        provenance);
+  }
+
+  /**
+   * The same model with the limits of one team.
+   *
+   * @param team "yellow" or "blue"
+   * @return with the limits under their bare names; unchanged when they are not known
+   */
+  public ExportModel ofTeam(String team) {
+    Quantities more = quantities;
+    for (RobotLimits one : limits) {
+      if (one.team().equals(team)) {
+        for (Map.Entry<String, Double> e : one.values().entrySet()) {
+          more = more.with(e.getKey(), e.getValue());
+        }
+      }
+    }
+    return new ExportModel(file, models, extended, beside, more, kicks, limits, provenance);
+  }
+}

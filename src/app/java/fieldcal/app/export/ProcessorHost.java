@@ -1,0 +1,248 @@
+package fieldcal.app.export;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.calibrate.InputException;
+import fieldcal.app.export.format.Editor;
+import fieldcal.app.export.format.Editor.Change;
+import fieldcal.app.export.format.Setting;
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The host of the league's new vision, RoboCup-SSL/ssl-vision-processor: reads its configuration and writes the ball models into it.
+ *
+ * <p>{@code GET /api/config} answers with the document and its revision; {@code PUT /api/config} takes a document that was based on the present revision, else the answer is 409 with {@code "error":
+ * "stale"}; {@code POST /api/config/save} writes it to disk, or answers 409 with {@code "disk_changed"} when somebody edited the file meanwhile ({@code gui/cmd/ssl-vision-processor-gui/server.go} at
+ * 0b07a69).
+ */
+public final class ProcessorHost {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final String MODELS = "models";
+  private static final int CONFLICT = 409;
+
+  /** The host is in the same hall. */
+  private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+  /** Somebody who moves a slider makes many revisions in a row. */
+  private static final int ATTEMPTS = 5;
+
+  private final String url;
+  private final HttpClient client;
+
+  /**
+   * What was done.
+   *
+   * @param changes the values with what was there before
+   * @param before the models as they were, JSON; "null" when there were none
+   */
+  public record Applied(List<Change> changes, byte[] before) {
+    /** Copies the list. {@inheritDoc} */
+    public Applied {
+      changes = List.copyOf(changes);
+    }
+  }
+
+  /** Told what would change, before it is written. */
+  public interface Preview {
+    /**
+     * Shows the difference.
+     *
+     * @param changes the values with what is there now
+     */
+    void show(List<Change> changes);
+  }
+
+  /** Changes the models of a document. */
+  private interface Edit {
+    List<Change> in(ObjectNode document) throws InputException;
+  }
+
+  /**
+   * A host.
+   *
+   * @param url for example {@code http://192.168.0.10:8085}
+   * @throws InputException when it is no such address
+   */
+  public ProcessorHost(String url) throws InputException {
+    this.url = url.replaceFirst("/+$", "");
+    if (!this.url.matches("https?://[^/\\s?#@]+")) {
+      throw new InputException(url + ": is no address like http://HOST:8085");
+    }
+    client = HttpClient.newBuilder().connectTimeout(PATIENCE).build();
+  }
+
+  /**
+   * Writes values and saves them. When somebody else changes the configuration meanwhile, it is read again.
+   *
+   * @param settings the values; their paths begin with {@code models}
+   * @param preview told what changes, before it is written
+   * @return what was done
+   * @throws IOException when the host cannot be reached or refuses; one line
+   */
+  public Applied apply(List<Setting> settings, Preview preview) throws IOException {
+    return write(
+        document -> {
+          List<Change> changes = new ArrayList<>();
+          for (Setting setting : settings) {
+            changes.add(new Change(setting, set(document, setting)));
+          }
+          preview.show(changes);
+          return changes;
+        });
+  }
+
+  private static String set(ObjectNode document, Setting setting) {
+    ObjectNode at = document;
+    List<String> path = setting.path();
+    for (String name : path.subList(0, path.size() - 1)) {
+      at = at.get(name) instanceof ObjectNode known ? known : at.putObject(name);
+    }
+    String key = path.get(path.size() - 1);
+    String before = at.path(key).asText();
+    at.put(key, Double.parseDouble(setting.text()));
+    return before;
+  }
+
+  /**
+   * Puts models back.
+   *
+   * @param before as {@link Applied#before}
+   * @return what was done
+   * @throws IOException when the host cannot be reached or refuses; one line
+   */
+  public Applied restore(byte[] before) throws IOException {
+    JsonNode models = MAPPER.readTree(before);
+    return write(
+        document -> {
+          if (models.isObject()) {
+            document.set(MODELS, models);
+          } else {
+            document.remove(MODELS);
+          }
+          return List.of();
+        });
+  }
+
+  private Applied write(Edit edit) throws IOException {
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+      JsonNode answer = answer("GET", "/api/config", Optional.empty());
+      JsonNode revision = answer.path("state").path("revision");
+      if (!(answer.path("document") instanceof ObjectNode document) || !revision.isNumber()) {
+        throw new InputException(url + ": answers, but is no host of ssl-vision-processor");
+      }
+      byte[] before =
+          MAPPER.writeValueAsBytes(
+              document.path(MODELS).isObject() ? document.path(MODELS) : MAPPER.nullNode());
+      List<Change> changes = edit.in(document);
+      ObjectNode request = MAPPER.createObjectNode();
+      request.set("revision", revision);
+      request.set("document", document);
+      Optional<JsonNode> put = unlessStale("PUT", "/api/config", request);
+      if (put.isEmpty()) {
+        continue;
+      }
+      ObjectNode save = MAPPER.createObjectNode();
+      save.set("revision", put.get().path("revision"));
+      save.put("force", false);
+      if (unlessStale("POST", "/api/config/save", save).isPresent()) {
+        return new Applied(changes, before);
+      }
+    }
+    throw new InputException(
+        url + ": somebody else keeps changing the configuration; try again in a moment");
+  }
+
+  /** Empty when somebody else was faster. */
+  private Optional<JsonNode> unlessStale(String method, String path, ObjectNode body)
+      throws IOException {
+    HttpResponse<String> response = send(method, path, Optional.of(body));
+    if (response.statusCode() == CONFLICT) {
+      String error = tree(response).path("error").asText();
+      if (error.equals("stale")) {
+        return Optional.empty();
+      }
+      if (error.equals("disk_changed")) {
+        throw new InputException(
+            url
+                + ": uses the new values, but did not save them: somebody changed its file on disk."
+                + " Decide in its page which of the two holds.");
+      }
+    }
+    return Optional.of(accepted(response));
+  }
+
+  private JsonNode answer(String method, String path, Optional<ObjectNode> body)
+      throws IOException {
+    return accepted(send(method, path, body));
+  }
+
+  private JsonNode accepted(HttpResponse<String> response) throws IOException {
+    if (response.statusCode() / 100 != 2) {
+      String words = response.body().lines().findFirst().orElse("").strip();
+      throw new InputException(
+          url
+              + ": refuses with status "
+              + response.statusCode()
+              + (words.isEmpty()
+                  ? ""
+                  : ": " + (words.length() > 200 ? words.substring(0, 200) : words)));
+    }
+    return tree(response);
+  }
+
+  private JsonNode tree(HttpResponse<String> response) throws IOException {
+    try {
+      return MAPPER.readTree(response.body());
+    } catch (JsonProcessingException e) {
+      throw new InputException(url + ": answers, but is no host of ssl-vision-processor");
+    }
+  }
+
+  private HttpResponse<String> send(String method, String path, Optional<ObjectNode> body)
+      throws IOException {
+    try {
+      HttpRequest.Builder request =
+          HttpRequest.newBuilder(URI.create(url + path)).timeout(PATIENCE);
+      request.method(
+          method,
+          body.isEmpty()
+              ? BodyPublishers.noBody()
+              : BodyPublishers.ofByteArray(MAPPER.writeValueAsBytes(body.get())));
+      body.ifPresent(b -> request.header("Content-Type", "application/json"));
+      return client.send(request.build(), BodyHandlers.ofString());
+    } catch (IllegalArgumentException e) {
+      throw new InputException(url + ": is no address like http://HOST:8085");
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InputException(url + ": interrupted");
+    } catch (IOException e) {
+      String words = e.getMessage() == null ? "no connection" : e.getMessage();
+      throw new InputException(url + ": cannot be reached: " + words);
+    }
+  }
+
+  /**
+   * A change in words.
+   *
+   * @param change a value before and after
+   * @return one line
+   */
+  public static String words(Change change) {
+    Setting s = change.setting();
+    String unit = s.unit().isEmpty() ? "" : " " + s.unit();
+    String before = change.before().isEmpty() ? "" : change.before() + " → ";
+    return Editor.words(s.path()) + "  " + before + s.text() + unit;
+  }
+}

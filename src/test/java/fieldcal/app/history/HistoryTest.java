@@ -1,0 +1,87 @@
+package fieldcal.app.history;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.app.history.HistoryEntry.Action;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The history of a session survives restarts, crashes and two programs that write at once. */
+class HistoryTest {
+  @TempDir private Path folder;
+
+  private static HistoryEntry entry(String place) {
+    return new HistoryEntry(
+        HistoryEntry.SCHEMA,
+        0,
+        1.5,
+        Action.EXPORTED,
+        "grsim",
+        place,
+        "publish",
+        List.of("a.log"),
+        List.of(3, 4),
+        Map.of("acc_slide", -3.0),
+        "text",
+        null,
+        null);
+  }
+
+  @Test
+  void anEmptySessionHasNone() throws IOException {
+    assertThat(new History(folder).entries()).isEmpty();
+    assertThat(new History(folder).toUndo("x")).isEmpty();
+  }
+
+  @Test
+  void whatIsAddedIsThereForTheNextRun() throws IOException {
+    HistoryEntry one = new History(folder).add(entry("x"), Optional.empty());
+    HistoryEntry two = new History(folder).add(entry("y"), Optional.of(new byte[] {1, 2}));
+    assertThat(new History(folder).entries()).containsExactly(one, two);
+    assertThat(one.id()).isEqualTo(1);
+    assertThat(new History(folder).before(two)).containsExactly(1, 2);
+    assertThat(new History(folder).toUndo("x")).as("there was nothing before").isEmpty();
+    assertThat(new History(folder).toUndo("y")).contains(two);
+  }
+
+  @Test
+  void eachIsUndoneOnceTheLatestFirst() throws IOException {
+    History history = new History(folder);
+    HistoryEntry one = history.add(entry("x"), Optional.of(new byte[] {1}));
+    HistoryEntry two = history.add(entry("x"), Optional.of(new byte[] {2}));
+    assertThat(history.toUndo("x")).contains(two);
+    history.add(two.undone(2), Optional.empty());
+    assertThat(history.toUndo("x")).contains(one);
+    history.add(one.undone(3), Optional.empty());
+    assertThat(history.toUndo("x")).isEmpty();
+  }
+
+  @Test
+  void aLineThatWasCutOffTakesNoOtherWithIt() throws IOException {
+    History history = new History(folder);
+    history.add(entry("x"), Optional.empty());
+    Files.write(
+        folder.resolve("history.jsonl"),
+        "{\"schema\":\"fieldcal.hi".getBytes(StandardCharsets.UTF_8),
+        StandardOpenOption.APPEND);
+    history.add(entry("y"), Optional.empty());
+    assertThat(history.entries()).extracting(HistoryEntry::place).containsExactly("x", "y");
+  }
+
+  @Test
+  void fieldsOfALaterVersionDoNoHarm() throws IOException {
+    Files.writeString(
+        folder.resolve("history.jsonl"),
+        "{\"schema\":\"fieldcal.history/1\",\"unix\":1,\"action\":\"EXPORTED\",\"mood\":\"good\"}\n"
+            + "{\"schema\":\"fieldcal.history/2\",\"action\":\"SUNG\"}\nnull\n7\n");
+    assertThat(new History(folder).entries()).hasSize(1);
+  }
+}
