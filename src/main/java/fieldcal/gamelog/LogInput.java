@@ -47,6 +47,10 @@ final class LogInput implements Closeable {
       if (Files.isDirectory(file)) {
         throw new GameLogException(file, 0, "is a directory; name a .log or .log.gz file in it");
       }
+      if (Files.exists(file) && !Files.isRegularFile(file)) {
+        // Recordings are read more than once, and their size is shown; opening a pipe would wait.
+        throw new GameLogException(file, 0, "is a pipe or a device; save it as a file first");
+      }
       return new LogInput(file);
     } catch (NoSuchFileException e) {
       throw new GameLogException(file, 0, "no such file; check the name", e);

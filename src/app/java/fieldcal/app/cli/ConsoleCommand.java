@@ -1,11 +1,13 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.console.Console;
 import fieldcal.app.console.ConsoleSettings;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.time.Clock;
@@ -67,6 +69,14 @@ final class ConsoleCommand implements Callable<Integer> {
   private String token;
 
   @Option(
+      names = "--token-file",
+      paramLabel = "FILE",
+      description =
+          "a file with that token in its first line: unlike --token, other users of this machine"
+              + " do not see it among the running programs")
+  private Path tokenFile;
+
+  @Option(
       names = "--initial",
       paramLabel = "FILE",
       description =
@@ -99,7 +109,12 @@ final class ConsoleCommand implements Callable<Integer> {
   private ConsoleSettings settings() throws IOException {
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
-    Optional<String> known = Optional.ofNullable(token);
+    if (token != null && tokenFile != null) {
+      throw new ParameterException(
+          spec.commandLine(), "--token and --token-file exclude each other; give one of them");
+    }
+    Optional<String> known =
+        tokenFile == null ? Optional.ofNullable(token) : Optional.of(firstLine(tokenFile));
     if (known.isEmpty() && !ConsoleSettings.isLoopback(address)) {
       byte[] random = new byte[TOKEN_BYTES];
       new SecureRandom().nextBytes(random);
@@ -110,5 +125,10 @@ final class ConsoleCommand implements Callable<Integer> {
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage());
     }
+  }
+
+  private static String firstLine(Path file) throws IOException {
+    String text = new String(JsonFiles.bytes(file), StandardCharsets.UTF_8);
+    return text.lines().findFirst().orElse("").strip();
   }
 }

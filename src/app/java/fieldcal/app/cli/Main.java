@@ -37,7 +37,13 @@ public final class Main {
    * @param args command and options
    */
   public static void main(String[] args) {
-    System.exit(commandLine().execute(args));
+    int status = commandLine().execute(args);
+    if (System.out.checkError() && status == 0) {
+      // A full disk behind the output, or nobody who reads it any more.
+      System.err.println("fieldcal: standard output: cannot be written");
+      status = BAD_INPUT;
+    }
+    System.exit(status);
   }
 
   /**
@@ -46,7 +52,10 @@ public final class Main {
    * @return a new command line, whose output may be redirected
    */
   public static CommandLine commandLine() {
-    return new CommandLine(new Main()).setExecutionExceptionHandler(Main::explain);
+    return new CommandLine(new Main())
+        .setOut(new HarmlessWriter(new PrintWriter(System.out, true)))
+        .setErr(new HarmlessWriter(new PrintWriter(System.err, true)))
+        .setExecutionExceptionHandler(Main::explain);
   }
 
   private static int explain(Exception exception, CommandLine command, ParseResult parsed) {

@@ -143,7 +143,7 @@ final class MonitorCommand implements Callable<Integer> {
     try (MatchFeed feed = feed();
         MatchDisplay display =
             TerminalProgress.isTerminal(1)
-                ? new ScreenDisplay(out, ZoneId.systemDefault())
+                ? new ScreenDisplay(new PrintWriter(System.out), ZoneId.systemDefault())
                 : new LineDisplay(out, ZoneId.systemDefault())) {
       run(new MonitorSession(request, feed, display));
     }

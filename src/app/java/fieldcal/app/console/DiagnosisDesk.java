@@ -92,7 +92,7 @@ final class DiagnosisDesk {
     } catch (CancellationException e) {
       failure = Optional.of("The diagnosis was cancelled.");
       throw e;
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | Error e) {
       failure = Optional.of(Failures.words(e));
     } finally {
       changed.run();

@@ -147,7 +147,7 @@ final class KickDesk {
     } catch (CancellationException e) {
       fail("Reading was cancelled.");
       throw e;
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | Error e) {
       fail(Failures.words(e));
     }
   }
@@ -332,7 +332,7 @@ final class KickDesk {
       changed.run();
     } catch (CancellationException e) {
       throw e;
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | Error e) {
       fail(Failures.words(e));
     }
   }

@@ -16,6 +16,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.eclipse.jetty.server.handler.EagerContentHandler;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,6 +50,11 @@ final class WebServer {
 
   private final Desks desks;
   private final RequestGuard guard;
+  private final Guesses guesses = new Guesses(System::nanoTime);
+
+  /** The address with the token, as it is printed, works once: it may be found in the history of a terminal or a browser later. The form takes the token as often as wanted. */
+  private final AtomicBoolean linkUsed = new AtomicBoolean();
+
   private final Assets assets;
   private final Javalin javalin;
 
@@ -80,6 +87,14 @@ final class WebServer {
     config.jetty.host = settings.address();
     config.jetty.port = settings.port();
     config.jetty.modifyHttpConfiguration(http -> http.setSendServerVersion(false));
+    // A body is read as it comes, without a thread that waits for it: only then a request is worked
+    // on. So senders of a byte a second do not keep everybody else out.
+    config.jetty.modifyServletContextHandler(
+        handler ->
+            handler.insertHandler(
+                new EagerContentHandler(
+                    new EagerContentHandler.RetainedContentLoaderFactory(
+                        Requests.LARGEST_BODY + 1L, 0, false))));
     RoutesConfig routes = config.routes;
     routes.before(this::guard);
     routes.get("/", this::page);
@@ -150,10 +165,13 @@ final class WebServer {
 
   private void page(Context request) {
     String shown = request.queryParam("token");
-    if (shown != null && guard.isToken(shown)) {
-      guard.welcome(request);
-      request.redirect("/");
-      return;
+    if (shown != null && !linkUsed.get() && guesses.mayTry()) {
+      if (guard.isToken(shown) && linkUsed.compareAndSet(false, true)) {
+        guard.welcome(request);
+        request.redirect("/");
+        return;
+      }
+      guesses.wrong();
     }
     boolean known = guard.isKnown(request);
     request.status(known ? 200 : 401);
@@ -161,7 +179,12 @@ final class WebServer {
   }
 
   private void token(Context request) throws IOException {
-    if (!guard.isToken(Requests.text(Requests.body(request), "token", 1000))) {
+    String shown = Requests.text(Requests.body(request), "token", 1000);
+    if (!guesses.mayTry()) {
+      throw new ApiException(429, "too many wrong tokens: wait a minute and try again");
+    }
+    if (!guard.isToken(shown)) {
+      guesses.wrong();
       throw new ApiException(401, "this token is wrong");
     }
     guard.welcome(request);

@@ -7,6 +7,8 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Long work, one at a time, with progress, and ended when nobody wants it any more. What the operator asked for is not started twice; what the console does on its own waits for that.
@@ -39,6 +41,8 @@ final class Work {
   record Status(String title, String text, double done, double total, boolean asked) {}
 
   private record Job(Task task, Progress progress) {}
+
+  private static final Logger LOG = LoggerFactory.getLogger(Work.class);
 
   private final Listener listener;
   private final Deque<Job> waiting = new ArrayDeque<>();
@@ -155,6 +159,10 @@ final class Work {
       job.task.run(job.progress);
     } catch (CancellationException e) {
       // Wanted.
+    } catch (RuntimeException | Error e) {
+      // A task tells its errors itself; whatever it lets out must not end the thread that the next
+      // one needs.
+      LOG.error("defect in “{}”", job.progress.title, e);
     }
   }
 

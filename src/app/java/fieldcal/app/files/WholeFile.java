@@ -1,14 +1,24 @@
 package fieldcal.app.files;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
 
-/** Writes files so that a crash or a full disk leaves either the old file or the new one. */
+/**
+ * Writes files so that a crash or a full disk leaves either the old file or the new one. A symbolic link stays, and what it leads to is replaced; a device, a pipe or another thing that is no file is written to
+ * as it is.
+ */
 public final class WholeFile {
+  /** Linux and macOS: /dev/stdout and the like lead to whatever the shell has opened, also when that is a file. */
+  private static final List<Path> STREAMS =
+      List.of(Path.of("/dev/stdout"), Path.of("/dev/stderr"), Path.of("/dev/fd"), Path.of("/proc"));
+
   private WholeFile() {}
 
   /**
@@ -19,14 +29,19 @@ public final class WholeFile {
    * @throws IOException when it cannot be written; the old file is as it was
    */
   public static void write(byte[] bytes, Path file) throws IOException {
-    Path directory = file.toAbsolutePath().getParent();
+    if (isStream(file)) {
+      append(bytes, file);
+      return;
+    }
+    Path target = Files.isSymbolicLink(file) ? followed(file) : file.toAbsolutePath();
+    Path directory = target.getParent();
     Files.createDirectories(directory);
     // Beside the file, so that the move is one step; not a temporary file, which only its owner
     // could read.
-    Path unfinished = directory.resolve(file.getFileName() + ".part");
+    Path unfinished = directory.resolve(target.getFileName() + ".part");
     try {
       Files.write(unfinished, bytes);
-      Files.move(unfinished, file, StandardCopyOption.REPLACE_EXISTING);
+      Files.move(unfinished, target, StandardCopyOption.REPLACE_EXISTING);
     } catch (FileSystemException e) {
       throw e;
     } catch (IOException e) {
@@ -34,6 +49,32 @@ public final class WholeFile {
       throw new IOException(file + ": " + e.getMessage(), e);
     } finally {
       deleteQuietly(unfinished);
+    }
+  }
+
+  /** Where a link leads to, also when nothing is there yet. */
+  private static Path followed(Path link) throws IOException {
+    if (Files.exists(link)) {
+      return link.toRealPath();
+    }
+    return link.toAbsolutePath().resolveSibling(Files.readSymbolicLink(link)).normalize();
+  }
+
+  /** Whether a name stands for something that takes bytes one after the other: a pipe, a device, or what this program was given as its output. */
+  private static boolean isStream(Path file) {
+    boolean descriptor = STREAMS.stream().anyMatch(file.toAbsolutePath().normalize()::startsWith);
+    return descriptor
+        || Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
+  }
+
+  private static void append(byte[] bytes, Path stream) throws IOException {
+    try (OutputStream out =
+        Files.newOutputStream(stream, StandardOpenOption.WRITE, StandardOpenOption.APPEND)) {
+      out.write(bytes);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IOException(stream + ": " + e.getMessage(), e);
     }
   }
 

@@ -1,5 +1,6 @@
 package fieldcal.app.monitor;
 
+import fieldcal.app.wording.Harmless;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -37,7 +38,7 @@ public final class ScreenDisplay implements MatchDisplay {
   /**
    * A display.
    *
-   * @param out a terminal that understands ANSI
+   * @param out a terminal that understands ANSI; names of others are made harmless here
    * @param zone of the times of day
    */
   public ScreenDisplay(PrintWriter out, ZoneId zone) {
@@ -72,7 +73,9 @@ public final class ScreenDisplay implements MatchDisplay {
     if (kept.size() >= size.rows()) {
       kept = kept.stream().filter(line -> !line.isBlank()).toList();
     }
-    return kept.subList(0, Math.min(kept.size(), size.rows() - 1)).stream().map(this::cut).toList();
+    return kept.subList(0, Math.min(kept.size(), size.rows() - 1)).stream()
+        .map(line -> cut(Harmless.text(line)))
+        .toList();
   }
 
   /** One column stays free: in the last one, the end of the line would be wiped with what stood there before. */
@@ -105,7 +108,8 @@ public final class ScreenDisplay implements MatchDisplay {
   @Override
   public void summary(MatchStatus status) {
     close();
-    text.summary(status, size == null ? USUAL.columns() : size.columns()).forEach(out::println);
+    text.summary(status, size == null ? USUAL.columns() : size.columns())
+        .forEach(line -> out.println(Harmless.text(line)));
     out.flush();
   }
 

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** The senders of one group, and who of them is listened to for what: the first, until it has been silent for a while. For one thread but for the counts. */
@@ -16,7 +17,7 @@ final class Sources<D> {
 
   /**
    * So many senders are remembered. Vision that is started anew sends from another port, so it is a sender of its own each time; whoever has been silent the longest makes room for it. More than that at once
-   * are no network of the league's but an attack or a broken router.
+   * are no network of the league's but an attack or a broken router: then whoever never sent a message that can be read makes room first, so that senders of junk do not keep vision out.
    */
   private static final int MOST = 16;
 
@@ -38,6 +39,11 @@ final class Sources<D> {
 
     D decoder() {
       return decoder;
+    }
+
+    /** Whether anything it sent could be read; asked between its packets. */
+    private boolean wasUnderstood() {
+      return packets > wrong;
     }
   }
 
@@ -62,7 +68,7 @@ final class Sources<D> {
     newest = Math.max(newest, now);
     Source<D> source = sources.get(address);
     if (source == null) {
-      if (sources.size() == MOST && !forgotSilent(now)) {
+      if (sources.size() == MOST && !forgotJunk() && !forgotSilent(now)) {
         tooMany++;
         return null;
       }
@@ -72,6 +78,19 @@ final class Sources<D> {
     source.packets++;
     source.last = now;
     return source;
+  }
+
+  private boolean forgotJunk() {
+    Optional<Source<D>> junk =
+        sources.values().stream()
+            .filter(source -> !source.wasUnderstood())
+            .min(Comparator.comparingLong((Source<D> s) -> s.last));
+    junk.ifPresent(
+        source -> {
+          tooMany += source.packets;
+          sources.remove(source.address);
+        });
+    return junk.isPresent();
   }
 
   private boolean forgotSilent(long now) {
@@ -98,7 +117,7 @@ final class Sources<D> {
     return true;
   }
 
-  /** Packets of senders that were too many. */
+  /** Packets of senders that were too many, and of those that made room for others. */
   synchronized long tooMany() {
     return tooMany;
   }

@@ -125,8 +125,9 @@ final class BridgeClient implements RobotLink {
       errors = List.of(SimulatorError.newBuilder().setMessage("an answer cannot be read").build());
     }
     for (SimulatorError error : errors) {
-      if (complaints.containsKey(error.getMessage()) || complaints.size() < MOST_COMPLAINTS) {
-        complaints.merge(error.getMessage(), 1, Integer::sum);
+      String text = Complaint.shortened(error.getMessage());
+      if (complaints.containsKey(text) || complaints.size() < MOST_COMPLAINTS) {
+        complaints.merge(text, 1, Integer::sum);
       }
     }
   }

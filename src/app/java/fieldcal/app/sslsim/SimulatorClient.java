@@ -31,6 +31,9 @@ final class SimulatorClient implements RobotLink {
   private static final int LARGEST = 65_536;
   private static final int MOST_COMPLAINTS = 20;
 
+  /** Answers that are read at once: each command has one, and who sends more must not keep the play from going on. */
+  private static final int MOST_ANSWERS = 1000;
+
   /** Two seconds of commands. Simulators answer each. */
   private static final int ENOUGH_TO_ANSWER = 200;
 
@@ -130,7 +133,7 @@ final class SimulatorClient implements RobotLink {
   public void listen() throws IOException {
     for (DatagramChannel channel : List.of(control, blue, yellow)) {
       byte[] answer = receive(channel);
-      while (answer != null) {
+      for (int i = 0; answer != null && i < MOST_ANSWERS; i++) {
         answers++;
         note(errors(answer, channel == control));
         answer = receive(channel);
@@ -161,7 +164,7 @@ final class SimulatorClient implements RobotLink {
   private void note(List<SimulatorError> errors) {
     for (SimulatorError error : errors) {
       String code = error.getCode().isEmpty() ? "" : " (" + error.getCode() + ")";
-      String text = error.getMessage() + code;
+      String text = Complaint.shortened(error.getMessage() + code);
       if (complaints.containsKey(text) || complaints.size() < MOST_COMPLAINTS) {
         complaints.merge(text, 1, Integer::sum);
       }

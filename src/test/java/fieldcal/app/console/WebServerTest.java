@@ -6,8 +6,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.console.RunningConsole.Answer;
 import java.io.IOException;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -18,6 +21,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the console refuses, and how it says so. Needs no kicks. */
 class WebServerTest {
+  private static final String[] PAGE = {"Content-Type: application/json", "X-Fieldcal-Console: 1"};
+
   @TempDir private static Path folder;
 
   private static Path session;
@@ -297,6 +302,57 @@ class WebServerTest {
       // The token does not help a page of another site.
       assertRefused(
           guarded.get("/api/state", "Cookie: " + cookie, "Origin: http://evil.example"), 403);
+    }
+  }
+
+  /** More connections than the server has threads, each sending a byte now and then. */
+  @Test
+  void slowBodiesKeepNobodyOut() throws IOException {
+    List<Socket> slow = new ArrayList<>();
+    try {
+      for (int i = 0; i < 300; i++) {
+        Socket socket = new Socket("127.0.0.1", console.port());
+        slow.add(socket);
+        String request = console.request("POST", "/api/decisions", "x".repeat(1000), PAGE);
+        String begin = request.substring(0, request.length() - 999);
+        socket.getOutputStream().write(begin.getBytes(StandardCharsets.UTF_8));
+        socket.getOutputStream().flush();
+      }
+      for (Socket socket : slow) {
+        socket.getOutputStream().write('x');
+        socket.getOutputStream().flush();
+      }
+      assertThat(console.get("/api/state").status()).isEqualTo(200);
+      assertThat(console.post("/api/decisions", "{}").status()).isNotZero();
+    } finally {
+      for (Socket socket : slow) {
+        socket.close();
+      }
+    }
+  }
+
+  @Test
+  void thePrintedAddressWorksOnce() throws IOException {
+    String token = "a-token-of-the-field";
+    ConsoleSettings settings = RunningConsole.withToken(session, "0.0.0.0", token);
+    try (RunningConsole guarded = RunningConsole.start(settings)) {
+      assertThat(guarded.get("/?token=" + token).status()).isEqualTo(302);
+      assertThat(guarded.get("/?token=" + token).status()).isEqualTo(401);
+      assertThat(guarded.post("/api/token", "{\"token\":\"" + token + "\"}").status())
+          .isEqualTo(200);
+    }
+  }
+
+  @Test
+  void tokensCannotBeTriedOverAndOver() throws IOException {
+    String token = "a-token-of-the-field";
+    ConsoleSettings settings = RunningConsole.withToken(session, "0.0.0.0", token);
+    try (RunningConsole guarded = RunningConsole.start(settings)) {
+      for (int i = 0; i < 10; i++) {
+        assertRefused(guarded.post("/api/token", "{\"token\":\"wrong\"}"), 401);
+      }
+      assertRefused(guarded.post("/api/token", "{\"token\":\"" + token + "\"}"), 429);
+      assertThat(guarded.get("/?token=" + token).status()).isEqualTo(401);
     }
   }
 

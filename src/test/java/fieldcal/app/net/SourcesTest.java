@@ -141,6 +141,31 @@ class SourcesTest {
   }
 
   @Test
+  void sendersOfJunkMakeRoomForVisionAtOnce() {
+    for (int i = 0; i < 40; i++) {
+      send(new InetSocketAddress("10.66.0.1", 1 + i), new byte[] {7, 7, 7}, 0.001 * i);
+    }
+    send(FIELD_A, frame(0, 1), 0.05);
+    for (int i = 0; i < 40; i++) {
+      send(new InetSocketAddress("10.66.0.2", 1 + i), new byte[] {7, 7, 7}, 0.06 + 0.001 * i);
+    }
+    send(FIELD_A, frame(0, 1.1), 0.15);
+    assertThat(frames).hasSize(2);
+    assertThat(vision.counts()).hasSize(16).anySatisfy(s -> assertThat(s.packets()).isEqualTo(2));
+    assertThat(vision.tooMany()).isEqualTo(80 - 15);
+  }
+
+  @Test
+  void sendersOfJunkMakeRoomForTheReferee() {
+    RefereeSource source = new RefereeSource(EPOCH);
+    for (int i = 0; i < 40; i++) {
+      InetSocketAddress junk = new InetSocketAddress("10.66.0.1", 1 + i);
+      source.accept(new Packet(new byte[] {7, 7, 7}, junk, i));
+    }
+    assertThat(source.accept(new Packet(referee().toByteArray(), FIELD_A, 50))).isPresent();
+  }
+
+  @Test
   void ofTwoRefereesTheFirstIsListenedTo() {
     RefereeSource source = new RefereeSource(EPOCH);
     byte[] message = referee().toByteArray();

@@ -1,0 +1,77 @@
+package fieldcal.app.files;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Files are replaced, links are followed, and what is no file is written to as it is. */
+class WholeFileTest {
+  @TempDir private Path folder;
+
+  @Test
+  void aLinkStaysAndItsTargetIsReplaced() throws IOException {
+    Path target = Files.createDirectory(folder.resolve("elsewhere")).resolve("model.json");
+    Files.writeString(target, "old");
+    Path link = Files.createSymbolicLink(folder.resolve("link.json"), target);
+    WholeFile.write("new", link);
+    assertThat(link).isSymbolicLink().hasContent("new");
+    assertThat(target).hasContent("new");
+    assertThat(files(target.getParent())).containsExactly("model.json");
+  }
+
+  @Test
+  void aLinkToNothingYetGetsItsTarget() throws IOException {
+    Path link = Files.createSymbolicLink(folder.resolve("link.json"), Path.of("later.json"));
+    WholeFile.write("new", link);
+    assertThat(link).isSymbolicLink();
+    assertThat(folder.resolve("later.json")).hasContent("new");
+  }
+
+  @Test
+  void aPipeIsWrittenToAndStaysOne() throws Exception {
+    Path pipe = folder.resolve("pipe");
+    assumeTrue(
+        new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0, "no mkfifo here");
+    CompletableFuture<String> read =
+        CompletableFuture.supplyAsync(
+            () -> {
+              try {
+                return Files.readString(pipe);
+              } catch (IOException e) {
+                return e.toString();
+              }
+            });
+    WholeFile.write("through", pipe);
+    assertThat(read.get(10, TimeUnit.SECONDS)).isEqualTo("through");
+    assertThat(Files.isRegularFile(pipe)).isFalse();
+    assertThat(files(folder)).containsExactly("pipe");
+  }
+
+  @Test
+  void aFullDeviceIsAnErrorThatNamesIt() {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full), "no /dev/full here");
+    assertThatThrownBy(() -> WholeFile.write("x", full))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("/dev/full");
+  }
+
+  private static Stream<String> names(Path directory) throws IOException {
+    return Files.list(directory).map(f -> f.getFileName().toString()).sorted();
+  }
+
+  private static java.util.List<String> files(Path directory) throws IOException {
+    try (Stream<String> names = names(directory)) {
+      return names.toList();
+    }
+  }
+}
