@@ -7,6 +7,8 @@ import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.replay.KickReplay;
+import fieldcal.app.replay.KickTables;
 import fieldcal.calibration.HandSelection;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
@@ -100,10 +102,28 @@ final class CalibrateCommand implements Callable<Integer> {
       description = "writes calibration.json to this file")
   private Path json;
 
+  @Option(
+      names = "--csv",
+      paramLabel = "DIR",
+      description =
+          "writes kicks.csv and observations.csv to this directory, for spreadsheets, pandas and"
+              + " PlotJuggler")
+  private Path csv;
+
+  @Option(
+      names = "--mcap",
+      paramLabel = "FILE",
+      description =
+          "writes frames, fitted paths and residuals of all kicks to this file, for Foxglove and"
+              + " PlotJuggler")
+  private Path mcap;
+
   @Override
   public Integer call() throws IOException {
     Optional<KickKind> forced = forcedKind();
     OutputPlaces.check(out, json);
+    OutputPlaces.checkDirectory("--csv", csv);
+    OutputPlaces.checkFile("--mcap", mcap);
     HandSelection byHand = SelectionFile.readOrFormer(selection, out);
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
@@ -122,6 +142,12 @@ final class CalibrateCommand implements Callable<Integer> {
     }
     if (json != null) {
       CalibrationSession.writeJson(outcome, json);
+    }
+    if (csv != null) {
+      new KickTables(outcome).write(csv);
+    }
+    if (mcap != null) {
+      new KickReplay(outcome).write(mcap);
     }
     new CalibrationText(spec.commandLine().getOut()).print(outcome, out);
     return 0;

@@ -16,11 +16,33 @@ final class OutputPlaces {
    * @throws InputException when a file is where a directory is wanted, or the other way round
    */
   static void check(Path out, Path json) throws InputException {
-    if (out != null && Files.exists(out) && !Files.isDirectory(out)) {
-      throw new InputException(out + ": is a file; --out needs a directory");
+    checkDirectory("--out", out);
+    checkFile("--json", json);
+  }
+
+  /**
+   * Checks an option that names a directory.
+   *
+   * @param option as it is typed
+   * @param directory null when not given
+   * @throws InputException when it is a file
+   */
+  static void checkDirectory(String option, Path directory) throws InputException {
+    if (directory != null && Files.exists(directory) && !Files.isDirectory(directory)) {
+      throw new InputException(directory + ": is a file; " + option + " needs a directory");
     }
-    if (json != null && Files.isDirectory(json)) {
-      throw new InputException(json + ": is a directory; --json needs a file");
+  }
+
+  /**
+   * Checks an option that names a file.
+   *
+   * @param option as it is typed
+   * @param file null when not given
+   * @throws InputException when it is a directory
+   */
+  static void checkFile(String option, Path file) throws InputException {
+    if (file != null && Files.isDirectory(file)) {
+      throw new InputException(file + ": is a directory; " + option + " needs a file");
     }
   }
 }

@@ -1,7 +1,10 @@
 package fieldcal.app.files;
 
+import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -29,27 +32,7 @@ public final class WholeFile {
    * @throws IOException when it cannot be written; the old file is as it was
    */
   public static void write(byte[] bytes, Path file) throws IOException {
-    if (isStream(file)) {
-      append(bytes, file);
-      return;
-    }
-    Path target = Files.isSymbolicLink(file) ? followed(file) : file.toAbsolutePath();
-    Path directory = target.getParent();
-    Files.createDirectories(directory);
-    // Beside the file, so that the move is one step; not a temporary file, which only its owner
-    // could read.
-    Path unfinished = directory.resolve(target.getFileName() + ".part");
-    try {
-      Files.write(unfinished, bytes);
-      Files.move(unfinished, target, StandardCopyOption.REPLACE_EXISTING);
-    } catch (FileSystemException e) {
-      throw e;
-    } catch (IOException e) {
-      // A full disk says no more than that.
-      throw new IOException(file + ": " + e.getMessage(), e);
-    } finally {
-      deleteQuietly(unfinished);
-    }
+    streamBytes(file, to -> to.write(bytes));
   }
 
   /** Where a link leads to, also when nothing is there yet. */
@@ -67,10 +50,11 @@ public final class WholeFile {
         || Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
   }
 
-  private static void append(byte[] bytes, Path stream) throws IOException {
-    try (OutputStream out =
-        Files.newOutputStream(stream, StandardOpenOption.WRITE, StandardOpenOption.APPEND)) {
-      out.write(bytes);
+  private static void append(Path stream, Content content) throws IOException {
+    try (OutputStream to =
+        new BufferedOutputStream(
+            Files.newOutputStream(stream, StandardOpenOption.WRITE, StandardOpenOption.APPEND))) {
+      content.writeTo(to);
     } catch (FileSystemException e) {
       throw e;
     } catch (IOException e) {
@@ -87,6 +71,78 @@ public final class WholeFile {
    */
   public static void write(String text, Path file) throws IOException {
     write(text.getBytes(StandardCharsets.UTF_8), file);
+  }
+
+  /** What makes the content of a text file. */
+  public interface TextContent {
+    /**
+     * Writes it.
+     *
+     * @param to the file
+     * @throws IOException when it cannot be written or made
+     */
+    void writeTo(Writer to) throws IOException;
+  }
+
+  /** What makes the content of a file. */
+  public interface Content {
+    /**
+     * Writes it.
+     *
+     * @param to the file
+     * @throws IOException when it cannot be written or made
+     */
+    void writeTo(OutputStream to) throws IOException;
+  }
+
+  /**
+   * Writes text in UTF-8 as it is made, replacing an older file in one step.
+   *
+   * @param file where; its directory is made if needed
+   * @param content makes the text
+   * @throws IOException when it cannot be written or made; the old file is as it was
+   */
+  public static void stream(Path file, TextContent content) throws IOException {
+    streamBytes(
+        file,
+        bytes -> {
+          Writer text = new OutputStreamWriter(bytes, StandardCharsets.UTF_8);
+          content.writeTo(text);
+          text.flush();
+        });
+  }
+
+  /**
+   * Writes bytes as they are made, replacing an older file in one step.
+   *
+   * @param file where; its directory is made if needed
+   * @param content makes the bytes
+   * @throws IOException when it cannot be written or made; the old file is as it was
+   */
+  public static void streamBytes(Path file, Content content) throws IOException {
+    if (isStream(file)) {
+      append(file, content);
+      return;
+    }
+    Path target = Files.isSymbolicLink(file) ? followed(file) : file.toAbsolutePath();
+    Path directory = target.getParent();
+    Files.createDirectories(directory);
+    // Beside the file, so that the move is one step; not a temporary file, which only its owner
+    // could read.
+    Path unfinished = directory.resolve(target.getFileName() + ".part");
+    try {
+      try (OutputStream to = new BufferedOutputStream(Files.newOutputStream(unfinished))) {
+        content.writeTo(to);
+      }
+      Files.move(unfinished, target, StandardCopyOption.REPLACE_EXISTING);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      // A full disk says no more than that.
+      throw new IOException(file + ": " + e.getMessage(), e);
+    } finally {
+      deleteQuietly(unfinished);
+    }
   }
 
   /** What went wrong before is what the operator must hear of, not that there is nothing to clean up. */
