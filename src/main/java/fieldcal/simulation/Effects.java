@@ -173,11 +173,12 @@ final class Effects {
             .sum();
   }
 
-  static List<CameraErrors> cameraErrors(int cameras, List<EffectSetting> effects) {
-    List<CameraErrors> errors = new ArrayList<>(Collections.nCopies(cameras, CameraErrors.NONE));
+  static List<CameraErrors> cameraErrors(List<Integer> cameras, List<EffectSetting> effects) {
+    List<CameraErrors> errors =
+        new ArrayList<>(Collections.nCopies(cameras.size(), CameraErrors.NONE));
     for (EffectSetting e : effects) {
-      for (int id = 0; id < cameras; id++) {
-        errors.set(id, errors.get(id).plus(errorsOf(e, id, cameras)));
+      for (int i = 0; i < cameras.size(); i++) {
+        errors.set(i, errors.get(i).plus(errorsOf(e, cameras.get(i), cameras.size())));
       }
     }
     return errors;

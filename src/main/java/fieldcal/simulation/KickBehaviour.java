@@ -1,5 +1,6 @@
 package fieldcal.simulation;
 
+import fieldcal.simulation.physics.Table;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import java.util.List;
@@ -16,6 +17,7 @@ import java.util.Optional;
  * @param sideSpin mean spin about the direction of travel in the same unit
  * @param sideSpinScatter its standard deviation from kick to kick
  * @param biases robots that kick faster or aside of what they are told
+ * @param spinTables what is added to the mean spin about the rolling axis, measured and without a formula
  */
 public record KickBehaviour(
     double speedScatter,
@@ -25,11 +27,12 @@ public record KickBehaviour(
     double rollSpinScatter,
     double sideSpin,
     double sideSpinScatter,
-    List<Bias> biases) {
+    List<Bias> biases,
+    List<SpinTable> spinTables) {
 
   /** Scatter of a good kicker, no spin. */
   public static final KickBehaviour DEFAULT =
-      new KickBehaviour(0.015, 0.006, 0.02, 0, 0, 0, 0, List.of());
+      new KickBehaviour(0.015, 0.006, 0.02, 0, 0, 0, 0, List.of(), List.of());
 
   /**
    * Copies the list and checks the scatters. {@inheritDoc}
@@ -46,6 +49,7 @@ public record KickBehaviour(
       }
     }
     biases = List.copyOf(biases);
+    spinTables = List.copyOf(spinTables);
   }
 
   /**
@@ -60,6 +64,52 @@ public record KickBehaviour(
     boolean concerns(RobotId robot) {
       return robot.team() == team && (number.isEmpty() || number.get() == robot.number());
     }
+  }
+
+  /**
+   * Spin that depends on the kick.
+   *
+   * @param byHeading whether it depends on the direction of the kick, rad, instead of its horizontal speed, m/s
+   * @param table added to the mean, in units of rolling spin
+   */
+  public record SpinTable(boolean byHeading, Table table) {
+    double of(double speed, double direction) {
+      return table.at(byHeading ? Math.IEEEremainder(direction, 2 * Math.PI) : speed, 0);
+    }
+  }
+
+  /**
+   * Mean spin about the rolling axis of a kick.
+   *
+   * @param speed horizontal, m/s
+   * @param direction rad
+   * @return in units of rolling spin
+   */
+  double rollSpinOf(double speed, double direction) {
+    double spin = rollSpin;
+    for (SpinTable table : spinTables) {
+      spin += table.of(speed, direction);
+    }
+    return spin;
+  }
+
+  /**
+   * Other tables of spin.
+   *
+   * @param tables instead of the present ones
+   * @return the changed behaviour
+   */
+  public KickBehaviour withSpinTables(List<SpinTable> tables) {
+    return new KickBehaviour(
+        speedScatter,
+        directionScatter,
+        elevationScatter,
+        rollSpin,
+        rollSpinScatter,
+        sideSpin,
+        sideSpinScatter,
+        biases,
+        tables);
   }
 
   /**
@@ -78,7 +128,8 @@ public record KickBehaviour(
         scatter,
         sideSpin,
         sideSpinScatter,
-        biases);
+        biases,
+        spinTables);
   }
 
   /**
@@ -97,7 +148,8 @@ public record KickBehaviour(
         rollSpinScatter,
         mean,
         scatter,
-        biases);
+        biases,
+        spinTables);
   }
 
   /**
@@ -115,6 +167,7 @@ public record KickBehaviour(
         rollSpinScatter,
         sideSpin,
         sideSpinScatter,
-        newBiases);
+        newBiases,
+        spinTables);
   }
 }

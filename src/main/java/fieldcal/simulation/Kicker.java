@@ -24,7 +24,7 @@ final class Kicker {
     double speedError = scatter.gaussian(behaviour.speedScatter());
     double directionError = scatter.gaussian(behaviour.directionScatter());
     double elevationError = scatter.gaussian(behaviour.elevationScatter());
-    double roll = behaviour.rollSpin() + spin.gaussian(behaviour.rollSpinScatter());
+    double rollError = spin.gaussian(behaviour.rollSpinScatter());
     double side = behaviour.sideSpin() + spin.gaussian(behaviour.sideSpinScatter());
     double speed = command.speed() * (1 + speedError);
     double direction = command.direction() + directionError;
@@ -36,6 +36,7 @@ final class Kicker {
     }
     double elevation = command.elevation() > 0 ? command.elevation() + elevationError : 0;
     double along = speed * Math.cos(elevation);
+    double roll = behaviour.rollSpinOf(along, direction) + rollError;
     ball.kick(
         along * Math.cos(direction),
         along * Math.sin(direction),

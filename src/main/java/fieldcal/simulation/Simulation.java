@@ -42,7 +42,8 @@ public final class Simulation {
     epoch = new Epoch(start + Math.round(later * 1e9));
     List<SimulatedRobot> robots = scenario.robots();
     world = new SimulatedWorld(settings.field(), physics, behaviour, robots, settings.seed());
-    vision = interactive ? new VisionSystem(settings, world, 0) : new VisionSystem(settings, world);
+    vision =
+        interactive ? new VisionSystem(settings, world, 0, 0) : new VisionSystem(settings, world);
   }
 
   /** A simulation whose packets come without delay, for somebody who steers by them; it begins some seconds later than others of its seed. */
@@ -165,7 +166,7 @@ public final class Simulation {
     }
     scenario.tick(world);
     world.tick();
-    vision.observe(sink);
+    vision.observe(world.time(), sink);
     return true;
   }
 

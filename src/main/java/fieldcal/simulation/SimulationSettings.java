@@ -1,12 +1,14 @@
 package fieldcal.simulation;
 
 import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.imaging.InstalledCamera;
 import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.vision.BallModels;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 
 /**
  * What is to be simulated. Start from {@link #DEFAULT} and change it with the with-methods.
@@ -20,6 +22,8 @@ import java.util.Objects;
  * @param nuisance what goes wrong in every recording
  * @param publishedModels the ball models in the geometry messages
  * @param effects what is wrong with this field
+ * @param installed the cameras one by one, by id; empty = drawn as {@code cameras} and {@code nuisance} say. Of {@code cameras} then only the plane that vision assumes and the exposure count, of {@code
+ *     nuisance} nothing
  */
 public record SimulationSettings(
     ScenarioSettings scenario,
@@ -30,7 +34,8 @@ public record SimulationSettings(
     CameraSettings cameras,
     Nuisance nuisance,
     BallModels publishedModels,
-    List<EffectSetting> effects) {
+    List<EffectSetting> effects,
+    List<InstalledCamera> installed) {
 
   /** Models that are a little off, as on every field before it is calibrated. */
   public static final BallModels USUAL_MODELS =
@@ -52,6 +57,7 @@ public record SimulationSettings(
           CameraSettings.DEFAULT,
           Nuisance.TYPICAL,
           USUAL_MODELS,
+          List.of(),
           List.of());
 
   /**
@@ -68,11 +74,36 @@ public record SimulationSettings(
     Objects.requireNonNull(nuisance, "nuisance");
     Objects.requireNonNull(publishedModels, "publishedModels");
     effects = List.copyOf(effects);
+    installed = List.copyOf(installed);
+    if (installed.isEmpty()) {
+      requireCounted(effects, cameras.count());
+    } else {
+      requireInstalled(effects, installed);
+    }
+  }
+
+  private static void requireCounted(List<EffectSetting> effects, int count) {
     for (EffectSetting effect : effects) {
       String camera = effect.values().getOrDefault("camera", "0");
-      if (!camera.equals("all") && Double.parseDouble(camera) >= cameras.count()) {
+      if (!camera.equals("all") && Double.parseDouble(camera) >= count) {
         throw new IllegalArgumentException(
-            effect + ": there are only " + cameras.count() + " cameras, counted from 0");
+            effect + ": there are only " + count + " cameras, counted from 0");
+      }
+    }
+  }
+
+  private static void requireInstalled(
+      List<EffectSetting> effects, List<InstalledCamera> installed) {
+    List<Integer> ids = installed.stream().map(InstalledCamera::id).sorted().toList();
+    if (ids.stream().distinct().count() < ids.size()) {
+      throw new IllegalArgumentException("two cameras have one id: " + ids);
+    }
+    for (EffectSetting effect : effects) {
+      String camera = effect.values().get("camera");
+      if (camera != null
+          && !camera.equals("all")
+          && !ids.contains((int) Double.parseDouble(camera))) {
+        throw new IllegalArgumentException(effect + ": the cameras are " + ids);
       }
     }
   }
@@ -93,7 +124,8 @@ public record SimulationSettings(
         cameras,
         nuisance,
         publishedModels,
-        effects);
+        effects,
+        installed);
   }
 
   /**
@@ -123,7 +155,8 @@ public record SimulationSettings(
         cameras,
         nuisance,
         publishedModels,
-        effects);
+        effects,
+        installed);
   }
 
   /**
@@ -142,7 +175,8 @@ public record SimulationSettings(
         cameras,
         nuisance,
         publishedModels,
-        effects);
+        effects,
+        installed);
   }
 
   /**
@@ -161,7 +195,8 @@ public record SimulationSettings(
         cameras,
         nuisance,
         publishedModels,
-        effects);
+        effects,
+        installed);
   }
 
   /**
@@ -172,7 +207,16 @@ public record SimulationSettings(
    */
   public SimulationSettings withKickBehaviour(KickBehaviour behaviour) {
     return new SimulationSettings(
-        scenario, seed, field, physics, behaviour, cameras, nuisance, publishedModels, effects);
+        scenario,
+        seed,
+        field,
+        physics,
+        behaviour,
+        cameras,
+        nuisance,
+        publishedModels,
+        effects,
+        installed);
   }
 
   /**
@@ -191,7 +235,8 @@ public record SimulationSettings(
         newCameras,
         nuisance,
         publishedModels,
-        effects);
+        effects,
+        installed);
   }
 
   /**
@@ -210,7 +255,8 @@ public record SimulationSettings(
         cameras,
         newNuisance,
         publishedModels,
-        effects);
+        effects,
+        installed);
   }
 
   /**
@@ -221,7 +267,16 @@ public record SimulationSettings(
    */
   public SimulationSettings withPublishedModels(BallModels models) {
     return new SimulationSettings(
-        scenario, seed, field, physics, kickBehaviour, cameras, nuisance, models, effects);
+        scenario,
+        seed,
+        field,
+        physics,
+        kickBehaviour,
+        cameras,
+        nuisance,
+        models,
+        effects,
+        installed);
   }
 
   /**
@@ -240,7 +295,39 @@ public record SimulationSettings(
         cameras,
         nuisance,
         publishedModels,
-        newEffects);
+        newEffects,
+        installed);
+  }
+
+  /**
+   * Cameras that hang already.
+   *
+   * @param newInstalled the cameras; empty = drawn
+   * @return the changed settings
+   */
+  public SimulationSettings withInstalled(List<InstalledCamera> newInstalled) {
+    return new SimulationSettings(
+        scenario,
+        seed,
+        field,
+        physics,
+        kickBehaviour,
+        cameras,
+        nuisance,
+        publishedModels,
+        effects,
+        newInstalled);
+  }
+
+  /**
+   * The cameras' ids.
+   *
+   * @return ascending where drawn, else in the order of {@code installed}
+   */
+  public List<Integer> cameraIds() {
+    return installed.isEmpty()
+        ? IntStream.range(0, cameras.count()).boxed().toList()
+        : installed.stream().map(InstalledCamera::id).toList();
   }
 
   /**

@@ -4,6 +4,7 @@ import fieldcal.camera.CameraCalibration;
 import fieldcal.simulation.imaging.CameraErrors;
 import fieldcal.simulation.imaging.CameraRig;
 import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.imaging.Scene;
 import fieldcal.simulation.imaging.SimulatedCamera;
 import fieldcal.simulation.truth.CameraTruth;
 import fieldcal.vision.FieldGeometry;
@@ -21,11 +22,14 @@ public final class VisionSystem {
   private static final double NETWORK = 0.0003;
 
   /** How long after its exposure a frame may still be on its way, s: a recorder can wait that long to have all in order. */
-  private static final double SAFE_LAG = 0.1;
+  static final double SAFE_LAG = 0.1;
+
+  /** When the first geometry is sent, s after the recording's begin. */
+  private static final double FIRST_GEOMETRY = 0.004;
 
   private static final double GEOMETRY_INTERVAL = 1;
 
-  private final SimulatedWorld world;
+  private final Scene scene;
   private final double lag;
   private final List<SimulatedCamera> cameras;
   private final FieldGeometry geometry;
@@ -38,7 +42,7 @@ public final class VisionSystem {
           Comparator.comparingDouble((Arrival a) -> a.packet().receivedTime())
               .thenComparingLong(Arrival::order));
   private long order;
-  private double nextGeometry = 0.004;
+  private double nextGeometry;
 
   private record Arrival(SimulatedPacket packet, long order) {}
 
@@ -49,24 +53,32 @@ public final class VisionSystem {
    * @param world what there is to see
    */
   public VisionSystem(SimulationSettings settings, SimulatedWorld world) {
-    this(settings, world, SAFE_LAG);
+    this(settings, world, 0, SAFE_LAG);
   }
 
-  /** With a lag of 0, packets are delivered when they arrive, as somebody who drives robots needs them; order of arrival is kept up to a rolling shutter of 10 ms. */
-  VisionSystem(SimulationSettings settings, SimulatedWorld world, double lag) {
-    this.world = world;
+  /**
+   * With a lag of 0, packets are delivered when they arrive, as somebody who drives robots needs them; order of arrival is kept up to a rolling shutter of 10 ms. The recording begins at session time
+   * {@code from}.
+   */
+  VisionSystem(SimulationSettings settings, Scene scene, double from, double lag) {
+    this.scene = scene;
     this.lag = lag;
+    nextGeometry = from + FIRST_GEOMETRY;
     CameraSettings cameraSettings = Effects.cameras(settings.cameras(), settings.effects());
-    List<CameraErrors> errors = Effects.cameraErrors(cameraSettings.count(), settings.effects());
+    List<CameraErrors> errors = Effects.cameraErrors(settings.cameraIds(), settings.effects());
     ballPlane = cameraSettings.ballPlane();
     rollingShutter = Effects.rollingShutter(0, settings.effects());
     FieldSize field = settings.field();
+    long seed = settings.seed();
     cameras =
-        CameraRig.over(
-            field, cameraSettings, settings.nuisance(), errors, rollingShutter, settings.seed());
+        settings.installed().isEmpty()
+            ? CameraRig.over(
+                field, cameraSettings, settings.nuisance(), errors, rollingShutter, seed)
+            : CameraRig.of(
+                settings.installed(), cameraSettings, errors, rollingShutter, from, seed);
     frameCounts = new long[cameras.size()];
     List<CameraCalibration> published =
-        cameras.stream().map(SimulatedCamera::publishedCalibration).toList();
+        cameras.stream().map(SimulatedCamera::announcedCalibration).toList();
     geometry =
         FieldGeometry.of(
                 field.length(),
@@ -109,15 +121,15 @@ public final class VisionSystem {
   /**
    * Takes the frames that are due now; call it after each tick of the world.
    *
+   * @param now session time, s
    * @param sink gets the packets that no other can overtake any more, in the order of their arrival
    */
-  public void observe(Consumer<SimulatedPacket> sink) {
-    double now = world.time();
+  public void observe(double now, Consumer<SimulatedPacket> sink) {
     for (int i = 0; i < cameras.size(); i++) {
       SimulatedCamera camera = cameras.get(i);
       while (camera.nextExposure() + camera.exposureSpan() <= now) {
         frames.clear();
-        camera.expose(world, frames);
+        camera.expose(scene, frames);
         for (VisionFrame frame : frames) {
           frameCounts[i]++;
           // A copy of the frame does not arrive at the very same moment.

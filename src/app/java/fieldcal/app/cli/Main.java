@@ -23,7 +23,8 @@ import picocli.CommandLine.ParseResult;
       LimitsCommand.class,
       MonitorCommand.class,
       SimulateCommand.class,
-      PlayCommand.class
+      PlayCommand.class,
+      TwinCommand.class
     })
 public final class Main {
   private static final int BAD_INPUT = 1;

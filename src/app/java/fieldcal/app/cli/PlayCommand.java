@@ -313,7 +313,7 @@ final class PlayCommand implements Callable<Integer> {
     }
   }
 
-  private InteractiveField simulated(SessionRequest request) {
+  private InteractiveField simulated(SessionRequest request) throws IOException {
     SimulationSettings settings =
         fieldOptions.withEffects(
             fieldOptions.withPreset(SimulationSettings.DEFAULT.withSeed(seed)));

@@ -14,8 +14,10 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -146,7 +148,7 @@ final class SimulateCommand implements Callable<Integer> {
   private Double disagreementMm;
 
   @Option(names = "--division", paramLabel = "A|B", description = "field size (default A)")
-  private String division = "A";
+  private String division;
 
   @Option(names = "--speed-min", paramLabel = "M/S", description = "slowest kick")
   private Double speedMin;
@@ -237,10 +239,19 @@ final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  private SimulationSettings settings() {
+  private SimulationSettings settings() throws IOException {
+    requireOwnField();
     SimulationSettings s =
         SimulationSettings.DEFAULT.withSeed(seed).withField(field()).withScenario(scenario());
     s = field.withPreset(s);
+    if (yellowLimits != null || blueLimits != null) {
+      ScenarioSettings now = s.scenario();
+      s =
+          s.withScenario(
+              now.withLimits(
+                  yellowLimits == null ? now.yellow() : limits("--yellow-limits", yellowLimits),
+                  blueLimits == null ? now.blue() : limits("--blue-limits", blueLimits)));
+    }
     if (physics != null || flatModel != null || chipModel != null) {
       s = s.withPhysics(physics());
     }
@@ -248,10 +259,38 @@ final class SimulateCommand implements Callable<Integer> {
     if (clean) {
       s = s.withNuisance(Nuisance.NONE);
     }
-    s =
-        s.withNuisance(
-            s.nuisance().withOutages(outages.stream().map(SimulateCommand::outage).toList()));
+    if (!field.likeTwin()) {
+      s =
+          s.withNuisance(
+              s.nuisance().withOutages(outages.stream().map(SimulateCommand::outage).toList()));
+    }
     return field.withEffects(s);
+  }
+
+  /** A twin says what its ball, cameras and field are; two answers would contradict each other. */
+  private void requireOwnField() {
+    if (!field.likeTwin()) {
+      return;
+    }
+    Map<String, Boolean> given = new LinkedHashMap<>();
+    given.put("--physics", physics != null);
+    given.put("--flat-model", flatModel != null);
+    given.put("--chip-model", chipModel != null);
+    given.put("--cameras", cameras != null);
+    given.put("--noise-mm", noiseMm != null);
+    given.put("--camera-height", cameraHeight != null);
+    given.put("--distortion", distortion != null);
+    given.put("--disagreement-mm", disagreementMm != null);
+    given.put("--division", division != null);
+    given.put("--clean", clean);
+    given.put("--outage", !outages.isEmpty());
+    given.forEach(
+        (option, there) -> {
+          if (there) {
+            throw new IllegalArgumentException(
+                option + " contradicts --like: change the twin's file instead");
+          }
+        });
   }
 
   private ScenarioSettings scenario() {
@@ -279,12 +318,11 @@ final class SimulateCommand implements Callable<Integer> {
           s.withMatch(
               teamSize == null ? s.teamSize() : teamSize, minutes == null ? s.minutes() : minutes);
     }
-    return s.withLimits(
-        limits("--yellow-limits", yellowLimits), limits("--blue-limits", blueLimits));
+    return s;
   }
 
   private FieldSize field() {
-    return switch (division.toUpperCase(Locale.ROOT)) {
+    return switch (division == null ? "A" : division.toUpperCase(Locale.ROOT)) {
       case "A" -> FieldSize.DIVISION_A;
       case "B" -> FieldSize.DIVISION_B;
       default ->

@@ -1,10 +1,14 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.twin.TwinFile;
 import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.Preset;
+import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.VisionCharacter;
 import fieldcal.simulation.robot.RobotCharacter;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -17,6 +21,14 @@ final class SimulatedFieldOptions {
       paramLabel = "NAME",
       description = "simulated field as it was found: lab, german-open-2026 or robocup-2026")
   private String preset;
+
+  @Option(
+      names = "--like",
+      paramLabel = "FILE",
+      description =
+          "simulated field with the ball, cameras, kickers and robots of a twin.json that twin"
+              + " wrote")
+  private Path like;
 
   @Option(
       names = "--effect",
@@ -46,14 +58,38 @@ final class SimulatedFieldOptions {
     return RobotCharacter.parse(robots);
   }
 
-  /** The field of the preset, if there is one, with the vision that is wanted. */
-  SimulationSettings withPreset(SimulationSettings settings) {
+  /** Whether the field is a twin's: then it says itself what it is made of. */
+  boolean likeTwin() {
+    return like != null;
+  }
+
+  /**
+   * The field of the twin or of the preset, if there is one, with the vision that is wanted. The scenario and the seed stay.
+   *
+   * @throws IOException when the twin's file cannot be read or is none
+   */
+  SimulationSettings withPreset(SimulationSettings settings) throws IOException {
+    if (like != null && preset != null) {
+      throw new IllegalArgumentException("--like and --preset both say what the field is like");
+    }
     SimulationSettings found = preset == null ? settings : Preset.of(preset).applyTo(settings);
+    if (like != null) {
+      if (!vision.equals("ideal")) {
+        throw new IllegalArgumentException("--vision-like contradicts --like");
+      }
+      SimulationSettings twin = TwinFile.read(like).settings();
+      ScenarioSettings robots = twin.scenario();
+      found =
+          twin.withSeed(settings.seed())
+              .withScenario(settings.scenario().withLimits(robots.yellow(), robots.blue()));
+    }
     return VisionCharacter.apply(VisionCharacter.parse(vision), found);
   }
 
-  /** With the effects, and no others. */
+  /** With these effects beside those of the twin; without a twin, with no others. */
   SimulationSettings withEffects(SimulationSettings settings) {
-    return settings.withEffects(effects.stream().map(EffectSetting::parse).toList());
+    List<EffectSetting> all = new ArrayList<>(like == null ? List.of() : settings.effects());
+    effects.stream().map(EffectSetting::parse).forEach(all::add);
+    return settings.withEffects(all);
   }
 }

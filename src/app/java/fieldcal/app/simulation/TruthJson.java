@@ -10,6 +10,7 @@ import fieldcal.simulation.KickBehaviour;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraErrors;
 import fieldcal.simulation.imaging.CameraSettings;
+import fieldcal.simulation.imaging.InstalledCamera;
 import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.simulation.physics.AirLaw;
 import fieldcal.simulation.physics.BallEvent;
@@ -26,6 +27,7 @@ import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.simulation.truth.RobotTruth;
 import fieldcal.simulation.truth.Truth;
 import fieldcal.vision.RobotId;
+import java.util.List;
 import java.util.Locale;
 
 /**
@@ -64,7 +66,12 @@ public final class TruthJson {
     root.set("ideal_model", idealModel(truth));
     root.set("kicker", kicker(truth.kickBehaviour()));
     root.set("vision", vision(truth));
-    root.set("nuisance", nuisance(settings.nuisance()));
+    if (settings.installed().isEmpty()) {
+      root.set("nuisance", nuisance(settings.nuisance()));
+    } else {
+      ArrayNode each = root.putArray("nuisance");
+      settings.installed().forEach(c -> each.add(nuisance(c.nuisance())));
+    }
     root.set("cameras", cameras(truth));
     ArrayNode robots = root.putArray("robots");
     truth.robots().forEach(robot -> robots.add(robot(robot)));
@@ -243,9 +250,19 @@ public final class TruthJson {
   private static ObjectNode vision(Truth truth) {
     CameraSettings cameras = truth.settings().cameras();
     ObjectNode node = JSON.objectNode();
-    node.put("ball_noise_mm_at_nadir", 1000 * cameras.ballNoise());
-    node.put("robot_sigma_mm", 1000 * cameras.robotNoise());
-    node.put("robot_sigma_rad", cameras.robotAngleNoise());
+    List<InstalledCamera> installed = truth.settings().installed();
+    if (installed.isEmpty()) {
+      node.put("ball_noise_mm_at_nadir", 1000 * cameras.ballNoise());
+      node.put("robot_sigma_mm", 1000 * cameras.robotNoise());
+      node.put("robot_sigma_rad", cameras.robotAngleNoise());
+    } else {
+      ArrayNode noises = node.putArray("ball_noise_mm_at_nadir");
+      installed.forEach(c -> noises.add(1000 * c.ballNoise()));
+      ArrayNode robots = node.putArray("robot_sigma_mm");
+      installed.forEach(c -> robots.add(1000 * c.robotNoise()));
+      ArrayNode angles = node.putArray("robot_sigma_rad");
+      installed.forEach(c -> angles.add(c.robotAngleNoise()));
+    }
     node.put("assumed_ball_height_mm", rounded(1000 * truth.ballPlane(), 6));
     node.put("disagreement_mm", 1000 * cameras.disagreement());
     node.put("rolling_shutter_ms", 1000 * truth.rollingShutter());

@@ -20,6 +20,7 @@ import java.util.List;
  * @param shakeRate how often it swings, 1/s
  * @param knocks what moved it during the session
  * @param shear an error of the lens that is not radial: what it reports is shifted along x by shear·ξ²·η, with ξ, η = place relative to the point below the camera over its height, m
+ * @param tables errors that were measured and have no formula
  */
 public record CameraErrors(
     double tilt,
@@ -35,15 +36,17 @@ public record CameraErrors(
     double shakeAmplitude,
     double shakeRate,
     List<Knock> knocks,
-    double shear) {
+    double shear,
+    List<TabulatedError> tables) {
 
   /** Nothing is wrong. */
   public static final CameraErrors NONE =
-      new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, List.of(), 0);
+      new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, List.of(), 0, List.of());
 
   /** Copies the list. {@inheritDoc} */
   public CameraErrors {
     knocks = List.copyOf(knocks);
+    tables = List.copyOf(tables);
   }
 
   /**
@@ -77,7 +80,8 @@ public record CameraErrors(
         shakeAmplitude,
         shakeRate,
         knocks,
-        shear);
+        shear,
+        tables);
   }
 
   /**
@@ -103,7 +107,8 @@ public record CameraErrors(
         shakeAmplitude,
         shakeRate,
         knocks,
-        shear);
+        shear,
+        tables);
   }
 
   /**
@@ -127,7 +132,8 @@ public record CameraErrors(
         shakeAmplitude,
         shakeRate,
         knocks,
-        shear);
+        shear,
+        tables);
   }
 
   /**
@@ -152,7 +158,8 @@ public record CameraErrors(
         shakeAmplitude,
         shakeRate,
         knocks,
-        shear);
+        shear,
+        tables);
   }
 
   /**
@@ -177,7 +184,8 @@ public record CameraErrors(
         shakeAmplitude,
         shakeRate,
         knocks,
-        shear);
+        shear,
+        tables);
   }
 
   /**
@@ -202,7 +210,8 @@ public record CameraErrors(
         amplitude,
         rate,
         knocks,
-        shear);
+        shear,
+        tables);
   }
 
   /**
@@ -216,7 +225,7 @@ public record CameraErrors(
   public CameraErrors withKnock(double x, double y, double at) {
     List<Knock> all = new ArrayList<>(knocks);
     all.add(new Knock(x, y, at));
-    return with(all, shear);
+    return with(all, shear, tables);
   }
 
   /**
@@ -226,10 +235,23 @@ public record CameraErrors(
    * @return the changed errors
    */
   public CameraErrors withShear(double metres) {
-    return with(knocks, metres);
+    return with(knocks, metres, tables);
   }
 
-  private CameraErrors with(List<Knock> newKnocks, double newShear) {
+  /**
+   * One more error that has no formula.
+   *
+   * @param table what it is
+   * @return the changed errors
+   */
+  public CameraErrors withTable(TabulatedError table) {
+    List<TabulatedError> all = new ArrayList<>(tables);
+    all.add(table);
+    return with(knocks, shear, all);
+  }
+
+  private CameraErrors with(
+      List<Knock> newKnocks, double newShear, List<TabulatedError> newTables) {
     return new CameraErrors(
         tilt,
         tiltAxis,
@@ -244,7 +266,8 @@ public record CameraErrors(
         shakeAmplitude,
         shakeRate,
         newKnocks,
-        newShear);
+        newShear,
+        newTables);
   }
 
   /**
@@ -258,7 +281,9 @@ public record CameraErrors(
     CameraErrors shaken = Math.abs(shakeAmplitude) >= Math.abs(other.shakeAmplitude) ? this : other;
     List<Knock> all = new ArrayList<>(knocks);
     all.addAll(other.knocks);
-    return NONE.with(all, shear + other.shear)
+    List<TabulatedError> both = new ArrayList<>(tables);
+    both.addAll(other.tables);
+    return NONE.with(all, shear + other.shear, both)
         .withTilt(tilted.tilt, tilted.tiltAxis)
         .withShift(shiftX + other.shiftX, shiftY + other.shiftY, heightError + other.heightError)
         .withDistortion(distortionError + other.distortionError)
@@ -272,21 +297,35 @@ public record CameraErrors(
     return shakeAmplitude == 0 ? 0 : shakeAmplitude * Math.sin(2 * Math.PI * shakeRate * time);
   }
 
-  /** By how much what is reported of a place is shifted along x at a time, m. */
-  double shiftXAt(double time, double xi, double eta) {
-    double shift = offsetX + shakeAt(time) + shear * xi * xi * eta;
+  /**
+   * By how much what is reported of a place is shifted at a time.
+   *
+   * @param time session time, s
+   * @param dx place relative to the point below the camera, m
+   * @param dy the same, m
+   * @param height of the camera, m
+   * @param shift gets x and y, m
+   */
+  void shiftAt(double time, double dx, double dy, double height, double[] shift) {
+    double xi = dx / height;
+    double eta = dy / height;
+    shift[0] = offsetX + shakeAt(time) + shear * xi * xi * eta;
+    shift[1] = offsetY;
     for (Knock knock : knocks) {
-      shift += time < knock.at() ? 0 : knock.x();
+      shift[0] += time < knock.at() ? 0 : knock.x();
+      shift[1] += time < knock.at() ? 0 : knock.y();
     }
-    return shift;
+    for (TabulatedError table : tables) {
+      table.addShift(time, dx, dy, shift);
+    }
   }
 
-  /** By how much what is reported is shifted along y at a time, m. */
-  double shiftYAt(double time) {
-    double shift = offsetY;
-    for (Knock knock : knocks) {
-      shift += time < knock.at() ? 0 : knock.y();
+  /** What is added to time stamps at a time, s. */
+  double stampErrorAt(double time) {
+    double error = timeOffset + clockSkew * time;
+    for (TabulatedError table : tables) {
+      error += table.stampError(time);
     }
-    return shift;
+    return error;
   }
 }

@@ -1,7 +1,9 @@
 package fieldcal.simulation.imaging;
 
+import fieldcal.camera.CameraCalibration;
 import fieldcal.simulation.FieldSize;
 import fieldcal.simulation.RandomStream;
+import fieldcal.simulation.physics.Region;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -75,6 +77,52 @@ public final class CameraRig {
           SimulatedCamera.create(id, pose, lens, all, rollingShutter, settings, nuisance, seed));
     }
     return List.copyOf(cameras);
+  }
+
+  /**
+   * Cameras that hang already.
+   *
+   * @param installed the cameras, by id
+   * @param settings the plane that vision projects onto, and whether cameras take their frames together; the rest does not count
+   * @param errors what is wrong with each besides, in the order of the cameras
+   * @param rollingShutter time from the first to the last image row, s
+   * @param from session time at which the recording begins, s
+   * @param seed of the simulation
+   * @return the cameras, in the same order
+   */
+  public static List<SimulatedCamera> of(
+      List<InstalledCamera> installed,
+      CameraSettings settings,
+      List<CameraErrors> errors,
+      double rollingShutter,
+      double from,
+      long seed) {
+    List<SimulatedCamera> cameras = new ArrayList<>();
+    for (int i = 0; i < installed.size(); i++) {
+      cameras.add(
+          SimulatedCamera.create(
+              installed.get(i), errors.get(i), rollingShutter, settings, from, seed));
+    }
+    return List.copyOf(cameras);
+  }
+
+  /**
+   * The calibration of a perfect camera that looks straight down and sees an area.
+   *
+   * @param id of the camera
+   * @param x position, m
+   * @param y position, m
+   * @param z height above the carpet, m
+   * @param area on the ground; {@link Region#NONE} = as far to each side as the camera is high
+   * @return complete, with an image size
+   */
+  public static CameraCalibration lookingDown(int id, double x, double y, double z, Region area) {
+    boolean open = area.equals(Region.NONE);
+    double halfX = open ? z : Math.max(area.x1() - x, x - area.x0());
+    double halfY = open ? z : Math.max(area.y1() - y, y - area.y0());
+    double focal = fit(Math.max(halfX, 0.1), Math.max(halfY, 0.1), z, 0);
+    Pose.Lens lens = new Pose.Lens(focal, IMAGE_WIDTH / 2.0, IMAGE_HEIGHT / 2.0, 0);
+    return Pose.lookingDown(x, y, z, 0).calibration(id, lens, IMAGE_WIDTH, IMAGE_HEIGHT);
   }
 
   /** Focal length in pixels at which an area fits into the image. */

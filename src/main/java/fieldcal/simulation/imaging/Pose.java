@@ -7,6 +7,18 @@ import fieldcal.camera.CameraCalibration;
  */
 record Pose(double x, double y, double z, double qx, double qy, double qz, double qw) {
 
+  /** The pose that a calibration says. */
+  static Pose of(CameraCalibration c) {
+    double norm = Math.sqrt(c.q0() * c.q0() + c.q1() * c.q1() + c.q2() * c.q2() + c.q3() * c.q3());
+    Pose turned = new Pose(0, 0, 0, c.q0() / norm, c.q1() / norm, c.q2() / norm, c.q3() / norm);
+    double[] r = turned.matrix();
+    // C = −Rᵀ·t
+    return turned.moved(
+        -(r[0] * c.tx() + r[3] * c.ty() + r[6] * c.tz()),
+        -(r[1] * c.tx() + r[4] * c.ty() + r[7] * c.tz()),
+        -(r[2] * c.tx() + r[5] * c.ty() + r[8] * c.tz()));
+  }
+
   /** Looks straight down, the image's x axis at an angle from the field's. */
   static Pose lookingDown(double x, double y, double z, double yaw) {
     // First turn the world by −yaw about z, then by 180° about x.
@@ -41,6 +53,21 @@ record Pose(double x, double y, double z, double qx, double qy, double qz, doubl
         qw * pw - qx * px - qy * py - qz * pz);
   }
 
+  /** The rotation, row by row. */
+  private double[] matrix() {
+    return new double[] {
+      qw * qw + qx * qx - qy * qy - qz * qz,
+      2.0 * (qx * qy - qw * qz),
+      2.0 * (qx * qz + qw * qy),
+      2.0 * (qx * qy + qw * qz),
+      qw * qw - qx * qx + qy * qy - qz * qz,
+      2.0 * (qy * qz - qw * qx),
+      2.0 * (qx * qz - qw * qy),
+      2.0 * (qy * qz + qw * qx),
+      qw * qw - qx * qx - qy * qy + qz * qz
+    };
+  }
+
   /** The calibration as it is published: 32-bit numbers, millimetres. */
   CameraCalibration calibration(int id, Lens lens, int width, int height) {
     double q0 = (float) qx;
@@ -48,18 +75,10 @@ record Pose(double x, double y, double z, double qx, double qy, double qz, doubl
     double q2 = (float) qz;
     double q3 = (float) qw;
     // t = −R·C with the rotation as rounded.
-    double r00 = q3 * q3 + q0 * q0 - q1 * q1 - q2 * q2;
-    double r01 = 2.0 * (q0 * q1 - q3 * q2);
-    double r02 = 2.0 * (q0 * q2 + q3 * q1);
-    double r10 = 2.0 * (q0 * q1 + q3 * q2);
-    double r11 = q3 * q3 - q0 * q0 + q1 * q1 - q2 * q2;
-    double r12 = 2.0 * (q1 * q2 - q3 * q0);
-    double r20 = 2.0 * (q0 * q2 - q3 * q1);
-    double r21 = 2.0 * (q1 * q2 + q3 * q0);
-    double r22 = q3 * q3 - q0 * q0 - q1 * q1 + q2 * q2;
-    double tx = -(r00 * x + r01 * y + r02 * z);
-    double ty = -(r10 * x + r11 * y + r12 * z);
-    double tz = -(r20 * x + r21 * y + r22 * z);
+    double[] r = new Pose(x, y, z, q0, q1, q2, q3).matrix();
+    double tx = -(r[0] * x + r[1] * y + r[2] * z);
+    double ty = -(r[3] * x + r[4] * y + r[5] * z);
+    double tz = -(r[6] * x + r[7] * y + r[8] * z);
     return new CameraCalibration(
         id,
         (float) lens.focalLength(),
@@ -81,5 +100,13 @@ record Pose(double x, double y, double z, double qx, double qy, double qz, doubl
   }
 
   /** Focal length and principal point in pixels, radial distortion. */
-  record Lens(double focalLength, double principalX, double principalY, double distortion) {}
+  record Lens(double focalLength, double principalX, double principalY, double distortion) {
+    static Lens of(CameraCalibration c) {
+      return new Lens(c.focalLength(), c.principalPointX(), c.principalPointY(), c.distortion());
+    }
+
+    Lens withDistortion(double coefficient) {
+      return new Lens(focalLength, principalX, principalY, coefficient);
+    }
+  }
 }

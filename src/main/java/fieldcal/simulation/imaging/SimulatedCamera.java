@@ -3,6 +3,7 @@ package fieldcal.simulation.imaging;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.simulation.RandomStream;
+import fieldcal.simulation.physics.Region;
 import fieldcal.vision.BallDetection;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.VisionFrame;
@@ -20,13 +21,16 @@ public final class SimulatedCamera {
   private final CameraCalibration publishedCalibration;
   private final Camera trueCamera;
   private final Camera publishedCamera;
+  private final InstalledCamera installed;
   private final CameraErrors errors;
   private final double rollingShutter;
-  private final CameraSettings settings;
+  private final double ballPlane;
   private final Nuisance nuisance;
-  private final double pixelNoise;
-  private final double rate;
-  private final double phase;
+  private final boolean noiseInImage;
+
+  /** Pixels where it is in the image, else m. */
+  private final double noise;
+
   private final RandomStream timing;
   private final RandomStream transfer;
   private final RandomStream sensor;
@@ -35,8 +39,9 @@ public final class SimulatedCamera {
   private final double[] ball = new double[3];
   private final double[] pixel = new double[2];
   private final double[] ground = new double[2];
+  private final double[] shift = new double[2];
 
-  private long index = -1;
+  private long index;
   private double exposure;
   private double stamp;
   private double sent;
@@ -45,34 +50,57 @@ public final class SimulatedCamera {
 
   private SimulatedCamera(
       CameraCalibration trueCalibration,
-      CameraCalibration publishedCalibration,
-      CameraErrors errors,
+      InstalledCamera installed,
+      Beat beat,
       double rollingShutter,
-      CameraSettings settings,
-      Nuisance nuisance,
+      double ballPlane,
       long seed) {
     this.trueCalibration = trueCalibration;
-    this.publishedCalibration = publishedCalibration;
-    this.errors = errors;
+    this.installed = installed;
     this.rollingShutter = rollingShutter;
-    this.settings = settings;
-    this.nuisance = nuisance;
+    this.ballPlane = ballPlane;
+    publishedCalibration = installed.vision();
+    errors = installed.errors();
+    nuisance = installed.nuisance();
     trueCamera = Camera.of(trueCalibration);
-    publishedCamera = Camera.of(publishedCalibration, settings.ballPlane());
-    pixelNoise =
-        settings.ballNoise() * trueCalibration.focalLength() / trueCamera.heightAboveBallPlane();
+    publishedCamera = Camera.of(publishedCalibration, ballPlane);
+    noiseInImage = installed.noiseGrowth() == InstalledCamera.NoiseGrowth.IMAGE;
+    noise =
+        noiseInImage
+            ? installed.ballNoise()
+                * trueCalibration.focalLength()
+                / trueCamera.heightAboveBallPlane()
+            : installed.ballNoise();
     String name = " of camera " + trueCalibration.id();
-    boolean together = settings.exposure() == CameraSettings.Exposure.TOGETHER;
-    timing = RandomStream.of(seed, together ? "timing of all cameras" : "timing" + name);
-    transfer = together ? RandomStream.of(seed, "transfer" + name) : timing;
+    timing = beat.timing();
+    transfer =
+        beat.exposure() == CameraSettings.Exposure.TOGETHER
+            ? RandomStream.of(seed, "transfer" + name)
+            : timing;
     sensor = RandomStream.of(seed, "balls" + name);
     robotSensor = RandomStream.of(seed, "robots" + name);
     falseBalls = new FalseBalls(nuisance, RandomStream.of(seed, "false balls" + name));
-    rate = timing.uniform(settings.rateMin(), settings.rateMax());
-    phase = timing.uniform(0, 1 / rate);
+    // A session may begin late on its clock.
+    index = (long) Math.ceil((beat.from() - installed.phase()) * installed.rate()) - 1;
     advance();
   }
 
+  /**
+   * When a camera takes its frames.
+   *
+   * @param exposure whether all cameras share the beat
+   * @param timing luck of the beat
+   * @param from session time of the first frame, s
+   */
+  record Beat(CameraSettings.Exposure exposure, RandomStream timing, double from) {
+    static Beat of(long seed, int camera, CameraSettings.Exposure exposure, double from) {
+      boolean together = exposure == CameraSettings.Exposure.TOGETHER;
+      String purpose = together ? "timing of all cameras" : "timing of camera " + camera;
+      return new Beat(exposure, RandomStream.of(seed, purpose), from);
+    }
+  }
+
+  /** A camera whose true pose is known; what vision believes follows from its errors. */
   static SimulatedCamera create(
       int id,
       Pose pose,
@@ -85,22 +113,71 @@ public final class SimulatedCamera {
     Pose published =
         pose.tilted(errors.tilt(), errors.tiltAxis())
             .moved(errors.shiftX(), errors.shiftY(), errors.heightError());
-    Pose.Lens publishedLens =
-        new Pose.Lens(
-            lens.focalLength(),
-            lens.principalX(),
-            lens.principalY(),
-            lens.distortion() + errors.distortionError());
-    int width = CameraRig.IMAGE_WIDTH;
-    int height = CameraRig.IMAGE_HEIGHT;
+    CameraCalibration vision =
+        published.calibration(
+            id,
+            lens.withDistortion(lens.distortion() + errors.distortionError()),
+            CameraRig.IMAGE_WIDTH,
+            CameraRig.IMAGE_HEIGHT);
+    Beat beat = Beat.of(seed, id, settings.exposure(), 0);
+    double rate = beat.timing().uniform(settings.rateMin(), settings.rateMax());
+    double phase = beat.timing().uniform(0, 1 / rate);
+    InstalledCamera installed =
+        new InstalledCamera(
+            vision,
+            vision,
+            true,
+            Region.NONE,
+            settings.ballNoise(),
+            InstalledCamera.NoiseGrowth.IMAGE,
+            settings.robotNoise(),
+            settings.robotAngleNoise(),
+            rate,
+            phase,
+            LATENCY,
+            LATENCY_SPREAD,
+            nuisance,
+            errors);
     return new SimulatedCamera(
-        pose.calibration(id, lens, width, height),
-        published.calibration(id, publishedLens, width, height),
-        errors,
+        pose.calibration(id, lens, CameraRig.IMAGE_WIDTH, CameraRig.IMAGE_HEIGHT),
+        installed,
+        beat,
         rollingShutter,
-        settings,
-        nuisance,
+        settings.ballPlane(),
         seed);
+  }
+
+  /** A camera of which is known what vision believes; its true pose follows from its errors. */
+  static SimulatedCamera create(
+      InstalledCamera camera,
+      CameraErrors more,
+      double rollingShutter,
+      CameraSettings settings,
+      double from,
+      long seed) {
+    CameraErrors errors = camera.errors().plus(more);
+    CameraCalibration vision = camera.vision();
+    boolean hangsRight =
+        errors.tilt() == 0
+            && errors.shiftX() == 0
+            && errors.shiftY() == 0
+            && errors.heightError() == 0
+            && errors.distortionError() == 0;
+    CameraCalibration truth =
+        hangsRight
+            ? vision
+            : Pose.of(vision)
+                .moved(-errors.shiftX(), -errors.shiftY(), -errors.heightError())
+                .tilted(-errors.tilt(), errors.tiltAxis())
+                .calibration(
+                    vision.id(),
+                    Pose.Lens.of(vision)
+                        .withDistortion(vision.distortion() - errors.distortionError()),
+                    vision.imageWidth(),
+                    vision.imageHeight());
+    Beat beat = Beat.of(seed, vision.id(), settings.exposure(), from);
+    return new SimulatedCamera(
+        truth, camera.withErrors(errors), beat, rollingShutter, settings.ballPlane(), seed);
   }
 
   /**
@@ -122,6 +199,15 @@ public final class SimulatedCamera {
   }
 
   /**
+   * The camera as the geometry messages announce it.
+   *
+   * @return the announced calibration
+   */
+  public CameraCalibration announcedCalibration() {
+    return installed.announced();
+  }
+
+  /**
    * What is wrong with it, the contradiction between cameras included.
    *
    * @return the errors
@@ -136,7 +222,7 @@ public final class SimulatedCamera {
    * @return 1/s
    */
   public double rate() {
-    return rate;
+    return installed.rate();
   }
 
   /**
@@ -185,14 +271,12 @@ public final class SimulatedCamera {
 
   private void advance() {
     index++;
-    double beat = phase + index / rate;
+    double rate = installed.rate();
+    double beat = installed.phase() + index / rate;
     exposure = beat + limited(timing.gaussian(nuisance.jitter()));
     stamp =
-        exposure
-            + limited(timing.gaussian(nuisance.stampNoise()))
-            + errors.timeOffset()
-            + errors.clockSkew() * exposure;
-    sent = exposure + LATENCY + Math.abs(transfer.gaussian(LATENCY_SPREAD));
+        exposure + limited(timing.gaussian(nuisance.stampNoise())) + errors.stampErrorAt(exposure);
+    sent = exposure + installed.latency() + Math.abs(transfer.gaussian(installed.latencySpread()));
     if (transfer.happens(nuisance.burstRate() / rate)) {
       blindUntil = beat + transfer.uniform(0.05, 0.4);
     }
@@ -203,14 +287,14 @@ public final class SimulatedCamera {
 
   /** Frames must stay in order. */
   private double limited(double deviation) {
-    double most = 0.4 / rate;
+    double most = 0.4 / installed.rate();
     return Math.max(-most, Math.min(most, deviation));
   }
 
   private void seeBall(Scene scene, List<RobotView> robots, List<BallDetection> balls) {
     // Draw first: what a frame shows must not change the luck of the next one.
-    double noiseU = sensor.gaussian(pixelNoise);
-    double noiseV = sensor.gaussian(pixelNoise);
+    double noiseU = sensor.gaussian(noise);
+    double noiseV = sensor.gaussian(noise);
     boolean missed = sensor.happens(nuisance.ballMiss());
     double brightness = sensor.uniform(0.9, 1.1);
     double confidence = sensor.uniform(0.88, 1);
@@ -236,36 +320,54 @@ public final class SimulatedCamera {
     double area =
         Math.PI * Camera.BALL_RADIUS * Camera.BALL_RADIUS * scale * scale * share * brightness;
     BallDetection seen =
-        report(pixel[0] + noiseU, pixel[1] + noiseV, (int) Math.round(area), confidence * share);
-    if (seen != null) {
+        report(
+            pixel[0] + (noiseInImage ? noiseU : 0),
+            pixel[1] + (noiseInImage ? noiseV : 0),
+            noiseInImage ? 0 : noiseU,
+            noiseInImage ? 0 : noiseV,
+            (int) Math.round(area),
+            confidence * share);
+    if (seen != null && inView(seen.x(), seen.y())) {
       balls.add(seen);
     }
   }
 
+  private boolean inView(double x, double y) {
+    Region view = installed.view();
+    return view.equals(Region.NONE) || view.contains(x, y);
+  }
+
   /** A ball as vision reports it; null when the published calibration has no ground there. */
   BallDetection report(double u, double v, int area, double confidence) {
-    float pixelX = (float) u;
-    float pixelY = (float) v;
-    publishedCamera.pixelToPlane(u, v, settings.ballPlane() - Camera.BALL_RADIUS, ground);
+    return report(u, v, 0, 0, area, confidence);
+  }
+
+  private BallDetection report(
+      double u, double v, double noiseX, double noiseY, int area, double confidence) {
+    publishedCamera.pixelToPlane(u, v, ballPlane - Camera.BALL_RADIUS, ground);
     if (!Double.isFinite(ground[0]) || !Double.isFinite(ground[1])) {
       return null;
     }
+    shift();
+    boolean pixels = installed.reportsPixels();
     return new BallDetection(
-        Millimetres.rounded(ground[0] + shiftX()),
-        Millimetres.rounded(ground[1] + errors.shiftYAt(exposure)),
+        Millimetres.rounded(ground[0] + shift[0] + noiseX),
+        Millimetres.rounded(ground[1] + shift[1] + noiseY),
         Double.NaN,
         (float) confidence,
         area,
-        pixelX,
-        pixelY);
+        pixels ? (float) u : 0,
+        pixels ? (float) v : 0);
   }
 
-  /** By how much what is seen at the present place on the ground is reported along x, m. */
-  private double shiftX() {
-    double height = publishedCamera.positionZ();
-    double xi = (ground[0] - publishedCalibration.derivedWorldX()) / height;
-    double eta = (ground[1] - publishedCalibration.derivedWorldY()) / height;
-    return errors.shiftXAt(exposure, xi, eta);
+  /** By how much what is seen at the present place on the ground is reported aside. */
+  private void shift() {
+    errors.shiftAt(
+        exposure,
+        ground[0] - publishedCamera.positionX(),
+        ground[1] - publishedCamera.positionY(),
+        publishedCamera.positionZ(),
+        shift);
   }
 
   /** Where a point of the world appears in the image; false when it does not. */
@@ -275,9 +377,9 @@ public final class SimulatedCamera {
   }
 
   private void seeRobot(RobotView robot, List<RobotDetection> detections) {
-    double noiseX = robotSensor.gaussian(settings.robotNoise());
-    double noiseY = robotSensor.gaussian(settings.robotNoise());
-    double noiseAngle = robotSensor.gaussian(settings.robotAngleNoise());
+    double noiseX = robotSensor.gaussian(installed.robotNoise());
+    double noiseY = robotSensor.gaussian(installed.robotNoise());
+    double noiseAngle = robotSensor.gaussian(installed.robotAngleNoise());
     boolean missed = robotSensor.happens(nuisance.robotMiss());
     double confidence = robotSensor.uniform(0.8, 1);
     if (missed || !imageOf(robot.x(), robot.y(), robot.height(), pixel)) {
@@ -287,12 +389,18 @@ public final class SimulatedCamera {
     if (!Double.isFinite(ground[0]) || !Double.isFinite(ground[1])) {
       return;
     }
+    shift();
+    double x = ground[0] + shift[0] + noiseX;
+    double y = ground[1] + shift[1] + noiseY;
+    if (!inView(x, y)) {
+      return;
+    }
     double turn = Math.IEEEremainder(robot.orientation() + noiseAngle, 2 * Math.PI);
     detections.add(
         new RobotDetection(
             robot.id(),
-            Millimetres.rounded(ground[0] + shiftX() + noiseX),
-            Millimetres.rounded(ground[1] + errors.shiftYAt(exposure) + noiseY),
+            Millimetres.rounded(x),
+            Millimetres.rounded(y),
             (float) turn,
             (float) confidence,
             Millimetres.rounded(robot.height())));

@@ -225,19 +225,30 @@ public final class BallIntegrator {
     double vz = s[5];
     forces.moment(0, s);
     double dampingZ =
-        Math.max(0, Math.min(0.98, law.dampingZ(first, -vz) * forces.extraRestitution()));
+        Math.max(
+            0,
+            Math.min(
+                0.98,
+                law.dampingZ(first, -vz) * forces.extraRestitution() + forces.addedRestitution()));
     double along = forces.extraAlong();
+    double addedAlong = forces.addedAlong();
+    double turn = forces.turn();
     if (law.tangential() instanceof FixedLoss loss) {
-      double damping = first ? loss.firstHop() : loss.otherHops();
+      double damping = addedAlong + (first ? loss.firstHop() : loss.otherHops());
       double limit = physics.ground().slidingFriction() * (1 + dampingZ) * Math.abs(vz);
       loseFixedShare(ball, damping, spinShare(loss), limit);
     } else {
       touch(s, (Contact) law.tangential(), law.spinCoupling(), dampingZ);
+      s[3] += addedAlong * vx;
+      s[4] += addedAlong * vy;
     }
     s[3] *= along;
     s[4] *= along;
     ball.gainedVelocity[0] *= along;
     ball.gainedVelocity[1] *= along;
+    if (turn != 0) {
+      turn(ball, turn);
+    }
     s[5] = -dampingZ * vz;
     ball.countImpact();
     boolean lands = s[5] * s[5] < 2 * BallPhysics.GRAVITY * law.minHopHeight();
@@ -307,6 +318,22 @@ public final class BallIntegrator {
     gained[0] += addedX;
     gained[1] += addedY;
     restore(s, gained, spin);
+  }
+
+  /** Turns all that an impact left, about the vertical. */
+  private static void turn(BallBody ball, double angle) {
+    double cos = Math.cos(angle);
+    double sin = Math.sin(angle);
+    turn(ball.state, 3, cos, sin);
+    turn(ball.state, 6, cos, sin);
+    turn(ball.givenSpin, 0, cos, sin);
+    turn(ball.gainedVelocity, 0, cos, sin);
+  }
+
+  private static void turn(double[] v, int at, double cos, double sin) {
+    double x = v[at];
+    v[at] = cos * x - sin * v[at + 1];
+    v[at + 1] = sin * x + cos * v[at + 1];
   }
 
   private static void remove(double[] s, double[] velocity, double[] spin) {

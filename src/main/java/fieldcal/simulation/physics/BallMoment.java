@@ -11,6 +11,7 @@ public final class BallMoment {
   double sessionTime;
   double sinceKick;
   double path;
+  int hop;
 
   BallMoment() {}
 
@@ -111,5 +112,14 @@ public final class BallMoment {
    */
   public double path() {
     return path;
+  }
+
+  /**
+   * Which impact comes next since the ball was launched last; at an impact, which it is.
+   *
+   * @return 1 = the first
+   */
+  public int hop() {
+    return hop;
   }
 }

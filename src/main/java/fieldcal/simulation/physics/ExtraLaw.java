@@ -50,4 +50,54 @@ public interface ExtraLaw {
    * @param acceleration x and y, m/s²; add to it
    */
   default void push(BallMoment moment, double[] acceleration) {}
+
+  /**
+   * Acceleration along the path of a ball on the carpet; of a rolling ball all of it, not a part as of a force. It never drives a rolling ball.
+   *
+   * @param moment where and how the ball moves
+   * @return m/s², positive makes the ball faster
+   */
+  default double alongPath(BallMoment moment) {
+    return 0;
+  }
+
+  /**
+   * Acceleration across the path of a ball on the carpet.
+   *
+   * @param moment where and how the ball moves
+   * @return m/s², positive turns the path to the left
+   */
+  default double acrossPath(BallMoment moment) {
+    return 0;
+  }
+
+  /**
+   * What is added to the vertical restitution e_z of an impact.
+   *
+   * @param moment right before the impact
+   * @return 0 = no change
+   */
+  default double restitutionChange(BallMoment moment) {
+    return 0;
+  }
+
+  /**
+   * What is added to the fraction of the velocity along the carpet that an impact leaves.
+   *
+   * @param moment right before the impact
+   * @return 0 = no change
+   */
+  default double alongChange(BallMoment moment) {
+    return 0;
+  }
+
+  /**
+   * By how much an impact turns the path.
+   *
+   * @param moment right before the impact
+   * @return rad, positive to the left
+   */
+  default double turn(BallMoment moment) {
+    return 0;
+  }
 }

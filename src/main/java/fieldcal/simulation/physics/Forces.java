@@ -6,6 +6,9 @@ package fieldcal.simulation.physics;
 final class Forces {
   private static final double G = BallPhysics.GRAVITY;
 
+  /** What is left of a rolling ball's deceleration at least, whatever laws add, so that it stops (chosen). */
+  private static final double LEAST_BRAKING = 0.05;
+
   private final GroundLaw ground;
   private final double radius;
   private final double beta;
@@ -26,6 +29,7 @@ final class Forces {
   private double startX;
   private double startY;
   private double startPath;
+  private int hop = 1;
   private boolean worn;
   private double wear = 1;
   private boolean frozen;
@@ -62,6 +66,7 @@ final class Forces {
     startX = ball.state[0];
     startY = ball.state[1];
     startPath = ball.path();
+    hop = ball.impacts() + 1;
     for (int i = 0; i < seams.length; i++) {
       beyond[i] = seams[i].beyond(startX, startY);
     }
@@ -111,6 +116,7 @@ final class Forces {
         phase == MotionPhase.FLYING
             ? startPath
             : startPath + Math.hypot(s[0] - startX, s[1] - startY);
+    moment.hop = hop;
     return moment;
   }
 
@@ -146,6 +152,50 @@ final class Forces {
       factor *= law.alongFactor(moment);
     }
     return factor;
+  }
+
+  /** Added to e_z of an impact of the moment that was asked for last. */
+  double addedRestitution() {
+    double sum = 0;
+    for (ExtraLaw law : extras) {
+      sum += law.restitutionChange(moment);
+    }
+    return sum;
+  }
+
+  /** Added to the fraction of the velocity along the carpet that an impact of the moment that was asked for last leaves. */
+  double addedAlong() {
+    double sum = 0;
+    for (ExtraLaw law : extras) {
+      sum += law.alongChange(moment);
+    }
+    return sum;
+  }
+
+  /** By how much an impact of the moment that was asked for last turns the path, rad. */
+  double turn() {
+    double sum = 0;
+    for (ExtraLaw law : extras) {
+      sum += law.turn(moment);
+    }
+    return sum;
+  }
+
+  /** Adds what laws add along and across the path, along at most so much, m/s². */
+  private void addToPath(double[] s, double most, double[] rate) {
+    double speed = Math.sqrt(s[3] * s[3] + s[4] * s[4]);
+    if (extras.length == 0 || speed == 0) {
+      return;
+    }
+    double along = 0;
+    double across = 0;
+    for (ExtraLaw law : extras) {
+      along += law.alongPath(moment);
+      across += law.acrossPath(moment);
+    }
+    along = Math.min(most, along);
+    rate[3] += (along * s[3] - across * s[4]) / speed;
+    rate[4] += (along * s[4] + across * s[3]) / speed;
   }
 
   double spinDecay() {
@@ -256,6 +306,7 @@ final class Forces {
     double frictionY = -friction * directionY;
     rate[3] = frictionX + externalX;
     rate[4] = frictionY + externalY;
+    addToPath(s, friction, rate);
     rate[5] = 0;
     rate[6] = frictionY / (beta * radius);
     rate[7] = -frictionX / (beta * radius);
@@ -283,6 +334,7 @@ final class Forces {
             * ground.rollingDecelerationAt(s[3], s[4], stepTime + offset);
     rate[3] = -deceleration * directionX + externalX / (1 + beta);
     rate[4] = -deceleration * directionY + externalY / (1 + beta);
+    addToPath(s, (1 - LEAST_BRAKING) * deceleration, rate);
     rate[5] = 0;
     rate[6] = -rate[4] / radius;
     rate[7] = rate[3] / radius;

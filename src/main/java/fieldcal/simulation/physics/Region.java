@@ -25,7 +25,14 @@ public record Region(double x0, double x1, double y0, double y1) {
     Check.range("y1", y1, y0, Double.MAX_VALUE);
   }
 
-  boolean contains(double x, double y) {
+  /**
+   * Whether a place is inside.
+   *
+   * @param x m
+   * @param y m
+   * @return false on the edge
+   */
+  public boolean contains(double x, double y) {
     return x > x0 && x < x1 && y > y0 && y < y1;
   }
 }

@@ -1,0 +1,56 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.statistics.Comparison;
+import fieldcal.app.twin.TwinCheck;
+import fieldcal.app.twin.TwinOutcome;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/** Prints a twin and its check for the terminal. */
+final class TwinText {
+  private final PrintWriter out;
+
+  TwinText(PrintWriter out) {
+    this.out = out;
+  }
+
+  void print(TwinOutcome outcome, Path directory) {
+    TwinCheck check = outcome.check();
+    List<Comparison> different = check.different();
+    int all = check.comparisons().size();
+    line(
+        "The twin behaves like the field in %d of %d statistics; %d of %d kicks were found again.",
+        all - different.size(), all, check.found(), check.kicks());
+    if (!check.sentences().isEmpty()) {
+      line("%nWhat the twin does not reproduce:");
+      check.sentences().forEach(s -> line("-  %s", s));
+    }
+    line("%n%-24s %20s %20s   apart", "", "recording", "twin");
+    for (TwinCheck.Parameter p : check.parameters()) {
+      line(
+          "%-24s %20s %20s   %.1f σ",
+          p.name(),
+          String.format(Locale.ROOT, "%.4f ± %.4f", p.recorded(), p.recordedError()),
+          String.format(Locale.ROOT, "%.4f ± %.4f", p.twin(), p.twinError()),
+          p.sigmas());
+    }
+    if (!outcome.twin().settings().effects().isEmpty()) {
+      line("%nCauses in the twin:");
+      outcome.twin().settings().effects().forEach(e -> line("-  %s", e));
+    }
+    if (!outcome.twin().notes().isEmpty()) {
+      line("%nAssumed, or left out:");
+      outcome.twin().notes().forEach(n -> line("-  %s", n));
+    }
+    line(
+        "%nsettings: %s%nreport: %s",
+        directory.resolve("twin.json"), directory.resolve("twin.html"));
+    out.flush();
+  }
+
+  private void line(String format, Object... args) {
+    out.println(String.format(Locale.ROOT, format, args));
+  }
+}

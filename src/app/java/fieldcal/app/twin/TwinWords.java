@@ -1,0 +1,32 @@
+package fieldcal.app.twin;
+
+import fieldcal.app.statistics.Comparison;
+import java.util.Locale;
+
+/** A comparison in words. */
+final class TwinWords {
+  private TwinWords() {}
+
+  static String sentence(Comparison c) {
+    String words = c.statistic().words();
+    String unit = c.statistic().unit().isEmpty() ? "" : " " + c.statistic().unit();
+    return String.format(
+        Locale.ROOT,
+        "%s%s: %s%s in the recording, %s%s in the twin.",
+        words.substring(0, 1).toUpperCase(Locale.ROOT),
+        words.substring(1),
+        number(c.first()),
+        unit,
+        number(c.second()),
+        unit);
+  }
+
+  /** With four significant figures. */
+  static String number(double value) {
+    if (value == 0 || !Double.isFinite(value)) {
+      return value == 0 ? "0" : "–";
+    }
+    int decimals = (int) Math.max(0, Math.min(6, 3 - Math.floor(Math.log10(Math.abs(value)))));
+    return String.format(Locale.ROOT, "%." + decimals + "f", value);
+  }
+}

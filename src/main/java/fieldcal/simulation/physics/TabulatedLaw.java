@@ -1,0 +1,143 @@
+package fieldcal.simulation.physics;
+
+import java.util.Locale;
+import java.util.Objects;
+
+/**
+ * A law that was measured and has no formula: something of the ball's motion changes by a tabulated amount that depends on how or where it moves.
+ *
+ * @param changes what changes
+ * @param dependsOn on what the amount depends
+ * @param table the amount, in the unit of what changes
+ */
+public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) implements ExtraLaw {
+
+  /** What a table may change. */
+  public enum Quantity {
+    /** Acceleration along the path on the carpet, m/s²; positive makes the ball faster. */
+    ACCELERATION_ALONG,
+    /** Acceleration across the path on the carpet, m/s²; positive turns it to the left. */
+    ACCELERATION_ACROSS,
+    /** Added to e_z of an impact (–). */
+    VERTICAL_RESTITUTION,
+    /** Added to e_xy of an impact (–). */
+    TANGENTIAL_RESTITUTION,
+    /** Turn of the path at an impact, rad; positive to the left. */
+    TURN;
+
+    /**
+     * Its name in files.
+     *
+     * @return lower case with underscores
+     */
+    public String label() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether it acts at impacts, and not while the ball is on the carpet. */
+    boolean atImpacts() {
+      return this != ACCELERATION_ALONG && this != ACCELERATION_ACROSS;
+    }
+  }
+
+  /** On what a table may depend. */
+  public enum Variable {
+    /** Speed over the ground, m/s. */
+    SPEED(1),
+    /** Speed at which the contact point slips, m/s; the table does nothing while the ball rolls. */
+    SLIP(1),
+    /** Time since the kick, s. */
+    TIME_SINCE_KICK(1),
+    /** Session time, s. */
+    SESSION_TIME(1),
+    /** Direction of travel, rad. */
+    HEADING(1),
+    /** Place on the field, x and y, m. */
+    PLACE(2),
+    /** Way on the carpet since the kick, m. */
+    DISTANCE_ROLLED(1),
+    /** Vertical speed before an impact, m/s, positive. */
+    VERTICAL_SPEED(1),
+    /** Speed over the ground before an impact, m/s. */
+    GROUND_SPEED(1),
+    /** Which impact since the kick: 1 = the first. */
+    HOP(1);
+
+    private final int dimension;
+
+    Variable(int dimension) {
+      this.dimension = dimension;
+    }
+
+    /**
+     * Its name in files.
+     *
+     * @return lower case with underscores
+     */
+    public String label() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * How many numbers it is.
+     *
+     * @return 2 of a place, else 1
+     */
+    public int dimension() {
+      return dimension;
+    }
+  }
+
+  /**
+   * Checks that the table has as many dimensions as the variable. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when it has not
+   */
+  public TabulatedLaw {
+    Objects.requireNonNull(changes, "changes");
+    Objects.requireNonNull(dependsOn, "dependsOn");
+    if (table.isSurface() && dependsOn.dimension() == 1) {
+      throw new IllegalArgumentException(
+          dependsOn.label() + " is one number, but the " + table + " needs two");
+    }
+  }
+
+  private double at(BallMoment m) {
+    return switch (dependsOn) {
+      case SPEED, GROUND_SPEED -> table.at(m.groundSpeed(), 0);
+      case SLIP -> m.slip() > 0 ? table.at(m.slip(), 0) : 0;
+      case TIME_SINCE_KICK -> table.at(m.sinceKick(), 0);
+      case SESSION_TIME -> table.at(m.sessionTime(), 0);
+      case HEADING -> table.at(m.heading(), 0);
+      case PLACE -> table.at(m.x(), m.y());
+      case DISTANCE_ROLLED -> table.at(m.path(), 0);
+      case VERTICAL_SPEED -> table.at(Math.abs(m.vz()), 0);
+      case HOP -> table.at(m.hop(), 0);
+    };
+  }
+
+  @Override
+  public double alongPath(BallMoment moment) {
+    return changes == Quantity.ACCELERATION_ALONG ? at(moment) : 0;
+  }
+
+  @Override
+  public double acrossPath(BallMoment moment) {
+    return changes == Quantity.ACCELERATION_ACROSS ? at(moment) : 0;
+  }
+
+  @Override
+  public double restitutionChange(BallMoment moment) {
+    return changes == Quantity.VERTICAL_RESTITUTION ? at(moment) : 0;
+  }
+
+  @Override
+  public double alongChange(BallMoment moment) {
+    return changes == Quantity.TANGENTIAL_RESTITUTION ? at(moment) : 0;
+  }
+
+  @Override
+  public double turn(BallMoment moment) {
+    return changes == Quantity.TURN ? at(moment) : 0;
+  }
+}

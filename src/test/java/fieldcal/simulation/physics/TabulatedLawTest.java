@@ -1,0 +1,125 @@
+package fieldcal.simulation.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.simulation.physics.TabulatedLaw.Quantity;
+import fieldcal.simulation.physics.TabulatedLaw.Variable;
+import org.junit.jupiter.api.Test;
+
+/** Laws from tables do what the same law as a formula does. */
+class TabulatedLawTest {
+  private static final BallPhysics PLAIN = BallPhysics.ideal(-3, -0.3, 0.7, 0.75, 0.9, 0.5);
+
+  private static BallBody after(BallPhysics physics, double vx, double vz, double seconds) {
+    BallBody ball = new BallBody();
+    ball.launch(vx, 0, vz, 0, 0, 0);
+    new BallIntegrator(physics).advance(ball, 0, seconds, new BallHistory());
+    return ball;
+  }
+
+  private static double[] grid(double from, double to, int n) {
+    double[] grid = new double[n];
+    for (int i = 0; i < n; i++) {
+      grid[i] = from + (to - from) * i / (n - 1);
+    }
+    return grid;
+  }
+
+  private static BallPhysics with(Quantity quantity, Variable variable, Table table) {
+    return PLAIN.withExtra(new TabulatedLaw(quantity, variable, table));
+  }
+
+  @Test
+  void tableIsLinearBetweenPointsAndConstantBeyond() {
+    Table table = Table.curve(new double[] {0, 1, 3}, new double[] {0, 2, 4}, 0);
+    assertThat(table.at(0.5, 9)).isEqualTo(1);
+    assertThat(table.at(2, 0)).isEqualTo(3);
+    assertThat(table.at(-5, 0)).isZero();
+    assertThat(table.at(7, 0)).isEqualTo(4);
+    Table repeating = Table.curve(new double[] {0, 1, 2}, new double[] {0, 1, 0}, 2);
+    assertThat(repeating.at(5.25, 0)).isCloseTo(0.75, within(1e-12));
+    assertThat(repeating.at(-0.5, 0)).isCloseTo(0.5, within(1e-12));
+    Table surface =
+        Table.surface(new double[] {0, 1}, new double[] {0, 2}, new double[] {0, 1, 4, 5});
+    assertThat(surface.at(0.5, 1)).isEqualTo(2.5);
+  }
+
+  @Test
+  void tablesThatCannotBeAreRefused() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Table.curve(new double[] {0, 0}, new double[] {1, 2}, 0))
+        .withMessageContaining("ascend");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Table.curve(new double[] {0}, new double[] {Double.NaN}, 0));
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () ->
+                new TabulatedLaw(
+                    Quantity.TURN,
+                    Variable.HOP,
+                    Table.surface(new double[] {0}, new double[] {0, 1}, new double[2])))
+        .withMessageContaining("hop is one number");
+  }
+
+  /** Rolling deceleration that grows with speed, as a formula and as a table of the acceleration along the path. */
+  @Test
+  void brakingBySpeedEqualsItsFormula() {
+    double slope = 0.05;
+    double[] speeds = grid(0, 8, 81);
+    double[] values = new double[speeds.length];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = -slope * speeds[i];
+    }
+    // From rolling on: the formula leaves the sliding ball alone.
+    BallBody formula = new BallBody();
+    BallBody table = new BallBody();
+    for (BallBody ball : new BallBody[] {formula, table}) {
+      ball.kick(3, 0, 0, 1, 0, Ball.GOLF_BALL.radius());
+    }
+    GroundLaw ground = PLAIN.ground().withSpeedDependentRoll(slope, 0);
+    new BallIntegrator(PLAIN.withGround(ground)).advance(formula, 0, 4, new BallHistory());
+    new BallIntegrator(
+            with(Quantity.ACCELERATION_ALONG, Variable.SPEED, Table.curve(speeds, values, 0)))
+        .advance(table, 0, 4, new BallHistory());
+    assertThat(table.x()).isCloseTo(formula.x(), within(1e-4));
+    assertThat(table.x()).isLessThan(3 * 4 - 0.5 * 0.3 * 16 - 0.1);
+  }
+
+  @Test
+  void aBallThatATablePushesStillStops() {
+    Table push = Table.curve(new double[] {0}, new double[] {2}, 0);
+    BallBody ball = after(with(Quantity.ACCELERATION_ALONG, Variable.SPEED, push), 1, 0, 120);
+    assertThat(ball.phase()).isEqualTo(MotionPhase.RESTING);
+  }
+
+  @Test
+  void accelerationAcrossTurnsTheBallToItsLeft() {
+    Table pull = Table.curve(new double[] {0}, new double[] {0.1}, 0);
+    BallBody ball = new BallBody();
+    ball.kick(4, 0, 0, 1, 0, Ball.GOLF_BALL.radius());
+    new BallIntegrator(with(Quantity.ACCELERATION_ACROSS, Variable.SPEED, pull))
+        .advance(ball, 0, 1, new BallHistory());
+    assertThat(ball.y()).isCloseTo(0.05, within(0.002));
+  }
+
+  @Test
+  void impactsAreChangedHopByHop() {
+    double[] hops = {1, 2, 3};
+    Table second = Table.curve(hops, new double[] {0, 0.1, 0}, 0);
+    BallBody plain = after(PLAIN, 2, 4, 1.0);
+    BallBody first = after(with(Quantity.VERTICAL_RESTITUTION, Variable.HOP, second), 2, 4, 1.0);
+    // One impact so far: nothing differs. After the second one, the ball flies faster upwards.
+    assertThat(first.state).containsExactly(plain.state);
+    BallBody later = after(with(Quantity.VERTICAL_RESTITUTION, Variable.HOP, second), 2, 4, 1.25);
+    assertThat(later.vz() - after(PLAIN, 2, 4, 1.25).vz()).isCloseTo(0.2, within(1e-6));
+    Table loss = Table.curve(new double[] {0}, new double[] {-0.25}, 0);
+    BallBody slower =
+        after(with(Quantity.TANGENTIAL_RESTITUTION, Variable.VERTICAL_SPEED, loss), 2, 4, 1.0);
+    assertThat(slower.vx()).isCloseTo(2 * 0.5, within(1e-9));
+    Table turn = Table.curve(new double[] {0}, new double[] {0.3}, 0);
+    BallBody turned = after(with(Quantity.TURN, Variable.GROUND_SPEED, turn), 2, 4, 1.0);
+    assertThat(Math.atan2(turned.vy(), turned.vx())).isCloseTo(0.3, within(1e-9));
+  }
+}
