@@ -193,7 +193,8 @@ class ReadmeSnippetTest {
     String source =
         squeezed(
             Files.readString(tests.resolve("ReadmeSnippetTest.java"))
-                + Files.readString(tests.resolve("play/HostAdapterTest.java")));
+                + Files.readString(tests.resolve("play/HostAdapterTest.java"))
+                + Files.readString(tests.resolve("testing/CarpetExample.java")));
     assertThat(Documents.code(document, "java"))
         .filteredOn(line -> !line.startsWith("System.out"))
         .allSatisfy(line -> assertThat(source).as(line).contains(squeezed(line)));

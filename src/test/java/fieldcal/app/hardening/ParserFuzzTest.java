@@ -1,0 +1,27 @@
+package fieldcal.app.hardening;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A little of {@link ParserFuzz} for every parser; {@code ./gradlew parserFuzz} runs more. */
+class ParserFuzzTest {
+  /** Some seconds for all parsers together. */
+  private static final int INPUTS = 1500;
+
+  @TempDir private static Path scratch;
+
+  @Test
+  void everyParserEndsWithOneLine() throws IOException {
+    ParserFuzz fuzz =
+        new ParserFuzz(Path.of(System.getProperty("fieldcal.projectDir", ".")), scratch);
+    assertThat(fuzz.names()).hasSize(9);
+    for (String name : fuzz.names()) {
+      // The first input is good, so that a parser that refuses everything is noticed.
+      assertThat(fuzz.run(name, 1, INPUTS)).as(name).isPositive();
+    }
+  }
+}
