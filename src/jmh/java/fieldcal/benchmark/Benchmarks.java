@@ -11,6 +11,7 @@ import fieldcal.live.CarpetBenchmark;
 import fieldcal.live.LiveBenchmark;
 import fieldcal.live.LiveDay;
 import fieldcal.live.SampleTreeStudy;
+import fieldcal.live.WarningBenchmark;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -25,9 +26,9 @@ import java.util.Map;
 public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
-          + " [k-switch] [diagnose] [live] [live-carpets] [live-day] [sample-tree] [console]"
-          + " [play] [play-calibration] [play-adaptive] [play-causes] [play-udp]"
-          + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
+          + " [k-switch] [diagnose] [live] [live-warnings] [live-carpets] [live-day] [sample-tree]"
+          + " [console] [play] [play-calibration] [play-adaptive] [play-causes] [play-udp] [--kicks"
+          + " N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -55,6 +56,7 @@ public final class Benchmarks {
     parts.put("k-switch", KSwitchCauses::run);
     parts.put("diagnose", DiagnosisSpeed::run);
     parts.put("live", LiveBenchmark::run);
+    parts.put("live-warnings", WarningBenchmark::run);
     parts.put("live-carpets", CarpetBenchmark::run);
     parts.put("live-day", LiveDay::run);
     parts.put("sample-tree", SampleTreeStudy::run);

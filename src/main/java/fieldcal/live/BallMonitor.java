@@ -324,7 +324,7 @@ public final class BallMonitor {
    * What is known of a camera from the kicks it saw.
    *
    * @param camera its id
-   * @return noise and offset
+   * @return its offset
    */
   CameraAlignment.Known known(int camera) {
     return alignment.known(camera);

@@ -9,9 +9,10 @@ import fieldcal.kick.Kick;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.Iterator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 
 /**
@@ -25,11 +26,12 @@ final class CameraAlignment {
   /** Offsets that moved less with the last kick are settled, m: the noise of a camera. */
   private static final double SETTLED = 0.002;
 
-  /** Cameras that share no ball never settle; after so many further kicks a kick is judged as it is. */
+  /** Cameras that share no ball never settle; after so many further kicks a kick is judged as it is, and later ones of the same cameras do not wait. */
   private static final int PATIENCE = 8;
 
   private final Deque<Kick> recent = new ArrayDeque<>();
   private final Deque<Waiting> waiting = new ArrayDeque<>();
+  private final Set<Set<Integer>> hopeless = new HashSet<>();
   private CameraViews published = CameraViews.of(List.of());
   private CameraViews before = published;
 
@@ -39,16 +41,23 @@ final class CameraAlignment {
   /** A kick that waits since some kicks. */
   private static final class Waiting {
     private final Kick kick;
+    private final Set<Integer> cameras = new TreeSet<>();
     private int since;
 
     Waiting(Kick kick) {
       this.kick = kick;
+      for (int id : kick.observations().cameras()) {
+        cameras.add(id);
+      }
     }
   }
 
   /** What is known of one camera. NaN where it is not. */
-  record Known(double noise, double offsetX, double offsetY, boolean calibrated) {
-    static final Known NOTHING = new Known(Double.NaN, Double.NaN, Double.NaN, false);
+  record Known(double offsetX, double offsetY, boolean calibrated) {
+    /** From another camera, m; NaN when one of the two is not known. */
+    double distance(Known other) {
+      return Math.hypot(offsetX - other.offsetX, offsetY - other.offsetY);
+    }
   }
 
   /** The cameras' geometry changed: what was learnt of the old one is forgotten, and kicks that wait are dropped; how many is returned. */
@@ -56,6 +65,7 @@ final class CameraAlignment {
     int lost = waiting.size();
     recent.clear();
     waiting.clear();
+    hopeless.clear();
     published = geometry;
     views = geometry;
     before = geometry;
@@ -72,14 +82,24 @@ final class CameraAlignment {
     waiting.forEach(w -> w.since++);
     waiting.add(new Waiting(kick));
     List<Kick> ready = new ArrayList<>();
-    for (Iterator<Waiting> i = waiting.iterator(); i.hasNext(); ) {
-      Waiting w = i.next();
-      if (w.since >= PATIENCE || settled(w.kick)) {
-        ready.add(w.kick);
-        i.remove();
-      }
+    while (!waiting.isEmpty() && ready(waiting.peek())) {
+      ready.add(waiting.remove().kick);
     }
     return ready;
+  }
+
+  /** In the order of the kicks, so that one that waits keeps those behind it. */
+  private boolean ready(Waiting first) {
+    int[] cameras = first.kick.observations().cameras();
+    if (hopeless.contains(first.cameras) || settled(cameras)) {
+      return true;
+    }
+    if (first.since >= PATIENCE) {
+      // What was waited for in vain is not waited for again.
+      hopeless.add(first.cameras);
+      return true;
+    }
+    return false;
   }
 
   /** The kicks that still wait; nothing more will be learnt. */
@@ -100,9 +120,7 @@ final class CameraAlignment {
   Known known(int camera) {
     CameraView view = views.get(camera);
     boolean compared = compared(view);
-    boolean measured = view.noise() != CameraView.DEFAULT_NOISE;
     return new Known(
-        measured ? view.noise() : Double.NaN,
         compared ? view.offsetX() : Double.NaN,
         compared ? view.offsetY() : Double.NaN,
         view.camera().isPresent());
@@ -131,8 +149,7 @@ final class CameraAlignment {
     return CameraViews.of(all);
   }
 
-  private boolean settled(Kick kick) {
-    int[] cameras = kick.observations().cameras();
+  private boolean settled(int[] cameras) {
     CameraView first = views.get(cameras[0]);
     CameraView firstBefore = before.get(cameras[0]);
     for (int i = 1; i < cameras.length; i++) {

@@ -12,9 +12,10 @@ package fieldcal.live;
  * @param longestGap s; 0 without one
  * @param balls detections of balls, true and false
  * @param robots detections of robots
- * @param noiseMm noise of a resting ball per axis, mm; NaN when too little was seen at rest
+ * @param noiseMm noise of the ball per axis, mm; NaN before some fifty detections of one ball
  * @param offsetXMm what it adds to every x, against the mean of the cameras that see the same balls, mm; NaN before it was compared
  * @param offsetYMm the same for y, mm
+ * @param apartMm how far it is off from the camera that it disagrees with most, mm; NaN before two were compared
  * @param calibrated whether usable geometry of it is published
  */
 public record CameraHealth(
@@ -30,4 +31,19 @@ public record CameraHealth(
     double noiseMm,
     double offsetXMm,
     double offsetYMm,
-    boolean calibrated) {}
+    double apartMm,
+    boolean calibrated) {
+  /**
+   * Two cameras that are further apart disagree, mm. An AI that takes them as they are sees a ball step aside by so much; within the 0.4 s that a ball of 3 m/s slides, a step of 10 mm looks like 0.13 m/s², 4 % of the sliding deceleration.
+   */
+  public static final double MOST_APART_MM = 10;
+
+  /**
+   * Whether it disagrees with another camera.
+   *
+   * @return true when it is known to be more than {@link #MOST_APART_MM} apart from one
+   */
+  public boolean disagrees() {
+    return apartMm > MOST_APART_MM;
+  }
+}

@@ -18,6 +18,7 @@ final class CameraWatch {
   private double last = Double.NaN;
   private long gaps;
   private double longestGap;
+  private final BallNoise noise = new BallNoise();
   private long balls;
   private long robots;
 
@@ -32,6 +33,7 @@ final class CameraWatch {
       return;
     }
     frames++;
+    noise.accept(frame);
     balls += frame.balls().size();
     robots += frame.robots().size();
     last = frame.captureTime();
@@ -49,9 +51,10 @@ final class CameraWatch {
   /** The next frame is on another clock. */
   void restart() {
     last = Double.NaN;
+    noise.restart();
   }
 
-  CameraHealth health(double now, CameraAlignment.Known known) {
+  CameraHealth health(double now, CameraAlignment.Known known, double apart) {
     return new CameraHealth(
         id,
         frames,
@@ -62,9 +65,10 @@ final class CameraWatch {
         longestGap,
         balls,
         robots,
-        1000 * known.noise(),
+        1000 * noise.noise(),
         1000 * known.offsetX(),
         1000 * known.offsetY(),
+        1000 * apart,
         known.calibrated());
   }
 }

@@ -111,4 +111,24 @@ public record LimitWarning(
         deviation() > 0 ? "more" : "less",
         configured);
   }
+
+  /**
+   * What to do about it.
+   *
+   * @return one sentence for the operator
+   */
+  public String advice() {
+    if (Double.isNaN(configured)) {
+      return "Configure the robots' limits, so that they can be compared.";
+    }
+    return deviation() > 0
+        ? String.format(
+            Locale.ROOT, "Raise the configured %s, or let the robots keep to it.", limit.label())
+        : String.format(
+            Locale.ROOT,
+            "Lower the configured %s to %.2f %s, or check the robots' wheels and batteries.",
+            limit.label(),
+            estimate.value(),
+            limit.unit());
+  }
 }

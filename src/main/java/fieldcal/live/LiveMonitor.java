@@ -218,6 +218,15 @@ public final class LiveMonitor {
     ball.add(earlier);
   }
 
+  private static double apart(int camera, Map<Integer, CameraAlignment.Known> known) {
+    return known.entrySet().stream()
+        .filter(other -> other.getKey() != camera)
+        .mapToDouble(other -> other.getValue().distance(known.get(camera)))
+        .filter(Double::isFinite)
+        .max()
+        .orElse(Double.NaN);
+  }
+
   /**
    * What is known now.
    *
@@ -228,7 +237,10 @@ public final class LiveMonitor {
     MovementSnapshot movementNow = movement.snapshot();
     synchronized (shared) {
       List<CameraHealth> health = new ArrayList<>();
-      cameras.forEach((id, camera) -> health.add(camera.health(guard.now(), ball.known(id))));
+      Map<Integer, CameraAlignment.Known> known = new TreeMap<>();
+      cameras.keySet().forEach(id -> known.put(id, ball.known(id)));
+      cameras.forEach(
+          (id, camera) -> health.add(camera.health(guard.now(), known.get(id), apart(id, known))));
       return new LiveSnapshot(
           epoch.unixSeconds(guard.now()),
           phase,

@@ -13,6 +13,7 @@ import java.util.Optional;
  * @param samples how many of the newest samples of a parameter count, at least {@link SampleTree#ENOUGH}
  * @param warnAbove a median that is off by a larger part of the published value is warned about (–)
  * @param clearBelow the warning ends when it is off by a smaller part (–), at most {@code warnAbove}; where samples scatter much a little below, down to half of {@code warnAbove}
+ * @param falseWarnings in which part of all matches a warning from fewer than {@link SampleTree#ENOUGH} samples may begin though no parameter is off by more than {@code warnAbove} (–, at most 0.5); at most, where all of them are off by just that
  * @param maxRelativeError a sample with a larger standard error, as a part of its value, does not count (–)
  * @param waitingKicks how many kicks may wait to be fitted before the oldest of them is dropped
  * @param limitsInterval time between two estimates of the movement limits, s of the frames' time
@@ -24,6 +25,7 @@ public record LiveSettings(
     int samples,
     double warnAbove,
     double clearBelow,
+    double falseWarnings,
     double maxRelativeError,
     int waitingKicks,
     double limitsInterval,
@@ -48,6 +50,10 @@ public record LiveSettings(
       throw new IllegalArgumentException(
           "0 < clearBelow ≤ warnAbove < 1 is needed, not " + clearBelow + " and " + warnAbove);
     }
+    if (!(falseWarnings > 0 && falseWarnings <= 0.5)) {
+      throw new IllegalArgumentException(
+          "falseWarnings must lie in (0, 0.5], but is " + falseWarnings);
+    }
     if (!(maxRelativeError > 0 && limitsInterval > 0)) {
       throw new IllegalArgumentException(
           "maxRelativeError and limitsInterval must be positive: "
@@ -60,7 +66,8 @@ public record LiveSettings(
   /**
    * What was measured to do well. A warning above 20 % is the rule of the league's teams. It ends below 15 %: of series of 150 samples of accRoll
    * whose model is off by just 20 %, 4 % are warned about more than once then, 14 % where it ends at 17 %; after a change of the carpet it is raised once in either case ({@code ./gradlew benchmark
-   * -PbenchmarkArgs="live-carpets sample-tree"}). A sample whose error is more than half of what is warned about says little. Kicks come at
+   * -PbenchmarkArgs="live-carpets sample-tree"}). One match in a thousand with a false early warning is one in some ten tournaments, and a budget ten times as large would
+   * save less than two samples. A sample whose error is more than half of what is warned about says little. Kicks come at
    * most every second and take a tenth of that to fit, so that 64 never wait unless the host stands still for a minute. Movement limits take some tenths of a second to estimate, and change slowly.
    *
    * @return the defaults
@@ -71,6 +78,7 @@ public record LiveSettings(
         SampleTree.ENOUGH,
         0.20,
         0.15,
+        0.001,
         0.10,
         64,
         10,
@@ -90,6 +98,7 @@ public record LiveSettings(
         samples,
         warnAbove,
         clearBelow,
+        falseWarnings,
         maxRelativeError,
         waitingKicks,
         limitsInterval,
@@ -109,6 +118,27 @@ public record LiveSettings(
         count,
         warnAbove,
         clearBelow,
+        falseWarnings,
+        maxRelativeError,
+        waitingKicks,
+        limitsInterval,
+        kicks,
+        fit);
+  }
+
+  /**
+   * The same with another budget for early warnings: a larger one makes them earlier.
+   *
+   * @param share of all matches in which an early warning may be false, in (0, 0.5]
+   * @return the changed copy
+   */
+  public LiveSettings withFalseWarnings(double share) {
+    return new LiveSettings(
+        published,
+        samples,
+        warnAbove,
+        clearBelow,
+        share,
         maxRelativeError,
         waitingKicks,
         limitsInterval,
@@ -128,6 +158,7 @@ public record LiveSettings(
         samples,
         warnAbove,
         clearBelow,
+        falseWarnings,
         maxRelativeError,
         count,
         limitsInterval,
@@ -147,6 +178,7 @@ public record LiveSettings(
         samples,
         warnAbove,
         clearBelow,
+        falseWarnings,
         maxRelativeError,
         waitingKicks,
         seconds,

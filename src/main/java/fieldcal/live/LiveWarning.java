@@ -51,4 +51,21 @@ public record LiveWarning(
         published,
         samples);
   }
+
+  /**
+   * What to do about it.
+   *
+   * @return one sentence for the operator
+   */
+  public String advice() {
+    if (Double.isNaN(published)) {
+      return "Calibrate and publish a ball model.";
+    }
+    String unit = parameter.unit().isEmpty() ? "" : " " + parameter.unit();
+    return String.format(
+        Locale.ROOT,
+        "Let the AI use %.3f%s until the ball is calibrated again on this carpet.",
+        median,
+        unit);
+  }
 }

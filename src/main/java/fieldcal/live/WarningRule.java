@@ -17,6 +17,9 @@ import java.util.Arrays;
  * -PbenchmarkArgs="live-carpets --runs 6"}). Of series of 150 samples whose model is 10 % off, and whose balls
  * roll at 1 to 3 m/s, 6 % are warned about instead of 48 %.
  *
+ * <p>Before there are 31 samples, a warning begins as soon as those that there are prove that the parameter is more than 20 % off ({@link EarlyProof}). What such warnings may do wrong is a budget, not a number of samples: in
+ * {@link LiveSettings#falseWarnings} of the matches, at most, one begins though no parameter is more than 20 % off, where the worst case is that all of them are off by just that. The budget is divided among the parameters and the two signs of a deviation.
+ *
  * <p>A warning ends when all these medians are back below another limit, by two standard errors where samples scatter much, so that a parameter near the limit does not flicker.
  */
 final class WarningRule {
@@ -32,10 +35,15 @@ final class WarningRule {
   /** Standard error of a Gaussian's median over that of its mean. */
   static final double MEDIAN_ERROR = 1.2533;
 
+  /** A parameter may be too large or too small. */
+  private static final int SIGNS = 2;
+
   private final LiveSettings settings;
+  private final EarlyProof proof;
 
   WarningRule(LiveSettings settings) {
     this.settings = settings;
+    proof = new EarlyProof(settings.falseWarnings() / (SIGNS * BallParameter.values().length));
   }
 
   /**
@@ -50,8 +58,13 @@ final class WarningRule {
   /** Judges the samples of a tree, of which {@code usual} is the squared speed that balls usually have, m²/s²; NaN where none is known. */
   Verdict judge(SampleTree tree, double usual, double published, boolean on) {
     Verdict all = new Verdict(false, tree.median(), tree.size());
-    if (!tree.enough() || Double.isNaN(published)) {
+    if (Double.isNaN(published)) {
       return all;
+    }
+    if (!tree.enough()) {
+      boolean early =
+          on ? off(all.median, published) > settings.clearBelow() : proves(tree, published);
+      return new Verdict(early, all.median, all.samples);
     }
     EqualSpeeds parts = new EqualSpeeds(tree.samples(), tree.size() - NEWEST, usual);
     double limit = on ? end(parts, published) : settings.warnAbove();
@@ -67,6 +80,25 @@ final class WarningRule {
 
   private static double off(double median, double published) {
     return Math.abs(median / published - 1);
+  }
+
+  /** Whether fewer samples than a median needs prove that the parameter is too far off. */
+  private boolean proves(SampleTree tree, double published) {
+    double off = tree.median() / published - 1;
+    if (!(Math.abs(off) > settings.warnAbove())) {
+      return false;
+    }
+    double[] beyond =
+        tree.samples().stream()
+            .mapToDouble(s -> Math.signum(off) * (s.value() / published - 1) - settings.warnAbove())
+            .toArray();
+    double variance =
+        tree.samples().stream()
+            .mapToDouble(s -> s.standardError() / published)
+            .map(e -> e * e)
+            .average()
+            .orElseThrow();
+    return proof.isAboveZero(beyond, Math.sqrt(variance));
   }
 
   /** Below which deviation a warning ends. */

@@ -55,6 +55,7 @@ class LiveMatchTest {
     int kicks = notes.kicks.size();
     assertThat(notes.warnings).isEmpty();
     assertThat(before.counts().used()).isGreaterThan(25);
+    assertThat(before.kicks()).extracting(LiveKick::id).isSorted();
     assertThat(before.counts().dropped()).isZero();
     near(before, BallParameter.ACC_SLIDE, 0.05);
     near(before, BallParameter.ACC_ROLL, 0.05);
@@ -69,6 +70,9 @@ class LiveMatchTest {
               assertThat(camera.rateHz()).isBetween(68.0, 77.0);
               assertThat(Math.hypot(camera.offsetXMm(), camera.offsetYMm())).isBetween(5.0, 20.0);
               assertThat(camera.calibrated()).isTrue();
+              // 2 mm at the centre of an image, more towards its edge.
+              assertThat(camera.noiseMm()).isBetween(1.8, 2.8);
+              assertThat(camera.disagrees()).isTrue();
             });
 
     otherCarpet.feed(monitor, match.duration() + 0.1);

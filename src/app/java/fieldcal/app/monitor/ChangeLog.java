@@ -166,7 +166,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
     number(node, "median", w.median());
     number(node, "published", w.published());
     number(node, "deviation", w.deviation());
-    write(node.put("samples", w.samples()).put("text", w.text()));
+    write(node.put("samples", w.samples()).put("text", w.text()).put("advice", w.advice()));
   }
 
   @Override
@@ -185,7 +185,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
     number(node, "value", w.estimate().value());
     number(node, "configured", w.configured());
     number(node, "deviation", w.deviation());
-    write(node.put("text", w.text()));
+    write(node.put("text", w.text()).put("advice", w.advice()));
   }
 
   @Override
@@ -239,6 +239,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
       number(one, "noise_mm", camera.noiseMm());
       number(one, "offset_x_mm", camera.offsetXMm());
       number(one, "offset_y_mm", camera.offsetYMm());
+      number(one, "apart_mm", camera.apartMm());
     }
     write(node.put("frames", s.frames()).put("stray_frames", s.strayFrames()));
   }

@@ -59,7 +59,7 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void warningRaised(LiveWarning warning) {
-    line(text.clock(warning.time()) + "  WARNING  " + warning.text());
+    line(text.clock(warning.time()) + "  WARNING  " + warning.text() + ". " + warning.advice());
   }
 
   @Override
@@ -69,7 +69,7 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void limitWarningRaised(LimitWarning warning) {
-    line(text.clock(warning.time()) + "  WARNING  " + warning.text());
+    line(text.clock(warning.time()) + "  WARNING  " + warning.text() + ". " + warning.advice());
   }
 
   @Override

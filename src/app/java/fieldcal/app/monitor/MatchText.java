@@ -127,11 +127,16 @@ final class MatchText {
   private void warnings(List<String> lines, LiveSnapshot s, int width) {
     lines.add("");
     for (LiveWarning w : s.ball().warnings()) {
-      sentence(lines, "WARNING  since " + clock(w.time()) + ": " + w.text(), width);
+      warning(lines, w.time(), w.text(), w.advice(), width);
     }
     for (LimitWarning w : s.movement().warnings()) {
-      sentence(lines, "WARNING  since " + clock(w.time()) + ": " + w.text(), width);
+      warning(lines, w.time(), w.text(), w.advice(), width);
     }
+  }
+
+  private void warning(List<String> lines, double since, String text, String advice, int width) {
+    sentence(lines, "WARNING  since " + clock(since) + ": " + text, width);
+    sentence(lines, CONTINUED + advice, width);
   }
 
   private static void ball(List<String> lines, BallSnapshot ball) {
@@ -272,10 +277,14 @@ final class MatchText {
     for (CameraHealth c : s.cameras()) {
       String silent =
           c.silentFor() > 1 ? String.format(Locale.ROOT, "  SILENT for %.0f s", c.silentFor()) : "";
+      String apart =
+          c.disagrees()
+              ? String.format(Locale.ROOT, "  %.0f mm apart from another camera", c.apartMm())
+              : "";
       String uncalibrated = c.calibrated() ? "" : "  no usable calibration";
       add(
           lines,
-          "  %-9d %5s Hz %7s mm %15s mm %8d %8s s%s%s",
+          "  %-9d %5s Hz %7s mm %15s mm %8d %8s s%s%s%s",
           c.id(),
           number("%.1f", c.rateHz()),
           number("%.2f", c.noiseMm()),
@@ -283,6 +292,7 @@ final class MatchText {
           c.gaps(),
           number("%.1f", c.longestGap()),
           silent,
+          apart,
           uncalibrated);
     }
     if (s.strayFrames() > 0 || s.clockJumps() > 0) {

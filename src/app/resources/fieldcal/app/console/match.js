@@ -113,8 +113,10 @@ export function matchPage(app) {
     const option = base(theme, 'time [UTC]', '');
     option.grid = {left: 58, right: 26, top: 8, bottom: 40};
     const times = p.history.map(point => point[0]), span = times.length ? times[times.length - 1] - times[0] : 0;
-    option.xAxis.axisLabel.formatter = value => clock(value).slice(...(span < 600 ? [3, 8] : [0, 5]));
-    option.xAxis.splitNumber = 4;
+    // Always hours first: minutes and seconds alone read as hours and minutes. One kick alone has no span, so the axis has at least a minute.
+    option.xAxis.axisLabel.formatter = value => clock(value).slice(...(span < 600 ? [0, 8] : [0, 5]));
+    option.xAxis.splitNumber = 3;
+    if (times.length) Object.assign(option.xAxis, {min: times[0], max: Math.max(times[times.length - 1], times[0] + 60)});
     const values = [...p.history.map(point => point[1]), p.lower, p.upper, p.median, p.published, known(p.published) ? p.published * 1.2 : null, known(p.published) ? p.published * 0.8 : null].filter(known);
     const low = Math.min(...values), high = Math.max(...values), margin = (high - low || 0.1) * 0.08;
     if (values.length) Object.assign(option.yAxis, {min: low - margin, max: high + margin});
@@ -148,9 +150,10 @@ export function matchPage(app) {
   }
 
   function showCameras(now) {
-    const rows = now.cameras.map(c => el('tr', {}, el('td', {class: 'text'}, c.silentFor > 1 ? badge('bad', '⚠ ' + c.id + ' silent for ' + number(c.silentFor, 0) + ' s') : !c.calibrated ? badge('warn', c.id + ' not calibrated') : badge('good', '✔ ' + c.id)),
+    const rows = now.cameras.map(c => el('tr', {}, el('td', {class: 'text'}, c.silentFor > 1 ? badge('bad', '⚠ ' + c.id + ' silent for ' + number(c.silentFor, 0) + ' s') : !c.calibrated ? badge('warn', c.id + ' not calibrated') : c.disagrees ? badge('warn', '⚠ ' + c.id + ' ' + number(c.apartMm, 0) + ' mm apart') : badge('good', '✔ ' + c.id)),
       el('td', {}, number(c.rateHz, 1)), el('td', {}, number(c.noiseMm, 2)), el('td', {}, known(c.offsetXMm) ? number(c.offsetXMm, 1) + ', ' + number(c.offsetYMm, 1) : '–'), el('td', {}, c.gaps), el('td', {}, number(c.longestGap, 1))));
-    content('health').replaceChildren(rows.length ? table([['Camera', true], ['Hz'], ['Noise mm'], ['Offset x, y mm'], ['Gaps'], ['Longest s']], rows) : el('p', {class: 'empty'}, 'No frame yet.'));
+    const apart = now.cameras.some(c => c.disagrees) ? [el('p', {class: 'note'}, 'Cameras that are apart report the same ball at different places. Their offsets are taken out of the kicks here; an AI that does not do that sees the ball step aside. Calibrate these cameras again.')] : [];
+    content('health').replaceChildren(...rows.length ? [table([['Camera', true], ['Hz'], ['Noise mm'], ['Offset x, y mm'], ['Gaps'], ['Longest s']], rows), ...apart] : [ el('p', {class: 'empty'}, 'No frame yet.')]);
   }
 
   return page;
