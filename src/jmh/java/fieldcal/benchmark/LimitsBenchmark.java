@@ -46,6 +46,9 @@ final class LimitsBenchmark {
     {2.5, 4, 6, 0, 0.3}, {3, 3.5, 4, 0, 0.5}, {3, 4, 5, 0.3, 0.3}, {2.5, 3, 4, 0.2, 0.4}
   };
 
+  private static final Goal UNBIASED = Goal.atMost(1, "%.1f %%");
+  private static final Goal COVERED = Goal.atLeast(92, "%.0f %%");
+  private static final Goal NEVER_FALSE = Goal.atMost(0, "%.0f");
   private static final Goal NEAR = Goal.atLeast(1, "%.0f of the tolerance");
 
   private final BenchmarkSettings settings;
@@ -207,6 +210,9 @@ final class LimitsBenchmark {
     for (Score score : List.of(velocity, acceleration, braking)) {
       score.print(out);
     }
+    for (Score score : List.of(velocity, acceleration, braking)) {
+      score.printErrors(out);
+    }
     out.printf(
         "velocity: of %d teams, %d never came to their limit; theirs is compared with the most they"
             + " drove%n",
@@ -228,6 +234,10 @@ final class LimitsBenchmark {
     private final List<Double> league = new ArrayList<>();
     private int ownNear;
     private int leagueNear;
+    private int reached;
+    private int covered;
+    private int falseBounds;
+    private double deviations;
 
     Score(String name) {
       this.name = name;
@@ -237,6 +247,14 @@ final class LimitsBenchmark {
       double tolerance = Math.max(0.1, 0.05 * truth);
       own.add(Math.abs(ours.value() / truth - 1));
       league.add(Math.abs(theirs.value() / truth - 1));
+      double two = 2 * ours.standardError();
+      if (ours.reached()) {
+        reached++;
+        deviations += ours.value() / truth - 1;
+        covered += Math.abs(ours.value() - truth) < two ? 1 : 0;
+      } else {
+        falseBounds += ours.value() - two > truth ? 1 : 0;
+      }
       boolean near = Math.abs(ours.value() - truth) <= tolerance;
       ownNear += near ? 1 : 0;
       leagueNear += Math.abs(theirs.value() - truth) <= tolerance ? 1 : 0;
@@ -263,6 +281,28 @@ final class LimitsBenchmark {
           percent(own, 0.5) + " (" + percent(league, 0.5) + ")",
           percent(own, 1) + " (" + percent(league, 1) + ")",
           NEAR.verdict((double) ownNear / own.size()));
+    }
+
+    void printErrors(PrintStream out) {
+      double bias = 100 * deviations / Math.max(1, reached);
+      double within = 100.0 * covered / Math.max(1, reached);
+      out.printf(
+          Locale.ROOT,
+          "%-14s %d of %d reached: bias %+.2f %%  (%s)  %s; %.0f %% within two standard errors "
+              + " (%s)  %s; false lower bounds %d of %d  (%s)  %s%n",
+          name,
+          reached,
+          own.size(),
+          bias,
+          UNBIASED,
+          UNBIASED.verdict(Math.abs(bias)),
+          within,
+          COVERED,
+          COVERED.verdict(within),
+          falseBounds,
+          own.size() - reached,
+          NEVER_FALSE,
+          NEVER_FALSE.verdict(falseBounds));
     }
 
     private static String percent(List<Double> errors, double share) {

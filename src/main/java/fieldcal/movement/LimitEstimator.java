@@ -19,9 +19,11 @@ public final class LimitEstimator {
     VelocityLimit speeds = new VelocityLimit(statistics);
     LimitEstimate velocity = speeds.estimate();
     AccelerationLimit acceleration =
-        new AccelerationLimit(statistics.acceleratingManoeuvres(), velocity.value(), true);
+        new AccelerationLimit(
+            statistics.acceleratingManoeuvres(), velocity.value(), statistics.robots(), true);
     AccelerationLimit braking =
-        AccelerationLimit.braking(statistics.brakingManoeuvres(), velocity.value(), acceleration);
+        AccelerationLimit.braking(
+            statistics.brakingManoeuvres(), velocity.value(), statistics.robots(), acceleration);
     List<LimitDeviation> deviations = new ArrayList<>(acceleration.deviations());
     deviations.addAll(braking.deviations());
     LeagueStatistics league = statistics.league();

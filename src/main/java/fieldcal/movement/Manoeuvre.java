@@ -14,6 +14,7 @@ import fieldcal.vision.RobotId;
  * @param ay acceleration along y, m/s²
  * @param accelerationError standard error of the acceleration along its own direction, m/s²
  * @param velocityError standard error of each component of the velocity in the middle, m/s
+ * @param corner time at its beginning and at its end in which the acceleration was still changing, s
  * @param orientation of the robot's front on average, rad; NaN when it turned by more than a radian or was not reported
  * @param detections in it
  */
@@ -27,6 +28,7 @@ public record Manoeuvre(
     double ay,
     double accelerationError,
     double velocityError,
+    double corner,
     double orientation,
     int detections) {
 

@@ -1,6 +1,8 @@
 package fieldcal.movement;
 
 import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
+import java.util.Arrays;
 import java.util.function.Consumer;
 
 /** Cuts a stretch of a robot's path into manoeuvres and measures each, and learns the noise of the detections meanwhile. */
@@ -20,6 +22,9 @@ final class ManoeuvreFinder {
   /** Fits after which the noise is believed. */
   private static final int MIN_FITS_FOR_NOISE = 20;
 
+  /** Corners of weaker manoeuvres show nothing of their rounding, m/s². */
+  private static final double PLAIN = 1;
+
   /** A robot that turns by more meanwhile has no one front, rad. */
   private static final double DIFFERENT_FRONT = 1;
 
@@ -27,10 +32,19 @@ final class ManoeuvreFinder {
   private final Pieces pieces = new Pieces();
   private final RampFit ramp = new RampFit();
   private final Histogram noise = new Histogram(0.01, 1200);
+
+  /** Of each team: corners at the beginning and the end of speeding up, and of slowing down. */
+  private final Rounding[][][] roundings = new Rounding[Team.values().length][2][2];
+
   private double variance = USUAL_NOISE * USUAL_NOISE;
 
   ManoeuvreFinder(Consumer<Manoeuvre> sink) {
     this.sink = sink;
+    for (Rounding[][] team : roundings) {
+      for (Rounding[] kind : team) {
+        Arrays.setAll(kind, i -> new Rounding());
+      }
+    }
   }
 
   /** Standard deviation of one coordinate of a detection, m. */
@@ -65,8 +79,9 @@ final class ManoeuvreFinder {
     double second = pieces.knot(i + 1);
     double from = Math.max(pieces.knot(i - 1), first - FLANK);
     double to = Math.min(pieces.knot(i + 2), second + FLANK);
-
-    if (!ramp.fit(stretch, from, to, first, second, variance)) {
+    boolean speedsUp = speedsUp(stretch, first, second);
+    Rounding[] corners = roundings[robot.team().ordinal()][speedsUp ? 0 : 1];
+    if (!ramp.fit(stretch, from, to, first, second, corners[0], corners[1], variance)) {
 
       return;
     }
@@ -74,6 +89,10 @@ final class ManoeuvreFinder {
     if (ramp.variance() > WORST * variance) {
 
       return;
+    }
+    if (Math.hypot(ramp.ax(), ramp.ay()) > PLAIN) {
+      ramp.learn(0, variance, corners[0]);
+      ramp.learn(1, variance, corners[1]);
     }
     double used = Math.max(variance, 0.5 * (variance + ramp.variance()));
     double ax = ramp.ax();
@@ -94,8 +113,19 @@ final class ManoeuvreFinder {
             ay,
             Math.sqrt(ramp.accelerationVariance(nx, ny, used)),
             Math.sqrt(ramp.velocityVariance(nx, ny, used)),
+            0.5 * Math.max(corners[0].width(), corners[1].width()),
             front(stretch, begin, end),
             end - begin));
+  }
+
+  /** Whether the second half of a piece is the longer one. */
+  private static boolean speedsUp(Stretch s, double first, double second) {
+    int begin = s.indexAt(first);
+    int middle = s.indexAt(0.5 * (first + second));
+    int end = Math.min(s.indexAt(second), s.size() - 1);
+    return middle >= end
+        || Math.hypot(s.x[end] - s.x[middle], s.y[end] - s.y[middle])
+            > Math.hypot(s.x[middle] - s.x[begin], s.y[middle] - s.y[begin]);
   }
 
   private void learn() {

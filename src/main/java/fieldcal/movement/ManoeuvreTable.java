@@ -13,11 +13,20 @@ final class ManoeuvreTable {
 
   private static final double STRONGEST = 25;
 
-  /** One per cent: bins add 0.3 % to the scatter of a manoeuvre. */
-  private static final double LOG_STEP = 0.01;
+  /** Half a per cent: bins add 0.15 % to the scatter of a manoeuvre. */
+  private static final double LOG_STEP = 0.005;
 
-  /** Relative errors beyond the last say nothing. */
-  private static final double[] ERROR_CLASSES = {0.005, 0.01, 0.02, 0.04, 0.07, 0.12, 0.2};
+  /** Relative errors beyond say nothing; … */
+  private static final double WORST_ERROR = 0.2;
+
+  /** … those below are not told apart. */
+  private static final double BEST_ERROR = 0.002;
+
+  /** Classes of relative errors, each a quarter larger than the one before. */
+  private static final double ERROR_STEP = Math.log(1.25);
+
+  private static final int ERROR_CLASSES =
+      1 + (int) Math.ceil(Math.log(WORST_ERROR / BEST_ERROR) / ERROR_STEP);
 
   private static final double SPEED_STEP = 0.125;
   private static final int SPEEDS = 64;
@@ -51,18 +60,14 @@ final class ManoeuvreTable {
    */
   boolean add(double acceleration, double error, double speed, double sine2) {
     double relative = error / acceleration;
-    if (!(acceleration >= WEAKEST && acceleration < STRONGEST)
-        || !(relative <= ERROR_CLASSES[ERROR_CLASSES.length - 1])) {
+    if (!(acceleration >= WEAKEST && acceleration < STRONGEST) || !(relative <= WORST_ERROR)) {
       return false;
     }
     int a = (int) (Math.log(acceleration / WEAKEST) / LOG_STEP);
-    int e = 0;
-    while (relative > ERROR_CLASSES[e]) {
-      e++;
-    }
+    int e = (int) Math.max(0, Math.ceil(Math.log(relative / BEST_ERROR) / ERROR_STEP));
     int v = (int) Math.min(SPEEDS - 1, speed / SPEED_STEP);
     int s = sine2 >= 0 ? (int) Math.min(DIRECTIONS - 1, sine2 * DIRECTIONS) : DIRECTIONS;
-    int key = ((a * ERROR_CLASSES.length + e) * SPEEDS + v) * (DIRECTIONS + 1) + s;
+    int key = ((a * ERROR_CLASSES + e) * SPEEDS + v) * (DIRECTIONS + 1) + s;
     cells.merge(key, 1, Integer::sum);
     samples++;
     return true;
@@ -94,10 +99,10 @@ final class ManoeuvreTable {
       key /= DIRECTIONS + 1;
       int v = key % SPEEDS;
       key /= SPEEDS;
-      int e = key % ERROR_CLASSES.length;
-      int a = key / ERROR_CLASSES.length;
+      int e = key % ERROR_CLASSES;
+      int a = key / ERROR_CLASSES;
       c.acceleration[i] = WEAKEST * Math.exp((a + 0.5) * LOG_STEP);
-      c.error[i] = ERROR_CLASSES[e] * c.acceleration[i];
+      c.error[i] = BEST_ERROR * Math.exp((e - 0.5) * ERROR_STEP) * c.acceleration[i];
       c.speed[i] = (v + 0.5) * SPEED_STEP;
       c.sine2[i] = s == DIRECTIONS ? Double.NaN : (s + 0.5) / DIRECTIONS;
       c.count[i] = cell.getValue();

@@ -3,19 +3,24 @@ package fieldcal.movement;
 import java.util.Arrays;
 
 /**
- * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too. What lies beyond a knot
+ * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too, and at each not at once but with a {@link Rounding} that is fitted about what is usual. What lies beyond a knot
  * so does not pull the piece's acceleration down, as it does in any window that is slid over the path.
  *
  * <p>Least squares on the positions, each with its own time; a constant for each camera is projected out, so that cameras may disagree. For given knots the
- * problem is linear, so only the knots are iterated (variable projection, Golub and Pereyra 1973, in Kaufman's form). The errors contain what the knots' errors add.
+ * problem is linear, so only the knots and their roundings are iterated (variable projection, Golub and Pereyra 1973, in Kaufman's form). The errors contain what their errors add.
  */
 final class RampFit {
   /** How well the knots are known before, s: a cell of the grid they come from, and the noise in choosing it. */
   private static final double KNOT_PRIOR = 0.05;
 
   private static final double SHORTEST = 0.05;
-  private static final int ITERATIONS = 12;
+  private static final int ITERATIONS = 16;
+
+  /** Knots are settled within this, s, … */
   private static final double SETTLED = 2e-4;
+
+  /** … and roundings within this, s²: of 5 m/s² it moves the path by 5 µm. */
+  private static final double SETTLED_ROUNDING = 1e-6;
 
   // Functions of time and what is to be explained, in the order of the Gram matrix: what is zero
   // before the first knot comes after what is not, and what is zero before the second comes last.
@@ -23,33 +28,47 @@ final class RampFit {
   private static final int T2 = 1; // t²/2
   private static final int X = 2;
   private static final int Y = 3;
-  private static final int Q1 = 4; // (t−τ1)²/2
-  private static final int R1 = 5; // (t−τ1), the derivative by the knot but for its factor
-  private static final int Q2 = 6; // (t−τ2)²/2
-  private static final int R2 = 7;
-  private static final int ALL = 8;
+  private static final int Q1 = 4; // (t−τ1)²/2, rounded
+  private static final int R1 = 5; // minus its derivative by the knot
+  private static final int K1 = 6; // its derivative by the rounding
+  private static final int Q2 = 7;
+  private static final int R2 = 8;
+  private static final int K2 = 9;
+  private static final int ALL = 10;
 
   /** The functions whose factors are fitted. */
   private static final int[] FITTED = {T, T2, Q1, Q2};
 
   private static final int LINEAR = FITTED.length;
 
+  /** Knots and roundings of both corners: the derivatives by them, and which of the fitted factors multiplies each. */
+  private static final int[] DERIVATIVE = {R1, R2, K1, K2};
+
+  private static final int[] FACTOR = {2, 3, 2, 3};
+  private static final int[] SIGN = {-1, -1, 1, 1};
+  private static final int CURVED = DERIVATIVE.length;
+
   private final double[][] gram = new double[ALL][ALL];
   private final double[][] cameraSums = new double[Stretch.CAMERAS][ALL];
   private final int[] cameraCounts = new int[Stretch.CAMERAS];
   private final double[] f = new double[ALL];
   private final double[][] cholesky = new double[LINEAR][LINEAR];
+  private final double[][] normal = new double[LINEAR][LINEAR];
   private final double[] cx = new double[LINEAR];
   private final double[] cy = new double[LINEAR];
-  private final double[] u1 = new double[LINEAR];
-  private final double[] u2 = new double[LINEAR];
+  private final double[][] u = new double[CURVED][LINEAR];
   private final double[] e = new double[LINEAR];
 
-  private double tau1;
-  private double tau2;
-  private double s11;
-  private double s12;
-  private double s22;
+  /** τ1, τ2, κ1, κ2; what is believed of them before, and how firmly, 1/variance times the noise's variance. */
+  private final double[] theta = new double[CURVED];
+
+  private final double[] prior = new double[CURVED];
+  private final double[] firmness = new double[CURVED];
+  private final double[][] information = new double[CURVED][CURVED];
+  private final double[][] root = new double[CURVED][CURVED];
+  private final double[] gradient = new double[CURVED];
+  private double width1;
+  private double width2;
   private int samples;
   private int freedom;
   private double rss;
@@ -57,58 +76,123 @@ final class RampFit {
   /**
    * Fits the detections of [from, to] with knots near τ1 and τ2.
    *
+   * @param first what is usual at the first knot
+   * @param second what is usual at the second knot
    * @return false when there are too few, or the knots run away
    */
   boolean fit(
-      Stretch s, double from, double to, double firstKnot, double secondKnot, double variance) {
-    int first = s.indexAt(from);
-    int last = s.indexAt(to);
-    tau1 = firstKnot;
-    tau2 = secondKnot;
-    double damping = variance / (KNOT_PRIOR * KNOT_PRIOR);
+      Stretch s,
+      double from,
+      double to,
+      double firstKnot,
+      double secondKnot,
+      Rounding first,
+      Rounding second,
+      double variance) {
+    int begin = s.indexAt(from);
+    int end = s.indexAt(to);
+    believe(0, firstKnot, KNOT_PRIOR, variance);
+    believe(1, secondKnot, KNOT_PRIOR, variance);
+    believe(2, first.mean(), first.scatter(), variance);
+    believe(3, second.mean(), second.scatter(), variance);
+    width1 = first.width();
+    width2 = second.width();
+    System.arraycopy(prior, 0, theta, 0, CURVED);
     for (int i = 0; i < ITERATIONS; i++) {
-      accumulate(s, first, last);
-      if (samples < 12 || !solveLinear()) {
+      accumulate(s, begin, end);
+      if (samples < 12 || !solveLinear() || !linearise()) {
         return false;
       }
-      double d11 = cx[2] * cx[2] + cy[2] * cy[2];
-      double d12 = cx[2] * cx[3] + cy[2] * cy[3];
-      double d22 = cx[3] * cx[3] + cy[3] * cy[3];
-      double p11 = gram[R1][R1] - dot(R1, u1);
-      double p12 = gram[R1][R2] - dot(R1, u2);
-      double p22 = gram[R2][R2] - dot(R2, u2);
-      s11 = d11 * p11 + damping;
-      s12 = d12 * p12;
-      s22 = d22 * p22 + damping;
-      double g1 =
-          -cx[2] * (gram[X][R1] - dot(R1, cx))
-              - cy[2] * (gram[Y][R1] - dot(R1, cy))
-              - damping * (tau1 - firstKnot);
-      double g2 =
-          -cx[3] * (gram[X][R2] - dot(R2, cx))
-              - cy[3] * (gram[Y][R2] - dot(R2, cy))
-              - damping * (tau2 - secondKnot);
-      double determinant = s11 * s22 - s12 * s12;
-      double step1 = limited((s22 * g1 - s12 * g2) / determinant);
-      double step2 = limited((s11 * g2 - s12 * g1) / determinant);
-      if (!(Math.abs(step1) + Math.abs(step2) < 1)) {
+      solveCurved(gradient);
+      gradient[0] = limited(gradient[0], 0.02);
+      gradient[1] = limited(gradient[1], 0.02);
+      double knots = Math.abs(gradient[0]) + Math.abs(gradient[1]);
+      double roundings = Math.abs(gradient[2]) + Math.abs(gradient[3]);
+      if (!(knots + roundings < 1)) {
         return false;
       }
-      if (Math.abs(step1) + Math.abs(step2) < SETTLED) {
+      if (knots < SETTLED && roundings < SETTLED_ROUNDING) {
         rss = Math.max(0, gram[X][X] - dot(X, cx) + gram[Y][Y] - dot(Y, cy));
         return freedom > 0;
       }
-      tau1 += step1;
-      tau2 += step2;
-      if (tau2 - tau1 < SHORTEST || tau1 < from || tau2 > to) {
+      for (int j = 0; j < CURVED; j++) {
+        theta[j] += gradient[j];
+      }
+      if (theta[1] - theta[0] < SHORTEST || theta[0] < from || theta[1] > to) {
         return false;
       }
     }
     return false;
   }
 
-  private static double limited(double step) {
-    return Math.max(-0.02, Math.min(0.02, step));
+  private void believe(int j, double mean, double scatter, double variance) {
+    prior[j] = mean;
+    firmness[j] = variance / (scatter * scatter);
+  }
+
+  private static double limited(double step, double most) {
+    return Math.max(-most, Math.min(most, step));
+  }
+
+  /** Normal equations of knots and roundings, with the fitted factors projected out; false when they are singular. */
+  private boolean linearise() {
+    for (int j = 0; j < CURVED; j++) {
+      double ax = SIGN[j] * cx[FACTOR[j]];
+      double ay = SIGN[j] * cy[FACTOR[j]];
+      int function = DERIVATIVE[j];
+      gradient[j] =
+          ax * (gram[X][function] - dot(function, cx))
+              + ay * (gram[Y][function] - dot(function, cy))
+              - firmness[j] * (theta[j] - prior[j]);
+      for (int k = 0; k <= j; k++) {
+        double b = SIGN[k] * (ax * cx[FACTOR[k]] + ay * cy[FACTOR[k]]);
+        information[j][k] = b * (gram[function][DERIVATIVE[k]] - dot(function, u[k]));
+      }
+      information[j][j] += firmness[j];
+    }
+    return decompose(information, root);
+  }
+
+  private static boolean decompose(double[][] a, double[][] root) {
+    for (int i = 0; i < a.length; i++) {
+      for (int j = 0; j <= i; j++) {
+        double sum = a[i][j];
+        for (int k = 0; k < j; k++) {
+          sum -= root[i][k] * root[j][k];
+        }
+        if (i == j) {
+          if (!(sum > 1e-9 * a[i][i])) {
+            return false;
+          }
+          root[i][i] = Math.sqrt(sum);
+        } else {
+          root[i][j] = sum / root[j][j];
+        }
+      }
+    }
+    return true;
+  }
+
+  private void solveCurved(double[] b) {
+    solve(root, b);
+  }
+
+  private static void solve(double[][] root, double[] b) {
+    int n = root.length;
+    for (int i = 0; i < n; i++) {
+      double sum = b[i];
+      for (int k = 0; k < i; k++) {
+        sum -= root[i][k] * b[k];
+      }
+      b[i] = sum / root[i][i];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+      double sum = b[i];
+      for (int k = i + 1; k < n; k++) {
+        sum -= root[k][i] * b[k];
+      }
+      b[i] = sum / root[i][i];
+    }
   }
 
   private void accumulate(Stretch s, int first, int last) {
@@ -120,12 +204,12 @@ final class RampFit {
       cameraCounts[c] = 0;
     }
     samples = last - first;
-    int knot1 = Math.max(first, Math.min(last, s.indexAt(tau1)));
-    int knot2 = Math.max(knot1, Math.min(last, s.indexAt(tau2)));
+    int knot1 = Math.max(first, Math.min(last, s.indexAt(theta[0] - 0.5 * width1)));
+    int knot2 = Math.max(knot1, Math.min(last, s.indexAt(theta[1] - 0.5 * width2)));
     add(s, first, knot1, Q1);
     add(s, knot1, knot2, Q2);
     add(s, knot2, last, ALL);
-    freedom = 2 * samples - 2 * LINEAR - 2;
+    freedom = 2 * samples - 2 * LINEAR - CURVED;
     for (int c = 0; c < s.cameras(); c++) {
       if (cameraCounts[c] > 0) {
         freedom -= 2;
@@ -147,16 +231,17 @@ final class RampFit {
   /** Adds detections to the sums; only the first {@code active} functions are not zero there. */
   private void add(Stretch s, int from, int to, int active) {
     for (int i = from; i < to; i++) {
-      double t = s.t[i] - tau1;
+      double t = s.t[i] - theta[0];
       f[T] = t;
       f[T2] = 0.5 * t * t;
       f[X] = s.x[i];
       f[Y] = s.y[i];
-      f[Q1] = f[T2];
-      f[R1] = t;
-      double late = s.t[i] - tau2;
-      f[Q2] = 0.5 * late * late;
-      f[R2] = late;
+      if (active > Q1) {
+        corner(Q1, t, width1, prior[2], theta[2]);
+      }
+      if (active > Q2) {
+        corner(Q2, s.t[i] - theta[1], width2, prior[3], theta[3]);
+      }
       double[] sums = cameraSums[s.camera[i]];
       cameraCounts[s.camera[i]]++;
       for (int j = 0; j < active; j++) {
@@ -170,6 +255,21 @@ final class RampFit {
     }
   }
 
+  /** The three functions of a corner: over its width the acceleration changes evenly; what the rounding is more than that comes as a step spread over the same time. */
+  private void corner(int q, double after, double width, double mean, double rounding) {
+    double more = rounding - mean;
+    double into = after + 0.5 * width;
+    if (into < width) {
+      f[q] = into * into * into / (6 * width) + more * into / width;
+      f[q + 1] = 0.5 * into * into / width + more / width;
+      f[q + 2] = into / width;
+    } else {
+      f[q] = 0.5 * after * after + width * width / 24 + more;
+      f[q + 1] = after;
+      f[q + 2] = 1;
+    }
+  }
+
   /** Sum over the linear functions of their product with function j, weighted. */
   private double dot(int j, double[] c) {
     double sum = 0;
@@ -180,58 +280,49 @@ final class RampFit {
   }
 
   private boolean solveLinear() {
+    double[][] a = normal;
     for (int i = 0; i < LINEAR; i++) {
       for (int j = 0; j <= i; j++) {
-        double sum = gram[FITTED[i]][FITTED[j]];
-        for (int k = 0; k < j; k++) {
-          sum -= cholesky[i][k] * cholesky[j][k];
-        }
-        if (i == j) {
-          if (!(sum > 1e-9 * gram[FITTED[i]][FITTED[i]])) {
-            return false;
-          }
-          cholesky[i][i] = Math.sqrt(sum);
-        } else {
-          cholesky[i][j] = sum / cholesky[j][j];
-        }
+        a[i][j] = gram[FITTED[i]][FITTED[j]];
       }
+    }
+    if (!decompose(a, cholesky)) {
+      return false;
     }
     for (int k = 0; k < LINEAR; k++) {
       cx[k] = gram[X][FITTED[k]];
       cy[k] = gram[Y][FITTED[k]];
-      u1[k] = gram[R1][FITTED[k]];
-      u2[k] = gram[R2][FITTED[k]];
+      for (int j = 0; j < CURVED; j++) {
+        u[j][k] = gram[DERIVATIVE[j]][FITTED[k]];
+      }
     }
-    solve(cx);
-    solve(cy);
-    solve(u1);
-    solve(u2);
+    solve(cholesky, cx);
+    solve(cholesky, cy);
+    for (int j = 0; j < CURVED; j++) {
+      solve(cholesky, u[j]);
+    }
     return true;
   }
 
-  private void solve(double[] b) {
-    for (int i = 0; i < LINEAR; i++) {
-      double sum = b[i];
-      for (int k = 0; k < i; k++) {
-        sum -= cholesky[i][k] * b[k];
-      }
-      b[i] = sum / cholesky[i][i];
-    }
-    for (int i = LINEAR - 1; i >= 0; i--) {
-      double sum = b[i];
-      for (int k = i + 1; k < LINEAR; k++) {
-        sum -= cholesky[k][i] * b[k];
-      }
-      b[i] = sum / cholesky[i][i];
+  /** What the detections alone say of a corner's rounding, s², and the variance of that for the given one of a detection. */
+  void learn(int corner, double variance, Rounding sink) {
+    int j = 2 + corner;
+    Arrays.fill(gradient, 0);
+    gradient[j] = 1;
+    solveCurved(gradient);
+    double alone = 1 / gradient[j] - firmness[j];
+    if (alone > 0) {
+      double own = prior[j] + (theta[j] - prior[j]) * (alone + firmness[j]) / alone;
+      sink.add(own, variance / alone);
     }
   }
 
   double firstKnot() {
-    return tau1;
+    return theta[0];
   }
 
   double secondKnot() {
-    return tau2;
+    return theta[1];
   }
 
   /** Velocity at the first knot. */
@@ -272,22 +363,29 @@ final class RampFit {
   double velocityVariance(double nx, double ny, double variance) {
     Arrays.fill(e, 0);
     e[0] = 1;
-    e[1] = 0.5 * (tau2 - tau1);
+    e[1] = 0.5 * (theta[1] - theta[0]);
     e[2] = e[1];
     return parameterVariance(nx, ny, variance);
   }
 
   /** Variance of eᵀc along a unit vector. */
   private double parameterVariance(double nx, double ny, double variance) {
-    double w1 = 0;
-    double w2 = 0;
-    for (int k = 0; k < LINEAR; k++) {
-      w1 += e[k] * u1[k];
-      w2 += e[k] * u2[k];
+    for (int j = 0; j < CURVED; j++) {
+      double w = 0;
+      for (int k = 0; k < LINEAR; k++) {
+        w += e[k] * u[j][k];
+      }
+      gradient[j] = w * (cx[FACTOR[j]] * nx + cy[FACTOR[j]] * ny) * SIGN[j];
     }
-    w1 *= cx[2] * nx + cy[2] * ny;
-    w2 *= cx[3] * nx + cy[3] * ny;
-    double knots = (s22 * w1 * w1 - 2 * s12 * w1 * w2 + s11 * w2 * w2) / (s11 * s22 - s12 * s12);
+    double curved = 0;
+    for (int i = 0; i < CURVED; i++) {
+      double sum = gradient[i];
+      for (int k = 0; k < i; k++) {
+        sum -= root[i][k] * gradient[k];
+      }
+      gradient[i] = sum / root[i][i];
+      curved += gradient[i] * gradient[i];
+    }
     System.arraycopy(e, 0, f, 0, LINEAR);
     double linear = 0;
     for (int i = 0; i < LINEAR; i++) {
@@ -298,6 +396,6 @@ final class RampFit {
       f[i] = sum / cholesky[i][i];
       linear += f[i] * f[i];
     }
-    return variance * (linear + knots);
+    return variance * (linear + curved);
   }
 }

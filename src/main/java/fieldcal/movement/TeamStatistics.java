@@ -20,6 +20,9 @@ public final class TeamStatistics {
   /** Speeds that are less certain do not count, m/s. */
   private static final double UNCERTAIN = 0.04;
 
+  /** So many standard errors below what was measured, a speed was certainly reached, even by the luckiest of a thousand manoeuvres. */
+  private static final double SURE = 3;
+
   /** Which part of a change of velocity must go into the speed, for a manoeuvre to be accelerating or braking and not a turn. */
   private static final double MOSTLY = 0.5;
 
@@ -29,6 +32,8 @@ public final class TeamStatistics {
   private final ManoeuvreTable accelerating = new ManoeuvreTable();
   private final ManoeuvreTable braking = new ManoeuvreTable();
   private final Histogram topSpeeds = new Histogram(SPEED_BIN, SPEED_BINS);
+  private final Histogram sureSpeeds = new Histogram(SPEED_BIN, SPEED_BINS);
+  private int robots;
   private final Map<Integer, Histogram> cruising = new TreeMap<>();
   private final Grid ownFrame = Grid.centred(0.25, 80);
   private final Grid againstSpeed = new Grid(0, 0.1, 60, -10, 0.25, 80);
@@ -53,8 +58,13 @@ public final class TeamStatistics {
       braking.add(a, m.accelerationError(), m.speed(), sine * sine);
     }
     double endError = Math.hypot(m.velocityError(), 0.5 * m.duration() * m.accelerationError());
+    robots |= 1 << Math.min(m.robot().number(), ROBOTS);
     if (endError < UNCERTAIN) {
-      topSpeeds.add(Math.max(first, last));
+      // Where corners are round, the speeds of the sharp ones are never reached.
+      double inside = Math.min(m.corner(), 0.5 * m.duration());
+      double top = Math.max(m.speedAfter(inside), m.speedAfter(m.duration() - inside));
+      topSpeeds.add(top);
+      sureSpeeds.add(Math.max(0, top - SURE * endError));
     }
     boolean cruises =
         a < CRUISING
@@ -90,6 +100,8 @@ public final class TeamStatistics {
     accelerating.merge(other.accelerating);
     braking.merge(other.braking);
     topSpeeds.merge(other.topSpeeds);
+    sureSpeeds.merge(other.sureSpeeds);
+    robots |= other.robots;
     other.cruising.forEach(
         (robot, speeds) -> cruising.computeIfAbsent(robot, key -> speeds()).merge(speeds));
     ownFrame.merge(other.ownFrame);
@@ -102,6 +114,8 @@ public final class TeamStatistics {
     accelerating.clear();
     braking.clear();
     topSpeeds.clear();
+    sureSpeeds.clear();
+    robots = 0;
     cruising.clear();
     ownFrame.clear();
     againstSpeed.clear();
@@ -120,6 +134,16 @@ public final class TeamStatistics {
   /** The higher speed of both ends of each manoeuvre whose speeds are well known. */
   Histogram topSpeeds() {
     return topSpeeds;
+  }
+
+  /** Of the same manoeuvres, a speed that each certainly had. */
+  Histogram sureSpeeds() {
+    return sureSpeeds;
+  }
+
+  /** How many robots were seen to manoeuvre. */
+  int robots() {
+    return Integer.bitCount(robots);
   }
 
   /** Speeds of manoeuvres at constant velocity, by the robot's number. */

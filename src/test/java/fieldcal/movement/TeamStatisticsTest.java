@@ -26,6 +26,7 @@ class TeamStatisticsTest {
         0,
         error,
         0.01,
+        0.01,
         0,
         40);
   }
@@ -67,7 +68,9 @@ class TeamStatisticsTest {
     }
     LimitEstimate v = limits().velocity();
     assertThat(v.reached()).isFalse();
-    assertThat(v.value()).isEqualTo(3.32, within(0.06));
+    // The second fastest had 3.32 m/s at its end, and 0.02 m/s less where its acceleration was
+    // constant.
+    assertThat(v.value()).isBetween(3.15, 3.30);
     assertThat(v.note()).isNotEmpty();
   }
 
@@ -91,7 +94,8 @@ class TeamStatisticsTest {
     team.add(drive(1, 2, -4, 0.4, 0.05));
     // A turn: the velocity changes, the speed hardly.
     team.add(
-        new Manoeuvre(new RobotId(Team.YELLOW, 1), 0, 0.3, 2, -0.3, 0, 2, 0.05, 0.01, 0.4, 20));
+        new Manoeuvre(
+            new RobotId(Team.YELLOW, 1), 0, 0.3, 2, -0.3, 0, 2, 0.05, 0.01, 0.01, 0.4, 20));
     assertThat(team.acceleratingManoeuvres().samples()).isEqualTo(1);
     assertThat(team.brakingManoeuvres().samples()).isEqualTo(1);
     assertThat(team.manoeuvres()).isEqualTo(3);
@@ -102,7 +106,7 @@ class TeamStatisticsTest {
     // The front looks along y, the robot accelerates along x: to its right.
     team.add(
         new Manoeuvre(
-            new RobotId(Team.YELLOW, 1), 0, 0.5, 0, 0, 3.1, 0, 0.05, 0.01, Math.PI / 2, 36));
+            new RobotId(Team.YELLOW, 1), 0, 0.5, 0, 0, 3.1, 0, 0.05, 0.01, 0.01, Math.PI / 2, 36));
     Grid g = team.ownFrame();
     assertThat(g.total()).isEqualTo(36);
     for (int column = 0; column < g.columns(); column++) {

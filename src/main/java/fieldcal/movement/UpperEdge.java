@@ -1,0 +1,226 @@
+package fieldcal.movement;
+
+import java.util.Arrays;
+
+/**
+ * The highest value that many of a team's manoeuvres have: their limit, however many of them stay below it and wherever those gather.
+ *
+ * <p>What robots do is the distribution of measured values with their errors taken out: the nonparametric maximum likelihood (Kiefer and Wolfowitz 1956) over a fine grid, by expectation maximization (Laird 1978). Controllers that plan with 85 %
+ * of what a robot can do leave one heap there, and a smaller one at the limit, where robots that were surprised used all of it; a kernel wide enough for the noise would merge both. The limit is the highest window of {@link
+ * #HALF_WIDTH} to either side that holds a fair part of the manoeuvres.
+ *
+ * @param value the mean of what lies there, in the unit of the values
+ * @param error its standard error from the errors of the manoeuvres
+ * @param scatter how much the manoeuvres there differ beyond their errors, for example since robots do
+ * @param mass how many manoeuvres lie there
+ * @param share of all that were well measured
+ */
+record UpperEdge(double value, double error, double scatter, double mass, double share) {
+  /** Distance of the grid's values, in parts: a quarter of the error of a well measured manoeuvre. */
+  private static final double STEP = 0.004;
+
+  /** Robots of one team, and what one does at different times, differ by so much, in parts. */
+  private static final double HALF_WIDTH = 0.012;
+
+  /** Manoeuvres with a larger error say nothing on how values that are some per cent apart are distributed, in parts. */
+  private static final double WORST = 0.03;
+
+  /** A window holds the limit from so many manoeuvres on … */
+  private static final double FEWEST = 8;
+
+  /** … and this part of all: less than a hundred manoeuvres have no heap of fewer than {@link #FEWEST} then. */
+  private static final double SHARE = 0.1;
+
+  /** Robots that plan with a margin use all they have in 6 to 10 % of their manoeuvres, in matches of another simulator. So a smaller heap counts as well, of this part, … */
+  private static final double SMALL_SHARE = 0.04;
+
+  /** … when it lies by more than this part above: pieces that were cut wrongly make such heaps up to 6.5 % above the limit. */
+  private static final double APART = 0.08;
+
+  /**
+   * Degrees of freedom of Student's distribution, which the errors follow: pieces that are cut wrongly give tails that are heavier than a Gaussian's, and with a Gaussian these tails became heaps of their own above the limit.
+   */
+  private static final double FREEDOM = 4;
+
+  /** Of the errors; beyond, a value says nothing of the manoeuvre. */
+  private static final double REACH = 8;
+
+  /** Then the heaps no longer move by a tenth of a step. */
+  private static final int ITERATIONS = 200;
+
+  /** Rounding of values and errors to cells, in parts. */
+  private static final double CELL = 0.002;
+
+  /** The edge of values with their standard errors, each {@code count} times; null when too few are well measured. */
+  static UpperEdge of(double[] value, double[] error, double[] count) {
+    int[] good = new int[value.length];
+    int n = 0;
+    for (int i = 0; i < value.length; i++) {
+      if (error[i] <= WORST * value[i] && value[i] > 0) {
+        good[n++] = i;
+      }
+    }
+    if (n == 0) {
+      return null;
+    }
+    double[] v = new double[n];
+    double[] e = new double[n];
+    double[] c = new double[n];
+    for (int k = 0; k < n; k++) {
+      v[k] = value[good[k]];
+      e[k] = Math.hypot(error[good[k]], CELL * v[k]);
+      c[k] = count[good[k]];
+    }
+    return new Search(v, e, c).find();
+  }
+
+  /** The same where nobody can tell whether a higher value is the limit: the error covers both. */
+  private UpperEdge orUpTo(double higher) {
+    double open = 0.5 * Math.max(0, higher - value);
+    return new UpperEdge(value, Math.hypot(error, open), scatter, mass, share);
+  }
+
+  /** The distribution, and the edge of it. */
+  private static final class Search {
+    private final double[] value;
+    private final double[] error;
+    private final double[] count;
+    private final double lowest;
+    private final double[] mass;
+    private final int[] first;
+    private final double[][] likelihood;
+    private final double total;
+
+    Search(double[] value, double[] error, double[] count) {
+      this.value = value;
+      this.error = error;
+      this.count = count;
+      total = Arrays.stream(count).sum();
+      double high = 0;
+      double low = Double.POSITIVE_INFINITY;
+      for (int i = 0; i < value.length; i++) {
+        high = Math.max(high, value[i] + REACH * error[i]);
+        low = Math.min(low, value[i] - REACH * error[i]);
+      }
+      lowest = Math.log(low);
+      mass = new double[(int) Math.ceil((Math.log(high) - lowest) / STEP) + 2];
+      first = new int[value.length];
+      likelihood = new double[value.length][];
+      for (int i = 0; i < value.length; i++) {
+        first[i] = (int) ((Math.log(value[i] - REACH * error[i]) - lowest) / STEP);
+        int last = (int) ((Math.log(value[i] + REACH * error[i]) - lowest) / STEP) + 1;
+        likelihood[i] = new double[last - first[i] + 1];
+        for (int j = 0; j < likelihood[i].length; j++) {
+          double z = (value[i] - grid(first[i] + j)) / error[i];
+          likelihood[i][j] = Math.pow(1 + z * z / FREEDOM, -0.5 * (FREEDOM + 1));
+        }
+      }
+      Arrays.fill(mass, total / mass.length);
+    }
+
+    private double grid(int j) {
+      return Math.exp(lowest + j * STEP);
+    }
+
+    /** How many manoeuvres each value of the grid has. */
+    private void deconvolve() {
+      double[] next = new double[mass.length];
+      for (int k = 0; k < ITERATIONS; k++) {
+        Arrays.fill(next, 0);
+        for (int i = 0; i < value.length; i++) {
+          double share = count[i] / expected(i);
+          for (int j = 0; j < likelihood[i].length; j++) {
+            next[first[i] + j] += share * likelihood[i][j] * mass[first[i] + j];
+          }
+        }
+        System.arraycopy(next, 0, mass, 0, mass.length);
+      }
+    }
+
+    private double expected(int i) {
+      double sum = Double.MIN_NORMAL;
+      for (int j = 0; j < likelihood[i].length; j++) {
+        sum += likelihood[i][j] * mass[first[i] + j];
+      }
+      return sum;
+    }
+
+    UpperEdge find() {
+      deconvolve();
+      UpperEdge large = highest(SHARE);
+      UpperEdge small = highest(SMALL_SHARE);
+      if (large == null || small == null) {
+        return large == null ? small : large;
+      }
+      return small.value() > (1 + APART) * large.value() ? small : large.orUpTo(small.value());
+    }
+
+    private UpperEdge highest(double share) {
+      double needed = Math.max(FEWEST, share * total);
+      int half = (int) Math.round(HALF_WIDTH / STEP);
+      for (int j = mass.length - 1; j >= 0; j--) {
+        if (massBetween(j - half, j + half) >= needed) {
+          return describe(centred(j, half), half);
+        }
+      }
+      return null;
+    }
+
+    private double massBetween(int from, int to) {
+      double sum = 0;
+      for (int j = Math.max(0, from); j <= Math.min(mass.length - 1, to); j++) {
+        sum += mass[j];
+      }
+      return sum;
+    }
+
+    /** Down to where most are: the mean of the window, until it stays. */
+    private int centred(int start, int half) {
+      int centre = start;
+      for (int k = 0; k < half * half; k++) {
+        double sum = 0;
+        for (int j = Math.max(0, centre - half);
+            j <= Math.min(mass.length - 1, centre + half);
+            j++) {
+          sum += j * mass[j];
+        }
+        int next = (int) Math.round(sum / massBetween(centre - half, centre + half));
+        if (next == centre) {
+          break;
+        }
+        centre = next;
+      }
+      return centre;
+    }
+
+    private UpperEdge describe(int centre, int half) {
+      int from = Math.max(0, centre - half);
+      int to = Math.min(mass.length - 1, centre + half);
+      double there = massBetween(from, to);
+      double mean = 0;
+      for (int j = from; j <= to; j++) {
+        mean += grid(j) * mass[j] / there;
+      }
+      double variance = 0;
+      for (int j = from; j <= to; j++) {
+        variance += mass[j] / there * (grid(j) - mean) * (grid(j) - mean);
+      }
+      double weights = 0;
+      double squares = 0;
+      for (int i = 0; i < value.length; i++) {
+        double inside = 0;
+        for (int j = Math.max(from, first[i]);
+            j <= to && j - first[i] < likelihood[i].length;
+            j++) {
+          inside += likelihood[i][j - first[i]] * mass[j];
+        }
+        double weight = inside / expected(i) / (error[i] * error[i] + variance);
+        double off = value[i] - mean;
+        weights += count[i] * weight;
+        squares += count[i] * weight * weight * off * off;
+      }
+      return new UpperEdge(
+          mean, Math.sqrt(squares) / weights, Math.sqrt(variance), there, there / total);
+    }
+  }
+}
