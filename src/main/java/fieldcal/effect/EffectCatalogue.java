@@ -56,7 +56,7 @@ public final class EffectCatalogue {
           new SlipDependentFriction(0),
           new CameraMoved(0, 0, 0, 0),
           new BallChanged(0, 0, 0),
-          new ContactImpacts(0, 0, 0),
+          new ContactImpacts(0, 0, 0, 0),
           new CarpetSeam(0, 0, 0, 0));
 
   private EffectCatalogue() {}

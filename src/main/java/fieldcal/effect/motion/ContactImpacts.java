@@ -11,13 +11,16 @@ import java.util.List;
 /**
  * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the slip of the contact
  * point u = v − s, s the spin as a velocity: the impulse along the ground undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, but is at most friction times the normal impulse, |Δv| ≤ friction·(1 + e_z)·|v_z|; its torque turns the
- * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet swallows beside that is a part of the motion along the ground, of speed and spin alike.
+ * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet takes beside that is a part of the motion along the ground, of speed and spin alike; and, as in rolling, a resistance in proportion to the normal impulse, which the spin
+ * has to overcome: a ball that grips loses rolling·(1 + e_z)·|v_z| of speed and spin. A rolling ball shows |accRoll|/g, about 0.03 (physics engines that let their rolling friction act in impacts, ODE and Bullet, lose that).
  *
  * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
  * @param loss part of the speed over the ground and of the spin that each impact takes in addition (–)
+ * @param rolling coefficient of rolling resistance in an impact (–)
  */
-public record ContactImpacts(double reversed, double friction, double loss) implements ImpactLaw {
+public record ContactImpacts(double reversed, double friction, double loss, double rolling)
+    implements ImpactLaw {
   private static final String ID = "contact_impacts";
 
   /**
@@ -26,7 +29,7 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
    * @throws IllegalArgumentException when one is not finite
    */
   public ContactImpacts {
-    EffectParameters.requireFinite(ID, reversed, friction, loss);
+    EffectParameters.requireFinite(ID, reversed, friction, loss, rolling);
   }
 
   @Override
@@ -61,13 +64,15 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
             true,
             "sliding on the carpet shows 0.3 to 0.35; impacts press fibres down and grip more"),
         new Parameter(
-            "loss", "", loss, 0.02, -0.1, 0.3, true, "a few hundredths on carpets; chosen wide"));
+            "loss", "", loss, 0.02, -0.1, 0.3, true, "a few hundredths on carpets; chosen wide"),
+        new Parameter(
+            "rolling", "", rolling, 0.02, -0.05, 0.3, true, "0.03 of a ball that rolls; wide"));
   }
 
   @Override
   public ContactImpacts withParameters(double... values) {
-    double[] v = EffectParameters.require(ID, values, 3);
-    return new ContactImpacts(v[0], v[1], v[2]);
+    double[] v = EffectParameters.require(ID, values, 4);
+    return new ContactImpacts(v[0], v[1], v[2], v[3]);
   }
 
   @Override
@@ -77,7 +82,7 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
 
   @Override
   public List<String> magnitudes() {
-    return List.of("reversed", "friction", "loss");
+    return List.of("reversed", "friction", "loss", "rolling");
   }
 
   @Override
@@ -94,9 +99,9 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
   @Override
   public List<Effect> starts() {
     return List.of(
-        new ContactImpacts(-0.1, 1, 0.02),
-        new ContactImpacts(-0.25, 0.5, 0),
-        new ContactImpacts(0, 0.25, 0));
+        new ContactImpacts(-0.1, 1, 0.02, 0),
+        new ContactImpacts(-0.25, 0.5, 0, 0),
+        new ContactImpacts(0, 0.25, 0, 0));
   }
 
   /** The law does not grow from its absence: it takes the place of another. */
@@ -108,7 +113,6 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
   @Override
   public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
     double slip = arrival.slip();
-    double kept = 1 - loss;
     if (slip > 0) {
       double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
       double most = friction * (1 + dampingZ) * Math.abs(arrival.vz());
@@ -121,7 +125,17 @@ public record ContactImpacts(double reversed, double friction, double loss) impl
       after[3] -= dy / inertiaFactor;
     }
     for (int i = 0; i < after.length; i++) {
-      after[i] *= kept;
+      after[i] *= 1 - loss;
+    }
+    double spin = Math.hypot(after[2], after[3]);
+    if (spin > 0) {
+      double taken = Math.min(rolling * (1 + dampingZ) * Math.abs(arrival.vz()), spin);
+      double dx = taken * after[2] / spin;
+      double dy = taken * after[3] / spin;
+      after[0] -= dx;
+      after[1] -= dy;
+      after[2] -= dx;
+      after[3] -= dy;
     }
   }
 }

@@ -29,7 +29,7 @@ public final class SampleLearned {
   public static List<LearnedFinding> findings() {
     return List.of(
         new LearnedFinding(
-            new ContactImpacts(-0.2, 0.3, 0.05),
+            new ContactImpacts(-0.2, 0.3, 0.05, 0.02),
             "impact",
             List.of("spin"),
             OptionalInt.empty(),
