@@ -135,6 +135,15 @@ public interface Effect {
   }
 
   /**
+   * What is known of the ball's own parameters once this effect stands beside them: one that takes up the effect while it is missing is a number of mechanics when it is not.
+   *
+   * @return empty unless an effect says otherwise
+   */
+  default List<BallKnowledge> ballKnowledge() {
+    return List.of();
+  }
+
+  /**
    * What it acts on, where that is not all: a camera, a robot. Two effects of one id and one subject are one cause with other numbers.
    *
    * @return a text for comparison; of what is neither estimated nor a place

@@ -13,11 +13,11 @@ import java.util.List;
  * unknown. Immutable.
  */
 public final class EffectKick implements KickTerm<ModelState> {
-  /** Steps of the numerical derivatives: velocity, m/s; time, s; share of a random effect's scale. */
-  private static final double VELOCITY_STEP = 1e-3;
+  /** Steps of the numerical derivatives: velocity, m/s; time, s; share of a random effect's scale. As small as those of the shared parameters, for the same reason. */
+  private static final double VELOCITY_STEP = 1e-4;
 
   private static final double TIME_STEP = 1e-4;
-  private static final double RANDOM_STEP = 0.05;
+  private static final double RANDOM_STEP = 0.002;
 
   /** Slowest rise of a chip, m/s. */
   private static final double SLOWEST_RISE = 0.05;

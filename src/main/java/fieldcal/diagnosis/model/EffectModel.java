@@ -3,6 +3,7 @@ package fieldcal.diagnosis.model;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
+import fieldcal.effect.BallKnowledge;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.fit.joint.RandomEffect;
@@ -178,11 +179,22 @@ public final class EffectModel implements SharedModel<ModelState> {
   public List<Prior> priors() {
     List<Prior> all = new ArrayList<>();
     for (Parameter p : globals().subList(0, BALL)) {
-      double deviation = BALL_EXPECTED * p.scale();
-      all.add(new Prior(p.value(), 1 / (deviation * deviation)));
+      all.add(prior(p));
     }
     components.forEach(c -> all.addAll(c.priors()));
     return all;
+  }
+
+  private Prior prior(Parameter p) {
+    for (Component c : components) {
+      for (BallKnowledge known : c.template().ballKnowledge()) {
+        if (known.parameter().equals(p.name())) {
+          return new Prior(known.mean(), 1 / (known.deviation() * known.deviation()));
+        }
+      }
+    }
+    double deviation = BALL_EXPECTED * p.scale();
+    return new Prior(p.value(), 1 / (deviation * deviation));
   }
 
   /**

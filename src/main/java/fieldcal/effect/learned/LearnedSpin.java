@@ -1,6 +1,8 @@
 package fieldcal.effect.learned;
 
+import fieldcal.effect.BallKnowledge;
 import fieldcal.effect.MotionEffect.SpinAtKick;
+import java.util.List;
 
 /** A learned spin right after the kick, as a fraction of rolling spin, over the kick's speed or direction. */
 final class LearnedSpin extends LearnedTerm implements SpinAtKick {
@@ -12,6 +14,11 @@ final class LearnedSpin extends LearnedTerm implements SpinAtKick {
   @Override
   public LearnedSpin withParameters(double... values) {
     return new LearnedSpin(family(), values);
+  }
+
+  @Override
+  public List<BallKnowledge> ballKnowledge() {
+    return List.of(BallKnowledge.mechanicalSwitch());
   }
 
   @Override

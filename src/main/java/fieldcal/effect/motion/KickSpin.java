@@ -1,6 +1,7 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.BallKnowledge;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import java.util.List;
@@ -60,6 +61,11 @@ public record KickSpin(double fraction) implements SpinAtKick {
   @Override
   public boolean isAbsent() {
     return fraction == 0;
+  }
+
+  @Override
+  public List<BallKnowledge> ballKnowledge() {
+    return List.of(BallKnowledge.mechanicalSwitch());
   }
 
   @Override
