@@ -1,5 +1,7 @@
 package fieldcal.calibration;
 
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
 import fieldcal.fit.CameraNoise;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
@@ -13,6 +15,7 @@ import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
 import fieldcal.fit.LensCheck;
 import fieldcal.fit.OverlapOffsets;
+import fieldcal.fit.TypicalBall;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.vision.Epoch;
@@ -69,6 +72,9 @@ public final class Calibrator {
     for (int round = 0; round < MAX_ROUNDS; round++) {
       if (round > 0) {
         fits = refitAll(problem, views, fits, roll);
+      }
+      if (round == 1) {
+        fits = searchedAgain(problem, views, fits, roll);
       }
       List<KickFit> good = Selection.trusted(fits, Selection.Decisions.of(problem));
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
@@ -185,6 +191,32 @@ public final class Calibrator {
               FitProblem one = FitProblem.of(fit.kick(), views, problem.flat(), problem.chip());
               return fitter.refit(
                   roll.isPresent() ? one.withChipRollFixed(roll.getAsDouble()) : one, fit);
+            })
+        .toList();
+  }
+
+  /** What stands out may have been searched for with the wrong model, and in cameras whose offsets were not known: looks again from what the other kicks say. */
+  private List<KickFit> searchedAgain(
+      CalibrationProblem problem, CameraViews views, List<KickFit> fits, OptionalDouble roll) {
+    List<KickFit> fitted = fits.stream().filter(f -> f.failure().isEmpty()).toList();
+    FlatModel flat = TypicalBall.flat(fitted);
+    ChipModel chip = TypicalBall.chip(fitted);
+    return fits.parallelStream()
+        .map(
+            fit -> {
+              if (!Selection.standsOut(fit, fitted)) {
+                return fit;
+              }
+              FitProblem typical = FitProblem.of(fit.kick(), views, flat, chip);
+              FitProblem one =
+                  roll.isPresent() ? typical.withChipRollFixed(roll.getAsDouble()) : typical;
+              KickFit again =
+                  problem
+                      .kind()
+                      .map(kind -> fitter.fit(one, kind))
+                      .orElseGet(() -> fitter.fit(one));
+              boolean better = again.failure().isEmpty() && again.rmsMm() < fit.rmsMm();
+              return better ? again : fit;
             })
         .toList();
   }

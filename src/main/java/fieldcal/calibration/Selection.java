@@ -39,6 +39,12 @@ final class Selection {
     return fits.stream().filter(f -> distrust(f, medians, decisions).isEmpty()).toList();
   }
 
+  /** Whether a kick is explained much worse than the others of its kind: the model of all, or what was fitted of this one, is not right for it. */
+  static boolean standsOut(KickFit fit, List<KickFit> fits) {
+    return fit.failure().isEmpty()
+        && fit.statistics().rmsMm() > WORSE_THAN_OTHERS * medianRms(fits).get(fit.kind());
+  }
+
   private static Optional<String> distrust(
       KickFit fit, Map<KickKind, Double> medians, Decisions decisions) {
     if (fit.failure().isPresent()) {

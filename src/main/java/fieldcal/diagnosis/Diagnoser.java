@@ -14,7 +14,6 @@ import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.ModelState;
 import fieldcal.diagnosis.model.MovingNoise;
 import fieldcal.diagnosis.screening.KickScreen;
-import fieldcal.diagnosis.screening.TypicalBall;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.CauseSearch;
 import fieldcal.diagnosis.search.Dictionary;
@@ -30,6 +29,7 @@ import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.Screening;
+import fieldcal.fit.TypicalBall;
 import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -356,7 +356,7 @@ public final class Diagnoser {
       List<Judgement> judged = List.of();
       HoldOut held = heldBase;
       if (!found.model().components().isEmpty()) {
-        Weighed weighed = weigh(decision, found);
+        Weighed weighed = predicting(decision, weigh(decision, found), heldBase);
         named = weighed.model;
         judged = weighed.judged;
         held = weighed.held;
@@ -375,8 +375,10 @@ public final class Diagnoser {
                         start.model().components().size() + MOST_LEARNED,
                         false));
         if (learned.model().components().size() > named.model().components().size()) {
-          Weighed weighed = weigh(decision, withoutSupplanted(named, learned));
-          if (weighed.held.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()) {
+          Weighed weighed =
+              predicting(decision, weigh(decision, withoutSupplanted(named, learned)), heldBase);
+          if (weighed.held.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()
+              && !weighed.held.predictsWorseThan(heldBase, seed)) {
             named = weighed.model;
             judged = weighed.judged;
             held = weighed.held;
@@ -393,6 +395,28 @@ public final class Diagnoser {
               ? new KickerBias(named, problem.commands(), seed).causes(catalogue, arena)
               : List.of();
       return new Answer(named, judged, kickers, held, heldBase);
+    }
+
+    /** A value for each kick helps where the kick has been seen, and may harm where it is predicted: then the model is taken without. */
+    private Weighed predicting(Decision decision, Weighed weighed, HoldOut heldBase) {
+      if (!weighed.held.predictsWorseThan(heldBase, problem.seed())) {
+        return weighed;
+      }
+      Weighed same = weigh(decision, withoutPerKick(weighed.model));
+      return same.held.predictsWorseThan(heldBase, problem.seed()) ? weighed : same;
+    }
+
+    private FittedModel withoutPerKick(FittedModel found) {
+      List<Component> kept = new ArrayList<>();
+      List<Effect> effects = found.effects();
+      for (int i = 0; i < effects.size(); i++) {
+        Component c = found.model().components().get(i);
+        if (!c.isPerKick()) {
+          kept.add(c.startingAt(effects.get(i)));
+        }
+      }
+      EffectModel start = found.model().startingAt(found.solution().values(), new double[0]);
+      return fitter.fit(start.with(kept), found, false, solver);
     }
 
     /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */

@@ -12,7 +12,6 @@ import java.util.Locale;
  * @param chiSquare sum of their squared whitened residuals
  * @param degreesOfFreedom twice the used observations minus the free unknowns
  * @param robustScale how many times larger than the cameras' noise a typical residual is
- * @param meanLoss Cauchy's loss per observation, outliers included: how well the model explains everything that was seen
  * @param flights number of flights of a chip, 0 for a flat kick
  * @param evaluations how often the objective was evaluated, derivatives counted once
  * @param iterations steps of the last Levenberg–Marquardt run
@@ -27,7 +26,6 @@ public record FitStatistics(
     double chiSquare,
     int degreesOfFreedom,
     double robustScale,
-    double meanLoss,
     int flights,
     int evaluations,
     int iterations,
@@ -42,7 +40,7 @@ public record FitStatistics(
 
   static FitStatistics none(long seed) {
     return new FitStatistics(
-        0, 0, 0, Double.NaN, Double.NaN, 0, Double.NaN, Double.NaN, 0, 0, 0, "not fitted", seed);
+        0, 0, 0, Double.NaN, Double.NaN, 0, Double.NaN, 0, 0, 0, "not fitted", seed);
   }
 
   /**

@@ -89,7 +89,16 @@ final class FlightFitter {
     return finish(
         kind == KickKind.FLAT
             ? better(polish(data, 0, found), polish(data, 0, start))
-            : bestFlights(List.of(found, start)));
+            : bestFlights(List.of(found, start, withModelOf(start))));
+  }
+
+  /** The kick of a start with the bounces that the problem's model has: what other kicks showed is right more often than what a part of the observations prefers. */
+  private double[] withModelOf(double[] start) {
+    double[] theta = start.clone();
+    for (int k = FlightLayout.timeIndex(kind) + 1; k < size; k++) {
+      theta[k] = parameters.get(k).value();
+    }
+    return theta;
   }
 
   private double wideLoss() {
@@ -168,15 +177,11 @@ final class FlightFitter {
   private Candidate bestFlights(List<double[]> starts) {
     FlightData part =
         data.pick(SearchSubset.pick(data, problem.kick().time(), MEDIUM_OBSERVATIONS));
-    int fewest = ChipModel.MAX_FLIGHTS;
-    int most = 1;
-    for (double[] start : starts) {
-      fewest = Math.min(fewest, Math.max(1, ruleFlights(start) - FLIGHTS_OFF));
-      most = Math.max(most, Math.min(ChipModel.MAX_FLIGHTS, ruleFlights(start) + FLIGHTS_OFF));
-    }
     List<Candidate> tried = new ArrayList<>();
-    for (int flights = fewest; flights <= most; flights++) {
-      for (double[] start : starts) {
+    for (double[] start : starts) {
+      int rule = ruleFlights(start);
+      int most = Math.min(ChipModel.MAX_FLIGHTS, rule + FLIGHTS_OFF);
+      for (int flights = Math.max(1, rule - FLIGHTS_OFF); flights <= most; flights++) {
         tried.add(polish(part, flights, start));
       }
     }
@@ -353,7 +358,6 @@ final class FlightFitter {
             chiSquare,
             degrees,
             screening.robustScale(),
-            meanLoss(best),
             best.flights,
             evaluations,
             solver.iterations(),
@@ -369,16 +373,5 @@ final class FlightFitter {
         ry,
         used,
         statistics);
-  }
-
-  private double meanLoss(Candidate best) {
-    double[] squared = new double[data.size];
-    best.flight.squaredDistances(best.theta, squared);
-    double k2 = settings.lossScale() * settings.lossScale();
-    double sum = 0;
-    for (double s : squared) {
-      sum += k2 * Math.log1p(s / k2);
-    }
-    return sum / data.size;
   }
 }

@@ -116,4 +116,24 @@ class RecordedEffectsTest {
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(0.3 * diagnosis.base().holdoutRmsMm());
   }
+
+  /** The physics engine's rolling resistance acts in impacts, too; without that law it looks like spin from the kicker. */
+  @Test
+  void aPhysicsEnginesChipsFollowTheContactLawAndDoNotSpin() throws IOException {
+    Diagnosis diagnosis = diagnose("ode-chip");
+    Cause contact = only(diagnosis, "contact_impacts");
+    // Its rolling deceleration of 0.353 m/s² divided by gravity.
+    assertThat(contact.effect().value("rolling")).isCloseTo(0.036, within(0.002));
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.6 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
+
+  /** One of its chips has a second valley with twice as many hops; ending there, all kicks once seemed to have backspin. */
+  @Test
+  void oneChipInAWrongValleyIsNoCause() throws IOException {
+    Diagnosis diagnosis = diagnose("integrated-mixed");
+    assertThat(diagnosis.verdict()).isEqualTo(Verdict.MODEL_ADEQUATE);
+    assertThat(diagnosis.kicks()).hasSize(24);
+    assertThat(diagnosis.base().holdoutRmsMm()).isLessThan(1.05 * diagnosis.base().noiseMm());
+  }
 }

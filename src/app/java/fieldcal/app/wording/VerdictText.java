@@ -36,6 +36,9 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   private static final int MOST_VARIABLES = 3;
 
   /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
+  /** A prediction that errs by a fiftieth more is as good. */
+  private static final double NO_WORSE = 1.02;
+
   private static final int FEW_KICKS = 10;
 
   /** Copies the list. {@inheritDoc} */
@@ -214,11 +217,25 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
    * @return a sentence or two
    */
   public static String advice(Diagnosis d) {
-    return "Use the extended model: it predicts better than the simple one, whatever is left."
+    return use(d)
         + d.unexplained().dependsOn().stream()
             .findFirst()
             .map(v -> " To find the rest: " + lower(StructureWords.kicksToRecord(v)))
             .orElse("");
+  }
+
+  private static String use(Diagnosis d) {
+    boolean ahead =
+        d.extended().predictionErrorMm().entrySet().stream()
+            .allMatch(
+                e ->
+                    e.getValue()
+                        <= NO_WORSE
+                            * d.base().predictionErrorMm().getOrDefault(e.getKey(), Double.NaN));
+    return ahead
+        ? "Use the extended model: it predicts better than the simple one, whatever is left."
+        : "The extended model follows kicks better, but does not predict them better from their"
+            + " first 0.3 s at every horizon: compare both in the table before you use it.";
   }
 
   /**

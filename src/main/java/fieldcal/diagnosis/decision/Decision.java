@@ -25,6 +25,9 @@ import org.apache.commons.math3.linear.SingularMatrixException;
 
 /** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
 public final class Decision {
+  /** What only so many kicks show may be theirs. */
+  private static final int FEW = 2;
+
   private final DecisionSettings settings;
   private final ModelFitter fitter;
   private final Alternatives alternatives;
@@ -159,13 +162,14 @@ public final class Decision {
       // follows from the kick.
       return Outcome.UNSTEADY;
     }
-    if (isOneKicks(model, without)) {
-      return Outcome.ONE_KICK;
+    if (isOfFewKicks(model, without)) {
+      return Outcome.FEW_KICKS;
     }
     if (evidence < settings.formShare() * largest && gain[1] < 100 * settings.formGain()) {
       return Outcome.FORM;
     }
-    if (!(gain[1] > 100 * settings.leastGain())) {
+    double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
+    if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
     boolean law = !c.template().starts().isEmpty();
@@ -226,14 +230,16 @@ public final class Decision {
     return sum;
   }
 
-  private boolean isOneKicks(FittedModel model, FittedModel without) {
-    double sum = 0;
-    double most = 0;
-    for (int k = 0; k < model.kickCount(); k++) {
-      double gained = without.solution().chiSquare(k) - model.solution().chiSquare(k);
-      sum += gained;
-      most = Math.max(most, gained);
+  private boolean isOfFewKicks(FittedModel model, FittedModel without) {
+    double[] gained = new double[model.kickCount()];
+    for (int k = 0; k < gained.length; k++) {
+      gained[k] = without.solution().chiSquare(k) - model.solution().chiSquare(k);
     }
-    return sum - most < settings.oneKick() * sum;
+    double sum = Arrays.stream(gained).sum();
+    Arrays.sort(gained);
+    for (int i = 0; i < Math.min(FEW, gained.length); i++) {
+      sum -= gained[gained.length - 1 - i];
+    }
+    return sum < settings.fewKicks() * Arrays.stream(gained).sum();
   }
 }

@@ -35,8 +35,8 @@ public record Judgement(
     CHANCE,
     /** Its strength differs from kick to kick more than a cause's does. */
     UNSTEADY,
-    /** One kick alone gains by it. */
-    ONE_KICK,
+    /** Only one or two kicks gain by it. */
+    FEW_KICKS,
     /** It is little beside a larger cause of its kind: that one's form. */
     FORM,
     /** Kicks that were held out do not gain by it. */

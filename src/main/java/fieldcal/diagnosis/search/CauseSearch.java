@@ -6,10 +6,8 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.effect.Effect;
-import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -22,15 +20,6 @@ import java.util.Set;
  * explained decide. Not thread-safe; used once.
  */
 public final class CauseSearch {
-  /**
-   * What an effect must gain at least, in units of chi-square. Of a hundred independent columns noise makes the best gain 13 (the 99 % quantile of the largest of a hundred chi-square variables); the search may be generous, since the decision
-   * judges once more.
-   */
-  private static final double PENALTY = 8;
-
-  /** What each coordinate must gain besides: the logarithm of the number of blocks that say something of it, some hundreds (Schwarz's criterion). */
-  private static final double PENALTY_PER_COORDINATE = 6;
-
   /** What else may come at once with the best: that share of its gain. What gains less may be its shadow, and waits for the refit. */
   private static final double TOGETHER = 0.2;
 
@@ -45,27 +34,6 @@ public final class CauseSearch {
 
   /** Share of the kicks that must be explained. */
   private static final double MOST_KICKS = 0.85;
-
-  /** Odds of a hundred to one, in units of chi-square, that a law of physics holds rather than that all kicks have the same fault. */
-  private static final double LAW_PREFERRED = 9;
-
-  /** How many simpler ones are refitted, best by the score test first. */
-  private static final int SIMPLER_TRIED = 3;
-
-  /** Three standard deviations, squared. */
-  private static final double UNUSUAL = 9;
-
-  /** Difference, as a share of what is explained, that errors of the model make between equals. */
-  private static final double EQUAL = 0.002;
-
-  /** The same where the simpler one is not also the more usual. */
-  private static final double NEARLY_EQUAL = 5e-4;
-
-  /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
-  private static final double LITTLE = 0.2;
-
-  /** A simpler component may look that much worse to first order, as a share of what it explains, and be tried all the same. */
-  private static final double FIRST_ORDER = 0.02;
 
   /** Rounds of revision; each is as long as a search. */
   private static final int MOST_REVISIONS = 1;
@@ -85,13 +53,12 @@ public final class CauseSearch {
   /** A law that replaces another must explain that share of what is left, or its shadow on other effects would be taken for it. */
   private static final double LAW_SHARE = 0.1;
 
-  private final ModelFitter fitter;
   private final Dictionary dictionary;
   private final int maxComponents;
-  private final SharedSolver solver;
+  private final Refits refits;
+  private final Simplification simplification;
   private final List<SearchStep> trace = new ArrayList<>();
   private final Set<String> rejected = new HashSet<>();
-  private int fits;
   private Component banned;
   private FittedModel best;
 
@@ -105,10 +72,10 @@ public final class CauseSearch {
    */
   public CauseSearch(
       ModelFitter fitter, Dictionary dictionary, int maxComponents, SharedSolver solver) {
-    this.fitter = fitter;
     this.dictionary = dictionary;
     this.maxComponents = maxComponents;
-    this.solver = solver;
+    refits = new Refits(fitter, solver);
+    simplification = new Simplification(refits, dictionary, trace);
   }
 
   /**
@@ -131,15 +98,13 @@ public final class CauseSearch {
     best = start;
     addLaws();
     grow(MOST_AT_ONCE);
-    for (int i = 0; revises && i < MOST_REVISIONS && !isExplained(best) && revise(); i++) {
+    if (!revises) {
+      return simplification.withLawForOther(best).orElse(best);
+    }
+    for (int i = 0; i < MOST_REVISIONS && !isExplained(best) && revise(); i++) {
       grow(MOST_AT_ONCE);
     }
-    if (revises) {
-      simplify();
-    } else {
-      lawForOther();
-    }
-    return best;
+    return simplification.simplified(best, maxComponents);
   }
 
   /**
@@ -149,9 +114,7 @@ public final class CauseSearch {
    * @return the model, or a simpler one that explains as much
    */
   public FittedModel simplified(FittedModel model) {
-    best = model;
-    simplify();
-    return best;
+    return simplification.simplified(model, maxComponents);
   }
 
   /** Each round adds something, or rejects or removes it. */
@@ -184,7 +147,7 @@ public final class CauseSearch {
     String what = "";
     Set<String> tabu = Set.copyOf(rejected);
     for (Component out : before.model().components()) {
-      if (fits > MOST_FITS) {
+      if (refits.count() > MOST_FITS) {
         break;
       }
       best = before;
@@ -192,7 +155,7 @@ public final class CauseSearch {
       List<Component> without = new ArrayList<>(before.model().components());
       without.remove(out);
       if (out.template().starts().isEmpty()) {
-        best = fitted(without);
+        best = refits.fit(best, without);
         banned = out;
         for (int i = 0; i < EXCHANGED && addBest(1); i++) {
           prune();
@@ -201,10 +164,7 @@ public final class CauseSearch {
       } else {
         restartLaw(out, without);
       }
-      double gain =
-          weightedGain(before, best)
-              - penalty(best.model().components())
-              + penalty(before.model().components());
+      double gain = Price.net(before, best);
       if (gain > most) {
         most = gain;
         top = best;
@@ -221,152 +181,14 @@ public final class CauseSearch {
     return true;
   }
 
-  /** Lets a simpler component stand for one or for several of a kind wherever it explains as much. */
-  private void simplify() {
-    for (int round = 0; round < maxComponents; round++) {
-      if (!simplifyOnce()) {
-        return;
-      }
-    }
-  }
-
-  /** Whether a law, begun again, explains what another component was needed for: the two may share what the law alone would have. */
-  private boolean lawForOther() {
-    List<Component> had = best.model().components();
-    for (Component out : had) {
-      if (!(out.template() instanceof MotionEffect) || !out.template().starts().isEmpty()) {
-        continue;
-      }
-      List<Component> rest = new ArrayList<>(had);
-      rest.remove(out);
-      List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
-      for (Component c : had) {
-        if (!c.template().starts().isEmpty()) {
-          laws.add(c.template());
-          rest.remove(c);
-        }
-      }
-      boolean small = weakness(out) < LITTLE;
-      for (Effect law : small || out.isPerKick() ? laws : List.<Effect>of()) {
-        for (Effect start : law.starts()) {
-          Component c = Component.of(start, start.magnitudes());
-          FittedModel next = fitted(added(rest, List.of(c)));
-          double gain = weightedGain(best, next) + penalty(List.of(out)) + LAW_PREFERRED;
-          if (gain > 0) {
-            trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
-            best = next;
-            return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  /** What a component of the model explains, as a share of all residuals. */
-  private double weakness(Component c) {
-    return loss(best, best.model().components().indexOf(c)) / best.solution().rows();
-  }
-
-  private boolean simplifyOnce() {
-    if (lawForOther()) {
-      return true;
-    }
-    List<Component> had = best.model().components();
-    List<Effect> now = best.effects();
-    List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
-    proposals =
-        proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
-    Scorer scorer = new Scorer(best, components(proposals));
-    for (List<Integer> set : sets(had)) {
-      List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
-      Sweep sweep = scorer.without(set);
-      int[] columns =
-          set.stream().flatMapToInt(i -> Arrays.stream(scorer.modelColumns(i))).toArray();
-      double kept = sweep.gain(columns) - penalty(removed);
-      List<Component> rest = new ArrayList<>(had);
-      set.forEach(i -> rest.remove(had.get(i)));
-      double cost = penalty(removed);
-      double unusual = removed.stream().mapToDouble(CauseSearch::unusual).sum();
-      // What is far beyond any usual size gives way to an equal of usual size, even if that has
-      // more numbers.
-      boolean odd = unusual > UNUSUAL;
-      double least = kept - FIRST_ORDER * Math.abs(kept);
-      List<Proposal> simpler =
-          proposals.stream()
-              .filter(p -> !clashes(p, rest))
-              .filter(p -> penalty(p.components()) < cost + (odd ? unusual : 0))
-              .filter(p -> net(p, scorer, sweep) > least)
-              .sorted(Comparator.comparingDouble(p -> -net(p, scorer, sweep)))
-              .limit(SIMPLER_TRIED)
-              .toList();
-      for (Proposal p : simpler) {
-        List<Component> all = new ArrayList<>(rest);
-        all.add(scorer.estimated(p.components().get(0), sweep));
-        FittedModel next = fitted(all);
-        double gain = weightedGain(best, next) + cost - penalty(p.components());
-        double allowed = (odd ? EQUAL : NEARLY_EQUAL) * Math.abs(kept);
-        int last = all.size() - 1;
-        Component found = next.model().components().get(last).startingAt(next.effects().get(last));
-        boolean usual = unusual(found) < (odd ? 0.5 * unusual : UNUSUAL);
-        if (gain > -allowed && usual) {
-          trace.add(
-              new SearchStep(
-                  p + " for " + removed, Action.SWAPPED, net(p, scorer, sweep) - kept, gain));
-          best = next;
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  private static double net(Proposal p, Scorer scorer, Sweep sweep) {
-    return sweep.gain(scorer.columns(p)) - penalty(p.components());
-  }
-
-  /** Squared distance of a component's numbers from none, in standard deviations of what is expected beforehand. */
-  private static double unusual(Component c) {
-    double sum = 0;
-    for (int j = 0; j < c.magnitudeCount(); j++) {
-      double value = c.coordinates().get(j).value();
-      sum += value * value * c.priors().get(j).precision();
-    }
-    return sum;
-  }
-
-  /** All components of one effect together first, then each alone; not those that are no linear parameters. */
-  private static List<List<Integer>> sets(List<Component> components) {
-    List<List<Integer>> sets = new ArrayList<>();
-    for (int i = 0; i < components.size(); i++) {
-      List<Integer> same = new ArrayList<>();
-      for (int j = 0; j < components.size(); j++) {
-        if (components.get(j).template().id().equals(components.get(i).template().id())) {
-          same.add(j);
-        }
-      }
-      if (isLinear(components.get(i))) {
-        if (same.size() > 1 && same.get(0) == i) {
-          sets.add(0, same);
-        }
-        sets.add(List.of(i));
-      }
-    }
-    return sets;
-  }
-
-  private static boolean isLinear(Component c) {
-    return !c.isPerKick() && c.template().starts().isEmpty();
-  }
-
   private void restartLaw(Component law, List<Component> without) {
     FittedModel before = best;
     for (Effect start : law.template().starts()) {
       List<Component> with = new ArrayList<>(without);
       with.add(Component.of(start, start.magnitudes()));
       best = before;
-      FittedModel tried = fitted(with);
-      best = weightedGain(before, tried) > 0 ? tried : before;
+      FittedModel tried = refits.fit(best, with);
+      best = Price.gain(before, tried) > 0 ? tried : before;
       if (best != before) {
         return;
       }
@@ -400,10 +222,10 @@ public final class CauseSearch {
           continue;
         }
         double gain = scorer.gain(p, sweep);
-        if (gain - penalty(p) <= topNet) {
+        if (gain - Price.of(p) <= topNet) {
           continue;
         }
-        double net = gain - penalty(p.group() ? members(p, scorer, sweep) : p.components());
+        double net = gain - Price.of(p.group() ? members(p, scorer, sweep) : p.components());
         if (net > topNet) {
           topNet = net;
           topGain = gain;
@@ -449,7 +271,7 @@ public final class CauseSearch {
           top = c;
         }
       }
-      if (top == null || !members.isEmpty() && most < penalty(List.of(top))) {
+      if (top == null || !members.isEmpty() && most < Price.of(List.of(top))) {
         break;
       }
       members.add(top);
@@ -462,9 +284,9 @@ public final class CauseSearch {
   }
 
   private boolean tryAdding(List<Component> chosen, List<Proposal> from, double expected) {
-    FittedModel next = fitted(added(best.model().components(), chosen));
-    double gained = weightedGain(best, next);
-    double penalty = penalty(chosen);
+    FittedModel next = refits.fit(best, added(best.model().components(), chosen));
+    double gained = Price.gain(best, next);
+    double penalty = Price.of(chosen);
     boolean good = gained > penalty && gained > REALISED * expected;
     trace.add(
         new SearchStep(chosen.toString(), good ? Action.ADDED : Action.REJECTED, expected, gained));
@@ -485,7 +307,7 @@ public final class CauseSearch {
     return chosen.stream().filter(c -> p.components().stream().anyMatch(c::isSameCause)).toList();
   }
 
-  private static List<Component> added(List<Component> had, List<Component> chosen) {
+  static List<Component> added(List<Component> had, List<Component> chosen) {
     List<Component> all = new ArrayList<>();
     for (Component h : had) {
       if (chosen.stream().noneMatch(c -> c.isSameCause(h) && Dictionary.isMore(c, h))) {
@@ -496,60 +318,11 @@ public final class CauseSearch {
     return all;
   }
 
-  private FittedModel fitted(List<Component> components) {
-    fits++;
-    double[] none = new double[0];
-    EffectModel start =
-        best.model().startingAt(best.solution().values(), none).with(started(components));
-    return fitter.fit(start, best, true, solver);
-  }
-
-  /** Components that the present model has start from its values. */
-  private List<Component> started(List<Component> components) {
-    List<Component> had = best.model().components();
-    List<Effect> now = best.effects();
-    List<Component> all = new ArrayList<>();
-    for (Component c : components) {
-      int i = had.indexOf(c);
-      all.add(i < 0 ? c : c.startingAt(now.get(i)));
-    }
-    return all;
-  }
-
-  /** By how much the cost falls, kicks that the first model does not explain weighing less. */
-  static double weightedGain(FittedModel from, FittedModel to) {
-    double[] weights = new double[from.kickCount()];
-    for (int k = 0; k < weights.length; k++) {
-      weights[k] = 1 / Math.max(1, from.reduced(k));
-    }
-    return from.solution().costWith(weights) - to.solution().costWith(weights);
-  }
-
-  /** The least that a proposal must gain; a group must gain it for each member that is needed. */
-  static double penalty(Proposal p) {
-    return penalty(p.group() ? p.components().subList(0, 1) : p.components());
-  }
-
-  static double penalty(List<Component> components) {
-    double penalty = 0;
-    for (Component c : components) {
-      if (!c.template().starts().isEmpty()) {
-        // A law stands in the place of another with as many numbers.
-        penalty += PENALTY;
-        continue;
-      }
-      // A value for each kick is paid for by the marginal likelihood; mean and scatter are two.
-      int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
-      penalty += PENALTY + PENALTY_PER_COORDINATE * size;
-    }
-    return penalty;
-  }
-
-  private static boolean clashes(Proposal p, List<Component> chosen) {
+  static boolean clashes(Proposal p, List<Component> chosen) {
     return p.components().stream().anyMatch(c -> chosen.stream().anyMatch(c::isSameCause));
   }
 
-  private static Set<Component> components(List<Proposal> proposals) {
+  static Set<Component> components(List<Proposal> proposals) {
     Set<Component> all = new LinkedHashSet<>();
     proposals.forEach(p -> all.addAll(p.components()));
     return all;
@@ -584,25 +357,14 @@ public final class CauseSearch {
 
   /** Fits the places of what is in the model together with everything else. */
   private void movePlaces() {
-    List<Component> components = best.model().components();
-    if (components.stream().noneMatch(Component::hasPlace)) {
+    if (best.model().components().stream().noneMatch(Component::hasPlace)) {
       return;
     }
-    List<Component> freed = new ArrayList<>();
-    for (Component c : started(components)) {
-      freed.add(c.hasPlace() ? c.withPlaceFree() : c);
-    }
-    FittedModel moved = fitted(freed);
-    double gained = weightedGain(best, moved);
+    FittedModel moved = refits.fitPlaces(best);
+    double gained = Price.gain(best, moved);
     if (gained > 0) {
       trace.add(new SearchStep("places", Action.MOVED, Double.NaN, gained));
-      List<Component> held = new ArrayList<>();
-      for (int i = 0; i < freed.size(); i++) {
-        held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
-      }
-      EffectModel model =
-          best.model().startingAt(best.solution().values(), new double[0]).with(held);
-      best = fitter.fit(model, moved, true, solver);
+      best = moved;
     }
   }
 
@@ -616,8 +378,8 @@ public final class CauseSearch {
       double most = 0;
       for (Effect start : law.starts()) {
         Component c = Component.of(start, start.magnitudes());
-        FittedModel tried = fitted(added(best.model().components(), List.of(c)));
-        double gain = weightedGain(best, tried);
+        FittedModel tried = refits.fit(best, added(best.model().components(), List.of(c)));
+        double gain = Price.gain(best, tried);
         if (gain > most) {
           most = gain;
           top = tried;
@@ -627,8 +389,7 @@ public final class CauseSearch {
       for (int k = 0; k < best.kickCount(); k++) {
         left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
       }
-      boolean good =
-          top != null && most > PENALTY + 2 * PENALTY_PER_COORDINATE && most > LAW_SHARE * left;
+      boolean good = top != null && most > Price.LAW && most > LAW_SHARE * left;
       trace.add(new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
       if (good) {
         best = top;
@@ -644,7 +405,7 @@ public final class CauseSearch {
       int weakest = -1;
       double least = Double.POSITIVE_INFINITY;
       for (int i = 0; i < components.size(); i++) {
-        double loss = loss(best, i) - penalty(List.of(components.get(i)));
+        double loss = loss(best, i) - Price.of(List.of(components.get(i)));
         if (loss < least) {
           least = loss;
           weakest = i;
@@ -655,9 +416,9 @@ public final class CauseSearch {
       }
       List<Component> without = new ArrayList<>(components);
       Component removed = without.remove(weakest);
-      FittedModel next = fitted(without);
-      double lost = weightedGain(next, best);
-      if (lost > penalty(List.of(removed))) {
+      FittedModel next = refits.fit(best, without);
+      double lost = Price.gain(next, best);
+      if (lost > Price.of(List.of(removed))) {
         return;
       }
       trace.add(new SearchStep(removed.toString(), Action.REMOVED, least, -lost));

@@ -22,9 +22,9 @@ import java.util.stream.IntStream;
  *
  * @param squares sum of squared residuals per kick, m²
  * @param counts residuals per kick
- * @param prediction squared distances between predicted and seen position, m², by horizon in s
+ * @param ahead predictions, by horizon in s
  */
-public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> prediction) {
+public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) {
   /** Parts of the kicks; with fewer kicks each is left out alone. */
   private static final int PARTS = 6;
 
@@ -41,6 +41,32 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
 
   private static final int BOOTSTRAPS = 1000;
   private static final double LOW = 0.025;
+
+  /** A prediction that errs by that share more is as good: less than the spread of a kick's direction makes. */
+  private static final double NO_WORSE = 0.02;
+
+  /**
+   * Predictions of some time ahead.
+   *
+   * @param squares sum of squared distances between predicted and seen position per kick, m²
+   * @param counts how many per kick
+   */
+  public record Ahead(double[] squares, int[] counts) {
+    private Ahead(int kicks) {
+      this(new double[kicks], new int[kicks]);
+    }
+
+    /** Root mean square of kicks that may come more than once, m; NaN when none of them was predicted so far. */
+    private double rms(int[] kicks) {
+      double sum = 0;
+      double n = 0;
+      for (int k : kicks) {
+        sum += squares[k];
+        n += counts[k];
+      }
+      return Math.sqrt(sum / n);
+    }
+  }
 
   /** One kick's part. */
   private record One(double squares, int count, Map<Double, List<Double>> prediction) {}
@@ -77,12 +103,19 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
             .toList();
     double[] squares = all.stream().mapToDouble(One::squares).toArray();
     int[] counts = all.stream().mapToInt(One::count).toArray();
-    Map<Double, List<Double>> prediction = new TreeMap<>();
-    for (One o : all) {
-      o.prediction.forEach(
-          (h, list) -> prediction.computeIfAbsent(h, x -> new ArrayList<>()).addAll(list));
+    Map<Double, Ahead> ahead = new TreeMap<>();
+    for (int k = 0; k < n; k++) {
+      int kick = k;
+      all.get(k)
+          .prediction
+          .forEach(
+              (h, list) -> {
+                Ahead at = ahead.computeIfAbsent(h, x -> new Ahead(n));
+                at.squares[kick] = list.stream().mapToDouble(d -> d).sum();
+                at.counts[kick] = list.size();
+              });
     }
-    return new HoldOut(squares, counts, prediction);
+    return new HoldOut(squares, counts, ahead);
   }
 
   /** Flat kicks and chips are dealt apart, so that no part has only one of them. */
@@ -194,12 +227,37 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, List<Double>> 
    */
   public Map<Double, Double> predictionMm() {
     Map<Double, Double> rms = new TreeMap<>();
-    prediction.forEach(
-        (h, list) ->
-            rms.put(
-                h,
-                1000 * Math.sqrt(list.stream().mapToDouble(d -> d).average().orElse(Double.NaN))));
+    int[] all = IntStream.range(0, squares.length).toArray();
+    ahead.forEach((h, at) -> rms.put(h, 1000 * at.rms(all)));
     return rms;
+  }
+
+  /**
+   * Whether this predicts worse than another model of the same kicks, at any horizon, by more than the choice of the kicks can do (bootstrap, Efron 1979).
+   *
+   * @param other the other model's, of the same kicks
+   * @param seed of the bootstrap
+   * @return true when it does
+   */
+  public boolean predictsWorseThan(HoldOut other, long seed) {
+    Random random = new Random(seed);
+    for (Map.Entry<Double, Ahead> entry : ahead.entrySet()) {
+      Ahead before = other.ahead.get(entry.getKey());
+      int[] drawn = new int[squares.length];
+      double[] losses = new double[BOOTSTRAPS];
+      for (int b = 0; before != null && b < BOOTSTRAPS; b++) {
+        for (int i = 0; i < drawn.length; i++) {
+          drawn[i] = random.nextInt(drawn.length);
+        }
+        double loss = entry.getValue().rms(drawn) - (1 + NO_WORSE) * before.rms(drawn);
+        losses[b] = Double.isNaN(loss) ? 0 : loss;
+      }
+      Arrays.sort(losses);
+      if (losses[(int) (LOW * BOOTSTRAPS)] > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**

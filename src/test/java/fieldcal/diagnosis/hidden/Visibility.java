@@ -2,16 +2,20 @@ package fieldcal.diagnosis.hidden;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
-import fieldcal.fit.Estimate;
 import fieldcal.fit.FitProblem;
 import fieldcal.fit.FitSettings;
-import fieldcal.fit.JointFit;
-import fieldcal.fit.JointFitter;
-import fieldcal.fit.JointProblem;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.KickFitter;
+import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
@@ -24,9 +28,9 @@ import fieldcal.simulation.physics.ImpactLaw;
 import fieldcal.simulation.truth.KickTruth;
 import fieldcal.simulation.truth.Truth;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * How much of what is hidden there is to see: the same world without noise and trouble, and what the simple model, fitted jointly, leaves of it, in units of the noise that the diagnosis has to cope
@@ -103,11 +107,8 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
     if (fits.isEmpty()) {
       return new Visibility(0, 0, 0);
     }
-    JointFitter joint = new JointFitter(all);
     return new Visibility(
-        left(joint, fits, views, seen.truth(), false),
-        left(joint, fits, views, seen.truth(), true),
-        fits.size());
+        left(fits, seen, views, false), left(fits, seen, views, true), fits.size());
   }
 
   private static List<KickFit> fits(SeenKicks seen, CameraViews views, KickFitter fitter) {
@@ -182,22 +183,61 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
         some);
   }
 
+  /** What a joint fit of the kicks leaves, all of them with the same ball: a scatter from kick to kick would hide what changes over the session. */
   private static double left(
-      JointFitter joint, List<KickFit> fits, CameraViews views, Truth truth, boolean offsets) {
-    FlatModel flat = flatOf(truth);
-    ChipModel chip = chipOf(truth);
-    List<KickFit> flats = fits.stream().filter(f -> f.kind() == KickKind.FLAT).toList();
-    OptionalDouble roll = OptionalDouble.empty();
-    if (!flats.isEmpty() && flats.size() < fits.size()) {
-      Optional<Estimate> estimate =
-          joint
-              .fit(new JointProblem(flats, views, flat, chip, OptionalDouble.empty(), offsets))
-              .flat("accRoll")
-              .filter(Estimate::usable);
-      roll = estimate.isPresent() ? OptionalDouble.of(estimate.get().value()) : roll;
+      List<KickFit> fits, SeenKicks seen, CameraViews views, boolean offsets) {
+    List<KickRecord> records =
+        fits.stream()
+            .map(
+                f -> {
+                  boolean[] all = new boolean[f.kick().observations().size()];
+                  Arrays.fill(all, true);
+                  return new KickRecord(f, all, views, 0);
+                })
+            .toList();
+    List<ObservedCamera> observers =
+        seen.geometry().cameras().stream()
+            .map(
+                c ->
+                    ObservedCamera.of(
+                        c, seen.cameras().get(c.id()), seen.geometry().cameras().size()))
+            .toList();
+    EffectModel model =
+        EffectModel.simple(
+            flatOf(seen.truth()),
+            chipOf(seen.truth()),
+            fits.stream().anyMatch(f -> f.kind() == KickKind.FLAT),
+            fits.stream().anyMatch(f -> f.kind() == KickKind.CHIP),
+            observers);
+    if (offsets) {
+      model =
+          model.with(
+              observers.stream()
+                  .map(c -> new CameraOffset(0, 0, c.id()))
+                  .map(e -> Component.of(e, e.magnitudes()))
+                  .toList());
     }
-    JointFit fit = joint.fit(new JointProblem(fits, views, flat, chip, roll, offsets));
-    return Math.sqrt(fit.reducedChiSquare());
+    FittedModel fit =
+        new ModelFitter(records, seen.firstFrame())
+            .fit(model, SharedSolver.withDefaults().settlingVariants());
+    return rms(fit);
+  }
+
+  /** In standard deviations of the noise. */
+  private static double rms(FittedModel fit) {
+    double squares = 0;
+    int rows = 0;
+    for (int k = 0; k < fit.kickCount(); k++) {
+      KickRecord record = fit.kick(k).record();
+      double[] rx = new double[record.size()];
+      double[] ry = new double[record.size()];
+      fit.kick(k).plainResiduals(fit.solution().own(k), fit.solution().state(), rx, ry);
+      for (int i = 0; i < rx.length; i++) {
+        squares += (rx[i] * rx[i] + ry[i] * ry[i]) / record.variance(i);
+        rows += 2;
+      }
+    }
+    return Math.sqrt(squares / rows);
   }
 
   /**

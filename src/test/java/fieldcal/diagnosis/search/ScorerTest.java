@@ -40,11 +40,11 @@ class ScorerTest {
   void gainBesideTheModelIsWhatARefitGains() {
     Scorer scorer = new Scorer(field.simple(), List.of(drag, offset, nap));
     for (Component c : List.of(drag, offset)) {
-      double expected = CauseSearch.weightedGain(field.simple(), fitted(field.simple(), c));
+      double expected = Price.gain(field.simple(), fitted(field.simple(), c));
       assertThat(scorer.gain(Proposal.of(c), scorer.sweep()))
           .isCloseTo(expected, within(SECOND_ORDER * expected));
     }
-    double both = CauseSearch.weightedGain(field.simple(), fitted(field.simple(), drag, offset));
+    double both = Price.gain(field.simple(), fitted(field.simple(), drag, offset));
     assertThat(scorer.gain(new Proposal(List.of(drag, offset), false), scorer.sweep()))
         .isCloseTo(both, within(SECOND_ORDER * both));
   }
@@ -55,7 +55,7 @@ class ScorerTest {
     Scorer scorer = new Scorer(both, List.of(other, nap));
     for (int i : new int[] {0, 1}) {
       FittedModel without = fitted(both, both.model().components().get(1 - i));
-      double expected = -CauseSearch.weightedGain(both, without);
+      double expected = -Price.gain(both, without);
       assertThat(scorer.without(List.of(i)).gain(scorer.modelColumns(i)))
           .isCloseTo(expected, within(SECOND_ORDER * expected));
     }

@@ -62,6 +62,15 @@ class HoldOutTest {
   }
 
   @Test
+  void whatPredictsWorseIsKnownBeyondTheChoiceOfKicks() {
+    HoldOut with = HoldOut.of(drag, true, SEED);
+    HoldOut without = HoldOut.of(field.simple(), true, SEED);
+    assertThat(without.predictsWorseThan(with, SEED)).isTrue();
+    assertThat(with.predictsWorseThan(without, SEED)).isFalse();
+    assertThat(with.predictsWorseThan(with, SEED)).isFalse();
+  }
+
+  @Test
   void theRightModelPredictsWhatItHasNotSeen() {
     HoldOut with = HoldOut.of(drag, true, SEED);
     HoldOut without = HoldOut.of(field.simple(), true, SEED);

@@ -1,9 +1,7 @@
-package fieldcal.diagnosis.screening;
+package fieldcal.fit;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
-import fieldcal.fit.Estimate;
-import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import java.util.List;
 

@@ -1,0 +1,61 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.effect.Effect;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Joint fits of a search, counted: kicks that the model does not explain from which they start weigh less. Not thread-safe. */
+final class Refits {
+  private final ModelFitter fitter;
+  private final SharedSolver solver;
+  private int count;
+
+  Refits(ModelFitter fitter, SharedSolver solver) {
+    this.fitter = fitter;
+    this.solver = solver;
+  }
+
+  /** How many there were. */
+  int count() {
+    return count;
+  }
+
+  /** A model of these components; those that the other model has start from its values. */
+  FittedModel fit(FittedModel from, List<Component> components) {
+    count++;
+    List<Component> had = from.model().components();
+    List<Effect> now = from.effects();
+    List<Component> started = new ArrayList<>();
+    for (Component c : components) {
+      int i = had.indexOf(c);
+      started.add(i < 0 ? c : c.startingAt(now.get(i)));
+    }
+    return fitter.fit(start(from).with(started), from, true, solver);
+  }
+
+  /** The same components with their places fitted together with everything else, and held there again. */
+  FittedModel fitPlaces(FittedModel from) {
+    count++;
+    List<Component> freed = new ArrayList<>();
+    List<Effect> now = from.effects();
+    for (int i = 0; i < now.size(); i++) {
+      Component c = from.model().components().get(i).startingAt(now.get(i));
+      freed.add(c.hasPlace() ? c.withPlaceFree() : c);
+    }
+    FittedModel moved = fitter.fit(start(from).with(freed), from, true, solver);
+    List<Component> held = new ArrayList<>();
+    for (int i = 0; i < freed.size(); i++) {
+      held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
+    }
+    return fitter.fit(start(from).with(held), moved, true, solver);
+  }
+
+  private static EffectModel start(FittedModel from) {
+    return from.model().startingAt(from.solution().values(), new double[0]);
+  }
+}

@@ -1,0 +1,184 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.search.SearchStep.Action;
+import fieldcal.effect.Effect;
+import fieldcal.effect.MotionEffect;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/** Lets simpler components stand for others, and laws for what they explain. Not thread-safe. */
+final class Simplification {
+  /** Odds of a hundred to one, in units of chi-square, that a law of physics holds rather than that all kicks have the same fault. */
+  private static final double LAW_PREFERRED = 9;
+
+  /** How many simpler ones are refitted, best by the score test first. */
+  private static final int SIMPLER_TRIED = 3;
+
+  /** Three standard deviations, squared. */
+  private static final double UNUSUAL = 9;
+
+  /** Difference, as a share of what is explained, that errors of the model make between equals. */
+  private static final double EQUAL = 0.002;
+
+  /** The same where the simpler one is not also the more usual. */
+  private static final double NEARLY_EQUAL = 5e-4;
+
+  /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
+  private static final double LITTLE = 0.2;
+
+  /** A simpler component may look that much worse to first order, as a share of what it explains, and be tried all the same. */
+  private static final double FIRST_ORDER = 0.02;
+
+  private final Refits refits;
+  private final Dictionary dictionary;
+  private final List<SearchStep> trace;
+
+  Simplification(Refits refits, Dictionary dictionary, List<SearchStep> trace) {
+    this.refits = refits;
+    this.dictionary = dictionary;
+    this.trace = trace;
+  }
+
+  /** Lets a simpler component stand for one or for several of a kind wherever it explains as much. */
+  FittedModel simplified(FittedModel model, int rounds) {
+    FittedModel best = model;
+    for (int round = 0; round < rounds; round++) {
+      FittedModel at = best;
+      Optional<FittedModel> simpler = withLawForOther(at).or(() -> once(at));
+      if (simpler.isEmpty()) {
+        return best;
+      }
+      best = simpler.get();
+    }
+    return best;
+  }
+
+  /** Whether a law, begun again, explains what another component was needed for: the two may share what the law alone would have. */
+  Optional<FittedModel> withLawForOther(FittedModel best) {
+    List<Component> had = best.model().components();
+    for (Component out : had) {
+      if (!(out.template() instanceof MotionEffect) || !out.template().starts().isEmpty()) {
+        continue;
+      }
+      List<Component> rest = new ArrayList<>(had);
+      rest.remove(out);
+      List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
+      for (Component c : had) {
+        if (!c.template().starts().isEmpty()) {
+          laws.add(c.template());
+          rest.remove(c);
+        }
+      }
+      boolean small = weakness(best, out) < LITTLE;
+      for (Effect law : small || out.isPerKick() ? laws : List.<Effect>of()) {
+        for (Effect start : law.starts()) {
+          Component c = Component.of(start, start.magnitudes());
+          FittedModel next = refits.fit(best, CauseSearch.added(rest, List.of(c)));
+          double gain = Price.gain(best, next) + Price.of(List.of(out)) + LAW_PREFERRED;
+          if (gain > 0) {
+            trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
+            return Optional.of(next);
+          }
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** What a component of the model explains, as a share of all residuals. */
+  private static double weakness(FittedModel best, Component c) {
+    return CauseSearch.loss(best, best.model().components().indexOf(c)) / best.solution().rows();
+  }
+
+  private Optional<FittedModel> once(FittedModel best) {
+    List<Component> had = best.model().components();
+    List<Effect> now = best.effects();
+    List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
+    proposals =
+        proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
+    Scorer scorer = new Scorer(best, CauseSearch.components(proposals));
+    for (List<Integer> set : sets(had)) {
+      List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
+      Sweep sweep = scorer.without(set);
+      int[] columns =
+          set.stream().flatMapToInt(i -> Arrays.stream(scorer.modelColumns(i))).toArray();
+      double kept = sweep.gain(columns) - Price.of(removed);
+      List<Component> rest = new ArrayList<>(had);
+      set.forEach(i -> rest.remove(had.get(i)));
+      double cost = Price.of(removed);
+      double unusual = removed.stream().mapToDouble(Simplification::unusual).sum();
+      // What is far beyond any usual size gives way to an equal of usual size, even if that has
+      // more numbers.
+      boolean odd = unusual > UNUSUAL;
+      double least = kept - FIRST_ORDER * Math.abs(kept);
+      List<Proposal> simpler =
+          proposals.stream()
+              .filter(p -> !CauseSearch.clashes(p, rest))
+              .filter(p -> Price.of(p.components()) < cost + (odd ? unusual : 0))
+              .filter(p -> net(p, scorer, sweep) > least)
+              .sorted(Comparator.comparingDouble(p -> -net(p, scorer, sweep)))
+              .limit(SIMPLER_TRIED)
+              .toList();
+      for (Proposal p : simpler) {
+        List<Component> all = new ArrayList<>(rest);
+        all.add(scorer.estimated(p.components().get(0), sweep));
+        FittedModel next = refits.fit(best, all);
+        double gain = Price.gain(best, next) + cost - Price.of(p.components());
+        double allowed = (odd ? EQUAL : NEARLY_EQUAL) * Math.abs(kept);
+        int last = all.size() - 1;
+        Component found = next.model().components().get(last).startingAt(next.effects().get(last));
+        boolean usual = unusual(found) < (odd ? 0.5 * unusual : UNUSUAL);
+        if (gain > -allowed && usual) {
+          trace.add(
+              new SearchStep(
+                  p + " for " + removed, Action.SWAPPED, net(p, scorer, sweep) - kept, gain));
+          return Optional.of(next);
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static double net(Proposal p, Scorer scorer, Sweep sweep) {
+    return sweep.gain(scorer.columns(p)) - Price.of(p.components());
+  }
+
+  /** Squared distance of a component's numbers from none, in standard deviations of what is expected beforehand. */
+  private static double unusual(Component c) {
+    double sum = 0;
+    for (int j = 0; j < c.magnitudeCount(); j++) {
+      double value = c.coordinates().get(j).value();
+      sum += value * value * c.priors().get(j).precision();
+    }
+    return sum;
+  }
+
+  /** All components of one effect together first, then each alone; not those that are no linear parameters. */
+  private static List<List<Integer>> sets(List<Component> components) {
+    List<List<Integer>> sets = new ArrayList<>();
+    for (int i = 0; i < components.size(); i++) {
+      List<Integer> same = new ArrayList<>();
+      for (int j = 0; j < components.size(); j++) {
+        if (components.get(j).template().id().equals(components.get(i).template().id())) {
+          same.add(j);
+        }
+      }
+      if (isLinear(components.get(i))) {
+        if (same.size() > 1 && same.get(0) == i) {
+          sets.add(0, same);
+        }
+        sets.add(List.of(i));
+      }
+    }
+    return sets;
+  }
+
+  private static boolean isLinear(Component c) {
+    return !c.isPerKick() && c.template().starts().isEmpty();
+  }
+}
