@@ -55,6 +55,10 @@ class ArchitectureTest {
           Map.entry(
               "diagnosis",
               List.of("effect", "fit", "calibration", "kick", "ball", "camera", "vision")),
+          Map.entry(
+              "verdict",
+              List.of(
+                  "calibration", "diagnosis", "effect", "fit", "kick", "ball", "camera", "vision")),
           Map.entry("movement", List.of("vision")),
           Map.entry("live", List.of("fit", "kick", "movement", "ball", "camera", "vision")),
           Map.entry("play", List.of("vision")),

@@ -47,6 +47,21 @@ public record Calibration(
   }
 
   /**
+   * Whether there is anything to say of a kind of kicks. A push that looks like a flat kick, among chips, determines no parameter of flat kicks.
+   *
+   * @param kind flat or chip
+   * @return true when there are such kicks that determine a parameter, or no kicks that do
+   */
+  public boolean tells(KickKind kind) {
+    boolean other = determines(kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT);
+    return !kicks(kind).isEmpty() && (determines(kind) || !other);
+  }
+
+  private boolean determines(KickKind kind) {
+    return (kind == KickKind.FLAT ? flat : chip).values().stream().anyMatch(a -> a.n() > 0);
+  }
+
+  /**
    * The fits that are believed, whatever became of their single parameters: what the joint fit was made from, and what a diagnosis starts from.
    *
    * @return in order of time

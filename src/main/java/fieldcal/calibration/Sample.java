@@ -1,5 +1,6 @@
 package fieldcal.calibration;
 
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -27,7 +28,12 @@ public record Sample(
    * @return true when its value is the reason
    */
   public boolean leftForItsValue() {
-    return dropped.isPresent() && dropped.get().startsWith(parameter + " is ");
+    return dropped.isPresent() && dropped.get().startsWith(fieldName() + " is ");
+  }
+
+  /** The parameter's name in the league's message, for people: {@code acc_slide}. */
+  String fieldName() {
+    return parameter.replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT);
   }
 
   /**

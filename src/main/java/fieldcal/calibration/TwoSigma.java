@@ -38,7 +38,7 @@ public final class TwoSigma {
       next.add(
           leaves
               ? s.drop(
-                  String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.parameter(), sigmas))
+                  String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.fieldName(), sigmas))
               : s);
     }
     return next;

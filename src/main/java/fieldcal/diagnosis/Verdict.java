@@ -1,6 +1,8 @@
 package fieldcal.diagnosis;
 
+import java.util.Arrays;
 import java.util.Locale;
+import java.util.Optional;
 
 /** What a diagnosis comes to. */
 public enum Verdict {
@@ -20,5 +22,15 @@ public enum Verdict {
    */
   public String id() {
     return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * From the name in files.
+   *
+   * @param id lower case with underscores
+   * @return empty for a name that a later version wrote
+   */
+  public static Optional<Verdict> ofId(String id) {
+    return Arrays.stream(values()).filter(v -> v.id().equals(id)).findFirst();
   }
 }

@@ -33,7 +33,7 @@ public record FitStatistics(
     long seed) {
 
   /** A model that explains a kick to within that many times the noise is right: no other one explains it better than noise lets it. */
-  private static final double EXPLAINED_SCALE = 1.5;
+  public static final double EXPLAINED_SCALE = 1.5;
 
   /** More than that share of the detections off the path are not false ones alone, of which good cameras report less than 1 %. */
   private static final double FEW_UNEXPLAINED = 0.03;

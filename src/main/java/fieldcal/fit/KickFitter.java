@@ -104,8 +104,14 @@ public final class KickFitter {
    * Whether a chip that explains a kick is one that a robot can have made. A flat kick that the flat model does not explain, for
    * spin or drag or a slope, is often explained a little better by low hops that hardly lose height, for there are more of them to
    * fit with.
+   *
+   * @param chip a fit of the chip model
+   * @return false also when the fit failed
    */
-  private static boolean flies(KickFit chip) {
+  public static boolean flies(KickFit chip) {
+    if (chip.failure().isPresent()) {
+      return false;
+    }
     double vz = chip.estimate("vz").value();
     double ground = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
     Estimate damping = chip.estimate("dampingZ");

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.util.zip.GZIPOutputStream;
 
@@ -26,11 +27,12 @@ public final class GameLogWriter implements Closeable {
    * Creates a log file, or overwrites one.
    *
    * @param file where; compressed if the name ends with {@code .gz}
+   * @param options how it is opened, for those who do not want to overwrite
    * @return a writer after the file's header
    * @throws IOException if it cannot be written
    */
-  public static GameLogWriter create(Path file) throws IOException {
-    OutputStream raw = Files.newOutputStream(file);
+  public static GameLogWriter create(Path file, OpenOption... options) throws IOException {
+    OutputStream raw = Files.newOutputStream(file, options);
     try {
       boolean gzip = file.getFileName().toString().endsWith(".gz");
       return to(gzip ? new GZIPOutputStream(raw, BUFFER) : raw);

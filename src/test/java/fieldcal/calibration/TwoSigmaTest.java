@@ -28,7 +28,7 @@ class TwoSigmaTest {
     List<Sample> after = TwoSigma.repeated(before);
     assertThat(left(after)).containsExactly(1, 2, 3, 4, 5, 6, 7);
     assertThat(after.get(7).dropped())
-        .hasValueSatisfying(r -> assertThat(r).contains("accSlide").contains("σ from the mean"));
+        .hasValueSatisfying(r -> assertThat(r).contains("acc_slide").contains("σ from the mean"));
     assertThat(after)
         .extracting(Sample::value)
         .isEqualTo(before.stream().map(Sample::value).toList());

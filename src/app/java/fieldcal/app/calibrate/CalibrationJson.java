@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.recording.CameraStream;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.Calibration;
@@ -45,6 +46,7 @@ final class CalibrationJson {
     ArrayNode sources = root.putArray("sources");
     outcome.logs().forEach(log -> sources.add(log.toString()));
     root.put("seed", calibration.seed());
+    root.set("verdict", VerdictJson.of(outcome.verdict()));
     ArrayNode cameras = root.putArray("cameras");
     calibration.cameras().all().forEach(view -> cameras.add(camera(view)));
     ArrayNode kicks = root.putArray("kicks");
@@ -118,7 +120,7 @@ final class CalibrationJson {
     node.put("rejected_because", calibrated.rejected().orElse(null));
     ObjectNode dropped = nodes.objectNode();
     for (Sample s : calibrated.samples()) {
-      s.dropped().ifPresent(reason -> dropped.put(ParameterNames.inFiles(s.parameter()), reason));
+      s.dropped().ifPresent(reason -> dropped.put(ParameterWords.inFiles(s.parameter()), reason));
     }
     node.set("dropped_parameters", dropped);
     outcome.command(kick).ifPresent(c -> node.set("commanded", commanded(c)));
@@ -150,7 +152,7 @@ final class CalibrationJson {
     ObjectNode errors = node.putObject("standard_errors");
     ObjectNode undetermined = nodes.objectNode();
     for (Estimate e : fit.modelEstimates()) {
-      String name = ParameterNames.inFiles(e.name());
+      String name = ParameterWords.inFiles(e.name());
       if (e.usable()) {
         parameters.put(name, e.value());
         errors.put(name, e.standardError());
@@ -169,7 +171,7 @@ final class CalibrationJson {
     }
     averages.forEach(
         (name, a) -> {
-          ObjectNode one = node.putObject(ParameterNames.inFiles(name));
+          ObjectNode one = node.putObject(ParameterWords.inFiles(name));
           one.put("mean", a.n() > 0 ? a.mean() : null);
           one.put("standard_error", a.n() > 0 ? a.standardError() : null);
           one.put("n", a.n());
@@ -198,7 +200,7 @@ final class CalibrationJson {
   private ObjectNode estimates(List<Estimate> estimates) {
     ObjectNode node = nodes.objectNode();
     for (Estimate e : estimates) {
-      ObjectNode one = node.putObject(ParameterNames.inFiles(e.name()));
+      ObjectNode one = node.putObject(ParameterWords.inFiles(e.name()));
       if (!e.parameter().estimated()) {
         one.put("mean", e.value()).put("fixed", true);
       } else if (e.usable()) {
@@ -234,7 +236,7 @@ final class CalibrationJson {
         .flat()
         .ifPresent(
             m ->
-                m.parameters().forEach(p -> node.put(ParameterNames.inFiles(p.name()), p.value())));
+                m.parameters().forEach(p -> node.put(ParameterWords.inFiles(p.name()), p.value())));
     outcome
         .initial()
         .chip()
@@ -242,7 +244,7 @@ final class CalibrationJson {
             m ->
                 m.parameters()
                     .subList(0, 3)
-                    .forEach(p -> node.put(ParameterNames.inFiles(p.name()), p.value())));
+                    .forEach(p -> node.put(ParameterWords.inFiles(p.name()), p.value())));
     return node;
   }
 

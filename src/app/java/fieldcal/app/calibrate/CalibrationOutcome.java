@@ -2,20 +2,24 @@ package fieldcal.app.calibrate;
 
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.ball.ChipModel;
-import fieldcal.calibration.Average;
 import fieldcal.calibration.Calibration;
 import fieldcal.calibration.Calibrator;
 import fieldcal.calibration.ExtendedCalibration;
 import fieldcal.calibration.HandSelection;
+import fieldcal.effect.Effect;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
-import fieldcal.kick.KickKind;
+import fieldcal.verdict.Evidence;
+import fieldcal.verdict.Finding;
+import fieldcal.verdict.PublishVerdict;
+import fieldcal.verdict.Surroundings;
+import fieldcal.verdict.VerdictRule;
 import fieldcal.vision.BallModels;
+import fieldcal.vision.FieldGeometry;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -28,6 +32,8 @@ import java.util.Optional;
  * @param commands what the robots were told; may be empty
  * @param calibration the result
  * @param extended how it came about when it was made under an extended model
+ * @param surroundings where the recordings come from
+ * @param finding of a diagnosis of these kicks; empty when there is none that still holds
  */
 public record CalibrationOutcome(
     List<Path> logs,
@@ -36,7 +42,9 @@ public record CalibrationOutcome(
     HandSelection selection,
     List<CommandFile.Command> commands,
     Calibration calibration,
-    Optional<ExtendedCalibration> extended) {
+    Optional<ExtendedCalibration> extended,
+    Surroundings surroundings,
+    Optional<Finding> finding) {
   /** Largest error of the finder's time of a kick from rest, measured on simulated flat kicks (3 ms) and chips (14 ms), s. */
   private static final double FINDER_ERROR = 0.015;
 
@@ -60,7 +68,40 @@ public record CalibrationOutcome(
         decisions,
         commands,
         Calibrator.reselect(calibration, data.epoch(), decisions),
-        extended);
+        extended,
+        surroundings,
+        finding);
+  }
+
+  /**
+   * The same calibration, with what became known of it since.
+   *
+   * @param found by a diagnosis of these kicks; empty when there is none that still holds
+   * @param vision what vision publishes at the moment; empty when nobody listened
+   * @return the changed copy
+   */
+  public CalibrationOutcome knowing(Optional<Finding> found, Optional<FieldGeometry> vision) {
+    return new CalibrationOutcome(
+        logs,
+        data,
+        initial,
+        selection,
+        commands,
+        calibration,
+        extended,
+        new Surroundings(surroundings.recordings(), vision),
+        found);
+  }
+
+  /**
+   * Whether the model may be published; what every tool shows.
+   *
+   * @return the verdict with its reasons
+   */
+  public PublishVerdict verdict() {
+    List<String> effects =
+        extended.stream().flatMap(e -> e.model().effects().stream()).map(Effect::id).toList();
+    return VerdictRule.judge(new Evidence(calibration, initial, effects, surroundings, finding));
   }
 
   /**
@@ -81,23 +122,6 @@ public record CalibrationOutcome(
    */
   public Optional<CommandFile.Command> command(Kick kick) {
     return CommandFile.of(commands, data.epoch().unixSeconds(kick.time()), kick.robot());
-  }
-
-  /**
-   * Whether there is anything to say of a kind of kicks. A push that looks like a flat kick, among chips, determines no parameter of flat kicks.
-   *
-   * @param kind flat or chip
-   * @return true when there are such kicks that determine a parameter, or no kicks that do
-   */
-  public boolean tells(KickKind kind) {
-    boolean determines = determines(kind);
-    boolean other = determines(kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT);
-    return !calibration.kicks(kind).isEmpty() && (determines || !other);
-  }
-
-  private boolean determines(KickKind kind) {
-    Map<String, Average> averages = kind == KickKind.FLAT ? calibration.flat() : calibration.chip();
-    return averages.values().stream().anyMatch(a -> a.n() > 0);
   }
 
   /**

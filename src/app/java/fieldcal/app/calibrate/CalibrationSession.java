@@ -2,7 +2,9 @@ package fieldcal.app.calibrate;
 
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.app.report.CalibrationReportWriter;
+import fieldcal.app.wording.PublishWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.calibration.Calibration;
@@ -13,6 +15,8 @@ import fieldcal.calibration.ExtendedCalibrator;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
 import fieldcal.kick.Kick;
+import fieldcal.verdict.PublishDecision;
+import fieldcal.verdict.PublishVerdict;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -20,6 +24,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Recordings in, calibration and its files out. */
 public final class CalibrationSession {
@@ -107,7 +113,9 @@ public final class CalibrationSession {
         request.selection(),
         request.commands(),
         calibration,
-        extended);
+        extended,
+        RecordingFacts.surroundings(data.recordings()),
+        Optional.empty());
   }
 
   private ExtendedCalibration under(
@@ -155,10 +163,23 @@ public final class CalibrationSession {
     } else {
       JsonFiles.write(models.toBytes(), binary);
       String comments =
-          outcome.extended().map(e -> ExtendedModelNotes.comments(e.model())).orElse("");
+          caution(outcome)
+              + outcome.extended().map(e -> ExtendedModelNotes.comments(e.model())).orElse("");
       JsonFiles.write((comments + models.toText()).getBytes(StandardCharsets.UTF_8), text);
     }
     new CalibrationReportWriter()
         .write(new ReportBuilder(outcome).build(), directory.resolve("report.html"));
+  }
+
+  /** Comment lines for the text form of a model that should not be published as it is. */
+  private static String caution(CalibrationOutcome outcome) {
+    PublishVerdict verdict = outcome.verdict();
+    if (verdict.decision() == PublishDecision.PUBLISH) {
+      return "";
+    }
+    PublishWords words = PublishWords.of(verdict);
+    return Stream.concat(Stream.of(words.headline()), words.reasons().stream())
+        .map(line -> "# " + line + "\n")
+        .collect(Collectors.joining());
   }
 }

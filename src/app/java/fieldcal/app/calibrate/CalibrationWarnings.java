@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** What somebody should know before publishing a calibration, in sentences; for the report, the terminal and the JSON alike. */
+/** What somebody should know beside the verdict, in sentences; for the report, the terminal and the JSON alike. */
 public final class CalibrationWarnings {
   /** Offsets above that are worth a warning: they are larger than what a good camera calibration leaves, mm. */
   private static final double NOTABLE_OFFSET_MM = 5;
@@ -57,25 +57,6 @@ public final class CalibrationWarnings {
       }
     }
     addLackOfFit(warnings);
-    calibration
-        .joint()
-        .filter(j -> j.reducedChiSquare() > 1.5 * 1.5)
-        .ifPresent(
-            j ->
-                warnings.add(
-                    String.format(
-                        Locale.ROOT,
-                        "Residuals are %.1f times the cameras' noise on the resting ball: the ball"
-                            + " does not move as the model says. Run diagnose.",
-                        Math.sqrt(j.reducedChiSquare()))));
-    calibration
-        .joint()
-        .filter(j -> !j.converged())
-        .ifPresent(
-            j ->
-                warnings.add(
-                    "The joint fit did not converge; look at the single kicks before you"
-                        + " publish."));
     return warnings;
   }
 

@@ -5,6 +5,7 @@ import fieldcal.app.report.CalibrationReport;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
 import fieldcal.app.report.Provenance;
+import fieldcal.app.wording.PublishWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
@@ -71,10 +72,10 @@ public final class ReportBuilder {
 
   private CalibrationReport build(Function<CalibratedKick, CalibrationReport.Kick> kicks) {
     List<CalibrationReport.Model> models = new ArrayList<>();
-    if (outcome.tells(KickKind.FLAT)) {
+    if (calibration.tells(KickKind.FLAT)) {
       models.add(model(KickKind.FLAT));
     }
-    if (outcome.tells(KickKind.CHIP)) {
+    if (calibration.tells(KickKind.CHIP)) {
       models.add(model(KickKind.CHIP));
     }
     return new CalibrationReport(
@@ -86,6 +87,7 @@ public final class ReportBuilder {
         calibration.cameras().all().stream().map(this::camera).toList(),
         outcome.data().geometry().map(Field::of),
         calibration.kicks().stream().map(kicks).toList(),
+        PublishWords.of(outcome.verdict()),
         new CalibrationWarnings(outcome).list(),
         outcome.data().problems().stream().map(Problem::of).toList());
   }
@@ -130,21 +132,21 @@ public final class ReportBuilder {
     Estimate e = roll.get();
     if (!e.parameter().estimated()) {
       return String.format(
-              Locale.ROOT, "Chips roll with the accRoll of the flat kicks, %.4f m/s².", e.value())
+              Locale.ROOT, "Chips roll with the acc_roll of the flat kicks, %.4f m/s².", e.value())
           .replace('-', '−');
     }
     String why =
         calibration.kicks(KickKind.FLAT).isEmpty()
             ? "There are no flat kicks"
-            : "The flat kicks do not determine accRoll";
+            : "The flat kicks do not determine acc_roll";
     return e.usable()
         ? String.format(
             Locale.ROOT,
-            "%s; the chips themselves give accRoll %.4f ± %.4f m/s².",
+            "%s; the chips themselves give acc_roll %.4f ± %.4f m/s².",
             why,
             e.value(),
             e.standardError())
-        : why + ", and the chips do not determine accRoll either.";
+        : why + ", and the chips do not determine acc_roll either.";
   }
 
   private double published(KickKind kind, String name) {

@@ -40,7 +40,12 @@ final class CalibrateCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  @Parameters(arity = "1..*", paramLabel = "LOG", description = "SSL game logs, .log or .log.gz")
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "LOG",
+      description =
+          "SSL game logs, .log or .log.gz; of a folder, those that belong together: recordings of"
+              + " matches, simulated fields and other fields are left out")
   private List<Path> logs;
 
   @Option(
@@ -124,14 +129,15 @@ final class CalibrateCommand implements Callable<Integer> {
     OutputPlaces.check(out, json);
     OutputPlaces.checkDirectory("--csv", csv);
     OutputPlaces.checkFile("--mcap", mcap);
-    HandSelection byHand = SelectionFile.readOrFormer(selection, out);
+    LogArguments arguments = LogArguments.of(logs);
+    HandSelection byHand = SelectionFile.readOrFormer(selection, arguments.decisions(out));
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
     Optional<ExtendedModel> extended =
         model == null ? Optional.empty() : Optional.of(ExtendedModelFile.read(model, UNIX));
-    List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
+    List<CommandFile.Command> told = arguments.commands(commands);
     CalibrationRequest request =
-        new CalibrationRequest(logs, forced, start, extended, byHand, told);
+        new CalibrationRequest(arguments.logs(), forced, start, extended, byHand, told);
     CalibrationSession session = new CalibrationSession(FitSettings.defaults().withSeed(seed));
     CalibrationOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
@@ -149,7 +155,9 @@ final class CalibrateCommand implements Callable<Integer> {
     if (mcap != null) {
       new KickReplay(outcome).write(mcap);
     }
-    new CalibrationText(spec.commandLine().getOut()).print(outcome, out);
+    CalibrationText text = new CalibrationText(spec.commandLine().getOut());
+    text.print(outcome, out);
+    arguments.tell(spec.commandLine().getOut());
     return 0;
   }
 

@@ -3,6 +3,8 @@ package fieldcal.app.cli;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationWarnings;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.wording.ParameterWords;
+import fieldcal.app.wording.PublishWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
@@ -29,18 +31,16 @@ final class CalibrationText {
 
   void print(CalibrationOutcome outcome, Path directory) {
     Calibration calibration = outcome.calibration();
+    verdict(PublishWords.of(outcome.verdict()));
     for (KickKind kind : KickKind.values()) {
-      if (outcome.tells(kind)) {
+      if (calibration.tells(kind)) {
         model(outcome, kind);
       }
-    }
-    if (calibration.kicks().isEmpty()) {
-      line("No kick found, so there is no model.");
     }
     cameras(outcome);
     List<String> warnings = new CalibrationWarnings(outcome).list();
     if (!warnings.isEmpty()) {
-      line("%nBefore you publish:");
+      line("%nAlso:");
       warnings.forEach(w -> line("  %s", w));
     }
     rejected(calibration);
@@ -57,6 +57,15 @@ final class CalibrationText {
     out.flush();
   }
 
+  /** The decision in the first line, then why, then what to do. */
+  private void verdict(PublishWords words) {
+    line("%s", words.headline());
+    words.reasons().forEach(reason -> line("  ! %s", reason));
+    words.notes().forEach(note -> line("  - %s", note));
+    words.toDo().stream().skip(1).forEach(next -> line("  > %s", next));
+    line("");
+  }
+
   private void line(String format, Object... args) {
     out.println(String.format(Locale.ROOT, format, args));
   }
@@ -69,7 +78,7 @@ final class CalibrationText {
     double rms =
         calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
     line(
-        "%s model from %d of %d %s%s",
+        "%s model: %d of %d %s used, each for the parameters that it determines (n)%s",
         flat ? "Flat" : "Chip",
         used,
         kicks.size(),
@@ -98,7 +107,11 @@ final class CalibrationText {
               .orElse("undetermined");
       line(
           "  %-22s %-24s %4d  %-22s %s",
-          p.name(), mean, a.n(), together, compared(published, p.name(), a));
+          ParameterWords.inFiles(p.name()),
+          mean,
+          a.n(),
+          together,
+          compared(published, p.name(), a));
     }
     line("");
   }

@@ -28,7 +28,10 @@ import picocli.CommandLine.Spec;
 final class DiagnoseCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
-  @Parameters(arity = "1..*", paramLabel = "LOG", description = "SSL game logs, .log or .log.gz")
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "LOG",
+      description = "SSL game logs, .log or .log.gz; of a folder, those that calibrate would use")
   private List<Path> logs;
 
   @Option(
@@ -80,13 +83,14 @@ final class DiagnoseCommand implements Callable<Integer> {
           spec.commandLine(), "--max-causes must be 0 or more, not " + maxCauses);
     }
     OutputPlaces.check(out, json);
-    HandSelection byHand = SelectionFile.readOrFormer(selection, out);
-    List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
+    LogArguments arguments = LogArguments.of(logs);
+    HandSelection byHand = SelectionFile.readOrFormer(selection, arguments.decisions(out));
+    List<CommandFile.Command> told = arguments.commands(commands);
     DiagnosisSession session =
         new DiagnosisSession(FitSettings.defaults().withSeed(seed), maxCauses);
     DiagnosisOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
-      outcome = session.run(logs, byHand, told, progress);
+      outcome = session.run(arguments.logs(), byHand, told, progress);
     }
     if (out != null) {
       DiagnosisSession.writeAll(outcome, out);
@@ -95,6 +99,7 @@ final class DiagnoseCommand implements Callable<Integer> {
       DiagnosisSession.writeJson(outcome, json);
     }
     new DiagnosisText(spec.commandLine().getOut()).print(outcome, out);
+    arguments.tell(spec.commandLine().getOut());
     return 0;
   }
 }

@@ -6,7 +6,9 @@ import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line of fieldcal. */
 @Command(
@@ -24,6 +26,7 @@ import picocli.CommandLine.ParseResult;
       MonitorCommand.class,
       SimulateCommand.class,
       PlayCommand.class,
+      RecordCommand.class,
       TwinCommand.class
     })
 public final class Main {
@@ -56,7 +59,19 @@ public final class Main {
     return new CommandLine(new Main())
         .setOut(new HarmlessWriter(new PrintWriter(System.out, true)))
         .setErr(new HarmlessWriter(new PrintWriter(System.err, true)))
-        .setExecutionExceptionHandler(Main::explain);
+        .setExecutionExceptionHandler(Main::explain)
+        .setParameterExceptionHandler(Main::misused);
+  }
+
+  /** The error alone: the whole usage below it would scroll it off the screen. */
+  private static int misused(ParameterException exception, String[] args) {
+    CommandLine command = exception.getCommandLine();
+    PrintWriter err = command.getErr();
+    err.println("fieldcal: " + exception.getMessage());
+    UnmatchedArgumentException.printSuggestions(exception, err);
+    err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help' for the options.");
+    err.flush();
+    return command.getCommandSpec().exitCodeOnInvalidInput();
   }
 
   private static int explain(Exception exception, CommandLine command, ParseResult parsed) {

@@ -7,6 +7,7 @@ import fieldcal.app.play.KickStrength;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.play.SessionSnapshot.Undecided;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
@@ -153,7 +154,12 @@ final class PlayText {
     StringBuilder parameters = new StringBuilder();
     for (Estimate e : k.parameters().stream().limit(3).toList()) {
       parameters.append(
-          String.format(Locale.ROOT, "  %s %.3f ± %.3f", e.name(), e.value(), e.standardError()));
+          String.format(
+              Locale.ROOT,
+              "  %s %.3f ± %.3f",
+              ParameterWords.inFiles(e.name()),
+              e.value(),
+              e.standardError()));
     }
     line(
         "%3d  %-9s %s %.2f m/s%s%s",
@@ -167,6 +173,12 @@ final class PlayText {
 
   void result(PlayRun.Result result, Optional<JsonNode> truth, Optional<Path> directory) {
     SessionSnapshot last = result.session().last();
+    if (result.calibration().isPresent()) {
+      CalibrationOutcome outcome = result.calibration().get();
+      line("");
+      new CalibrationText(out).print(outcome, directory.orElse(null));
+      truth.ifPresent(t -> truth(outcome.calibration(), t));
+    }
     line(
         "%n%s after %.0f s of field time: %d good %s of %d made.",
         result.session().complete() ? "Finished" : "Stopped",
@@ -174,12 +186,6 @@ final class PlayText {
         last.state().good(),
         last.state().good() == 1 ? "kick" : "kicks",
         last.state().made());
-    line("");
-    if (result.calibration().isPresent()) {
-      CalibrationOutcome outcome = result.calibration().get();
-      new CalibrationText(out).print(outcome, directory.orElse(null));
-      truth.ifPresent(t -> truth(outcome.calibration(), t));
-    }
     strengths(result.strengths());
     if (!last.undecided().causes().isEmpty()) {
       line("%nUndecided: %s.", String.join("; ", last.undecided().causes()));
@@ -198,7 +204,7 @@ final class PlayText {
       List<Parameter> names =
           flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
       for (Parameter p : names) {
-        JsonNode value = truth.get(p.name().replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT));
+        JsonNode value = truth.get(ParameterWords.inFiles(p.name()));
         Optional<Estimate> joint =
             calibration
                 .joint()
@@ -208,7 +214,7 @@ final class PlayText {
           double off = joint.get().value() - value.doubleValue();
           line(
               "  %-18s %12.5f %12.5f %8.1f σ",
-              p.name(),
+              ParameterWords.inFiles(p.name()),
               value.doubleValue(),
               joint.get().value(),
               off / joint.get().standardError());

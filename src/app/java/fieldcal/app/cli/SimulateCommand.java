@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.record.NetworkRecorder;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.simulation.FieldSize;
 import fieldcal.simulation.ScenarioKind;
@@ -211,6 +212,10 @@ final class SimulateCommand implements Callable<Integer> {
       }
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+    if (!NetworkRecorder.isLogName(out)) {
+      throw new ParameterException(
+          spec.commandLine(), "--out must end with .log or .log.gz, but is '" + out + "'");
     }
     RecordingFiles files = RecordingFiles.besides(out);
     Truth truth;

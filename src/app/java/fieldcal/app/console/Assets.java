@@ -35,7 +35,8 @@ final class Assets {
           "diagnosis.js",
           "publish.js",
           "match.js",
-          "play.js");
+          "play.js",
+          "recordings.js");
 
   /** What the console shares with the reports. */
   private static final List<String> SHARED =

@@ -19,6 +19,7 @@ final class Desks {
   private final PublishDesk publish;
   private final MatchDesk match;
   private final PlayDesk play;
+  private final RecordDesk record;
   private final StateJson json;
 
   Desks(ConsoleSettings settings, Clock clock) throws IOException {
@@ -27,10 +28,13 @@ final class Desks {
     notes = new NotesDesk(directory);
     kicks = new KickDesk(directory, settings, work, this::tellState);
     diagnosis = new DiagnosisDesk(directory, settings, kicks, notes, work, this::tellState);
-    vision = new VisionDesk(clock, this::tellState);
+    vision = new VisionDesk(clock, kicks::circumstancesChanged);
+    kicks.circumstances(
+        o -> o.knowing(diagnosis.finding(o), vision.heard().flatMap(VisionDesk.Heard::geometry)));
     publish = new PublishDesk(directory, kicks, notes, vision, clock, this::tellState);
     match = new MatchDesk(directory, kicks, events, this::tellState);
     play = new PlayDesk(directory, kicks, events, this::tellState);
+    record = new RecordDesk(directory, kicks, clock, events, this::tellState);
     json =
         new StateJson(
             directory,
@@ -39,6 +43,8 @@ final class Desks {
             vision,
             match,
             play,
+            record,
+            publish,
             notes,
             work,
             clock.millis(),
@@ -62,6 +68,8 @@ final class Desks {
     vision.close();
     match.close();
     play.close();
+    record.close();
+    publish.close();
     work.close();
     kicks.close();
     events.close();
@@ -119,6 +127,10 @@ final class Desks {
 
   PlayDesk play() {
     return play;
+  }
+
+  RecordDesk record() {
+    return record;
   }
 
   StateJson json() {

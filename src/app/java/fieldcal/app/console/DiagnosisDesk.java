@@ -18,6 +18,7 @@ import fieldcal.diagnosis.DiagnosisProblem;
 import fieldcal.diagnosis.Verdict;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
+import fieldcal.verdict.Finding;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -68,6 +69,19 @@ final class DiagnosisDesk {
             || !note.logs().equals(names(view.logs())));
   }
 
+  /** What the last diagnosis found, as long as it is one of these kicks. */
+  Optional<Finding> finding(CalibrationOutcome now) {
+    DiagnosisNote note = notes.now().diagnosis();
+    boolean holds =
+        note != null
+            && note.dropped().equals(now.selection().dropped().keySet())
+            && note.logs().equals(names(now.logs()));
+    return holds
+        ? Verdict.ofId(note.verdict())
+            .map(v -> new Finding(v, note.causes().stream().map(CauseNote::effect).toList()))
+        : Optional.empty();
+  }
+
   private static List<String> names(List<Path> logs) {
     return logs.stream().map(log -> log.getFileName().toString()).toList();
   }
@@ -89,6 +103,7 @@ final class DiagnosisDesk {
       DiagnosisSession.writeAll(outcome, directory.path());
       notes.change(n -> n.withDiagnosis(note(outcome)));
       kicks.under(Optional.empty());
+      kicks.circumstancesChanged();
     } catch (CancellationException e) {
       failure = Optional.of("The diagnosis was cancelled.");
       throw e;

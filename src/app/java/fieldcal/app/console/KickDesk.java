@@ -1,12 +1,16 @@
 package fieldcal.app.console;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
+import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.app.recording.RecordingChoice;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.HandSelection;
 import fieldcal.calibration.Sample;
@@ -25,6 +29,7 @@ import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ForkJoinPool;
+import java.util.function.UnaryOperator;
 
 /**
  * The calibration of a session and the decisions about its kicks. A decision changes selection and averages at once; what needs fits (offsets of the cameras, joint fit)
@@ -36,6 +41,8 @@ final class KickDesk {
 
   /** Nobody waits for the joint fit while kicks are still being dropped, ms. */
   private static final long REFINE_AFTER_MS = 800;
+
+  private static final int LONGEST_NAME = 255;
 
   private final SessionDirectory directory;
 
@@ -51,10 +58,12 @@ final class KickDesk {
 
   private Optional<CalibrationOutcome> outcome = Optional.empty();
   private List<Path> logs = List.of();
+  private RecordingChoice choice = new RecordingChoice(List.of());
   private Map<Path, String> leftOut = Map.of();
   private Optional<ExtendedModel> model = Optional.empty();
   private Optional<String> failure = Optional.empty();
   private Optional<String> unsaved = Optional.empty();
+  private UnaryOperator<CalibrationOutcome> circumstances = UnaryOperator.identity();
   private boolean settled;
   private long version;
   private long fits;
@@ -71,6 +80,7 @@ final class KickDesk {
    * @param undo what would be taken back
    * @param redo what would be done again
    * @param logs the recordings in it
+   * @param choice all recordings of the directory, and which of them are used
    * @param leftOut recordings of the directory that cannot be read, and why
    * @param failure why there is no calibration, or why the last one failed
    * @param unsaved why the decisions are not on the disk
@@ -85,10 +95,28 @@ final class KickDesk {
       Optional<String> undo,
       Optional<String> redo,
       List<Path> logs,
+      RecordingChoice choice,
       Map<Path, String> leftOut,
       Optional<String> failure,
       Optional<String> unsaved,
-      boolean settled) {}
+      boolean settled) {
+    private View with(CalibrationOutcome known) {
+      return new View(
+          version,
+          fits,
+          decisions,
+          Optional.of(known),
+          selection,
+          undo,
+          redo,
+          logs,
+          choice,
+          leftOut,
+          failure,
+          unsaved,
+          settled);
+    }
+  }
 
   KickDesk(SessionDirectory directory, ConsoleSettings settings, Work work, Runnable changed) {
     this.directory = directory;
@@ -98,7 +126,31 @@ final class KickDesk {
     session = new CalibrationSession(FitSettings.defaults().withSeed(settings.seed()));
   }
 
-  synchronized View view() {
+  /**
+   * Says what else is known of a calibration at the moment: what a diagnosis found, what vision publishes.
+   *
+   * @param how adds it
+   */
+  synchronized void circumstances(UnaryOperator<CalibrationOutcome> how) {
+    circumstances = how;
+  }
+
+  /** Something of the circumstances changed, so the verdict may be another one. */
+  void circumstancesChanged() {
+    synchronized (this) {
+      version++;
+    }
+    changed.run();
+  }
+
+  View view() {
+    View plain = plainView();
+    return plain.outcome().isEmpty()
+        ? plain
+        : plain.with(circumstances.apply(plain.outcome().get()));
+  }
+
+  private synchronized View plainView() {
     return new View(
         version,
         fits,
@@ -108,6 +160,7 @@ final class KickDesk {
         history.undoLabel(),
         history.redoLabel(),
         logs,
+        choice,
         leftOut,
         failure,
         unsaved,
@@ -132,10 +185,14 @@ final class KickDesk {
   private void read(Work.Progress progress) {
     try {
       Map<Path, String> broken = new TreeMap<>();
-      List<Path> found = readable(directory.logs(), broken);
+      RecordingChoice chosen =
+          RecordingChoice.of(
+              RecordingFacts.of(readable(directory.logs(), broken)),
+              RecordingFolder.decisions(directory.path()));
+      List<Path> found = used(chosen);
       HandSelection selection = decided();
       if (found.isEmpty()) {
-        install(found, broken, Optional.empty(), selection);
+        install(chosen, broken, Optional.empty(), selection);
         return;
       }
       progress.reading(found);
@@ -143,13 +200,47 @@ final class KickDesk {
           new KickCollector(progress).collect(found).withProblems(problems(broken));
       CalibrationRequest request = request(found, selection);
       CalibrationOutcome calibrated = session.calibrate(data, request, progress);
-      install(found, broken, Optional.of(calibrated), selection);
+      install(chosen, broken, Optional.of(calibrated), selection);
     } catch (CancellationException e) {
       fail("Reading was cancelled.");
       throw e;
     } catch (IOException | RuntimeException | Error e) {
       fail(Failures.words(e));
     }
+  }
+
+  private static List<Path> used(RecordingChoice chosen) {
+    return chosen.entries().stream()
+        .filter(RecordingChoice.Entry::used)
+        .map(entry -> entry.facts().log())
+        .toList();
+  }
+
+  /**
+   * Uses a recording, leaves it out, or leaves that to the rule again; then calibrates what is used now.
+   *
+   * @throws ApiException when there is no such recording
+   * @throws IOException when the decision cannot be saved; then it does not hold
+   */
+  void choose(JsonNode body) throws IOException {
+    String name = Requests.text(body, "name", LONGEST_NAME);
+    JsonNode use = body.path("use");
+    if (!use.isBoolean() && !use.isNull()) {
+      throw ApiException.badRequest("use must be true, false or null");
+    }
+    synchronized (this) {
+      if (choice.entries().stream().noneMatch(entry -> entry.name().equals(name))) {
+        throw ApiException.notFound("the session has no recording of that name");
+      }
+      Map<String, Boolean> decided = RecordingFolder.decisions(directory.path());
+      if (use.isNull()) {
+        decided.remove(name);
+      } else {
+        decided.put(name, use.asBoolean());
+      }
+      RecordingFolder.decide(directory.path(), decided);
+    }
+    read();
   }
 
   /**
@@ -211,7 +302,7 @@ final class KickDesk {
   }
 
   private void install(
-      List<Path> recordings,
+      RecordingChoice chosen,
       Map<Path, String> broken,
       Optional<CalibrationOutcome> calibrated,
       HandSelection selection) {
@@ -222,7 +313,8 @@ final class KickDesk {
       }
       // What was decided while the recordings were read holds.
       refine = !sameKicks(selection, history.now());
-      logs = recordings;
+      logs = used(chosen);
+      choice = chosen;
       leftOut = Map.copyOf(broken);
       outcome = calibrated.map(o -> o.reselected(history.now()));
       failure = Optional.empty();

@@ -1,6 +1,8 @@
 package fieldcal.app.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.console.SessionNotes.Publication;
@@ -15,13 +17,20 @@ import java.net.InetSocketAddress;
 import java.net.MulticastSocket;
 import java.net.UnknownHostException;
 import java.time.Clock;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 
-/** Gives the model away: as files of the session, and as a packet to an address. Thread-safe. */
+/** Gives the model away: as files of the session, and as packets to an address, over and over as vision does it. Thread-safe. */
 final class PublishDesk {
   /** Hops that a packet to many may make: a venue's network has routers between vision and the teams' computers at times. */
   private static final int HOPS = 4;
 
   private static final int LONGEST_ADDRESS = 200;
+
+  /** Vision publishes its geometry every few seconds; who begins to listen later has the model within one, ms. */
+  private static final long EVERY_MS = 1000;
+
+  private static final long PATIENCE_MS = 2000;
 
   private final SessionDirectory directory;
   private final KickDesk kicks;
@@ -29,6 +38,8 @@ final class PublishDesk {
   private final VisionDesk vision;
   private final Clock clock;
   private final Runnable changed;
+  private final LiveSession live;
+  private volatile Sending sending;
   private long written = -1;
 
   PublishDesk(
@@ -44,6 +55,7 @@ final class PublishDesk {
     this.vision = vision;
     this.clock = clock;
     this.changed = changed;
+    live = new LiveSession("sending of the model", changed);
   }
 
   /** What sort of packet is sent. */
@@ -78,11 +90,11 @@ final class PublishDesk {
   }
 
   /**
-   * Sends the model.
+   * Sends the model, and goes on with that one until it is stopped or another one is sent.
    *
    * @throws ApiException when the address is none, the model is not the one that the operator confirmed, or nothing can be sent there
    */
-  Publication send(JsonNode body) {
+  synchronized Publication send(JsonNode body) {
     Format format = Requests.oneOf(body, "format", Format.values());
     String host = Requests.text(body, "address", LONGEST_ADDRESS).strip();
     long port = Requests.number(body, "port").orElse(-1);
@@ -99,13 +111,75 @@ final class PublishDesk {
       throw ApiException.conflict(
           "The model changed since you looked at it. Look at the numbers again, then confirm.");
     }
-    send(bytes(format, outcome), host, (int) port);
+    byte[] packet = bytes(format, outcome);
+    // What cannot be sent at all is told to who asked for it.
+    send(packet, host, (int) port);
     Publication publication =
         new Publication(
             clock.millis() / 1000.0, host + ":" + port, Requests.name(format), models.toText());
     notes.change(n -> n.with(publication));
-    changed.run();
+    stop();
+    live.join(PATIENCE_MS);
+    Sending next = new Sending(packet, host, (int) port, publication);
+    sending = next;
+    live.start(next::run);
     return publication;
+  }
+
+  /** Ends the sending. */
+  void stop() {
+    Sending now = sending;
+    if (now != null) {
+      now.end();
+    }
+  }
+
+  void close() {
+    stop();
+    live.join(PATIENCE_MS);
+  }
+
+  /** What is being sent. */
+  ObjectNode state() {
+    ObjectNode node = JsonNodeFactory.instance.objectNode();
+    node.put("running", live.running());
+    node.put("failure", live.failure().orElse(null));
+    Sending now = sending;
+    if (now != null) {
+      node.put("to", now.publication.to()).put("text", now.publication.text());
+      node.put("everySeconds", EVERY_MS / 1000.0);
+    }
+    return node;
+  }
+
+  /** One model on its way to one address. */
+  private static final class Sending {
+    private final byte[] packet;
+    private final String host;
+    private final int port;
+    private final Publication publication;
+    private final CountDownLatch ended = new CountDownLatch(1);
+
+    Sending(byte[] packet, String host, int port, Publication publication) {
+      this.packet = packet;
+      this.host = host;
+      this.port = port;
+      this.publication = publication;
+    }
+
+    void run() {
+      try {
+        while (!ended.await(EVERY_MS, TimeUnit.MILLISECONDS)) {
+          PublishDesk.send(packet, host, port);
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+
+    void end() {
+      ended.countDown();
+    }
   }
 
   private byte[] bytes(Format format, CalibrationOutcome outcome) {

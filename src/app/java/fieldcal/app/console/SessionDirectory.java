@@ -2,25 +2,22 @@ package fieldcal.app.console;
 
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
+import fieldcal.app.calibrate.RecordingFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 
 /** The directory of a session: which recordings are in it, and which of its files a page may have. Thread-safe. */
 final class SessionDirectory {
   static final String SELECTION = "selection.json";
   static final String EXTENDED_MODEL = "extended_model.json";
-
-  /** How files end that say what the robots were told: {@code commands.csv}, {@code practice.commands.csv}. */
-  private static final String COMMANDS = "commands.csv";
 
   /** Recordings of matches are watched, not calibrated. */
   private static final String MATCHES = "matches";
@@ -47,6 +44,7 @@ final class SessionDirectory {
 
   private final Path path;
   private volatile Predicate<Path> growing = file -> false;
+  private final Set<Path> beingRecorded = ConcurrentHashMap.newKeySet();
 
   private SessionDirectory(Path path) {
     this.path = path;
@@ -87,10 +85,30 @@ final class SessionDirectory {
     growing = which;
   }
 
+  /**
+   * Says which recording is being written at the moment from the network.
+   *
+   * @param log no recording of the session yet
+   */
+  void recording(Path log) {
+    beingRecorded.add(log);
+  }
+
+  /**
+   * Says that it is complete.
+   *
+   * @param log a recording of the session from now on
+   */
+  void recorded(Path log) {
+    beingRecorded.remove(log);
+  }
+
   /** The recordings that are complete, by name. */
   List<Path> logs() throws IOException {
-    Predicate<Path> incomplete = growing;
-    return files(file -> isLog(file) && !incomplete.test(file));
+    return RecordingFolder.logs(path).stream()
+        .filter(Predicate.not(growing))
+        .filter(log -> !beingRecorded.contains(log))
+        .toList();
   }
 
   /** What can be watched: the recordings, and those of matches, which nobody wants to calibrate; by name. */
@@ -106,26 +124,9 @@ final class SessionDirectory {
     return all;
   }
 
-  private List<Path> files(Predicate<Path> wanted) throws IOException {
-    try (Stream<Path> files = Files.list(path)) {
-      return files.filter(wanted).filter(Files::isRegularFile).sorted().toList();
-    }
-  }
-
-  private static boolean isLog(Path file) {
-    String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    return name.endsWith(".log") || name.endsWith(".log.gz");
-  }
-
-  /** What the robots were told, of all recordings; a full disk may have left an empty file. */
+  /** What the robots were told, of all recordings. */
   List<CommandFile.Command> commands() throws IOException {
-    List<CommandFile.Command> all = new ArrayList<>();
-    for (Path file : files(file -> file.getFileName().toString().endsWith(COMMANDS))) {
-      if (Files.size(file) > 0) {
-        all.addAll(CommandFile.read(file));
-      }
-    }
-    return all;
+    return RecordingFolder.commands(path);
   }
 
   /** The type of a file that may be served; empty for everything else, whatever is in the directory. */

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.util.RawValue;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.ReportBuilder;
+import fieldcal.app.recording.RecordingChoice;
 import fieldcal.app.report.CalibrationReport;
 import fieldcal.app.report.CalibrationReportWriter;
 import fieldcal.app.wording.EffectName;
@@ -31,6 +32,8 @@ final class StateJson {
   private final VisionDesk vision;
   private final MatchDesk match;
   private final PlayDesk play;
+  private final RecordDesk record;
+  private final PublishDesk publish;
   private final NotesDesk notes;
   private final Work work;
   private final long run;
@@ -54,6 +57,8 @@ final class StateJson {
       VisionDesk vision,
       MatchDesk match,
       PlayDesk play,
+      RecordDesk record,
+      PublishDesk publish,
       NotesDesk notes,
       Work work,
       long run,
@@ -64,6 +69,8 @@ final class StateJson {
     this.vision = vision;
     this.match = match;
     this.play = play;
+    this.record = record;
+    this.publish = publish;
     this.notes = notes;
     this.work = work;
     this.run = run;
@@ -83,6 +90,9 @@ final class StateJson {
     root.put("decisions", view.decisions());
     root.put("directory", directory.path().toString());
     root.set("recordings", names(view.logs()));
+    root.set("choice", choice(view));
+    root.set("record", record.state());
+    root.set("sending", publish.state());
     root.set("unread", unread(view));
     ArrayNode leftOut = root.putArray("leftOut");
     view.leftOut().values().stream().sorted().forEach(leftOut::add);
@@ -133,12 +143,34 @@ final class StateJson {
     try {
       List<Path> now = directory.logs();
       now.stream()
-          .filter(log -> !view.logs().contains(log) && !view.leftOut().containsKey(log))
+          .filter(log -> !known(view, log) && !view.leftOut().containsKey(log))
           .forEach(log -> names.add(log.getFileName().toString()));
     } catch (IOException e) {
       // The directory went away: the page keeps what was read.
     }
     return names;
+  }
+
+  private static boolean known(KickDesk.View view, Path log) {
+    return view.choice().entries().stream().anyMatch(e -> e.facts().log().equals(log));
+  }
+
+  /** Every recording that can be read, whether it is used, and why not. */
+  private static ArrayNode choice(KickDesk.View view) {
+    ArrayNode all = NODES.arrayNode();
+    for (RecordingChoice.Entry entry : view.choice().entries()) {
+      ObjectNode one = all.addObject();
+      one.put("name", entry.name()).put("used", entry.used());
+      one.put("byHand", entry.byHand()).put("why", entry.words());
+      one.put("start", entry.facts().startUnixNanos() / 1e9);
+      long kicks =
+          view.outcome().stream()
+              .flatMap(o -> o.data().sources().values().stream())
+              .filter(source -> source.equals(entry.facts().log().toString()))
+              .count();
+      one.put("kicks", entry.used() ? kicks : null);
+    }
+    return all;
   }
 
   private static ArrayNode names(List<Path> logs) {

@@ -111,6 +111,9 @@ final class WebServer {
   private void actions(RoutesConfig routes) {
     action(routes, "/api/decisions", body -> desks.kicks().decide(Decision.of(body)));
     action(routes, "/api/read", body -> desks.kicks().read());
+    action(routes, "/api/recordings", body -> desks.kicks().choose(body));
+    action(routes, "/api/record", body -> desks.record().start(body));
+    action(routes, "/api/record/end", body -> desks.record().stop());
     action(routes, "/api/save", body -> desks.save());
     action(routes, "/api/results", body -> desks.publish().write());
     action(routes, "/api/cancel", body -> desks.work().cancel());
@@ -129,6 +132,7 @@ final class WebServer {
     action(routes, "/api/vision", body -> desks.vision().start(body));
     action(routes, "/api/vision/end", body -> desks.vision().stop());
     action(routes, "/api/publish", body -> desks.publish().send(body));
+    action(routes, "/api/publish/end", body -> desks.publish().stop());
   }
 
   /** What a page may ask to be done. */

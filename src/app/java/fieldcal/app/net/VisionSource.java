@@ -32,6 +32,14 @@ public final class VisionSource {
      * @param geometry as published
      */
     void geometry(FieldGeometry geometry);
+
+    /**
+     * The bytes of a packet whose frame or geometry is told next, for whoever records it.
+     *
+     * @param message not to be changed
+     * @param arrivedNanos when it came, on the clock of {@link System#nanoTime}, ns
+     */
+    default void visionMessage(byte[] message, long arrivedNanos) {}
   }
 
   private final Sources<VisionDecoder> sources;
@@ -62,9 +70,14 @@ public final class VisionSource {
       sources.wrong(source);
       return;
     }
-    content.geometry().filter(g -> sources.owns(source, GEOMETRY, now)).ifPresent(sink::geometry);
+    Optional<FieldGeometry> geometry =
+        content.geometry().filter(g -> sources.owns(source, GEOMETRY, now));
     Optional<VisionFrame> frame =
         content.frame().filter(f -> sources.owns(source, f.cameraId(), now));
+    if (geometry.isPresent() || frame.isPresent()) {
+      sink.visionMessage(packet.data(), now);
+    }
+    geometry.ifPresent(sink::geometry);
     if (frame.isPresent()) {
       frames++;
       lastFrame = now;

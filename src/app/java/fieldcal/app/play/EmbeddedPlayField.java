@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.play.PlayAnswer.BallRequest;
 import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.RobotOrder;
@@ -113,6 +114,11 @@ public final class EmbeddedPlayField implements PlayField {
   @Override
   public Permission permission() {
     return field.halted() ? Permission.HALT : Permission.RUN;
+  }
+
+  @Override
+  public RecordingOrigin origin() {
+    return RecordingOrigin.SIMULATION;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.calibration.Average;
@@ -222,7 +223,8 @@ final class LiveFits {
       KickFit before = made.get(entry.getKey());
       FitProblem problem = FitProblem.of(entry.getValue(), views, work.flat(), work.chip());
       if (before == null || anew && before.failure().isPresent()) {
-        made.put(entry.getKey(), fitter.fit(problem, kind));
+        // What the kick is, the detections say, as they do when the recording is calibrated.
+        made.put(entry.getKey(), fitter.fit(problem));
       } else if (anew) {
         made.put(entry.getKey(), fitter.refit(problem, before));
       }
@@ -280,14 +282,19 @@ final class LiveFits {
   }
 
   /** Why a kick does not count; empty when it does. */
-  private static String reason(CalibratedKick kick) {
+  private String reason(CalibratedKick kick) {
+    if (kick.fit().failure().isEmpty() && kick.fit().kind() != kind) {
+      return kind == KickKind.CHIP
+          ? "the ball did not fly: a flat kick, not a chip"
+          : "the ball flew: a chip, not a flat kick";
+    }
     if (kick.rejected().isPresent()) {
       return kick.rejected().get();
     }
     // What a chip's roll is, flat kicks say.
     for (Estimate e : kick.fit().modelEstimates().subList(0, 3)) {
       if (!e.usable()) {
-        return "does not determine " + e.name();
+        return "does not determine " + ParameterWords.inFiles(e.name());
       }
     }
     return "";

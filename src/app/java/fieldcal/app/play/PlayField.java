@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.play.PlayAnswer.BallRequest;
 import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.RobotOrder;
@@ -88,6 +89,15 @@ public interface PlayField extends Closeable {
    */
   default boolean goesOnByItself() {
     return true;
+  }
+
+  /**
+   * Whether the ball rolls in a simulator.
+   *
+   * @return where the recording comes from
+   */
+  default RecordingOrigin origin() {
+    return RecordingOrigin.FIELD;
   }
 
   /**

@@ -6,6 +6,8 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.recording.RecordingChoice;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.calibration.HandSelection;
 import fieldcal.fit.FitSettings;
 import java.io.IOException;
@@ -56,7 +58,8 @@ public final class PlayRun {
     if (outcome.last().kicks().isEmpty()) {
       return new Result(outcome, Optional.empty(), List.of());
     }
-    CalibrationOutcome calibration = calibrate(directory, session.seed(), progress);
+    List<Path> logs = alike(directory, outcome.log().orElseThrow());
+    CalibrationOutcome calibration = calibrate(directory, logs, session.seed(), progress);
     return new Result(outcome, Optional.of(calibration), KickStrength.of(calibration));
   }
 
@@ -70,12 +73,20 @@ public final class PlayRun {
    */
   public static CalibrationOutcome calibrate(Path directory, CalibrationSession.Progress progress)
       throws IOException {
-    return calibrate(directory, FitSettings.defaults().seed(), progress);
+    List<Path> logs = logs(directory);
+    Path newest = logs.get(0);
+    for (Path log : logs) {
+      newest =
+          Files.getLastModifiedTime(log).compareTo(Files.getLastModifiedTime(newest)) > 0
+              ? log
+              : newest;
+    }
+    return calibrate(directory, alike(directory, newest), FitSettings.defaults().seed(), progress);
   }
 
   private static CalibrationOutcome calibrate(
-      Path directory, long seed, CalibrationSession.Progress progress) throws IOException {
-    List<Path> logs = logs(directory);
+      Path directory, List<Path> logs, long seed, CalibrationSession.Progress progress)
+      throws IOException {
     List<CommandFile.Command> told = new ArrayList<>();
     for (Path log : logs) {
       Path commands = commandsOf(log);
@@ -86,6 +97,14 @@ public final class PlayRun {
     HandSelection byHand = SelectionFile.readOrFormer(null, directory);
     return new CalibrationSession(FitSettings.defaults().withSeed(seed))
         .run(CalibrationRequest.of(logs, byHand, told), progress);
+  }
+
+  /** The sessions of the same field as one of them: a rehearsal and the real field are not calibrated together. */
+  private static List<Path> alike(Path directory, Path session) throws IOException {
+    RecordingFacts its = RecordingFacts.of(session);
+    return RecordingChoice.alike(RecordingFacts.of(logs(directory)), its).stream()
+        .map(RecordingFacts::log)
+        .toList();
   }
 
   /**

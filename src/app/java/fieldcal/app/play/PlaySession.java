@@ -131,7 +131,8 @@ public final class PlaySession {
     try (PlayField open = field) {
       if (request.directory().isPresent()) {
         String name = "session-" + request.kind().id();
-        recorder = SessionRecorder.begin(request.directory().get(), name, open.epoch());
+        recorder =
+            SessionRecorder.begin(request.directory().get(), name, open.epoch(), open.origin());
       }
       try {
         waitForGeometry();

@@ -3,6 +3,7 @@ package fieldcal.app.play;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.play.PlayedKick;
 import fieldcal.vision.Epoch;
 import java.io.Closeable;
@@ -26,12 +27,15 @@ public final class SessionRecorder implements Closeable {
   private final Path commands;
   private final Epoch epoch;
   private final GameLogWriter writer;
+  private boolean marked;
   private double flushed = Double.NEGATIVE_INFINITY;
 
-  private SessionRecorder(Path log, Path commands, Epoch epoch) throws IOException {
+  private SessionRecorder(Path log, Path commands, Epoch epoch, RecordingOrigin origin)
+      throws IOException {
     this.log = log;
     this.commands = commands;
     this.epoch = epoch;
+    marked = origin == RecordingOrigin.FIELD;
     try {
       Files.writeString(commands, CommandFile.HEADER + "\n", StandardCharsets.UTF_8);
     } catch (IOException e) {
@@ -59,10 +63,12 @@ public final class SessionRecorder implements Closeable {
    * @param directory made if needed
    * @param name for example {@code session-flat}
    * @param epoch of all times
+   * @param origin a real field or a simulated one, which the recording then says of itself
    * @return the recorder
    * @throws IOException when it cannot be written
    */
-  public static SessionRecorder begin(Path directory, String name, Epoch epoch) throws IOException {
+  public static SessionRecorder begin(
+      Path directory, String name, Epoch epoch, RecordingOrigin origin) throws IOException {
     Files.createDirectories(directory);
     Path log = directory.resolve(name + ".log");
     Path commands = directory.resolve(name + ".commands.csv");
@@ -70,7 +76,7 @@ public final class SessionRecorder implements Closeable {
       log = directory.resolve(name + "-" + i + ".log");
       commands = directory.resolve(name + "-" + i + ".commands.csv");
     }
-    return new SessionRecorder(log, commands, epoch);
+    return new SessionRecorder(log, commands, epoch, origin);
   }
 
   /**
@@ -101,6 +107,11 @@ public final class SessionRecorder implements Closeable {
    */
   public void message(double receivedTime, MessageType type, byte[] payload) throws IOException {
     try {
+      if (!marked) {
+        marked = true;
+        byte[] mark = RecordingOrigin.simulationMark();
+        writer.write(epoch.unixNanosOf(receivedTime), MessageType.BLANK, mark);
+      }
       writer.write(epoch.unixNanosOf(receivedTime), type, payload);
       if (receivedTime - flushed > FLUSH) {
         flush(receivedTime);

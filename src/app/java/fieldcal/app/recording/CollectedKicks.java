@@ -24,6 +24,7 @@ import java.util.Optional;
  * @param published the models in it
  * @param problems everything that was skipped or odd, for the operator
  * @param sessionStart time of the first frame of the first recording, s since the epoch; 0 without a frame
+ * @param recordings where each of them comes from, in order
  * @param duration of all recordings together, s
  */
 public record CollectedKicks(
@@ -37,6 +38,7 @@ public record CollectedKicks(
     BallModels published,
     List<DataProblem> problems,
     double sessionStart,
+    List<RecordingFacts> recordings,
     double duration) {
 
   /** Copies the lists. {@inheritDoc} */
@@ -46,6 +48,7 @@ public record CollectedKicks(
     observers = List.copyOf(observers);
     streams = Map.copyOf(streams);
     problems = List.copyOf(problems);
+    recordings = List.copyOf(recordings);
   }
 
   /**
@@ -68,6 +71,7 @@ public record CollectedKicks(
         published,
         all,
         sessionStart,
+        recordings,
         duration);
   }
 }

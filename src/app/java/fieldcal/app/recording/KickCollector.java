@@ -71,6 +71,7 @@ public final class KickCollector {
   private Optional<FieldGeometry> geometry = Optional.empty();
   private BallModels published = BallModels.NONE;
   private Epoch epoch;
+  private final List<RecordingFacts> recordings = new ArrayList<>();
   private double sessionStart = Double.NaN;
   private double duration;
 
@@ -104,6 +105,7 @@ public final class KickCollector {
                 "counting the same kicks twice would only make the errors too small"));
         continue;
       }
+      recordings.add(RecordingFacts.of(log));
       try (RecordingReader recording =
           epoch == null ? RecordingReader.open(log) : RecordingReader.open(log, epoch)) {
         epoch = recording.epoch();
@@ -130,6 +132,7 @@ public final class KickCollector {
         published,
         problems,
         Double.isNaN(sessionStart) ? 0 : sessionStart,
+        recordings,
         duration);
   }
 
@@ -171,7 +174,11 @@ public final class KickCollector {
       ProblemAccount.Occurrence first = account.first(kind).get(0);
       String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
       String advice =
-          kind == LogProblem.GEOMETRY_CHANGED ? "cameras that changed are treated as new ones" : "";
+          kind == LogProblem.GEOMETRY_CHANGED
+              ? "cameras that changed are treated as new ones"
+              : kind == LogProblem.FRAME_BEFORE_GEOMETRY
+                  ? "nothing to do: the frames are used"
+                  : "the rest of the recording is used";
       problems.add(
           new DataProblem(
               log + ", byte " + first.offset(), kind.text() + detail, account.count(kind), advice));
@@ -199,11 +206,25 @@ public final class KickCollector {
     one.blind()
         .forEach(
             id ->
-                problems.add(new DataProblem(log + ", camera " + id, "never saw the ball", 1, "")));
+                problems.add(
+                    new DataProblem(
+                        log + ", camera " + id,
+                        "never saw the ball",
+                        1,
+                        "nothing to do if no ball came into its view")));
     KickFinderCounts counts = one.finder.counts();
-    count(log, counts.deflections(), "balls that only bounced off a robot: not kicks");
-    count(log, counts.carried(), "balls that a robot pushed or dribbled: not kicks");
-    count(log, counts.tooShort(), "kicks that were seen too briefly");
+    count(
+        log,
+        counts.deflections(),
+        "balls that only bounced off a robot: not kicks",
+        "nothing to do");
+    count(
+        log, counts.carried(), "balls that a robot pushed or dribbled: not kicks", "nothing to do");
+    count(
+        log,
+        counts.tooShort(),
+        "kicks that were seen too briefly",
+        "let the ball roll on in view of a camera");
     one.clocks.forEach((id, clock) -> addClock(log, id, clock));
     if (one.finder.counts().recordingGaps() > 0) {
       problems.add(
@@ -211,7 +232,7 @@ public final class KickCollector {
               log.toString(),
               "all cameras silent for more than 0.25 s",
               one.finder.counts().recordingGaps(),
-              ""));
+              "kicks around a gap may be cut off"));
     }
   }
 
@@ -228,9 +249,9 @@ public final class KickCollector {
     }
   }
 
-  private void count(Path log, int times, String what) {
+  private void count(Path log, int times, String what, String advice) {
     if (times > 0) {
-      problems.add(new DataProblem(log.toString(), what, times, ""));
+      problems.add(new DataProblem(log.toString(), what, times, advice));
     }
   }
 
@@ -321,7 +342,12 @@ public final class KickCollector {
         Camera camera = Camera.of(c);
         cameras.put(number, camera);
         if (!camera.hasPixels()) {
-          problems.add(new DataProblem(log + ", camera " + number, camera.consistency(), 1, ""));
+          problems.add(
+              new DataProblem(
+                  log + ", camera " + number,
+                  camera.consistency(),
+                  1,
+                  "calibrate the camera; a simulator may publish placeholders"));
         }
       } catch (IllegalArgumentException unusable) {
         problems.add(

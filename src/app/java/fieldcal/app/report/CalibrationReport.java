@@ -1,6 +1,8 @@
 package fieldcal.app.report;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
+import fieldcal.app.wording.PublishWords;
+import fieldcal.verdict.VerdictRule;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -17,6 +19,7 @@ import java.util.Optional;
  * @param cameras the cameras that took part
  * @param field the field to draw; empty when no geometry was seen
  * @param kicks all kicks found, in the order of time, also those that were dropped
+ * @param verdict whether the model may be published
  * @param warnings what the operator should know before publishing, one sentence each, the most important first
  * @param problems damage and gaps in the input, counted
  */
@@ -26,6 +29,7 @@ public record CalibrationReport(
     List<Camera> cameras,
     Optional<Field> field,
     List<Kick> kicks,
+    PublishWords verdict,
     List<String> warnings,
     List<Problem> problems) {
 
@@ -40,6 +44,7 @@ public record CalibrationReport(
     models = List.copyOf(models);
     cameras = List.copyOf(cameras);
     kicks = List.copyOf(kicks);
+    Objects.requireNonNull(verdict, "verdict");
     warnings = List.copyOf(warnings);
     problems = List.copyOf(problems);
   }
@@ -50,7 +55,8 @@ public record CalibrationReport(
    * @return the changed copy
    */
   public CalibrationReport withoutKicks() {
-    return new CalibrationReport(provenance, models, cameras, field, List.of(), warnings, problems);
+    return new CalibrationReport(
+        provenance, models, cameras, field, List.of(), verdict, warnings, problems);
   }
 
   /** What a kick is, and which of the two models it belongs to. */
@@ -106,15 +112,6 @@ public record CalibrationReport(
       @Rounded(6) double jointStandardError,
       @Rounded(6) double published,
       String note) {
-    /**
-     * Smaller differences from the published model are not worth changing it, in percent. Chosen: 3 % of accSlide moves a
-     * ball kicked at 6 m/s by less than the width of a robot; the live monitor warns at 20 %.
-     */
-    public static final double NOTABLE_PERCENT = 3;
-
-    /** A difference within so many standard errors of the mean may be chance. */
-    private static final double NOTABLE_SIGMAS = 3;
-
     /** Checks that the texts are there. */
     public ModelParameter {
       Objects.requireNonNull(name, "name");
@@ -135,14 +132,13 @@ public record CalibrationReport(
     }
 
     /**
-     * Whether that matters: the difference is at least {@value #NOTABLE_PERCENT} % and more than chance.
+     * Whether that matters: the difference is at least {@value VerdictRule#NOTABLE_PERCENT} % and more than chance.
      *
      * @return false also when there is nothing to compare with
      */
     @JsonProperty
     public boolean differs() {
-      double sigmas = Math.abs(mean - published) / standardError;
-      return Math.abs(differencePercent()) >= NOTABLE_PERCENT && !(sigmas < NOTABLE_SIGMAS);
+      return VerdictRule.differs(mean, standardError, published);
     }
   }
 

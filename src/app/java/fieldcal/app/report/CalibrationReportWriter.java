@@ -18,33 +18,29 @@ public final class CalibrationReportWriter {
           "calibration.css",
           List.of("calibration-plots.js", "calibration-views.js", "calibration.js"));
 
-  /** What the page holds: the report, and the verdict in words. */
-  record Contents(Verdict verdict, CalibrationReport report) {
-    static Contents of(CalibrationReport report) {
-      return new Contents(Verdict.of(report), report);
-    }
-  }
+  /** What the page holds. */
+  record Contents(CalibrationReport report) {}
 
   /**
    * What the page's scripts draw from, for pages that draw the same.
    *
    * @param report what to show
-   * @return JSON with {@code verdict} and {@code report}; numbers are rounded, unknown ones are null
+   * @return JSON with {@code report}; numbers are rounded, unknown ones are null
    * @throws IOException if a value cannot be written as JSON
    */
   public static String json(CalibrationReport report) throws IOException {
-    return ReportJson.of(Contents.of(report));
+    return ReportJson.of(new Contents(report));
   }
 
   /**
-   * Everything but the kicks as in {@link #json}; the verdict is that of all of them.
+   * Everything but the kicks as in {@link #json}.
    *
    * @param report what to show
    * @return JSON, whose kicks are an empty list
    * @throws IOException if a value cannot be written as JSON
    */
   public static String jsonWithoutKicks(CalibrationReport report) throws IOException {
-    return ReportJson.of(new Contents(Verdict.of(report), report.withoutKicks()));
+    return ReportJson.of(new Contents(report.withoutKicks()));
   }
 
   /**
@@ -66,7 +62,10 @@ public final class CalibrationReportWriter {
    * @throws IOException if the file cannot be written
    */
   public void write(CalibrationReport report, Path file) throws IOException {
-    Contents contents = Contents.of(report);
-    WholeFile.write(PAGE.html(contents.verdict().title(), contents), file);
+    String title =
+        report.provenance().sources().isEmpty()
+            ? "Ball calibration"
+            : "Ball calibration: " + String.join(", ", report.provenance().sources());
+    WholeFile.write(PAGE.html(title, new Contents(report)), file);
   }
 }

@@ -3,6 +3,7 @@ package fieldcal.app.simulation;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.proto.Referee;
 import fieldcal.simulation.SimulatedPacket;
 import fieldcal.simulation.Simulation;
@@ -99,6 +100,7 @@ public record RecordingFiles(Path log, Path truth, Path commands) {
     private final DoubleConsumer progress;
     private final VisionEncoder encoder;
     private double nextReferee;
+    private boolean marked;
 
     Sink(Simulation simulation, GameLogWriter writer, DoubleConsumer progress) {
       this.simulation = simulation;
@@ -110,6 +112,13 @@ public record RecordingFiles(Path log, Path truth, Path commands) {
     void accept(SimulatedPacket packet) {
       Epoch epoch = simulation.epoch();
       try {
+        if (!marked) {
+          marked = true;
+          writer.write(
+              epoch.unixNanosOf(packet.receivedTime()),
+              MessageType.BLANK,
+              RecordingOrigin.simulationMark());
+        }
         while (!simulation.phases().isEmpty() && nextReferee <= packet.receivedTime()) {
           writer.write(
               epoch.unixNanosOf(nextReferee),

@@ -4,6 +4,7 @@ import fieldcal.app.net.MatchNetwork;
 import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.play.PlayField;
 import fieldcal.app.play.WorldModel;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.play.PlayAnswer.BallRequest;
 import fieldcal.play.PlayWorld;
@@ -41,6 +42,7 @@ public final class NetworkPlayField implements PlayField {
   private final VisionEncoder encoder;
   private final MatchNetwork network;
   private final RobotLink client;
+  private final RecordingOrigin origin;
   private final WorldModel model = new WorldModel();
   private final VisionWatch watch = new VisionWatch();
   private List<String> lastNotes;
@@ -102,11 +104,13 @@ public final class NetworkPlayField implements PlayField {
   public NetworkPlayField(
       String host, SimulatorPorts ports, NetworkPlace vision, Optional<NetworkPlace> referee)
       throws IOException {
-    this(new SimulatorClient(host, ports), vision, referee);
+    this(new SimulatorClient(host, ports), RecordingOrigin.SIMULATION, vision, referee);
   }
 
-  private NetworkPlayField(RobotLink link, NetworkPlace vision, Optional<NetworkPlace> referee)
+  private NetworkPlayField(
+      RobotLink link, RecordingOrigin origin, NetworkPlace vision, Optional<NetworkPlace> referee)
       throws IOException {
+    this.origin = origin;
     long unixNanos = System.currentTimeMillis() * 1_000_000L;
     epoch = Epoch.atSecondOf(unixNanos);
     startTime = epoch.secondsOfNanos(unixNanos);
@@ -152,7 +156,12 @@ public final class NetworkPlayField implements PlayField {
     }
     String host = bridge.substring(0, colon);
     RobotLink link = new BridgeClient(host, port, first, second, System::nanoTime);
-    return new NetworkPlayField(link, vision, referee);
+    return new NetworkPlayField(link, RecordingOrigin.FIELD, vision, referee);
+  }
+
+  @Override
+  public RecordingOrigin origin() {
+    return origin;
   }
 
   @Override

@@ -72,7 +72,7 @@ final class CarpetWords extends MotionText {
                     Amount.decimals(roll.getAsDouble() + slope, 3),
                     Amount.decimals(roll.getAsDouble() + 3 * slope, 3))),
         text(
-            "One accRoll is right at one speed only: slower balls roll %s than it predicts, faster"
+            "One acc_roll is right at one speed only: slower balls roll %s than it predicts, faster"
                 + " ones %s.",
             grows ? "farther" : "less far", grows ? "less far" : "farther"),
         EXTENDED);
@@ -98,7 +98,7 @@ final class CarpetWords extends MotionText {
                 + " carpet%s.",
             grows ? "grows" : "falls", percent(Math.abs(slope)), numbers),
         text(
-            "One accSlide is right for kicks of one speed only: hard kicks are braked %s than it"
+            "One acc_slide is right for kicks of one speed only: hard kicks are braked %s than it"
                 + " predicts, soft ones %s.",
             grows ? "more" : "less", grows ? "less" : "more"),
         EXTENDED);

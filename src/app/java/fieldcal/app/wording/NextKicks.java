@@ -97,9 +97,10 @@ public final class NextKicks {
           pair(
               "camera_offset",
               "camera_pose_error",
-              "No kick is needed: a shift is the same said twice, so correct either. That a camera"
-                  + " is tilted or hangs at another height would show in slow flat kicks from below"
-                  + " it to the corners of its view."),
+              "No kick is needed: a camera that is shifted and one that reports everything shifted"
+                  + " are the same, and calibrating the camera corrects both. A tilt or a wrong"
+                  + " height would show in slow flat kicks from below the camera to the corners of"
+                  + " its view."),
           pair(
               "camera_offset",
               "lens_distortion_error",

@@ -6,6 +6,7 @@ import {diagnosisPage} from './diagnosis.js';
 import {publishPage} from './publish.js';
 import {matchPage} from './match.js';
 import {playPage} from './play.js';
+import {recordingsPage} from './recordings.js';
 
 const {el} = Charts;
 const {$} = Frame;
@@ -14,7 +15,8 @@ const {$} = Frame;
 Frame.screen.pixelRatio = window.devicePixelRatio || 1;
 
 const app = {state: null, theme: null, decide, run, fail, colours};
-const PAGES = [kicksPage(app), playPage(app), diagnosisPage(app), publishPage(app), matchPage(app)];
+const recordings = recordingsPage(app);
+const PAGES = [kicksPage(app), playPage(app), diagnosisPage(app), publishPage(app), matchPage(app), recordings];
 let current = null;
 let lastWork = null, failures = [], asking = false, askAgain = false, acting = 0, newest = 0;
 
@@ -143,9 +145,11 @@ function showEmpty() {
   const words = !state ? ['Connecting …', []]
     : busy() ? ['Reading the recordings …', [el('p', {}, state.work.text), progress(state.work.done, state.work.total)]]
     : state.failure ? ['The recordings cannot be used', [el('p', {}, state.failure), button('Read again', () => run('read'))]]
-    : ['No recording yet', [el('p', {}, 'Put game logs (*.log, *.log.gz) into ' + state.directory + '. All of them are calibrated together.'), button('Look again', () => run('read'))]];
+    : ['No recording yet', [el('p', {}, 'Record kicks from the network, let the calibration play make some (page Play), or put game logs (*.log, *.log.gz) into ' + state.directory + '.'), button('Look again', () => run('read'))]];
   $('empty-title').textContent = words[0];
-  $('empty-text').replaceChildren(...words[1]);
+  renew($('empty-text'), words[1].map(node => node.outerHTML), () => words[1]);
+  $('empty-record').hidden = !state || busy();
+  if (!$('empty-record').hidden) recordings.showRecord($('empty-record'));
 }
 
 function showNavigation() {
@@ -207,8 +211,16 @@ function showKeys() {
 }
 
 document.addEventListener('keydown', event => {
-  if (event.ctrlKey || event.altKey || event.metaKey || $('dialog').open) return;
-  if (event.target instanceof Element && event.target.matches('input, textarea, select')) return;
+  if (event.altKey || $('dialog').open) return;
+  if (event.target instanceof Element && event.target.matches('input:not([type=checkbox]), textarea, select')) return;
+  if (event.ctrlKey || event.metaKey) {
+    const step = {z: 'u', Z: 'U', y: 'U'}[event.key];
+    if (step && ready() && current.keys && current.keys[step]) {
+      event.preventDefault();
+      current.keys[step]();
+    }
+    return;
+  }
   const page = PAGES[Number(event.key) - 1];
   if (page) location.hash = page.id;
   else if (event.key === 't') toggleTheme();
@@ -239,7 +251,8 @@ listen((name, data) => {
   else if (name === 'work') showWork(data);
   else {
     if (app.state) app.state[name].status = data;
-    if (app.state && current.id === name) current.told(data);
+    if (app.state && name === 'record') recordings.told();
+    else if (app.state && current.id === name) current.told(data);
   }
 }, showLink);
 refresh();

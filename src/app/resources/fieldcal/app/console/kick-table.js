@@ -1,18 +1,18 @@
 /* The table of kicks: sorted, filtered, one kick selected, any number marked. Told what to show; tells what was pressed. */
 const {el} = Charts;
 const {content, choices} = Frame;
-const {COLUMNS, FILTERS, whyDropped, sorted} = CalibrationViews;
+const {KINDS, COLUMNS, FILTERS, whyDropped, sorted} = CalibrationViews;
 const LISTED = COLUMNS.filter(column => column.key !== 'used');
 const STEPS = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity};
 
-export function kickTable({select, mark, toggle}) {
+export function kickTable({select, mark, toggle, filtered}) {
   const state = {filter: 'all', sort: {key: 'id', down: false}, shown: [], rows: new Map(), selected: null, listed: ''};
   const parts = new Map();
   let last = null;
 
   function show(report, byHand, marks, selected) {
     last = [report, byHand, marks, selected];
-    choices('kick-filter', Object.keys(FILTERS).map(key => [key, key + ' ' + report.kicks.filter(FILTERS[key]).length]), state.filter, key => { state.filter = key; show(...last); });
+    choices('kick-filter', Object.keys(FILTERS).map(key => [key, key + ' ' + report.kicks.filter(FILTERS[key]).length]), state.filter, key => { state.filter = key; show(...last); filtered(key); });
     state.shown = sorted(report.kicks.filter(FILTERS[state.filter]), state.sort);
     const focused = document.activeElement && document.activeElement.closest('#kicks tr[data-kick]');
     const box = content('kicks');
@@ -45,6 +45,23 @@ export function kickTable({select, mark, toggle}) {
     setMarks(marks);
     pick(selected, Boolean(focused));
   }
+
+  /** The kicks that are listed, in their order, as CSV for a spreadsheet: SI units, a point as decimal mark. */
+  function csv() {
+    const names = [...new Set(state.shown.flatMap(kick => kick.parameters.map(p => p.name)))];
+    const quoted = value => /[",\n]/.test(value) ? '"' + value.replaceAll('"', '""') + '"' : value;
+    const rows = [['id', 'kind', 'source', 't_unix', 'team', 'robot', 'speed_mps', 'end', 'observations', 'rms_mm', 'used', 'why_not', ...names.flatMap(name => [Plots.inFiles(name), Plots.inFiles(name) + '_standard_error'])],
+      ...state.shown.map(kick => [kick.id, KINDS[kick.kind], kick.source, kick.unix, kick.team, kick.robot < 0 ? '' : kick.robot, Plots.kickSpeed(kick).toFixed(4), kick.end, kick.observations, kick.rmsMm, kick.selected, whyDropped(kick),
+        ...names.flatMap(name => { const p = kick.parameters.find(one => one.name === name) || {}; return [p.value, p.standardError]; })])];
+    return rows.map(row => row.map(value => quoted(value === null || value === undefined ? '' : String(value))).join(',')).join('\n') + '\n';
+  }
+
+  function download() {
+    const link = el('a', {href: URL.createObjectURL(new Blob([csv()], {type: 'text/csv'})), download: 'kicks.csv'});
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+  document.getElementById('kicks-csv').addEventListener('click', download);
 
   /** Shows at once what was decided about kicks; what comes of it is shown when the server has answered. */
   function expect(ids, used) {

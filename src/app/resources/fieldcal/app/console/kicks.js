@@ -7,12 +7,11 @@ const {el, known, number, withError} = Charts;
 const {$, content, draw, forget, choices, charts} = Frame;
 const {KINDS, difference, kickTitle, kickFacts, kickLegend, layOutKick, drawKick} = CalibrationViews;
 const REASONS = ['touched by a robot or a foot', 'ball was not at rest', 'two balls in view', 'hit the goal or the wall', 'kicked over a line or a seam', 'the robot slipped'];
-const ADVICE = {PUBLISH: ['good', '✔ publish'], KEEP: ['good', '✔ keep the old'], CHECK: ['warn', '⚠ check it'], RECORD_MORE: ['warn', '⚠ record more'], NO_KICKS: ['bad', '✘ no kick']};
 
 export function kicksPage(app) {
   const page = {id: 'kicks', title: 'Kicks', show, resized, keys: {}, keyWords: []};
   const view = {selected: null, kind: null, axis: 'kick', marks: new Set(), details: new Map(), fits: null, laidOut: '', pictured: ''};
-  const table = kickTable({select, mark, toggle});
+  const table = kickTable({select, mark, toggle, filtered});
   let theme, reason = '';
 
   const state = () => app.state;
@@ -50,6 +49,14 @@ export function kicksPage(app) {
     for (const box of content('parameters').querySelectorAll('.chart')) if (charts.has(box)) circle(box);
     view.pictured = '';
     showKick();
+  }
+
+  /** Only kicks of one kind are listed: their plots belong beside them. */
+  function filtered(filter) {
+    const kind = filter.toUpperCase();
+    if (!(kind in KINDS) || kind === view.kind || !report().kicks.some(kick => kick.kind === kind)) return;
+    view.kind = kind;
+    showModel();
   }
 
   // ---- decisions ----
@@ -135,11 +142,11 @@ export function kicksPage(app) {
     const kinds = Object.keys(KINDS).filter(kind => report().kicks.some(kick => kick.kind === kind));
     choices('parameter-kind', kinds.map(kind => [kind, KINDS[kind] + ' ' + report().kicks.filter(k => k.kind === kind && k.selected).length + '/' + report().kicks.filter(k => k.kind === kind).length]), view.kind, kind => { view.kind = kind; showModel(); });
     choices('parameter-axis', Object.entries(Plots.AXES).map(([key, axis]) => [key, axis.label]), view.axis, key => { view.axis = key; showModel(); });
-    const [level, words] = ADVICE[state().calibration.verdict.advice];
+    const {verdict} = report();
     $('advice').replaceChildren(
-      state().settled ? '' : el('span', {class: 'note', id: 'refining'}, 'joint fit follows … '), Frame.badge(level, words),
+      state().settled ? '' : el('span', {class: 'note', id: 'refining'}, 'joint fit follows … '), CalibrationViews.decisionBadge(verdict),
       state().model.effects.length ? el('span', {class: 'note'}, ' with ' + state().model.effects.join(', ')) : '');
-    $('advice').title = state().calibration.verdict.lines.join('\n');
+    $('advice').title = [...verdict.toDo, ...verdict.reasons, ...verdict.notes].join('\n');
     $('parameter-legend').replaceChildren(...CalibrationViews.parameterLegend(theme));
     const model = report().models.find(m => m.kind === view.kind);
     const shown = model ? model.parameters : [];
@@ -160,7 +167,7 @@ export function kicksPage(app) {
 
   function valueOf(parameter) {
     return [
-      el('p', {}, el('b', {}, parameter.name), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
+      el('p', {}, el('b', {}, Plots.inFiles(parameter.name)), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
       el('p', {}, el('b', {class: 'mean'}, withError(parameter.mean, parameter.standardError)), el('span', {class: 'spring'}), el('span', {class: 'note', title: 'kicks in the mean'}, 'n ' + parameter.n))];
   }
 
@@ -311,6 +318,6 @@ export function kicksPage(app) {
     s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
   };
   page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick; shift and an arrow mark several'], ['Esc', 'clear all marks'],
-    ['s', 'one more round of 2σ'], ['u, U', 'undo, redo'], ['f', 'write a reason; Enter drops with it']];
+    ['s', 'one more round of 2σ'], ['u, U or Ctrl+Z, Ctrl+Y', 'undo, redo'], ['f', 'write a reason; Enter drops with it']];
   return page;
 }

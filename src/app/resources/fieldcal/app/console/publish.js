@@ -23,7 +23,7 @@ export function publishPage(app) {
 
   function show() {
     const theme = app.colours();
-    CalibrationViews.verdict($('verdict'), state().calibration.verdict, report().warnings);
+    CalibrationViews.verdict($('verdict'), report().verdict, report().warnings);
     content('model').replaceChildren(...CalibrationViews.model(report()));
     content('cameras').replaceChildren(CalibrationViews.cameras(theme, report()));
     showVision();
@@ -77,7 +77,7 @@ export function publishPage(app) {
   /** The new model beside what vision publishes now and what the recordings, or the operator's file, say. */
   function changes(short) {
     const now = heard() && heard().geometry ? heard().values : null, before = state().model.compared;
-    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
+    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text'}, Plots.inFiles(p.name), p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
       ...(now ? [el('td', {}, Plots.asPublished(now[p.name]))] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
     return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'Your file' : 'Recordings', false, 'what the new model was compared with']]), ...(now ? [['Vision now']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
   }
@@ -91,6 +91,9 @@ export function publishPage(app) {
     $('send-button').disabled = !ready;
     $('send-note').textContent = !complete() ? 'There is no complete model: record more kicks.' : !state().settled ? 'The joint fit is being refined after the last decision …'
       : missing() ? missing() : '';
+    const {running, to, text, everySeconds, failure} = state().sending;
+    renew($('sending'), [running, to, failure, text === state().model.text], () => running ? [el('p', {class: 'bar'}, Frame.badge('good', '● sending'), (text === state().model.text ? 'This model' : 'An earlier model') + ' is sent to ' + to + (everySeconds === 1 ? ' every second' : ' every ' + everySeconds + ' s') + ', as vision repeats it, until you stop it or the console ends.', button('Stop sending', () => app.run('publish/end'), {id: 'send-end'}))]
+      : failure ? [el('p', {class: 'notice bad'}, 'Sending stopped: ' + failure)] : []);
     const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text'}, p.format), el('td', {class: 'text', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
     $('published').replaceChildren(rows.length ? el('table', {}, el('thead', {}, el('tr', {}, ['Sent (UTC)', 'To', 'As', 'What'].map(h => el('th', {scope: 'col', class: 'text'}, h)))), el('tbody', {}, rows)) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
   }
@@ -108,15 +111,17 @@ export function publishPage(app) {
           type: 'radio', name: 'format', value: key, checked: key === view.format ? '' : null, disabled: key === 'wrapper' && !geometry ? '' : null, onchange: keep('format'),
         }), ' ' + words))),
         el('button', {type: 'submit', id: 'send-button', class: 'strong'}, 'Send …'), el('span', {class: 'note', id: 'send-note'})),
-      el('div', {id: 'published'}));
+      el('div', {id: 'sending', 'aria-live': 'polite'}), el('div', {id: 'published'}));
   }
 
   async function send() {
     const text = state().model.text;
+    const {verdict} = report(), against = verdict.decision !== 'publish';
     const sure = await confirmed('Send this model to ' + view.address + ':' + view.port + '?', [
+      el('p', {class: 'bar'}, CalibrationViews.decisionBadge(verdict), verdict.toDo.join(' ')), ...verdict.reasons.map(words => el('p', {class: 'notice ' + (verdict.decision === 'do_not_publish' ? 'bad' : 'warn')}, words)),
       changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: listen to it first.')]),
       ...(heard() ? heard().differences : []).map(words => el('p', {class: 'notice bad'}, '⚠ ' + words)), ...report().warnings.map(warning => el('p', {class: 'notice warn'}, '⚠ ' + warning)),
-      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. Everybody who listens there uses it from now on.')], 'Send');
+      el('p', {}, 'As ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. It is repeated every second until you stop it; everybody who listens there uses it. It does not change SSL-Vision: enter the numbers there, or its own packets go on with the old model.')], against ? 'Send anyway' : 'Send');
     if (sure) await app.run('publish', {address: view.address, port: Number(view.port), format: view.format, confirmed: text});
   }
 
@@ -134,6 +139,20 @@ export function publishPage(app) {
     view.written = new Date().toTimeString().slice(0, 8);
     showFiles();
   }
+
+  async function copySnippet() {
+    const button = $('snippet-copy');
+    try {
+      await navigator.clipboard.writeText($('snippet').textContent);
+      button.textContent = '✔ copied';
+    } catch (refused) {
+      // Without a safe connection a browser lets nobody write there; what is selected can be copied by hand.
+      getSelection().selectAllChildren($('snippet'));
+      button.textContent = 'Ctrl+C copies it';
+    }
+    setTimeout(() => { button.textContent = 'Copy'; }, 3000);
+  }
+  $('snippet-copy').addEventListener('click', copySnippet);
 
   function showSnippet() {
     choices('snippet-kind', Object.entries(FORMS), view.form, key => { view.form = key; showSnippet(); });

@@ -46,7 +46,7 @@ export function listen(told, link) {
     if (source) source.close();
     heard = Date.now();
     source = new EventSource('/api/events');
-    for (const name of ['beat', 'state', 'work', 'match', 'play']) {
+    for (const name of ['beat', 'state', 'work', 'match', 'play', 'record']) {
       source.addEventListener(name, event => {
         heard = Date.now();
         state(true);

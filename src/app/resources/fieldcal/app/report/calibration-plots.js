@@ -6,6 +6,9 @@
 const Plots = (() => {
   'use strict';
 
+  /** A parameter's name in files and messages: accSlide is acc_slide. */
+  const inFiles = name => name.replace(/[A-Z]/g, letter => '_' + letter.toLowerCase());
+
   const HALF_WINDOW = 0.05; // s; about seven frames at 70 Hz, enough to see a slope in 2 mm of noise
   const END_WORDS = {
     stopped: 'came to rest', left_field: 'left the field', touched_robot: 'touched a robot', lost: 'lost from view',
@@ -63,7 +66,7 @@ const Plots = (() => {
   function parameterTip(parameter, point) {
     const kick = point.kick;
     const distance = sigmas(parameter, point.fitted);
-    return tip('Kick ' + kick.id + ': ' + parameter.name + ' ' + (point.undetermined ? 'undetermined' : withError(point.value, point.error, parameter.unit)),
+    return tip('Kick ' + kick.id + ': ' + inFiles(parameter.name) + ' ' + (point.undetermined ? 'undetermined' : withError(point.value, point.error, parameter.unit)),
       point.undetermined,
       known(distance) && signed(distance, 1) + ' σ from the mean',
       number(kickSpeed(kick), 2) + ' m/s at ' + number(kickDirection(kick), 0) + '°, ' + robotName(kick) + ', ' + endWords(kick.end),
@@ -417,7 +420,7 @@ const Plots = (() => {
     return option;
   }
 
-  return {
-    AXES, asPublished, kickSpeed, kickDirection, endWords, robotName, isUsed, sigmas, prepare, parameter, path, speed, residual, height,
+    return {
+    AXES, inFiles, asPublished, kickSpeed, kickDirection, endWords, robotName, isUsed, sigmas, prepare, parameter, path, speed, residual, height,
   };
 })();

@@ -7,15 +7,26 @@ const CalibrationViews = (() => {
   const {el, known, number, signed, withError} = Charts;
   const {draw, forget, figure, badge, swatch} = Frame;
   const KINDS = {FLAT: 'flat', CHIP: 'chip'};
-  const ACTIONS = {PUBLISH: '✔ Publish', KEEP: '✔ Keep the published model', CHECK: '⚠ Check before you publish', RECORD_MORE: '⚠ Record more kicks', NO_KICKS: '✘ No kick found'};
+  /** How each decision looks: the level of its colours, and its mark. */
+  const DECISIONS = {publish: ['good', '✔'], record_more: ['warn', '⚠'], check_first: ['warn', '⚠'], do_not_publish: ['bad', '✘']};
 
   // ---- verdict, model, cameras ----
 
-  /** The verdict in words, and what to know before publishing. */
-  function verdict(box, {advice, lines}, warnings) {
-    box.className = advice.toLowerCase();
-    box.replaceChildren(...lines.map((line, i) => el('p', {}, i === 0 ? el('b', {class: 'action'}, ACTIONS[advice]) : '', line)));
+  /** The verdict in one line, its reasons, and what else to know before publishing. */
+  function verdict(box, words, warnings) {
+    const [level, mark] = DECISIONS[words.decision];
+    box.className = level;
+    box.replaceChildren(
+      el('p', {class: 'decision'}, el('b', {class: 'action'}, mark + ' ' + words.title[0].toUpperCase() + words.title.slice(1)), words.toDo.join(' ')),
+      ...words.reasons.map(reason => el('p', {class: 'reason'}, reason)),
+      ...words.notes.map(note => el('p', {class: 'note'}, note)));
     if (warnings.length) box.append(el('ul', {}, warnings.map(warning => el('li', {}, warning))));
+  }
+
+  /** The decision as a badge, for a line that has no room for more. */
+  function decisionBadge(words) {
+    const [level, mark] = DECISIONS[words.decision];
+    return badge(level, mark + ' ' + words.title);
   }
 
   function difference(parameter) {
@@ -29,7 +40,7 @@ const CalibrationViews = (() => {
   function modelRow(parameter) {
     const digits = Charts.decimals(parameter.standardError);
     return el('tr', {},
-      el('td', {class: 'text'}, parameter.name, parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
+      el('td', {class: 'text'}, Plots.inFiles(parameter.name), parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
       el('td', {class: 'big', title: known(parameter.sigma) ? 'scatter between the kicks beyond their own errors: ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
       el('td', {}, parameter.n),
       el('td', {}, withError(parameter.joint, parameter.jointStandardError)),
@@ -45,13 +56,13 @@ const CalibrationViews = (() => {
     const body = report.models.flatMap(model => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
-      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks' + (known(model.jointRmsMm) ? ', joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks used, each for the parameters that it determines (n)' + (known(model.jointRmsMm) ? ', joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
       return [el('tr', {class: 'group'}, el('th', {colspan: 6}, group)), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
     return [
       el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, body))),
-      ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => p.name + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note))];
+      ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => Plots.inFiles(p.name) + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note))];
   }
 
   /** What an offset means, in words; nothing is said of one that is within its error or too small to matter. */
@@ -137,9 +148,9 @@ const CalibrationViews = (() => {
     const mean = model && model.parameters.find(p => p.name === parameter.name);
     const sigmas = mean && known(parameter.value) ? Plots.sigmas(mean, parameter) : NaN;
     if (!known(parameter.value)) {
-      return el('tr', {}, el('td', {class: 'text'}, parameter.name), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
+      return el('tr', {}, el('td', {class: 'text'}, Plots.inFiles(parameter.name)), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
     }
-    return el('tr', {}, el('td', {class: 'text'}, parameter.name), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
+    return el('tr', {}, el('td', {class: 'text'}, Plots.inFiles(parameter.name)), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
       el('td', {}, known(sigmas) ? el('span', {title: parameter.dropped || null}, badge(parameter.dropped ? 'bad' : Math.abs(sigmas) > 2 ? 'warn' : 'good', (parameter.dropped ? '✘ ' : '') + signed(sigmas, 1) + ' σ')) : ''));
   }
 
@@ -161,7 +172,7 @@ const CalibrationViews = (() => {
   function kickLegend(theme, kick) {
     return [
       ...Plots.prepare(kick).cameras.map(({camera}) => el('span', {}, swatch(theme.camera(camera).symbol, theme.camera(camera).colour), 'camera ' + camera)),
-      el('span', {}, swatch('circle', theme.muted, true), 'outlier'), el('span', {}, swatch('line', theme.text), 'fitted'),
+      el('span', {}, swatch('circle', theme.muted, true), 'outlier'), el('span', {}, swatch('line', theme.text), 'fitted'), el('span', {}, swatch('line', theme.muted), 'other kicks'),
       el('span', {}, swatch('band', theme.good), 'noise ± 2σ')];
   }
 
@@ -199,6 +210,6 @@ const CalibrationViews = (() => {
   }
 
   return {
-    KINDS, COLUMNS, FILTERS, verdict, model, cameras, difference, parameterLegend, droppedValues, whyDropped, sorted, kickTitle, kickFacts, kickLegend, layOutKick, drawKick,
+    KINDS, COLUMNS, FILTERS, verdict, decisionBadge, model, cameras, difference, parameterLegend, droppedValues, whyDropped, sorted, kickTitle, kickFacts, kickLegend, layOutKick, drawKick,
   };
 })();

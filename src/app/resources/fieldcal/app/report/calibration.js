@@ -4,7 +4,7 @@
   const {el, withError} = Charts;
   const {$, content, charts, draw, forget, figure, choices} = Frame;
   const {KINDS, COLUMNS, FILTERS, whyDropped, sorted} = CalibrationViews;
-  const {verdict, report} = JSON.parse(document.getElementById('data').textContent);
+  const {report} = JSON.parse(document.getElementById('data').textContent);
   const cameraIds = [...new Set([...report.cameras.map(c => c.id), ...report.kicks.flatMap(k => k.seen.map(s => s.camera))])].sort((a, b) => a - b);
   const kinds = Object.keys(KINDS).filter(kind => report.kicks.some(k => k.kind === kind));
   const state = {kick: null, kind: kinds[0], axis: 'kick', filter: 'all', sort: {key: 'id', down: false}, shown: []};
@@ -14,7 +14,7 @@
 
   function showTop() {
     Frame.showProvenance(report.provenance, 'j and k go to the next and the previous kick');
-    CalibrationViews.verdict($('verdict'), verdict, report.warnings);
+    CalibrationViews.verdict($('verdict'), report.verdict, report.warnings);
     content('model').replaceChildren(...CalibrationViews.model(report));
     content('cameras').replaceChildren(CalibrationViews.cameras(theme, report));
   }
@@ -34,7 +34,7 @@
       return;
     }
     const fitted = model.parameters.filter(parameter => kicks.some(k => k.parameters.some(p => p.name === parameter.name)));
-    const places = fitted.map(parameter => figure(box, parameter.name + (parameter.unit ? ' [' + parameter.unit + ']' : ''), withError(parameter.mean, parameter.standardError)));
+    const places = fitted.map(parameter => figure(box, Plots.inFiles(parameter.name) + (parameter.unit ? ' [' + parameter.unit + ']' : ''), withError(parameter.mean, parameter.standardError)));
     // Drawn when all are there: their number decides how wide each is.
     for (const [i, chart] of places.entries()) {
       const parameter = fitted[i];

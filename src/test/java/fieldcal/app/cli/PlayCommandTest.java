@@ -39,7 +39,7 @@ class PlayCommandTest {
     assertThat(run("play --sim --kind flat --kicks 4 --seed 2 --out DIR")).isZero();
     assertThat(out.toString())
         .contains("4 good kicks of 4 made")
-        .contains("Flat model from 4 of 4 kicks")
+        .contains("Flat model: 4 of 4 kicks used")
         .contains("Against the truth")
         .contains("Kick strength");
     JsonNode play = json("play.json");
@@ -93,7 +93,7 @@ class PlayCommandTest {
       })
   void badUsageIsStatusTwo(String line) {
     assertThat(run(line)).as(err.toString()).isEqualTo(2);
-    assertThat(err.toString()).contains("Usage: fieldcal play");
+    assertThat(err.toString()).contains("fieldcal play --help");
   }
 
   @Test

@@ -175,7 +175,7 @@ class BrowserTest {
       browser.type("#send-address", "127.0.0.1");
       browser.type("#send-port", Integer.toString(vision.getLocalPort()));
       browser.click("#send-button");
-      browser.awaitText("#dialog", "accSlide");
+      browser.awaitText("#dialog", "acc_slide");
       browser.click("#refuse");
       browser.click("#send-button");
       browser.click("#confirm");

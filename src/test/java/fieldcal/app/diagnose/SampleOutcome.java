@@ -13,6 +13,7 @@ import fieldcal.diagnosis.KickResiduals;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.kick.Kick;
+import fieldcal.verdict.Surroundings;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
 import java.nio.file.Path;
@@ -50,6 +51,7 @@ public final class SampleOutcome {
                 .mapToObj(i -> new DataProblem("friday.log.gz", "remark " + i, 1, ""))
                 .toList(),
             0.5,
+            List.of(),
             300);
     List<CommandFile.Command> commands = List.of();
     CalibrationOutcome calibration =
@@ -61,6 +63,8 @@ public final class SampleOutcome {
             commands,
             new Calibration(
                 List.of(), Map.of(), Map.of(), Optional.empty(), cameras, diagnosis.seed()),
+            Optional.empty(),
+            Surroundings.UNKNOWN,
             Optional.empty());
     DiagnosisProblem problem =
         new DiagnosisProblem(

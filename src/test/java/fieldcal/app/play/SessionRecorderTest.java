@@ -3,6 +3,7 @@ package fieldcal.app.play;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,8 +19,10 @@ class SessionRecorderTest {
 
   @Test
   void takesTheNextFreeName() throws IOException {
-    try (SessionRecorder first = SessionRecorder.begin(directory, "session", EPOCH);
-        SessionRecorder second = SessionRecorder.begin(directory, "session", EPOCH)) {
+    try (SessionRecorder first =
+            SessionRecorder.begin(directory, "session", EPOCH, RecordingOrigin.FIELD);
+        SessionRecorder second =
+            SessionRecorder.begin(directory, "session", EPOCH, RecordingOrigin.FIELD)) {
       assertThat(first.log()).hasFileName("session.log").exists();
       assertThat(second.log()).hasFileName("session-2.log").exists();
       assertThat(second.commands()).hasFileName("session-2.commands.csv").exists();
@@ -30,7 +33,8 @@ class SessionRecorderTest {
   void neverTouchesCommandsOfAnotherRecording() throws IOException {
     Path commands = directory.resolve("session.commands.csv");
     Files.writeString(commands, "of a recording that was moved elsewhere");
-    try (SessionRecorder recorder = SessionRecorder.begin(directory, "session", EPOCH)) {
+    try (SessionRecorder recorder =
+        SessionRecorder.begin(directory, "session", EPOCH, RecordingOrigin.FIELD)) {
       assertThat(recorder.log()).hasFileName("session-2.log");
     }
     assertThat(commands).hasContent("of a recording that was moved elsewhere");
@@ -40,7 +44,7 @@ class SessionRecorderTest {
   void leavesNoEmptyRecordingWhenTheCommandsCannotBeWritten() throws IOException {
     // Short enough for the log, too long for the commands.
     String name = "x".repeat(250);
-    assertThatThrownBy(() -> SessionRecorder.begin(directory, name, EPOCH))
+    assertThatThrownBy(() -> SessionRecorder.begin(directory, name, EPOCH, RecordingOrigin.FIELD))
         .isInstanceOf(IOException.class)
         .hasMessageContaining(name + ".commands.csv");
     assertThat(directory).isEmptyDirectory();

@@ -11,6 +11,7 @@ import fieldcal.app.report.CalibrationReport.Kick;
 import fieldcal.app.report.CalibrationReport.Kind;
 import fieldcal.app.report.CalibrationReport.Model;
 import fieldcal.app.report.CalibrationReport.ModelParameter;
+import fieldcal.app.wording.PublishWords;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -60,6 +61,7 @@ class CalibrationReportWriterTest {
             List.of(),
             Optional.empty(),
             List.of(),
+            new PublishWords("publish", HOSTILE, List.of(HOSTILE), List.of(), List.of(HOSTILE)),
             List.of(HOSTILE),
             List.of(new Problem(HOSTILE, HOSTILE, 1, HOSTILE)));
     String page = write(report);
@@ -116,10 +118,10 @@ class CalibrationReportWriterTest {
     JsonNode data = data(page);
     assertThat(data.at("/report/kicks")).hasSize(report.kicks().size());
     assertThat(data.at("/report/field").isNull()).isEqualTo(report.field().isEmpty());
-    assertThat(data.at("/verdict/lines")).isNotEmpty();
+    assertThat(data.at("/report/verdict/toDo")).isNotEmpty();
     assertThat(
             found(
-                ReportJson.of(CalibrationReportWriter.Contents.of(report)),
+                ReportJson.of(new CalibrationReportWriter.Contents(report)),
                 "[:,\\[](NaN|-?Infinity)"))
         .isEmpty();
     // Kept for a look at it.

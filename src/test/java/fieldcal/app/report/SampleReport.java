@@ -6,6 +6,7 @@ import fieldcal.app.report.CalibrationReport.KickParameter;
 import fieldcal.app.report.CalibrationReport.Kind;
 import fieldcal.app.report.CalibrationReport.Model;
 import fieldcal.app.report.CalibrationReport.ModelParameter;
+import fieldcal.app.wording.PublishWords;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +19,13 @@ import java.util.stream.IntStream;
  */
 final class SampleReport {
   static final Field FIELD = new Field(12.04, 9.02, 0.3, 1.8, 0.18, 1.8, 3.6, 0.5);
+  static final PublishWords VERDICT =
+      new PublishWords(
+          "check_first",
+          "check first",
+          List.of("The residuals are 2.6 times the noise of the cameras."),
+          List.of("No chip model is published to compare with."),
+          List.of("Run diagnose on these recordings: it looks for the cause."));
   private static final double START = 1795254402.8;
 
   private final Random random;
@@ -47,6 +55,7 @@ final class SampleReport {
         List.of(),
         field,
         kicks,
+        VERDICT,
         List.of(),
         List.of());
   }
@@ -107,6 +116,7 @@ final class SampleReport {
                     + " used")),
         Optional.of(FIELD),
         kicks,
+        VERDICT,
         List.of(
             "Both cameras publish placeholder rotations; only their positions are used.",
             "Cameras 0 and 1 disagree by 40 mm in x. The offset is taken out here, but not in"

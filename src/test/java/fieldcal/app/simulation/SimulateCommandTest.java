@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.cli.Main;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.VisionDecoder;
 import fieldcal.vision.VisionPacket;
@@ -80,6 +81,8 @@ class SimulateCommandTest {
     VisionDecoder decoder = new VisionDecoder(Epoch.atSecondOf((double) unixBase));
     List<VisionPacket> packets = new ArrayList<>();
     try (GameLogReader reader = GameLogReader.open(log)) {
+      assertThat(reader.next()).isTrue();
+      assertThat(RecordingOrigin.isSimulationMark(reader)).as("says what it is").isTrue();
       while (reader.next()) {
         assertThat(reader.type()).isEqualTo(MessageType.SSL_VISION_2014);
         packets.add(

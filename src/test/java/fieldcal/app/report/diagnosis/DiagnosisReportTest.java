@@ -198,6 +198,7 @@ class DiagnosisReportTest {
             BallModels.NONE,
             List.of(new DataProblem(source, "detection without finite coordinates", 3, "skipped")),
             0.25,
+            List.of(),
             347.2);
     return new DiagnosisReportBuilder(diagnosis, data, List.of(source)).build();
   }

@@ -1,0 +1,72 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.calibrate.CommandFile;
+import fieldcal.app.calibrate.InputException;
+import fieldcal.app.calibrate.RecordingFolder;
+import fieldcal.app.recording.RecordingChoice;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The recordings that a command line names: files as they are, and of folders those that the console would calibrate.
+ *
+ * @param logs at least one
+ * @param leftOut one line for each recording of a folder that is kept apart
+ * @param folders that were named
+ */
+record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
+
+  static LogArguments of(List<Path> named) throws IOException {
+    List<Path> logs = new ArrayList<>();
+    List<String> leftOut = new ArrayList<>();
+    List<Path> folders = new ArrayList<>();
+    for (Path path : named) {
+      if (!Files.isDirectory(path)) {
+        logs.add(path);
+        continue;
+      }
+      folders.add(path);
+      RecordingChoice choice = RecordingFolder.choice(path);
+      if (choice.entries().isEmpty()) {
+        throw new InputException(path + ": there is no recording (*.log, *.log.gz) in this folder");
+      }
+      for (RecordingChoice.Entry entry : choice.entries()) {
+        if (entry.used()) {
+          logs.add(entry.facts().log());
+        } else {
+          leftOut.add("left out: " + entry.facts().log() + ": " + entry.words());
+        }
+      }
+    }
+    if (logs.isEmpty()) {
+      throw new InputException(String.join("; ", leftOut) + "; nothing is left to calibrate");
+    }
+    return new LogArguments(List.copyOf(logs), List.copyOf(leftOut), List.copyOf(folders));
+  }
+
+  /** What the robots were commanded: of the file that was named, or else of the folders. */
+  List<CommandFile.Command> commands(Path named) throws IOException {
+    if (named != null) {
+      return CommandFile.read(named);
+    }
+    List<CommandFile.Command> all = new ArrayList<>();
+    for (Path folder : folders) {
+      all.addAll(RecordingFolder.commands(folder));
+    }
+    return all;
+  }
+
+  /** Where the decisions about kicks are: with the results, or else in the folder of the recordings. */
+  Path decisions(Path out) {
+    return out == null && folders.size() == 1 ? folders.get(0) : out;
+  }
+
+  void tell(PrintWriter out) {
+    leftOut.forEach(out::println);
+    out.flush();
+  }
+}

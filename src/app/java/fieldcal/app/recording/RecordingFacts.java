@@ -1,0 +1,162 @@
+package fieldcal.app.recording;
+
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingOrigin;
+import fieldcal.gamelog.RefereeDecoder;
+import fieldcal.gamelog.RefereeState;
+import fieldcal.verdict.Surroundings;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.VisionDecoder;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Where a recording comes from, found without looking at its frames.
+ *
+ * @param log the recording
+ * @param origin a real field or a simulated one
+ * @param playing how long the referee let a match run, s
+ * @param geometry the first one; empty when the recording has none
+ * @param startUnixNanos when the first message was received, Unix time, ns; 0 without messages
+ */
+public record RecordingFacts(
+    Path log,
+    RecordingOrigin origin,
+    double playing,
+    Optional<FieldGeometry> geometry,
+    long startUnixNanos) {
+  /** A shorter start is somebody who tries out the game controller, s. */
+  private static final double MATCH_FROM = 10;
+
+  /** The referee sends ten messages a second; a longer pause between two is a gap in the recording, s. */
+  private static final double LONGEST_PAUSE = 1;
+
+  /** Vision publishes its geometry every few seconds; who has not heard it by then never will, s. */
+  private static final double GEOMETRY_WITHIN = 120;
+
+  /**
+   * Looks at a recording.
+   *
+   * @param log a {@code .log} or {@code .log.gz}
+   * @return what it is
+   * @throws IOException when it cannot be read; the message names file and place
+   */
+  public static RecordingFacts of(Path log) throws IOException {
+    if (!Files.isRegularFile(log)) {
+      // A pipe can be read once only, by who needs its frames.
+      return new RecordingFacts(log, RecordingOrigin.FIELD, 0, Optional.empty(), 0);
+    }
+    try (GameLogReader reader = GameLogReader.open(log)) {
+      return new Scan(reader, hasTruth(log)).run(log);
+    }
+  }
+
+  /**
+   * Of several recordings.
+   *
+   * @param logs in order
+   * @return the facts of each
+   * @throws IOException when one cannot be read; the message names file and place
+   */
+  public static List<RecordingFacts> of(List<Path> logs) throws IOException {
+    List<RecordingFacts> all = new ArrayList<>();
+    for (Path log : logs) {
+      all.add(of(log));
+    }
+    return List.copyOf(all);
+  }
+
+  /**
+   * What a verdict must know of recordings.
+   *
+   * @param all of them
+   * @return where they come from
+   */
+  public static Surroundings surroundings(List<RecordingFacts> all) {
+    return new Surroundings(
+        all.stream().map(f -> new Surroundings.Recorded(f.isSimulated(), f.geometry())).toList(),
+        Optional.empty());
+  }
+
+  /**
+   * Whether the field was simulated.
+   *
+   * @return true when the recording says so, or a file with the simulation's truth lies beside it
+   */
+  public boolean isSimulated() {
+    return origin == RecordingOrigin.SIMULATION;
+  }
+
+  /**
+   * Whether it is the recording of a match.
+   *
+   * @return true when the referee let one run for longer than 10 s
+   */
+  public boolean isMatch() {
+    return playing > MATCH_FROM;
+  }
+
+  private static boolean hasTruth(Path log) {
+    String name = log.getFileName().toString().replaceFirst("\\.log(\\.gz)?$", "");
+    return Files.exists(log.resolveSibling(name + ".truth.json"));
+  }
+
+  /** One pass over the messages. */
+  private static final class Scan {
+    private final GameLogReader reader;
+    private boolean simulated;
+    private Optional<FieldGeometry> geometry = Optional.empty();
+    private double playing;
+    private double refereeAt = Double.NaN;
+
+    Scan(GameLogReader reader, boolean simulated) {
+      this.reader = reader;
+      this.simulated = simulated;
+    }
+
+    RecordingFacts run(Path log) throws IOException {
+      long start = 0;
+      VisionDecoder vision = null;
+      RefereeDecoder referee = null;
+      Epoch epoch = null;
+      while (reader.next()) {
+        if (epoch == null) {
+          start = reader.receivedNanos();
+          epoch = Epoch.atSecondOf(start);
+          vision = new VisionDecoder(epoch);
+          referee = new RefereeDecoder(epoch);
+        }
+        double time = epoch.secondsOfNanos(reader.receivedNanos());
+        simulated |= RecordingOrigin.isSimulationMark(reader);
+        if (reader.type() == MessageType.SSL_REFBOX_2013) {
+          referee(referee, time);
+        } else if (reader.type() == MessageType.SSL_VISION_2014
+            && geometry.isEmpty()
+            && time < GEOMETRY_WITHIN) {
+          geometry =
+              vision
+                  .decode(reader.buffer(), reader.payloadOffset(), reader.payloadLength())
+                  .geometry();
+        }
+      }
+      RecordingOrigin origin = simulated ? RecordingOrigin.SIMULATION : RecordingOrigin.FIELD;
+      return new RecordingFacts(log, origin, playing, geometry, start);
+    }
+
+    private void referee(RefereeDecoder decoder, double time) {
+      Optional<RefereeState> state =
+          decoder.decode(reader.buffer(), reader.payloadOffset(), reader.payloadLength());
+      boolean follows = time > refereeAt && time - refereeAt < LONGEST_PAUSE;
+      if (follows && state.map(RefereeState::isPlaying).orElse(false)) {
+        playing += time - refereeAt;
+      }
+      refereeAt = time;
+    }
+  }
+}

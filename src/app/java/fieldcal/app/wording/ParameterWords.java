@@ -1,0 +1,44 @@
+package fieldcal.app.wording;
+
+import java.util.Locale;
+import java.util.Map;
+
+/** What people call a parameter of the ball models. */
+public final class ParameterWords {
+  private static final Map<String, String> WORDS =
+      Map.of(
+          "accSlide", "sliding deceleration",
+          "accRoll", "rolling deceleration",
+          "kSwitch", "switch to rolling",
+          "dampingXyFirstHop", "horizontal damping at the first impact",
+          "dampingXyOtherHops", "horizontal damping at later impacts",
+          "dampingZ", "vertical damping");
+
+  private ParameterWords() {}
+
+  /**
+   * The name in files, which is that of the league's messages.
+   *
+   * @param name as in the model's record, for example {@code accSlide}
+   * @return for example {@code acc_slide}
+   */
+  public static String inFiles(String name) {
+    return name.replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * The name in sentences.
+   *
+   * @param name as in the model's record
+   * @return for example {@code sliding deceleration (acc_slide)}
+   */
+  public static String of(String name) {
+    String words = WORDS.get(name);
+    return words == null ? inFiles(name) : words + " (" + inFiles(name) + ")";
+  }
+
+  /** The unit with a blank before it; empty for a ratio. */
+  static String unit(String name) {
+    return name.startsWith("acc") ? " m/s²" : "";
+  }
+}

@@ -1,0 +1,309 @@
+package fieldcal.app.wording;
+
+import fieldcal.kick.KickKind;
+import fieldcal.verdict.PublishDecision;
+import fieldcal.verdict.PublishVerdict;
+import fieldcal.verdict.Reason;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * A verdict on a calibrated model in an operator's words; the same on the terminal, in the files and on the pages.
+ *
+ * @param decision its id, as in files
+ * @param title a few words, for example "check first"
+ * @param reasons a sentence or two each, the gravest first
+ * @param notes what holds nobody back, but is worth knowing
+ * @param toDo what to do next, a sentence each
+ */
+public record PublishWords(
+    String decision, String title, List<String> reasons, List<String> notes, List<String> toDo) {
+  private static final Map<String, String> KICKS_THAT_TELL =
+      Map.of(
+          "accSlide", "fast flat kicks (4 to 6.5 m/s)",
+          "accRoll", "flat kicks that roll until they stop (2 to 4 m/s)",
+          "kSwitch", "flat kicks that roll for two metres or more",
+          "dampingXyFirstHop", "chips that are seen from the kick to the second impact",
+          "dampingXyOtherHops", "chips that bounce three times or more",
+          "dampingZ", "chips that bounce three times or more");
+
+  /** Copies the lists. */
+  public PublishWords {
+    Objects.requireNonNull(decision, "decision");
+    Objects.requireNonNull(title, "title");
+    reasons = List.copyOf(reasons);
+    notes = List.copyOf(notes);
+    toDo = List.copyOf(toDo);
+  }
+
+  /**
+   * Puts a verdict into words.
+   *
+   * @param verdict of the library
+   * @return its words
+   */
+  public static PublishWords of(PublishVerdict verdict) {
+    return new PublishWords(
+        verdict.decision().id(),
+        title(verdict.decision()),
+        sentences(verdict.reasons().stream().filter(PublishWords::holdsBack).toList()),
+        sentences(verdict.reasons().stream().filter(r -> !holdsBack(r)).toList()),
+        toDo(verdict));
+  }
+
+  /**
+   * The verdict in one line.
+   *
+   * @return for example "Verdict: check first. Run diagnose on these recordings: it finds the cause."
+   */
+  public String headline() {
+    return "Verdict: " + title + "." + (toDo.isEmpty() ? "" : " " + toDo.get(0));
+  }
+
+  private static boolean holdsBack(Reason reason) {
+    return reason.decision() != PublishDecision.PUBLISH;
+  }
+
+  private static String title(PublishDecision decision) {
+    return switch (decision) {
+      case PUBLISH -> "publish";
+      case RECORD_MORE -> "record more";
+      case CHECK_FIRST -> "check first";
+      case DO_NOT_PUBLISH -> "do not publish";
+    };
+  }
+
+  /** Reasons of one sort about one model share a sentence. */
+  private static List<String> sentences(List<Reason> reasons) {
+    Map<String, List<Reason>> alike = new LinkedHashMap<>();
+    for (Reason reason : reasons) {
+      String model = reason.model().map(KickKind::id).orElse("");
+      alike.computeIfAbsent(reason.id() + " " + model, k -> new ArrayList<>()).add(reason);
+    }
+    return alike.values().stream().flatMap(PublishWords::sentence).toList();
+  }
+
+  private static Stream<String> sentence(List<Reason> alike) {
+    Reason first = alike.get(0);
+    if (first instanceof Reason.FewKicks few) {
+      return Stream.of(
+          model(few.kind())
+              + " has "
+              + joined(alike, Reason.FewKicks.class, PublishWords::used)
+              + ". Each parameter needs at least "
+              + few.needed()
+              + " kicks.");
+    }
+    if (first instanceof Reason.DiffersFromPublished differs) {
+      return Stream.of(
+          model(differs.kind())
+              + " differs from the published one: "
+              + joined(
+                  alike,
+                  Reason.DiffersFromPublished.class,
+                  r -> ParameterWords.of(r.parameter()) + " " + signed(r.percent()) + " %")
+              + ".");
+    }
+    return alike.stream().map(PublishWords::sentence);
+  }
+
+  private static <R extends Reason> String joined(
+      List<Reason> alike, Class<R> type, java.util.function.Function<R, String> words) {
+    return alike.stream().map(type::cast).map(words).collect(Collectors.joining(", "));
+  }
+
+  private static String used(Reason.FewKicks few) {
+    String kicks =
+        few.used() == 0 ? "no kick" : few.used() == 1 ? "one kick" : few.used() + " kicks";
+    return kicks
+        + (few.kicks() > few.used() && few.used() > 0 ? " of " + few.kicks() : "")
+        + " for the "
+        + ParameterWords.of(few.parameter());
+  }
+
+  private static String model(KickKind kind) {
+    return kind == KickKind.FLAT ? "The flat model" : "The chip model";
+  }
+
+  private static String sentence(Reason reason) {
+    if (reason instanceof Reason.NoKicks none) {
+      return none.found() == 0
+          ? "No kick was found in the recordings."
+          : "None of the kicks found (" + none.found() + ") can be used.";
+    }
+    if (reason instanceof Reason.Imprecise p) {
+      return text(
+          "The %s is known to %.0f %% only; %.0f %% or better is needed.",
+          ParameterWords.of(p.parameter()), p.percent(), p.limit());
+    }
+    if (reason instanceof Reason.MeanAgainstJoint m) {
+      return text(
+          "The %s is %s as the mean of the kicks, but %s in the joint fit: %.0f %% and %.1f"
+              + " standard errors apart. No single value describes all kicks.",
+          ParameterWords.of(m.parameter()),
+          value(m.parameter(), m.mean()),
+          value(m.parameter(), m.joint()),
+          m.percent(),
+          m.standardErrors());
+    }
+    if (reason instanceof Reason.ResidualAboveNoise r) {
+      return text("The residuals are %.1f times the noise of the cameras", r.ratio())
+          + (holdsBack(r) ? ": the ball does not move as the model says." : ".");
+    }
+    return rest(reason);
+  }
+
+  private static String rest(Reason reason) {
+    if (reason instanceof Reason.NotConverged) {
+      return "The joint fit did not converge.";
+    }
+    if (reason instanceof Reason.NoChips n) {
+      return text(
+          "%d of the %d kicks that were fitted as chips do not fly: they are flat kicks.",
+          n.flat(), n.kicks());
+    }
+    if (reason instanceof Reason.SeveralFields f) {
+      return "The fields differ in size: "
+          + f.fields().stream()
+              .map(s -> text("%.2f × %.2f m", s.length(), s.width()))
+              .collect(Collectors.joining(", "))
+          + ". A ball model holds for one carpet.";
+    }
+    if (reason instanceof Reason.OtherCameras) {
+      return "Every camera was calibrated again between the recordings, or they are from different"
+          + " fields of the same size.";
+    }
+    if (reason instanceof Reason.SimulatedField s) {
+      return s.simulated() < s.recordings()
+          ? text(
+              "%d of the %d recordings %s from a simulated field.",
+              s.simulated(), s.recordings(), s.simulated() == 1 ? "is" : "are")
+          : "The kicks are from a simulated field: the model is valid there, not on a real carpet.";
+    }
+    if (reason instanceof Reason.ExtendedModelOnly e) {
+      return "The parameters are valid only together with the extended model ("
+          + names(e.effects())
+          + "), which the league's message cannot carry.";
+    }
+    if (reason instanceof Reason.Diagnosed d) {
+      return diagnosed(d);
+    }
+    if (reason instanceof Reason.AgreesWithPublished a) {
+      return model(a.kind()) + " agrees with the published one.";
+    }
+    return "No "
+        + reason.model().map(KickKind::id).orElse("")
+        + " model is published to compare with.";
+  }
+
+  private static String diagnosed(Reason.Diagnosed d) {
+    String causes = d.causes().isEmpty() ? "" : ": " + names(d.causes());
+    return switch (d.verdict()) {
+      case MODEL_ADEQUATE -> "The diagnosis found nothing that the model gets wrong.";
+      case EXPLAINED -> "The diagnosis explains what the model gets wrong" + causes + ".";
+      case PARTLY_EXPLAINED ->
+          "The diagnosis explains a part of what the model gets wrong" + causes + ".";
+      case UNEXPLAINED_STRUCTURE ->
+          "The diagnosis found that the model is wrong, but no cause for it.";
+    };
+  }
+
+  private static String names(List<String> effects) {
+    return effects.stream().map(EffectName::of).distinct().collect(Collectors.joining(", "));
+  }
+
+  // ---- what to do ----
+
+  private static List<String> toDo(PublishVerdict verdict) {
+    Set<String> all = new LinkedHashSet<>();
+    for (Reason reason : verdict.reasons()) {
+      if (holdsBack(reason)) {
+        String advice = advice(reason, verdict.diagnose());
+        if (!advice.isEmpty()) {
+          all.add(advice);
+        }
+      }
+    }
+    Set<String> wanted = new LinkedHashSet<>();
+    for (Reason reason : verdict.reasons()) {
+      if (holdsBack(reason)
+          && reason instanceof Reason.OfModel of
+          && reason.decision() == PublishDecision.RECORD_MORE) {
+        wanted.add(KICKS_THAT_TELL.get(of.parameter()));
+      }
+    }
+    if (!wanted.isEmpty()) {
+      all.add("Record more kicks: " + String.join("; ", wanted) + ".");
+    }
+    if (verdict.decision() == PublishDecision.PUBLISH) {
+      all.add(publish(verdict.reasons()));
+    }
+    return List.copyOf(all);
+  }
+
+  private static String publish(List<Reason> reasons) {
+    boolean changes =
+        reasons.stream()
+            .anyMatch(
+                r ->
+                    r instanceof Reason.DiffersFromPublished
+                        || r instanceof Reason.NothingPublished);
+    return changes
+        ? "Enter the numbers in SSL-Vision, or send them from the console."
+        : "Nothing has to be changed: the published model is right.";
+  }
+
+  private static String advice(Reason reason, boolean diagnose) {
+    if (reason instanceof Reason.MeanAgainstJoint || reason instanceof Reason.ResidualAboveNoise) {
+      return diagnose ? "Run diagnose on these recordings: it looks for the cause." : "";
+    }
+    if (reason instanceof Reason.NoKicks none) {
+      return none.found() == 0
+          ? "Record kicks of a ball that rests in view of a camera before it is kicked."
+          : "Look at the reasons in the table of kicks, then record more kicks.";
+    }
+    if (reason instanceof Reason.NotConverged) {
+      return "Look at the kicks with the largest residuals, and drop those that went wrong.";
+    }
+    if (reason instanceof Reason.NoChips) {
+      return "Calibrate without --kind chip.";
+    }
+    if (reason instanceof Reason.SeveralFields || reason instanceof Reason.OtherCameras) {
+      return "Calibrate the recordings of each field by themselves.";
+    }
+    if (reason instanceof Reason.SimulatedField) {
+      return "Leave the simulated recordings out.";
+    }
+    if (reason instanceof Reason.ExtendedModelOnly) {
+      return "Give these parameters only to programs that use extended_model.json; for all others,"
+          + " calibrate without it.";
+    }
+    if (reason instanceof Reason.Diagnosed d) {
+      return d.causes().isEmpty()
+          ? "Record the kicks that the diagnosis proposes."
+          : "Correct what the diagnosis names, or accept its extended model for programs that use"
+              + " it.";
+    }
+    return "";
+  }
+
+  private static String value(String parameter, double value) {
+    return text("%.3f", value).replace('-', '−') + ParameterWords.unit(parameter);
+  }
+
+  private static String signed(double percent) {
+    return text("%+.0f", percent).replace('-', '−');
+  }
+
+  private static String text(String format, Object... args) {
+    return String.format(Locale.ROOT, format, args);
+  }
+}

@@ -1,0 +1,34 @@
+package fieldcal.verdict;
+
+import fieldcal.vision.FieldGeometry;
+
+/**
+ * The size of a field.
+ *
+ * @param length along x, m
+ * @param width along y, m
+ */
+public record FieldSize(double length, double width) {
+  /** Sizes are published in whole millimetres; nobody means less than that, m. */
+  private static final double SAME = 0.005;
+
+  /**
+   * Of a published geometry.
+   *
+   * @param geometry of vision
+   * @return its size
+   */
+  public static FieldSize of(FieldGeometry geometry) {
+    return new FieldSize(geometry.length(), geometry.width());
+  }
+
+  /**
+   * Whether it is the same as another one.
+   *
+   * @param other to compare with
+   * @return true when length and width differ by less than 5 mm
+   */
+  public boolean isLike(FieldSize other) {
+    return Math.abs(length - other.length) < SAME && Math.abs(width - other.width) < SAME;
+  }
+}

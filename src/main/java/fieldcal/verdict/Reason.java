@@ -1,0 +1,366 @@
+package fieldcal.verdict;
+
+import fieldcal.diagnosis.Verdict;
+import fieldcal.kick.KickKind;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * One reason of a {@link PublishVerdict}, with the numbers it was decided by. A reason whose decision is {@link PublishDecision#PUBLISH} holds nobody back: it
+ * is something to know.
+ */
+public sealed interface Reason {
+
+  /**
+   * What this reason alone asks for.
+   *
+   * @return the decision
+   */
+  PublishDecision decision();
+
+  /**
+   * The name in files.
+   *
+   * @return lower case with underscores
+   */
+  String id();
+
+  /**
+   * The model it is about.
+   *
+   * @return empty when it is about both
+   */
+  default Optional<KickKind> model() {
+    return Optional.empty();
+  }
+
+  /**
+   * No kick to calibrate from.
+   *
+   * @param found kicks in the recordings; when there are some, none of them can be used
+   */
+  record NoKicks(int found) implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.RECORD_MORE;
+    }
+
+    @Override
+    public String id() {
+      return "no_kicks";
+    }
+  }
+
+  /**
+   * A parameter is determined by too few kicks.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @param used kicks in its mean, 0 or more
+   * @param needed how many there should be
+   * @param kicks of that kind in the recordings
+   */
+  record FewKicks(KickKind kind, String parameter, int used, int needed, int kicks)
+      implements OfModel {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.RECORD_MORE;
+    }
+
+    @Override
+    public String id() {
+      return "few_kicks";
+    }
+  }
+
+  /**
+   * A parameter is uncertain.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @param percent standard error of the mean, percent of the mean
+   * @param limit allowed, percent
+   */
+  record Imprecise(KickKind kind, String parameter, double percent, double limit)
+      implements OfModel {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.RECORD_MORE;
+    }
+
+    @Override
+    public String id() {
+      return "imprecise";
+    }
+  }
+
+  /**
+   * The mean over the kicks and the joint fit of all kicks, which weighs them differently, disagree: no one value holds for all kicks.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @param mean over the kicks, in the parameter's unit
+   * @param joint value of the joint fit, in the same unit
+   * @param standardErrors how far apart they are, in units of their combined standard error
+   * @param percent how far apart they are, percent of the mean
+   */
+  record MeanAgainstJoint(
+      KickKind kind,
+      String parameter,
+      double mean,
+      double joint,
+      double standardErrors,
+      double percent)
+      implements OfModel {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "mean_against_joint_fit";
+    }
+  }
+
+  /**
+   * The kicks lie further from their fitted paths than the cameras' noise explains.
+   *
+   * @param ratio residual of the joint fit over the noise on the resting ball
+   * @param decision to check first where it is far above, else to know
+   */
+  record ResidualAboveNoise(double ratio, PublishDecision decision) implements Reason {
+    /** Checks that the decision is there. {@inheritDoc} */
+    public ResidualAboveNoise {
+      Objects.requireNonNull(decision, "decision");
+    }
+
+    @Override
+    public String id() {
+      return "residual_above_noise";
+    }
+  }
+
+  /** The joint fit did not converge. */
+  record NotConverged() implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "not_converged";
+    }
+  }
+
+  /**
+   * Kicks that were taken to be chips do not fly.
+   *
+   * @param flat kicks that were fitted as chips, but were flat
+   * @param kicks that were fitted as chips
+   */
+  record NoChips(int flat, int kicks) implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.DO_NOT_PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "no_chips";
+    }
+
+    @Override
+    public Optional<KickKind> model() {
+      return Optional.of(KickKind.CHIP);
+    }
+  }
+
+  /**
+   * The recordings are from several fields, or from another one than vision's.
+   *
+   * @param fields length and width of each, m
+   */
+  record SeveralFields(List<FieldSize> fields) implements Reason {
+    /** Copies the list. {@inheritDoc} */
+    public SeveralFields {
+      fields = List.copyOf(fields);
+    }
+
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.DO_NOT_PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "several_fields";
+    }
+  }
+
+  /** Between two recordings every camera has another calibration: another field of the same size, or vision was calibrated again. */
+  record OtherCameras() implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "other_cameras";
+    }
+  }
+
+  /**
+   * Kicks of a simulated field are among the kicks.
+   *
+   * @param simulated recordings of a simulated field
+   * @param recordings all of them; with real ones among them the model is of neither field
+   */
+  record SimulatedField(int simulated, int recordings) implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return simulated < recordings ? PublishDecision.DO_NOT_PUBLISH : PublishDecision.PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "simulated_field";
+    }
+  }
+
+  /**
+   * The parameters are valid only together with effects, for which the league's message has no field.
+   *
+   * @param effects ids
+   */
+  record ExtendedModelOnly(List<String> effects) implements Reason {
+    /** Copies the list. {@inheritDoc} */
+    public ExtendedModelOnly {
+      effects = List.copyOf(effects);
+    }
+
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.DO_NOT_PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "extended_model_only";
+    }
+  }
+
+  /**
+   * A diagnosis of these kicks found that the model is wrong.
+   *
+   * @param verdict of the diagnosis
+   * @param causes ids of the effects that it names
+   */
+  record Diagnosed(Verdict verdict, List<String> causes) implements Reason {
+    /** Copies the list. {@inheritDoc} */
+    public Diagnosed {
+      Objects.requireNonNull(verdict, "verdict");
+      causes = List.copyOf(causes);
+    }
+
+    @Override
+    public PublishDecision decision() {
+      return verdict == Verdict.MODEL_ADEQUATE
+          ? PublishDecision.PUBLISH
+          : PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "diagnosed";
+    }
+  }
+
+  /**
+   * A parameter differs from the published one.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @param percent mean over published value minus one, percent
+   */
+  record DiffersFromPublished(KickKind kind, String parameter, double percent) implements OfModel {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "differs_from_published";
+    }
+  }
+
+  /**
+   * A model is the same as the published one.
+   *
+   * @param kind of the model
+   */
+  record AgreesWithPublished(KickKind kind) implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "agrees_with_published";
+    }
+
+    @Override
+    public Optional<KickKind> model() {
+      return Optional.of(kind);
+    }
+  }
+
+  /**
+   * No model of that kind is published.
+   *
+   * @param kind of the model
+   */
+  record NothingPublished(KickKind kind) implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "nothing_published";
+    }
+
+    @Override
+    public Optional<KickKind> model() {
+      return Optional.of(kind);
+    }
+  }
+
+  /** A reason about one parameter of one model. */
+  sealed interface OfModel extends Reason {
+    /**
+     * The model's kind.
+     *
+     * @return flat or chip
+     */
+    KickKind kind();
+
+    /**
+     * The parameter's name as in the model's record.
+     *
+     * @return for example {@code accSlide}
+     */
+    String parameter();
+
+    @Override
+    default Optional<KickKind> model() {
+      return Optional.of(kind());
+    }
+  }
+}

@@ -1,0 +1,103 @@
+package fieldcal.verdict;
+
+import fieldcal.camera.CameraCalibration;
+import fieldcal.vision.FieldGeometry;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Where the recordings come from.
+ *
+ * @param recordings each of them, in order
+ * @param vision what vision publishes at the moment; empty when nobody listened
+ */
+public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vision) {
+  /** Nothing is known of the recordings. */
+  public static final Surroundings UNKNOWN = new Surroundings(List.of(), Optional.empty());
+
+  /** Copies the list. {@inheritDoc} */
+  public Surroundings {
+    recordings = List.copyOf(recordings);
+  }
+
+  /**
+   * Where one recording comes from.
+   *
+   * @param simulated whether the field was simulated
+   * @param geometry of the field; empty when the recording has none
+   */
+  public record Recorded(boolean simulated, Optional<FieldGeometry> geometry) {}
+
+  /**
+   * The fields, vision's included.
+   *
+   * @return the sizes that differ, each once; empty when no geometry is known
+   */
+  public List<FieldSize> fields() {
+    List<FieldSize> different = new ArrayList<>();
+    for (FieldGeometry geometry : geometries()) {
+      FieldSize size = FieldSize.of(geometry);
+      if (different.stream().noneMatch(size::isLike)) {
+        different.add(size);
+      }
+    }
+    return different;
+  }
+
+  /** Of the recordings and, last, of vision. */
+  private List<FieldGeometry> geometries() {
+    List<FieldGeometry> all = new ArrayList<>();
+    recordings.forEach(r -> r.geometry().ifPresent(all::add));
+    vision.ifPresent(all::add);
+    return all;
+  }
+
+  /**
+   * Whether every camera of some recording has another calibration than in another one.
+   *
+   * @return false also when a calibration is not known
+   */
+  public boolean camerasDiffer() {
+    List<FieldGeometry> known =
+        recordings.stream().flatMap(r -> r.geometry().stream()).distinct().toList();
+    for (FieldGeometry a : known) {
+      for (FieldGeometry b : known) {
+        if (!shareACamera(a, b)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Whether two geometries may be of the same set of cameras: one of them has the same calibration in both, or they have none in common to compare.
+   *
+   * @param a one
+   * @param b the other
+   * @return false when all cameras that both have are calibrated differently
+   */
+  public static boolean shareACamera(FieldGeometry a, FieldGeometry b) {
+    int compared = 0;
+    for (CameraCalibration camera : a.cameras()) {
+      Optional<CameraCalibration> other = b.camera(camera.id());
+      if (other.isPresent()) {
+        compared++;
+        if (other.get().equals(camera)) {
+          return true;
+        }
+      }
+    }
+    return compared == 0;
+  }
+
+  /**
+   * How many recordings are of a simulated field.
+   *
+   * @return 0 or more
+   */
+  public int simulated() {
+    return (int) recordings.stream().filter(Recorded::simulated).count();
+  }
+}

@@ -1,0 +1,221 @@
+package fieldcal.verdict;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.diagnosis.Verdict;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.FitStatistics;
+import fieldcal.fit.JointFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.kick.KickKind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The one rule that decides whether a model may be published. */
+public final class VerdictRule {
+  /** Fewer kicks have no standard deviation worth selecting by. */
+  public static final int FEWEST_KICKS = 5;
+
+  /** Largest standard error of a mean, percent of it; chosen, half of the difference that the live monitor warns of. */
+  public static final double LARGEST_ERROR_PERCENT = 10;
+
+  /** Mean and joint fit that many standard errors apart differ by more than chance. */
+  public static final double APART_SIGMAS = 3;
+
+  /** A smaller difference between mean and joint fit does not matter, percent; chosen, a third of {@link #NOTABLE_PERCENT}. */
+  public static final double APART_PERCENT = 1;
+
+  /** Smaller differences from the published model are not worth changing it, percent; chosen: 3 % of accSlide moves a ball kicked at 6 m/s by less than the width of a robot. */
+  public static final double NOTABLE_PERCENT = 3;
+
+  /** A difference from the published model within so many standard errors of the mean may be chance. */
+  private static final double NOTABLE_SIGMAS = 3;
+
+  /**
+   * Residuals that many times the noise on the resting ball are far above it. Good fits reach 1.9: ten matches of 2026 have 0.7 mm on the resting ball and 1.3 mm RMS
+   * (Immortals-Robotics/Simulator, docs/calibration).
+   */
+  public static final double FAR_ABOVE_NOISE = 2;
+
+  /** A part of the chips that do not fly may be topped shots; from this share on the kicks are of the other kind. */
+  private static final double MOST_FLAT_CHIPS = 0.5;
+
+  private final Evidence evidence;
+  private final Calibration calibration;
+  private final List<Reason> reasons = new ArrayList<>();
+
+  private VerdictRule(Evidence evidence) {
+    this.evidence = evidence;
+    calibration = evidence.calibration();
+  }
+
+  /**
+   * Judges a calibration.
+   *
+   * @param evidence all that is known
+   * @return the verdict with its reasons
+   */
+  public static PublishVerdict judge(Evidence evidence) {
+    return new VerdictRule(evidence).judge();
+  }
+
+  /**
+   * Whether a mean differs from a published value by more than chance, and so much that it matters.
+   *
+   * @param mean in the parameter's unit
+   * @param standardError of the mean; NaN if unknown
+   * @param published value in the same unit
+   * @return false also when there is nothing to compare with
+   */
+  public static boolean differs(double mean, double standardError, double published) {
+    double sigmas = Math.abs(mean - published) / standardError;
+    return Math.abs(percent(mean, published)) >= NOTABLE_PERCENT && !(sigmas < NOTABLE_SIGMAS);
+  }
+
+  /** How far a mean is from a published value, percent of that; NaN if it is zero or unknown. */
+  private static double percent(double mean, double published) {
+    return published == 0 ? Double.NaN : (mean / published - 1) * 100;
+  }
+
+  private PublishVerdict judge() {
+    boolean enough = false;
+    for (KickKind kind : KickKind.values()) {
+      if (calibration.tells(kind)) {
+        enough |= judge(kind);
+      }
+    }
+    if (calibration.kicks().stream().noneMatch(CalibratedKick::selected)) {
+      reasons.add(new Reason.NoKicks(calibration.kicks().size()));
+      enough = false;
+    }
+    recordings();
+    boolean explained = diagnosis();
+    if (enough) {
+      fit(explained);
+    }
+    boolean suspicious =
+        reasons.stream()
+            .anyMatch(
+                r ->
+                    r instanceof Reason.MeanAgainstJoint || r instanceof Reason.ResidualAboveNoise);
+    boolean diagnosed = evidence.finding().isPresent() || !evidence.effects().isEmpty();
+    return PublishVerdict.of(reasons, suspicious && !diagnosed);
+  }
+
+  /** One model; false when it has too few kicks to ask whether it holds for all of them. */
+  private boolean judge(KickKind kind) {
+    boolean flat = kind == KickKind.FLAT;
+    List<Parameter> published =
+        flat
+            ? evidence.published().flat().map(FlatModel::parameters).orElse(List.of())
+            : evidence.published().chip().map(ChipModel::parameters).orElse(List.of());
+    Map<String, Average> averages = flat ? calibration.flat() : calibration.chip();
+    boolean differs = false;
+    boolean enough = false;
+    for (Map.Entry<String, Average> entry : averages.entrySet()) {
+      Average mean = entry.getValue();
+      enough |= mean.n() >= FEWEST_KICKS;
+      judge(kind, entry.getKey(), mean);
+      for (Parameter p : published) {
+        if (p.name().equals(entry.getKey())
+            && differs(mean.mean(), mean.standardError(), p.value())) {
+          differs = true;
+          reasons.add(
+              new Reason.DiffersFromPublished(kind, p.name(), percent(mean.mean(), p.value())));
+        }
+      }
+    }
+    if (published.isEmpty()) {
+      reasons.add(new Reason.NothingPublished(kind));
+    } else if (!differs && averages.values().stream().allMatch(a -> a.n() > 0)) {
+      reasons.add(new Reason.AgreesWithPublished(kind));
+    }
+    if (!flat) {
+      chips();
+    }
+    return enough;
+  }
+
+  private void judge(KickKind kind, String parameter, Average mean) {
+    if (mean.n() < FEWEST_KICKS) {
+      int kicks = calibration.kicks(kind).size();
+      reasons.add(new Reason.FewKicks(kind, parameter, mean.n(), FEWEST_KICKS, kicks));
+      return;
+    }
+    double percent = 100 * Math.abs(mean.standardError() / mean.mean());
+    if (!(percent <= LARGEST_ERROR_PERCENT)) {
+      reasons.add(new Reason.Imprecise(kind, parameter, percent, LARGEST_ERROR_PERCENT));
+    }
+    calibration
+        .joint()
+        .flatMap(j -> kind == KickKind.FLAT ? j.flat(parameter) : j.chip(parameter))
+        .filter(Estimate::usable)
+        .ifPresent(joint -> compare(kind, parameter, mean, joint));
+  }
+
+  /** Both weigh the kicks differently; where the model holds for all of them, they agree within their errors, and within the precision that is asked of the mean. */
+  private void compare(KickKind kind, String parameter, Average mean, Estimate joint) {
+    double apart = Math.abs(mean.mean() - joint.value());
+    double sigmas = apart / Math.hypot(mean.standardError(), joint.standardError());
+    double percent = 100 * apart / Math.abs(mean.mean());
+    boolean significant = sigmas > APART_SIGMAS && percent > APART_PERCENT;
+    if (significant || percent > LARGEST_ERROR_PERCENT) {
+      reasons.add(
+          new Reason.MeanAgainstJoint(
+              kind, parameter, mean.mean(), joint.value(), sigmas, percent));
+    }
+  }
+
+  private void chips() {
+    List<CalibratedKick> chips =
+        calibration.kicks(KickKind.CHIP).stream().filter(CalibratedKick::trusted).toList();
+    int flat = (int) chips.stream().filter(k -> !KickFitter.flies(k.fit())).count();
+    if (flat > MOST_FLAT_CHIPS * chips.size()) {
+      reasons.add(new Reason.NoChips(flat, chips.size()));
+    }
+  }
+
+  private void recordings() {
+    Surroundings from = evidence.surroundings();
+    if (from.fields().size() > 1) {
+      reasons.add(new Reason.SeveralFields(from.fields()));
+    } else if (from.camerasDiffer()) {
+      reasons.add(new Reason.OtherCameras());
+    }
+    if (from.simulated() > 0) {
+      reasons.add(new Reason.SimulatedField(from.simulated(), from.recordings().size()));
+    }
+  }
+
+  /** What was found already; true when the model was found to be adequate. */
+  private boolean diagnosis() {
+    if (!evidence.effects().isEmpty()) {
+      reasons.add(new Reason.ExtendedModelOnly(evidence.effects()));
+      return false;
+    }
+    Optional<Finding> finding = evidence.finding();
+    finding.ifPresent(f -> reasons.add(new Reason.Diagnosed(f.verdict(), f.causes())));
+    return finding.map(f -> f.verdict() == Verdict.MODEL_ADEQUATE).orElse(false);
+  }
+
+  /** Whether the model describes the kicks; a diagnosis that found nothing wrong knows better than the residual. */
+  private void fit(boolean explained) {
+    Optional<JointFit> joint = calibration.joint();
+    double ratio = Math.sqrt(joint.map(JointFit::reducedChiSquare).orElse(0.0));
+    if (ratio > FitStatistics.EXPLAINED_SCALE) {
+      boolean far = ratio > FAR_ABOVE_NOISE && !explained;
+      reasons.add(
+          new Reason.ResidualAboveNoise(
+              ratio, far ? PublishDecision.CHECK_FIRST : PublishDecision.PUBLISH));
+    }
+    if (joint.map(j -> !j.converged()).orElse(false)) {
+      reasons.add(new Reason.NotConverged());
+    }
+  }
+}

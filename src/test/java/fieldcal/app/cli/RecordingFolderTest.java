@@ -1,0 +1,74 @@
+package fieldcal.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+/** A folder of recordings is calibrated without the rehearsals and matches in it. */
+class RecordingFolderTest {
+  private static final Path REAL =
+      Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", "grsim-flat.log.gz");
+
+  @TempDir private Path folder;
+
+  @Test
+  void rehearsingDoesNotChangeTheVerdict() throws IOException {
+    Files.copy(REAL, folder.resolve("real.log.gz"));
+    JsonNode before = calibrated("before").path("verdict");
+    run("simulate", "--scenario=flat", "--kicks=8", "--seed=2", "--out=" + folder.resolve("a.log"));
+    // Without its truth the recording still says what it is.
+    Files.delete(folder.resolve("a.truth.json"));
+    run(
+        "simulate",
+        "--scenario=match",
+        "--minutes=1",
+        "--seed=3",
+        "--out=" + folder.resolve("b.log.gz"));
+    String text = run("calibrate", folder.toString());
+    assertThat(text)
+        .contains("left out: " + folder.resolve("a.log") + ": from a simulated field")
+        .contains("left out: " + folder.resolve("b.log.gz") + ": from a simulated field");
+    assertThat(calibrated("after").path("verdict")).isEqualTo(before);
+
+    Files.writeString(
+        folder.resolve("recordings.json"),
+        "{\"schema\":\"fieldcal.recordings/1\",\"use\":{\"a.log\":true}}");
+    JsonNode mixed = calibrated("mixed").path("verdict");
+    assertThat(mixed.path("decision").asText()).isEqualTo("do_not_publish");
+    assertThat(mixed.toString()).contains("simulated_field");
+  }
+
+  @Test
+  void anEmptyFolderIsOneClearError() {
+    StringWriter err = new StringWriter();
+    CommandLine commands = Main.commandLine();
+    commands.setErr(new PrintWriter(err));
+    assertThat(commands.execute("calibrate", folder.toString())).isEqualTo(1);
+    assertThat(err.toString()).contains("there is no recording").contains(folder.toString());
+  }
+
+  private JsonNode calibrated(String name) throws IOException {
+    Path json = folder.resolve(name + ".json");
+    run("calibrate", folder.toString(), "--json=" + json);
+    return new ObjectMapper().readTree(json.toFile());
+  }
+
+  private static String run(String... args) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    CommandLine commands = Main.commandLine();
+    commands.setOut(new PrintWriter(out));
+    commands.setErr(new PrintWriter(err));
+    assertThat(commands.execute(args)).as(err.toString()).isZero();
+    return out.toString();
+  }
+}

@@ -1,0 +1,90 @@
+package fieldcal.app.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.app.recording.RecordingChoice.Apart;
+import fieldcal.app.recording.RecordingChoice.Entry;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.gamelog.RecordingOrigin;
+import fieldcal.vision.FieldGeometry;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+
+class RecordingChoiceTest {
+  private static final RecordingFacts REAL = facts("real", RecordingOrigin.FIELD, 0, 12, 4, 100);
+  private static final RecordingFacts AGAIN = facts("again", RecordingOrigin.FIELD, 0, 12, 4, 200);
+  private static final RecordingFacts MATCH =
+      facts("match", RecordingOrigin.FIELD, 300, 12, 4, 900);
+  private static final RecordingFacts REHEARSAL =
+      facts("rehearsal", RecordingOrigin.SIMULATION, 0, 12, 5, 800);
+  private static final RecordingFacts ELSEWHERE =
+      facts("elsewhere", RecordingOrigin.FIELD, 0, 9, 4, 50);
+  private static final RecordingFacts TWIN = facts("twin", RecordingOrigin.FIELD, 0, 12, 6, 60);
+
+  @Test
+  void whatIsNoCalibrationOfThisFieldIsKeptApart() {
+    RecordingChoice choice =
+        RecordingChoice.of(List.of(AGAIN, ELSEWHERE, MATCH, REAL, REHEARSAL, TWIN), Map.of());
+    assertThat(apart(choice))
+        .isEqualTo(
+            Map.of(
+                "again", Apart.NO,
+                "elsewhere", Apart.OTHER_FIELD,
+                "match", Apart.MATCH,
+                "real", Apart.NO,
+                "rehearsal", Apart.SIMULATED,
+                "twin", Apart.OTHER_CAMERAS));
+    assertThat(choice.entries()).allMatch(e -> e.used() == (e.apart() == Apart.NO));
+    assertThat(words(choice, "elsewhere")).isEqualTo("from another field (9.00 × 9.00 m)");
+  }
+
+  @Test
+  void aRehearsalAloneIsUsed() {
+    assertThat(apart(RecordingChoice.of(List.of(REHEARSAL), Map.of())))
+        .containsEntry("rehearsal", Apart.NO);
+    assertThat(apart(RecordingChoice.of(List.of(MATCH, REHEARSAL), Map.of())))
+        .isEqualTo(Map.of("match", Apart.NO, "rehearsal", Apart.SIMULATED));
+  }
+
+  @Test
+  void somebodysDecisionOverridesTheRule() {
+    RecordingChoice choice =
+        RecordingChoice.of(List.of(REAL, REHEARSAL), Map.of("real", false, "rehearsal", true));
+    assertThat(choice.entries()).extracting(Entry::used).containsExactly(false, true);
+    assertThat(words(choice, "real")).isEqualTo("left out by hand");
+    assertThat(words(choice, "rehearsal")).isEqualTo("used by hand, though from a simulated field");
+  }
+
+  @Test
+  void thoseLikeOneComeFromTheSamePlace() {
+    List<RecordingFacts> all = List.of(AGAIN, ELSEWHERE, MATCH, REAL, REHEARSAL, TWIN);
+    assertThat(RecordingChoice.alike(all, REAL)).containsExactly(AGAIN, MATCH, REAL);
+    assertThat(RecordingChoice.alike(all, REHEARSAL)).containsExactly(REHEARSAL);
+  }
+
+  private static Map<String, Apart> apart(RecordingChoice choice) {
+    return choice.entries().stream().collect(Collectors.toMap(Entry::name, Entry::apart));
+  }
+
+  private static String words(RecordingChoice choice, String name) {
+    return choice.entries().stream()
+        .filter(e -> e.name().equals(name))
+        .findFirst()
+        .orElseThrow()
+        .words();
+  }
+
+  private static RecordingFacts facts(
+      String name, RecordingOrigin origin, double playing, double length, double height, long s) {
+    CameraCalibration camera =
+        new CameraCalibration(
+            0, 500, 390, 290, 0.1, 1, 0, 0, 0, 0, 0, 1000 * height, 0, 0, height, 780, 580);
+    FieldGeometry field = FieldGeometry.of(length, 9, 1.8, 0.18, 0.3, List.of(camera));
+    return new RecordingFacts(
+        Path.of(name), origin, playing, Optional.of(field), s * 1_000_000_000L);
+  }
+}

@@ -1,0 +1,297 @@
+package fieldcal.verdict;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.CalibratedKick;
+import fieldcal.calibration.Calibration;
+import fieldcal.calibration.Sample;
+import fieldcal.camera.CameraCalibration;
+import fieldcal.diagnosis.Verdict;
+import fieldcal.fit.CameraViews;
+import fieldcal.fit.Estimate;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.JointFit;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickEnd;
+import fieldcal.kick.KickKind;
+import fieldcal.kick.Observations;
+import fieldcal.vision.BallModels;
+import fieldcal.vision.FieldGeometry;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class VerdictRuleTest {
+  private static final BallModels PUBLISHED =
+      new BallModels(Optional.of(new FlatModel(-3.0, -0.26, 0.64)), Optional.empty());
+  private static final Average ROLL = new Average(-0.26, 0.001, 0, 20);
+  private static final Average SWITCH = new Average(0.64, 0.001, 0, 20);
+
+  @ParameterizedTest
+  @CsvSource({
+    // mean, error, n, joint, error, decision, reason
+    "-3.00, 0.02, 20, -3.00, 0.02, PUBLISH, agrees_with_published",
+    "-3.05, 0.001, 20, -3.05, 0.02, PUBLISH, agrees_with_published", // certain, but too small to
+    // matter
+    "-3.20, 0.10, 20, -3.20, 0.02, PUBLISH, agrees_with_published", // large, but may be chance
+    "-3.20, 0.02, 20, -3.20, 0.02, PUBLISH, differs_from_published",
+    "-3.20, 0.02, 4, -3.20, 0.02, RECORD_MORE, few_kicks",
+    "NaN, NaN, 0, -3.20, 0.02, RECORD_MORE, few_kicks",
+    "-3.20, 0.40, 20, -3.20, 0.02, RECORD_MORE, imprecise",
+    "-3.38, 0.10, 20, -0.90, 0.10, CHECK_FIRST, mean_against_joint_fit", // found on a real field
+    "-3.20, 0.01, 20, -3.30, 0.01, CHECK_FIRST, mean_against_joint_fit",
+    "-3.20, 0.001, 20, -3.21, 0.001, PUBLISH, differs_from_published", // certain, but below 1 %
+    "-3.10, 0.15, 20, -2.64, 0.11, CHECK_FIRST, mean_against_joint_fit", // 15 %, though within
+    // errors
+  })
+  void oneParameterDecides(
+      double mean,
+      double error,
+      int n,
+      double joint,
+      double jointError,
+      PublishDecision decision,
+      String reason) {
+    PublishVerdict verdict =
+        judge(calibration(new Average(mean, error, 0, n), joint, jointError, 1, 20));
+    assertThat(verdict.decision()).isEqualTo(decision);
+    assertThat(verdict.reasons().get(0).id()).isEqualTo(reason);
+    assertThat(verdict.reasons().get(0).decision()).isEqualTo(decision);
+    assertThat(verdict.decision(KickKind.FLAT)).contains(decision);
+    assertThat(verdict.decision(KickKind.CHIP)).isEmpty();
+    assertThat(verdict.diagnose()).isEqualTo(decision == PublishDecision.CHECK_FIRST);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1.4, PUBLISH, false",
+    "1.8, PUBLISH, true",
+    "2.1, CHECK_FIRST, true",
+    "7.0, CHECK_FIRST, true",
+  })
+  void residualsFarAboveTheNoiseAskForADiagnosis(
+      double ratio, PublishDecision decision, boolean diagnose) {
+    PublishVerdict verdict = judge(good(ratio));
+    assertThat(verdict.decision()).isEqualTo(decision);
+    assertThat(verdict.diagnose()).isEqualTo(diagnose);
+    boolean told =
+        verdict.reasons().stream()
+            .anyMatch(
+                r ->
+                    r instanceof Reason.ResidualAboveNoise above
+                        && Math.abs(above.ratio() - ratio) < 1e-9);
+    assertThat(told).isEqualTo(diagnose);
+  }
+
+  @Test
+  void aDiagnosisThatFoundNothingKnowsBetterThanTheResidual() {
+    PublishVerdict verdict =
+        VerdictRule.judge(
+            evidence(List.of(), Optional.of(new Finding(Verdict.MODEL_ADEQUATE, List.of()))));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.PUBLISH);
+    assertThat(verdict.diagnose()).isFalse();
+  }
+
+  @Test
+  void whatADiagnosisFoundMustBeLookedAt() {
+    Finding found = new Finding(Verdict.EXPLAINED, List.of("air_drag"));
+    PublishVerdict verdict = VerdictRule.judge(evidence(List.of(), Optional.of(found)));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.CHECK_FIRST);
+    assertThat(verdict.reasons())
+        .contains(new Reason.Diagnosed(Verdict.EXPLAINED, List.of("air_drag")));
+    assertThat(verdict.diagnose()).as("it was diagnosed").isFalse();
+  }
+
+  @Test
+  void parametersOfAnExtendedModelAreNotPublished() {
+    PublishVerdict verdict = VerdictRule.judge(evidence(List.of("air_drag"), Optional.empty()));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
+    assertThat(verdict.reasons().get(0))
+        .isEqualTo(new Reason.ExtendedModelOnly(List.of("air_drag")));
+  }
+
+  @Test
+  void fewKicksAreNotAskedWhetherTheModelHolds() {
+    Calibration one = calibration(new Average(-3, 0.02, 0, 1), -3, 0.02, 9, 1);
+    PublishVerdict verdict =
+        VerdictRule.judge(
+            Evidence.of(
+                new Calibration(
+                    one.kicks(),
+                    Map.of("accSlide", new Average(-3, 0.02, 0, 1)),
+                    Map.of(),
+                    one.joint(),
+                    one.cameras(),
+                    1),
+                PUBLISHED));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.RECORD_MORE);
+    assertThat(verdict.reasons()).hasSize(2);
+    assertThat(verdict.reasons().get(0))
+        .isEqualTo(new Reason.FewKicks(KickKind.FLAT, "accSlide", 1, 5, 1));
+  }
+
+  @Test
+  void withoutKicksMoreAreNeeded() {
+    Calibration none =
+        new Calibration(
+            List.of(), Map.of(), Map.of(), Optional.empty(), CameraViews.of(List.of()), 1);
+    assertThat(VerdictRule.judge(Evidence.of(none, PUBLISHED)))
+        .isEqualTo(
+            new PublishVerdict(PublishDecision.RECORD_MORE, List.of(new Reason.NoKicks(0)), false));
+  }
+
+  @Test
+  void chipsThatDoNotFlyAreNone() {
+    // Kicks without a fit do not fly.
+    Calibration chips =
+        new Calibration(
+            kicks(KickKind.CHIP, 6),
+            Map.of(),
+            Map.of("dampingZ", new Average(0.89, 0.004, 0, 6)),
+            Optional.empty(),
+            CameraViews.of(List.of()),
+            1);
+    BallModels published =
+        new BallModels(Optional.empty(), Optional.of(new ChipModel(0.7, 0.9, 0.56, -0.3)));
+    PublishVerdict verdict = VerdictRule.judge(Evidence.of(chips, published));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
+    assertThat(verdict.reasons().get(0)).isEqualTo(new Reason.NoChips(6, 6));
+  }
+
+  @Test
+  void recordingsOfSeveralFieldsAreNotOneCarpet() {
+    Surroundings two = surroundings(geometry(12, 4), geometry(9, 4));
+    assertThat(judged(two).reasons().get(0))
+        .isEqualTo(new Reason.SeveralFields(List.of(new FieldSize(12, 9), new FieldSize(9, 9))));
+    assertThat(judged(two).decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
+    Surroundings elsewhere =
+        new Surroundings(surroundings(geometry(12, 4)).recordings(), Optional.of(geometry(9, 4)));
+    assertThat(judged(elsewhere).decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
+    assertThat(judged(surroundings(geometry(12, 4), geometry(12, 4))).decision())
+        .isEqualTo(PublishDecision.PUBLISH);
+    assertThat(judged(surroundings(geometry(12, 4), geometry(12, 5))).reasons().get(0))
+        .isEqualTo(new Reason.OtherCameras());
+  }
+
+  @Test
+  void rehearsingIsNotCalibratingAField() {
+    Surroundings mixed =
+        new Surroundings(List.of(recorded(true), recorded(false)), Optional.empty());
+    assertThat(judged(mixed).reasons().get(0)).isEqualTo(new Reason.SimulatedField(1, 2));
+    assertThat(judged(mixed).decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
+    PublishVerdict rehearsal = judged(new Surroundings(List.of(recorded(true)), Optional.empty()));
+    assertThat(rehearsal.decision()).isEqualTo(PublishDecision.PUBLISH);
+    assertThat(rehearsal.reasons()).contains(new Reason.SimulatedField(1, 1));
+  }
+
+  private static Surroundings.Recorded recorded(boolean simulated) {
+    return new Surroundings.Recorded(simulated, Optional.empty());
+  }
+
+  private static Surroundings surroundings(FieldGeometry... geometries) {
+    return new Surroundings(
+        List.of(geometries).stream()
+            .map(g -> new Surroundings.Recorded(false, Optional.of(g)))
+            .toList(),
+        Optional.empty());
+  }
+
+  private static FieldGeometry geometry(double length, double height) {
+    return FieldGeometry.of(length, 9, 1.8, 0.18, 0.3, List.of(camera(height)));
+  }
+
+  private static CameraCalibration camera(double height) {
+    return new CameraCalibration(
+        0, 500, 390, 290, 0.1, 1, 0, 0, 0, 0, 0, 1000 * height, 0, 0, height, 780, 580);
+  }
+
+  private static PublishVerdict judge(Calibration calibration) {
+    return VerdictRule.judge(Evidence.of(calibration, PUBLISHED));
+  }
+
+  private static PublishVerdict judged(Surroundings surroundings) {
+    return VerdictRule.judge(
+        new Evidence(good(1), PUBLISHED, List.of(), surroundings, Optional.empty()));
+  }
+
+  private static Evidence evidence(List<String> effects, Optional<Finding> finding) {
+    return new Evidence(good(3), PUBLISHED, effects, Surroundings.UNKNOWN, finding);
+  }
+
+  private static Calibration good(double ratio) {
+    return calibration(new Average(-3, 0.01, 0, 20), -3, 0.01, ratio, 20);
+  }
+
+  private static Calibration calibration(
+      Average slide, double joint, double jointError, double ratio, int kicks) {
+    Map<String, Average> flat = new LinkedHashMap<>();
+    flat.put("accSlide", slide);
+    flat.put("accRoll", ROLL);
+    flat.put("kSwitch", SWITCH);
+    return new Calibration(
+        kicks(KickKind.FLAT, kicks),
+        flat,
+        Map.of(),
+        Optional.of(jointFit(joint, jointError, ratio)),
+        CameraViews.of(List.of()),
+        1);
+  }
+
+  private static JointFit jointFit(double slide, double error, double ratio) {
+    Parameter parameter = FlatModel.typical().parameters().get(0).withValue(slide);
+    return new JointFit(
+        List.of(new Estimate(parameter, error, Optional.empty(), false)),
+        List.of(),
+        Map.of(),
+        2 * ratio,
+        2 * ratio,
+        Double.NaN,
+        1000,
+        0,
+        ratio * ratio,
+        5,
+        true);
+  }
+
+  /** Kicks that are used, of which nothing else is known. */
+  private static List<CalibratedKick> kicks(KickKind kind, int count) {
+    return IntStream.rangeClosed(1, count).mapToObj(id -> kick(id, kind)).toList();
+  }
+
+  private static CalibratedKick kick(int id, KickKind kind) {
+    Kick kick =
+        new Kick(
+            id,
+            id,
+            0,
+            0,
+            1,
+            0,
+            Optional.empty(),
+            true,
+            KickEnd.STOPPED,
+            id + 1,
+            new Observations.Builder().build(),
+            false);
+    KickFit none =
+        new KickFitter(FitSettings.defaults())
+            .fit(
+                FitProblem.of(
+                    kick, CameraViews.of(List.of()), FlatModel.typical(), ChipModel.typical()),
+                kind);
+    return new CalibratedKick(
+        none, List.of(new Sample(id, "accSlide", -3, 0.1, Optional.empty())), Optional.empty());
+  }
+}
