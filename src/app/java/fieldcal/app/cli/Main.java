@@ -27,7 +27,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       SimulateCommand.class,
       PlayCommand.class,
       RecordCommand.class,
-      TwinCommand.class
+      TwinCommand.class,
+      CompareCommand.class
     })
 public final class Main {
   private static final int BAD_INPUT = 1;

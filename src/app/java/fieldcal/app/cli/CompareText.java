@@ -1,0 +1,84 @@
+package fieldcal.app.cli;
+
+import fieldcal.app.compare.CompareSession;
+import fieldcal.app.compare.FieldComparison;
+import fieldcal.app.compare.FieldComparison.Named;
+import fieldcal.app.compare.Row;
+import fieldcal.app.statistics.Comparison;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+
+/** Prints the comparison of a field with a simulator for the terminal. */
+final class CompareText {
+  private final PrintWriter out;
+
+  CompareText(PrintWriter out) {
+    this.out = out;
+  }
+
+  void print(CompareSession.Outcome outcome, Path directory) {
+    FieldComparison c = outcome.comparison();
+    line("%s", c.verdict());
+    if (!c.differences().isEmpty()) {
+      line("%n%-34s %20s %20s %9s %9s", "the ball", "field", "simulator", "of error", "of pass");
+      for (Named n : c.differences()) {
+        line(
+            "%-34s %20s %20s %9s %9s",
+            n.words(),
+            value(n.real(), n.realError(), n.unit()),
+            value(n.sim(), n.simError(), n.unit()),
+            share(n.shareOfError()),
+            share(n.shareOfPass()));
+      }
+      line("%nAn AI tuned on the simulator predicts the field's kicks wrong by");
+      c.predictionError().forEach((h, e) -> line("  %5.0f mm %.1f s ahead", 1000 * e, h));
+    }
+    List<Comparison> cameras = c.cameras().stream().filter(Comparison::differs).toList();
+    if (!cameras.isEmpty()) {
+      line("%n%-44s %12s %12s", "cameras", "field", "simulator");
+      for (Comparison k : cameras) {
+        line(
+            "%-44s %12s %12s",
+            k.statistic().words(),
+            value(k.first(), Double.NaN, k.statistic().unit()),
+            value(k.second(), Double.NaN, k.statistic().unit()));
+      }
+    }
+    List<Row> others = c.others().stream().filter(Row::differs).toList();
+    if (!others.isEmpty()) {
+      line("%n%-34s %20s %20s", "kickers and robots", "field", "simulator");
+      for (Row row : others) {
+        line(
+            "%-34s %20s %20s",
+            row.words(),
+            value(row.real(), row.realError(), row.unit()),
+            value(row.sim(), row.simError(), row.unit()));
+      }
+    }
+    if (directory != null) {
+      line("%nreport: %s", directory.resolve("compare.html"));
+    }
+    out.flush();
+  }
+
+  private static String value(double value, double error, String unit) {
+    if (!Double.isFinite(value)) {
+      return "–";
+    }
+    String text =
+        Double.isFinite(error)
+            ? String.format(Locale.ROOT, "%.3f ± %.3f", value, error)
+            : String.format(Locale.ROOT, "%.3f", value);
+    return unit.isEmpty() ? text : text + " " + unit;
+  }
+
+  private static String share(double share) {
+    return Double.isFinite(share) ? String.format(Locale.ROOT, "%.0f %%", 100 * share) : "–";
+  }
+
+  private void line(String format, Object... args) {
+    out.println(String.format(Locale.ROOT, format, args));
+  }
+}

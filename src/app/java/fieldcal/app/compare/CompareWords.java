@@ -1,0 +1,69 @@
+package fieldcal.app.compare;
+
+import fieldcal.app.compare.FieldComparison.Named;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** The result of a comparison in a sentence. */
+final class CompareWords {
+  /** A shorter difference of the pass is below what a robot's reach makes up for, m. */
+  private static final double SMALL = 0.02;
+
+  /** A share above that means that other differences act against this one. */
+  private static final double MOST = 1.1;
+
+  private CompareWords() {}
+
+  static String verdict(
+      double passReal, double passSim, List<Named> named, Map<Double, Double> errors) {
+    if (named.isEmpty()) {
+      return "The ball behaves in the simulator as on the field, in everything that these kicks can"
+          + " tell.";
+    }
+    double longer = passSim - passReal;
+    if (!Double.isFinite(longer) || Math.abs(longer) < SMALL) {
+      double error = errors.getOrDefault(Cost.SHARE_HORIZON, Double.NaN);
+      String ahead =
+          Double.isFinite(error)
+              ? String.format(
+                  Locale.ROOT,
+                  "An AI tuned on the simulator is %.0f mm wrong 1 s ahead",
+                  1000 * error)
+              : "The ball behaves differently in the simulator";
+      return ahead + part(named, Comparator.comparingDouble(Named::shareOfError), true) + ".";
+    }
+    return String.format(
+            Locale.ROOT,
+            "A pass at %.0f m/s stops %.2f m %s on the field than in the simulator",
+            Cost.PASS,
+            Math.abs(longer),
+            longer > 0 ? "earlier" : "later")
+        + part(named, Comparator.comparingDouble(Named::shareOfPass), false)
+        + ".";
+  }
+
+  private static String part(List<Named> named, Comparator<Named> by, boolean ofError) {
+    Optional<Named> most =
+        named.stream()
+            .filter(n -> Double.isFinite(ofError ? n.shareOfError() : n.shareOfPass()))
+            .max(by);
+    return most.map(n -> part(n.words(), ofError ? n.shareOfError() : n.shareOfPass())).orElse("");
+  }
+
+  private static String part(String words, double share) {
+    return share > MOST
+        ? "; the largest cause is " + words + ", which other differences partly make up for"
+        : "; " + share(share) + " of that is " + words;
+  }
+
+  /** A share in words. */
+  static String share(double share) {
+    if (share > 0.9) {
+      return "nearly all";
+    }
+    return String.format(Locale.ROOT, "%.0f %%", 100 * share);
+  }
+}

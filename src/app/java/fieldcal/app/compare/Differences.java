@@ -1,0 +1,301 @@
+package fieldcal.app.compare;
+
+import fieldcal.app.wording.EffectName;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.Calibration;
+import fieldcal.diagnosis.Cause;
+import fieldcal.effect.Effect;
+import fieldcal.effect.ExtendedModel;
+import fieldcal.effect.MotionEffect;
+import fieldcal.effect.learned.LearnedTerm;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
+import org.apache.commons.math3.distribution.NormalDistribution;
+
+/** Finds what the simulator's ball has otherwise than the field's, each difference with a test that pays for their number (Holm). */
+final class Differences {
+  /** Largest probability at which any difference is named between two recordings of one field. */
+  static final double ALPHA = 0.01;
+
+  /** A parameter of the ball's simple model. */
+  private record Parameter(String name, String words, String unit, boolean chip) {}
+
+  private static final List<Parameter> PARAMETERS =
+      List.of(
+          new Parameter("accSlide", "sliding deceleration", "m/s²", false),
+          new Parameter("accRoll", "rolling deceleration", "m/s²", false),
+          new Parameter("kSwitch", "the switch from sliding to rolling", "", false),
+          new Parameter("dampingXyFirstHop", "the first bounce along the ground", "", true),
+          new Parameter("dampingXyOtherHops", "later bounces along the ground", "", true),
+          new Parameter("dampingZ", "the height of bounces", "", true));
+
+  private final Side real;
+  private final Side sim;
+  private final List<Difference> candidates = new ArrayList<>();
+  private final List<Double> probabilities = new ArrayList<>();
+  private final List<Row> rows = new ArrayList<>();
+
+  private Differences(Side real, Side sim) {
+    this.real = real;
+    this.sim = sim;
+  }
+
+  /**
+   * What differs, and all that was compared.
+   *
+   * @param significant the differences that chance does not explain
+   * @param parameters a row for each parameter that both have
+   */
+  record Result(List<Difference> significant, List<Row> parameters) {}
+
+  static Result of(Side real, Side sim) {
+    Differences d = new Differences(real, sim);
+    PARAMETERS.forEach(d::parameter);
+    d.causes();
+    boolean[] named = d.holm();
+    List<Difference> significant = new ArrayList<>();
+    for (int i = 0; i < named.length; i++) {
+      if (named[i]) {
+        significant.add(d.candidates.get(i));
+      }
+    }
+    List<Row> rows = new ArrayList<>();
+    for (Row row : d.rows) {
+      boolean differs = significant.stream().anyMatch(s -> s.id().equals(row.id()));
+      rows.add(
+          new Row(
+              row.id(),
+              row.words(),
+              row.unit(),
+              row.real(),
+              row.realError(),
+              row.sim(),
+              row.simError(),
+              differs));
+    }
+    return new Result(significant, rows);
+  }
+
+  private boolean[] holm() {
+    List<Integer> order = new ArrayList<>();
+    for (int i = 0; i < candidates.size(); i++) {
+      order.add(i);
+    }
+    order.sort(Comparator.comparingDouble(probabilities::get));
+    boolean[] named = new boolean[candidates.size()];
+    for (int rank = 0; rank < order.size(); rank++) {
+      if (!((order.size() - rank) * probabilities.get(order.get(rank)) < ALPHA)) {
+        break;
+      }
+      named[order.get(rank)] = true;
+    }
+    return named;
+  }
+
+  private void candidate(Difference difference, double sigmas) {
+    candidates.add(difference);
+    probabilities.add(2 * new NormalDistribution().cumulativeProbability(-Math.abs(sigmas)));
+  }
+
+  private static ExtendedModel model(Side side) {
+    return side.diagnosis().diagnosis().model();
+  }
+
+  private void parameter(Parameter p) {
+    Optional<double[]> field = estimate(real, p);
+    Optional<double[]> other = estimate(sim, p);
+    if (field.isEmpty() || other.isEmpty()) {
+      return;
+    }
+    double[] a = field.get();
+    double[] b = other.get();
+    rows.add(new Row(p.name, p.words, p.unit, a[0], a[1], b[0], b[1], false));
+    candidate(
+        new Difference(p.name, p.words, a[0], a[1], b[0], b[1], p.unit, m -> with(m, p.name, b[0])),
+        (b[0] - a[0]) / Math.hypot(a[1], b[1]));
+  }
+
+  /** The value in the extended model, with the error of the mean of the kicks; empty when the kicks do not determine it. */
+  private static Optional<double[]> estimate(Side side, Parameter p) {
+    Calibration calibration = side.diagnosis().calibration().calibration();
+    Average average = (p.chip ? calibration.chip() : calibration.flat()).get(p.name);
+    OptionalDouble value = value(model(side), p.name);
+    if (average == null || average.n() < 2 || value.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(new double[] {value.getAsDouble(), average.standardError()});
+  }
+
+  private static OptionalDouble value(ExtendedModel m, String name) {
+    OptionalDouble flat =
+        m.flat().stream()
+            .flatMap(f -> f.parameters().stream())
+            .filter(p -> p.name().equals(name))
+            .mapToDouble(p -> p.value())
+            .findFirst();
+    return flat.isPresent()
+        ? flat
+        : m.chip().stream()
+            .flatMap(c -> c.parameters().stream())
+            .filter(p -> p.name().equals(name))
+            .mapToDouble(p -> p.value())
+            .findFirst();
+  }
+
+  /** The same model with another value of a parameter, in both kinds of kicks that have it. */
+  private static ExtendedModel with(ExtendedModel m, String name, double value) {
+    Optional<FlatModel> flat =
+        m.flat().map(f -> f.withParameters(values(f.parameters(), name, value)));
+    Optional<ChipModel> chip =
+        m.chip().map(c -> c.withParameters(values(c.parameters(), name, value)));
+    return new ExtendedModel(flat, chip, m.effects(), m.sessionStart());
+  }
+
+  private static double[] values(
+      List<fieldcal.ball.Parameter> parameters, String name, double value) {
+    return parameters.stream()
+        .mapToDouble(p -> p.name().equals(name) ? value : p.value())
+        .toArray();
+  }
+
+  private static ExtendedModel with(ExtendedModel m, UnaryOperator<List<Effect>> change) {
+    return new ExtendedModel(
+        m.flat(), m.chip(), change.apply(new ArrayList<>(m.effects())), m.sessionStart());
+  }
+
+  private static boolean same(Effect a, Effect b) {
+    return a.id().equals(b.id()) && a.subject().equals(b.subject());
+  }
+
+  /** Causes of the ball's motion; what cameras do wrong is compared camera by camera, and no AI carries it to another field. */
+  private void causes() {
+    List<Cause> field = motion(real);
+    List<Cause> other = motion(sim);
+    for (Cause cause : field) {
+      Optional<Cause> twin = like(cause, other);
+      cause(Optional.of(cause), twin);
+    }
+    for (Cause cause : other) {
+      if (like(cause, field).isEmpty()) {
+        cause(Optional.empty(), Optional.of(cause));
+      }
+    }
+    learned();
+  }
+
+  private static List<Cause> motion(Side side) {
+    return side.diagnosis().diagnosis().causes().stream()
+        .filter(c -> c.effect() instanceof MotionEffect)
+        .toList();
+  }
+
+  /** The same cause, or one that explains the same kicks. */
+  private static Optional<Cause> like(Cause cause, List<Cause> others) {
+    return others.stream()
+        .filter(
+            o ->
+                same(o.effect(), cause.effect())
+                    || o.indistinguishableFrom().contains(cause.effect().id())
+                    || cause.indistinguishableFrom().contains(o.effect().id()))
+        .findFirst();
+  }
+
+  private void cause(Optional<Cause> field, Optional<Cause> other) {
+    Cause any = field.or(() -> other).orElseThrow();
+    boolean comparable =
+        field.isEmpty()
+            || other.isEmpty()
+            || field.get().effect().id().equals(other.get().effect().id());
+    if (!comparable) {
+      // Two names of what these kicks cannot tell apart.
+      return;
+    }
+    String parameter = any.effect().parameters().get(0).name();
+    double a = field.map(c -> c.effect().parameters().get(0).value()).orElse(Double.NaN);
+    double b = other.map(c -> c.effect().parameters().get(0).value()).orElse(Double.NaN);
+    double ea = field.map(c -> error(c, parameter)).orElse(Double.NaN);
+    double eb = other.map(c -> error(c, parameter)).orElse(Double.NaN);
+    double difference = (Double.isNaN(b) ? 0 : b) - (Double.isNaN(a) ? 0 : a);
+    double error = Math.hypot(Double.isNaN(ea) ? 0 : ea, Double.isNaN(eb) ? 0 : eb);
+    Optional<Effect> simulated = other.map(Cause::effect);
+    UnaryOperator<ExtendedModel> asSimulated =
+        m ->
+            with(
+                m,
+                effects -> {
+                  effects.removeIf(e -> same(e, any.effect()));
+                  simulated.ifPresent(effects::add);
+                  return effects;
+                });
+    candidate(
+        new Difference(
+            any.effect().id(),
+            EffectName.of(any.effect()),
+            a,
+            ea,
+            b,
+            eb,
+            any.effect().parameters().get(0).unit(),
+            asSimulated),
+        error > 0 ? difference / error : difference == 0 ? 0 : Double.POSITIVE_INFINITY);
+  }
+
+  private static double error(Cause cause, String parameter) {
+    return cause.standardErrors().getOrDefault(parameter, Double.NaN);
+  }
+
+  /** Learned terms that one has and the other lacks; a term has passed a test on kicks held out. Of two of one family the shapes are not compared. */
+  private void learned() {
+    List<LearnedTerm> field = learned(real);
+    List<LearnedTerm> other = learned(sim);
+    for (LearnedTerm term : field) {
+      if (other.stream().noneMatch(o -> same(o, term))) {
+        learned(term, m -> with(m, effects -> without(effects, term)));
+      }
+    }
+    for (LearnedTerm term : other) {
+      if (field.stream().noneMatch(o -> same(o, term))) {
+        learned(
+            term,
+            m ->
+                with(
+                    m,
+                    effects -> {
+                      effects.add(term);
+                      return effects;
+                    }));
+      }
+    }
+  }
+
+  private void learned(LearnedTerm term, UnaryOperator<ExtendedModel> asSimulated) {
+    String words =
+        "a change of "
+            + term.family().quantity().label().replace('_', ' ')
+            + " with "
+            + String.join(" and ", term.dependsOn()).replace('_', ' ');
+    double nan = Double.NaN;
+    candidate(
+        new Difference(
+            "learned " + term.family().key(), words, nan, nan, nan, nan, "", asSimulated),
+        Double.POSITIVE_INFINITY);
+  }
+
+  private static List<Effect> without(List<Effect> effects, LearnedTerm term) {
+    effects.removeIf(e -> same(e, term));
+    return effects;
+  }
+
+  private static List<LearnedTerm> learned(Side side) {
+    return model(side).effects().stream()
+        .filter(e -> e instanceof LearnedTerm && e instanceof MotionEffect)
+        .map(LearnedTerm.class::cast)
+        .toList();
+  }
+}
