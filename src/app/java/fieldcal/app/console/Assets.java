@@ -34,6 +34,7 @@ final class Assets {
           "kick-table.js",
           "diagnosis.js",
           "publish.js",
+          "export.js",
           "match.js",
           "play.js",
           "recordings.js");

@@ -1,5 +1,6 @@
 package fieldcal.app.console;
 
+import fieldcal.app.history.History;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.time.Clock;
@@ -16,7 +17,9 @@ final class Desks {
   private final KickDesk kicks;
   private final DiagnosisDesk diagnosis;
   private final VisionDesk vision;
+  private final History history;
   private final PublishDesk publish;
+  private final ExportDesk export;
   private final MatchDesk match;
   private final PlayDesk play;
   private final RecordDesk record;
@@ -31,7 +34,9 @@ final class Desks {
     vision = new VisionDesk(clock, kicks::circumstancesChanged);
     kicks.circumstances(
         o -> o.knowing(diagnosis.finding(o), vision.heard().flatMap(VisionDesk.Heard::geometry)));
-    publish = new PublishDesk(directory, kicks, notes, vision, clock, this::tellState);
+    history = new History(directory.path());
+    publish = new PublishDesk(directory, kicks, notes, vision, history, clock, this::tellState);
+    export = new ExportDesk(directory, kicks, diagnosis, publish, history, clock, this::tellState);
     match = new MatchDesk(directory, kicks, events, this::tellState);
     play = new PlayDesk(directory, kicks, events, this::tellState);
     record = new RecordDesk(directory, kicks, clock, events, this::tellState);
@@ -46,6 +51,7 @@ final class Desks {
             record,
             publish,
             notes,
+            history,
             work,
             clock.millis(),
             changes::get);
@@ -119,6 +125,10 @@ final class Desks {
 
   PublishDesk publish() {
     return publish;
+  }
+
+  ExportDesk export() {
+    return export;
   }
 
   MatchDesk match() {

@@ -6,6 +6,10 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.console.SessionNotes.Publication;
+import fieldcal.app.export.ExportModel;
+import fieldcal.app.history.History;
+import fieldcal.app.history.HistoryEntry;
+import fieldcal.app.history.HistoryEntry.Action;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionEncoder;
@@ -17,8 +21,11 @@ import java.net.InetSocketAddress;
 import java.net.MulticastSocket;
 import java.net.UnknownHostException;
 import java.time.Clock;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Gives the model away: as files of the session, and as packets to an address, over and over as vision does it. Thread-safe. */
 final class PublishDesk {
@@ -32,10 +39,16 @@ final class PublishDesk {
 
   private static final long PATIENCE_MS = 2000;
 
+  /** Before the sort of packet, the target of an entry of the history. */
+  private static final String PACKET = "packet:";
+
+  private static final Logger LOG = LoggerFactory.getLogger(PublishDesk.class);
+
   private final SessionDirectory directory;
   private final KickDesk kicks;
   private final NotesDesk notes;
   private final VisionDesk vision;
+  private final History history;
   private final Clock clock;
   private final Runnable changed;
   private final LiveSession live;
@@ -47,12 +60,14 @@ final class PublishDesk {
       KickDesk kicks,
       NotesDesk notes,
       VisionDesk vision,
+      History history,
       Clock clock,
       Runnable changed) {
     this.directory = directory;
     this.kicks = kicks;
     this.notes = notes;
     this.vision = vision;
+    this.history = history;
     this.clock = clock;
     this.changed = changed;
     live = new LiveSession("sending of the model", changed);
@@ -111,19 +126,55 @@ final class PublishDesk {
       throw ApiException.conflict(
           "The model changed since you looked at it. Look at the numbers again, then confirm.");
     }
-    byte[] packet = bytes(format, outcome);
-    // What cannot be sent at all is told to who asked for it.
-    send(packet, host, (int) port);
+    Publication publication = begin(format, host, (int) port, models);
+    remember(publication);
+    return publication;
+  }
+
+  /** Sends once, so that what cannot be sent at all is told to who asked for it, and goes on in the background. */
+  private Publication begin(Format format, String host, int port, BallModels models) {
+    byte[] packet = bytes(format, models);
+    send(packet, host, port);
     Publication publication =
         new Publication(
             clock.millis() / 1000.0, host + ":" + port, Requests.name(format), models.toText());
     notes.change(n -> n.with(publication));
     stop();
     live.join(PATIENCE_MS);
-    Sending next = new Sending(packet, host, (int) port, publication);
+    Sending next = new Sending(packet, host, port, publication);
     sending = next;
     live.start(next::run);
     return publication;
+  }
+
+  /** What was sent is sent; that a full disk does not keep it is said of the notes already. */
+  private void remember(Publication sent) {
+    try {
+      write();
+      ExportModel model = ExportModel.read(directory.resolve("calibration.json"));
+      history.add(
+          model.departure(Action.PUBLISHED, PACKET + sent.format(), sent.to(), sent.unix()),
+          Optional.empty());
+    } catch (IOException | ApiException e) {
+      LOG.warn("the history was not kept: {}", e.getMessage());
+    }
+  }
+
+  /**
+   * Sends an earlier model again to where it went, and goes on with that one.
+   *
+   * @param entry of the history, of a packet
+   * @param models of the entry
+   */
+  synchronized void again(HistoryEntry entry, BallModels models) throws IOException {
+    int colon = entry.place().lastIndexOf(':');
+    Format format =
+        entry.target().equals(PACKET + Requests.name(Format.MODELS))
+            ? Format.MODELS
+            : Format.WRAPPER;
+    int port = Integer.parseInt(entry.place().substring(colon + 1));
+    Publication publication = begin(format, entry.place().substring(0, colon), port, models);
+    history.add(entry.again(publication.unix()), Optional.empty());
   }
 
   /** Ends the sending. */
@@ -182,8 +233,8 @@ final class PublishDesk {
     }
   }
 
-  private byte[] bytes(Format format, CalibrationOutcome outcome) {
-    BallModels models = outcome.models();
+  private byte[] bytes(Format format, BallModels models) {
+    CalibrationOutcome outcome = kicks.calibrated();
     if (format == Format.MODELS) {
       return models.toBytes();
     }

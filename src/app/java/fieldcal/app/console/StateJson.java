@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.util.RawValue;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.ReportBuilder;
+import fieldcal.app.history.History;
 import fieldcal.app.recording.RecordingChoice;
 import fieldcal.app.report.CalibrationReport;
 import fieldcal.app.report.CalibrationReportWriter;
@@ -35,6 +36,7 @@ final class StateJson {
   private final RecordDesk record;
   private final PublishDesk publish;
   private final NotesDesk notes;
+  private final History history;
   private final Work work;
   private final long run;
   private final LongSupplier changes;
@@ -60,6 +62,7 @@ final class StateJson {
       RecordDesk record,
       PublishDesk publish,
       NotesDesk notes,
+      History history,
       Work work,
       long run,
       LongSupplier changes) {
@@ -72,6 +75,7 @@ final class StateJson {
     this.record = record;
     this.publish = publish;
     this.notes = notes;
+    this.history = history;
     this.work = work;
     this.run = run;
     this.changes = changes;
@@ -112,7 +116,16 @@ final class StateJson {
     directory.watchable().keySet().forEach(watchable::add);
     root.set("play", play.state());
     root.set("published", MAPPER.valueToTree(notes.now().published()));
+    root.set("targets", ExportDesk.targets());
+    root.set("history", history());
     return MAPPER.writeValueAsString(root);
+  }
+
+  /** What left the session, the latest first. */
+  private ArrayNode history() throws IOException {
+    ArrayNode all = NODES.arrayNode();
+    history.entries().forEach(entry -> all.insert(0, MAPPER.valueToTree(entry)));
+    return all;
   }
 
   /** The progress alone. */

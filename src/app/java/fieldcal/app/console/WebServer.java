@@ -131,6 +131,12 @@ final class WebServer {
         r -> json(r, desks.play().plan(PlayOrder.of(Requests.body(r))).toString()));
     action(routes, "/api/vision", body -> desks.vision().start(body));
     action(routes, "/api/vision/end", body -> desks.vision().stop());
+    routes.post("/api/export", r -> json(r, desks.export().export(Requests.body(r)).toString()));
+    routes.post(
+        "/api/export/difference",
+        r -> json(r, desks.export().difference(Requests.body(r)).toString()));
+    action(routes, "/api/export/apply", body -> desks.export().apply(body));
+    action(routes, "/api/history/rollback", body -> desks.export().rollBack(body));
     action(routes, "/api/publish", body -> desks.publish().send(body));
     action(routes, "/api/publish/end", body -> desks.publish().stop());
   }

@@ -159,6 +159,17 @@ public record ExportModel(
     };
   }
 
+  /**
+   * A model of which nothing but its parameters is known.
+   *
+   * @param name stands for the file in messages
+   * @param models the parameters
+   * @return the model
+   */
+  public static ExportModel of(Path name, BallModels models) {
+    return ofBall(name, models, Optional.empty());
+  }
+
   private static ExportModel ofBall(
       Path file, BallModels models, Optional<ExtendedModel> extended) {
     Quantities quantities = Quantities.none();

@@ -103,6 +103,36 @@ public final class ProcessorHost {
         });
   }
 
+  /**
+   * What would change.
+   *
+   * @param settings the values; their paths begin with {@code models}
+   * @return the values with what is there now
+   * @throws IOException when the host cannot be reached or refuses; one line
+   */
+  public List<Change> difference(List<Setting> settings) throws IOException {
+    ObjectNode document = document(read());
+    List<Change> changes = new ArrayList<>();
+    for (Setting setting : settings) {
+      changes.add(new Change(setting, set(document, setting)));
+    }
+    return changes;
+  }
+
+  private JsonNode read() throws IOException {
+    JsonNode answer = accepted(send("GET", "/api/config", Optional.empty()));
+    document(answer);
+    return answer;
+  }
+
+  private ObjectNode document(JsonNode answer) throws InputException {
+    if (answer.path("document") instanceof ObjectNode document
+        && answer.path("state").path("revision").isNumber()) {
+      return document;
+    }
+    throw new InputException(url + ": answers, but is no host of ssl-vision-processor");
+  }
+
   private static String set(ObjectNode document, Setting setting) {
     ObjectNode at = document;
     List<String> path = setting.path();
@@ -137,17 +167,14 @@ public final class ProcessorHost {
 
   private Applied write(Edit edit) throws IOException {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
-      JsonNode answer = answer("GET", "/api/config", Optional.empty());
-      JsonNode revision = answer.path("state").path("revision");
-      if (!(answer.path("document") instanceof ObjectNode document) || !revision.isNumber()) {
-        throw new InputException(url + ": answers, but is no host of ssl-vision-processor");
-      }
+      JsonNode answer = read();
+      ObjectNode document = document(answer);
       byte[] before =
           MAPPER.writeValueAsBytes(
               document.path(MODELS).isObject() ? document.path(MODELS) : MAPPER.nullNode());
       List<Change> changes = edit.in(document);
       ObjectNode request = MAPPER.createObjectNode();
-      request.set("revision", revision);
+      request.set("revision", answer.path("state").path("revision"));
       request.set("document", document);
       Optional<JsonNode> put = unlessStale("PUT", "/api/config", request);
       if (put.isEmpty()) {
@@ -181,11 +208,6 @@ public final class ProcessorHost {
       }
     }
     return Optional.of(accepted(response));
-  }
-
-  private JsonNode answer(String method, String path, Optional<ObjectNode> body)
-      throws IOException {
-    return accepted(send(method, path, body));
   }
 
   private JsonNode accepted(HttpResponse<String> response) throws IOException {

@@ -84,6 +84,29 @@ public record HistoryEntry(
         id);
   }
 
+  /**
+   * The entry that says that this one's model was sent again.
+   *
+   * @param when Unix time, s
+   * @return an entry without a number
+   */
+  public HistoryEntry again(double when) {
+    return new HistoryEntry(
+        SCHEMA,
+        0,
+        when,
+        Action.PUBLISHED,
+        target,
+        place,
+        verdict,
+        sources,
+        kicks,
+        model,
+        text,
+        null,
+        null);
+  }
+
   HistoryEntry numbered(int number) {
     return new HistoryEntry(
         schema, number, unix, action, target, place, verdict, sources, kicks, model, text, before,

@@ -1,4 +1,5 @@
 /* The page for giving the model away: what changes against the published one, files, packets, text for a configuration. */
+import {exportPart} from './export.js';
 import {button, confirmed, field, progress, renew, table} from './parts.js';
 
 const {el, known, number, signed} = Charts;
@@ -21,6 +22,8 @@ export function publishPage(app) {
   const report = () => state().calibration.report;
   const complete = () => state().model.flat || state().model.chip;
 
+  const forPrograms = exportPart(app);
+
   function show() {
     const theme = app.colours();
     CalibrationViews.verdict($('verdict'), report().verdict, report().warnings);
@@ -30,6 +33,7 @@ export function publishPage(app) {
     showSend();
     showFiles();
     showSnippet();
+    forPrograms.show();
   }
 
   // ---- what vision publishes at the moment ----
