@@ -1,6 +1,7 @@
 package fieldcal.diagnosis;
 
 import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.decision.Decision;
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
@@ -555,7 +556,24 @@ public final class Diagnoser {
           model(a.extended, a.kickers),
           trace,
           problems,
+          ballErrors(a.extended),
           problem.seed());
+    }
+
+    private static Map<String, Double> ballErrors(FittedModel f) {
+      Map<String, Double> errors = new HashMap<>();
+      List<Parameter> ball = f.model().globals().subList(0, EffectModel.BALL);
+      f.solution()
+          .covariance()
+          .ifPresent(
+              v -> {
+                for (int i = 0; i < ball.size(); i++) {
+                  if (ball.get(i).estimated()) {
+                    errors.put(ball.get(i).name(), Math.sqrt(v[i][i]));
+                  }
+                }
+              });
+      return errors;
     }
 
     private static Verdict verdict(List<Cause> causes, List<LearnedFinding> learned, boolean left) {

@@ -3,6 +3,7 @@ package fieldcal.diagnosis;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.effect.ExtendedModel;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 
 /**
@@ -22,6 +23,7 @@ import java.util.Objects;
  * @param model the extended model, as a team's AI uses it
  * @param trace what was tried, and what became of it
  * @param problems what failed inside; empty when all stages went through
+ * @param ballErrors standard errors of the ball's parameters in the extended model, by the parameter's name, in its unit; those that no kick shows are missing
  * @param seed of the choice of held-out kicks and of the bootstrap
  */
 public record Diagnosis(
@@ -39,6 +41,7 @@ public record Diagnosis(
     ExtendedModel model,
     List<SearchStep> trace,
     List<String> problems,
+    Map<String, Double> ballErrors,
     long seed) {
 
   /** Copies the lists. {@inheritDoc} */
@@ -52,5 +55,6 @@ public record Diagnosis(
     structureBefore = List.copyOf(structureBefore);
     structureAfter = List.copyOf(structureAfter);
     kicks = List.copyOf(kicks);
+    ballErrors = Map.copyOf(ballErrors);
   }
 }

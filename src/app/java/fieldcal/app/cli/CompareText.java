@@ -22,15 +22,17 @@ final class CompareText {
     FieldComparison c = outcome.comparison();
     line("%s", c.verdict());
     if (!c.differences().isEmpty()) {
-      line("%n%-34s %20s %20s %9s %9s", "the ball", "field", "simulator", "of error", "of pass");
+      line(
+          "%n%-34s %24s %24s %13s %9s",
+          "the ball", "field", "simulator", "of the error", "pass by");
       for (Named n : c.differences()) {
         line(
-            "%-34s %20s %20s %9s %9s",
+            "%-34s %24s %24s %13s %9s",
             n.words(),
             value(n.real(), n.realError(), n.unit()),
             value(n.sim(), n.simError(), n.unit()),
             share(n.shareOfError()),
-            share(n.shareOfPass()));
+            metres(n.shareOfPass(), c));
       }
       line("%nAn AI tuned on the simulator predicts the field's kicks wrong by");
       c.predictionError().forEach((h, e) -> line("  %5.0f mm %.1f s ahead", 1000 * e, h));
@@ -67,11 +69,23 @@ final class CompareText {
     if (!Double.isFinite(value)) {
       return "–";
     }
+    // Two figures of the error, so that none reads as zero.
+    int decimals =
+        Double.isFinite(error) && error > 0
+            ? Math.max(0, Math.min(8, 1 - (int) Math.floor(Math.log10(error))))
+            : 3;
+    String number = "%." + decimals + "f";
     String text =
         Double.isFinite(error)
-            ? String.format(Locale.ROOT, "%.3f ± %.3f", value, error)
-            : String.format(Locale.ROOT, "%.3f", value);
+            ? String.format(Locale.ROOT, number + " ± " + number, value, error)
+            : String.format(Locale.ROOT, number, value);
     return unit.isEmpty() ? text : text + " " + unit;
+  }
+
+  /** By how much farther a difference alone makes the pass roll on the field. */
+  private static String metres(double share, FieldComparison c) {
+    double more = share * (c.passReal() - c.passSim());
+    return Double.isFinite(more) ? String.format(Locale.ROOT, "%+.2f m", more) : "–";
   }
 
   private static String share(double share) {

@@ -121,15 +121,16 @@ final class Differences {
         (b[0] - a[0]) / Math.hypot(a[1], b[1]));
   }
 
-  /** The value in the extended model, with the error of the mean of the kicks; empty when the kicks do not determine it. */
+  /** The value in the extended model with its standard error there; empty when too few kicks determine it. */
   private static Optional<double[]> estimate(Side side, Parameter p) {
     Calibration calibration = side.diagnosis().calibration().calibration();
     Average average = (p.chip ? calibration.chip() : calibration.flat()).get(p.name);
     OptionalDouble value = value(model(side), p.name);
-    if (average == null || average.n() < 2 || value.isEmpty()) {
+    Double error = side.diagnosis().diagnosis().ballErrors().get(p.name);
+    if (average == null || average.n() < 2 || value.isEmpty() || error == null) {
       return Optional.empty();
     }
-    return Optional.of(new double[] {value.getAsDouble(), average.standardError()});
+    return Optional.of(new double[] {value.getAsDouble(), error});
   }
 
   private static OptionalDouble value(ExtendedModel m, String name) {

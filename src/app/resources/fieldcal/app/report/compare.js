@@ -9,6 +9,7 @@
   const figures = value => !known(value) ? '–' : value === 0 ? '0' : number(value, Math.max(0, Math.min(6, 3 - Math.floor(Math.log10(Math.abs(value))))));
   const cell = (value, error) => !known(value) ? 'none' : figures(value) + (known(error) ? ' ± ' + figures(error) : '');
   const share = value => known(value) ? number(100 * value, 0) + ' %' : '–';
+  const metres = value => known(value) && known(report.passReal) ? (value * (report.passReal - report.passSim) > 0 ? '+' : '') + number(value * (report.passReal - report.passSim), 2) + ' m' : '–';
   const list = texts => texts.length === 0 ? el('p', {class: 'empty'}, 'None.') : el('ul', {}, texts.map(text => el('li', {}, text)));
 
   function table(id, head, rows, note) {
@@ -26,9 +27,9 @@
 
   function showAll() {
     $('verdict').replaceChildren(el('p', {}, el('b', {}, report.verdict)), el('p', {}, 'Simulator: ' + report.simSources.map(fileName).join(', ')));
-    table('differences', ['Difference', 'Field', 'Simulator', 'Unit', 'Share of the error 1 s ahead', 'Share of the pass'], report.differences.map(row => el('tr', {},
-      ...sides(row), el('td', {}, share(row.shareOfError)), el('td', {}, share(row.shareOfPass)))),
-      'A share is what vanishes when this difference alone is taken away. Shares need not add up to 100 %: differences can act together or against each other.');
+    table('differences', ['Difference', 'Field', 'Simulator', 'Unit', 'Share of the error 1 s ahead', 'Pass on the field'], report.differences.map(row => el('tr', {},
+      ...sides(row), el('td', {}, share(row.shareOfError)), el('td', {}, metres(row.shareOfPass)))),
+      'A share is what vanishes when this difference alone is taken away; shares need not add up to 100 %, since differences can act together or against each other. The last column is how much farther this difference alone lets a pass at 5 m/s roll on the field.');
     const lines = report.prediction.map(p => 'An AI that was tuned on the simulator predicts the field’s kicks ' + number(p.mm, 0) + ' mm wrong ' + number(p.seconds, 1) + ' s ahead.');
     if (known(report.passReal)) lines.push('A pass at 5 m/s rolls ' + number(report.passReal, 2) + ' m on the field and ' + number(report.passSim, 2) + ' m in the simulator.');
     content('cost').replaceChildren(list(lines));

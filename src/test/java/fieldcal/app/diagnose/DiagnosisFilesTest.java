@@ -203,6 +203,7 @@ class DiagnosisFilesTest {
             d.model(),
             d.trace(),
             d.problems(),
+            d.ballErrors(),
             d.seed());
     assertThat(written(bare).get("unexplained").get("systematic_mm").isNull()).isTrue();
   }

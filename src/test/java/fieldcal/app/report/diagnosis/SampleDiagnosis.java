@@ -78,6 +78,7 @@ public final class SampleDiagnosis {
         model(List.of(OFFSET, DRAG)),
         List.of(),
         List.of(),
+        Map.of(),
         42);
   }
 
@@ -104,6 +105,7 @@ public final class SampleDiagnosis {
         model(effects),
         List.of(),
         List.of(),
+        Map.of(),
         42);
   }
 
@@ -125,6 +127,7 @@ public final class SampleDiagnosis {
         d.model(),
         d.trace(),
         problems,
+        Map.of(),
         d.seed());
   }
 
@@ -147,6 +150,7 @@ public final class SampleDiagnosis {
         model(List.of()),
         List.of(),
         List.of(),
+        Map.of(),
         42);
   }
 
@@ -170,6 +174,7 @@ public final class SampleDiagnosis {
         model(List.of()),
         List.of(),
         List.of(),
+        Map.of(),
         42);
   }
 
