@@ -72,8 +72,8 @@ final class CarpetWords extends MotionText {
                     Amount.decimals(roll.getAsDouble() + slope, 3),
                     Amount.decimals(roll.getAsDouble() + 3 * slope, 3))),
         text(
-            "One acc_roll is right at one speed only: slower balls roll %s than it predicts, faster"
-                + " ones %s.",
+            "A single rolling deceleration is right at one speed only: slower balls roll %s than it"
+                + " predicts, faster ones %s.",
             grows ? "farther" : "less far", grows ? "less far" : "farther"),
         EXTENDED);
   }
@@ -98,8 +98,8 @@ final class CarpetWords extends MotionText {
                 + " carpet%s.",
             grows ? "grows" : "falls", percent(Math.abs(slope)), numbers),
         text(
-            "One acc_slide is right for kicks of one speed only: hard kicks are braked %s than it"
-                + " predicts, soft ones %s.",
+            "A single sliding deceleration is right for kicks of one speed only: hard kicks are"
+                + " braked %s than it predicts, soft ones %s.",
             grows ? "more" : "less", grows ? "less" : "more"),
         EXTENDED);
   }
