@@ -31,7 +31,7 @@ final class PathIntegrator {
   private static final double STRAIGHT = 1e-7;
 
   /** Largest share of the time to a phase's end that a step covers while the direction of friction still turns. */
-  private static final double MOST = 0.5;
+  private static final double LARGEST_SHARE_OF_PHASE = 0.5;
 
   /** Error constant of the method, for an acceleration that changes with time and velocity alike. */
   private static final double ORDER_5 = 120;
@@ -228,7 +228,7 @@ final class PathIntegrator {
     } else if (across > TINY * rate) {
       // The direction turns fastest near the end.
       double share = Math.pow(PLACE_ERROR * ORDER_5 / aside, 0.2);
-      step = Math.min(step, Math.min(MOST, share) * scale);
+      step = Math.min(step, Math.min(LARGEST_SHARE_OF_PHASE, share) * scale);
     }
     attempt(phase, step);
     boolean ends = false;

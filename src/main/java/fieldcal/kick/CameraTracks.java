@@ -26,7 +26,7 @@ final class CameraTracks {
    * So many tracks are followed at once. Ten false balls in each frame, far more than a bad lighting makes, leave some hundred tracks; beyond the limit is a broken vision or an attack, and the
    * time for a frame must stay bounded.
    */
-  private static final int MOST = 200;
+  private static final int MOST_TRACKS = 200;
 
   /** A detection that may continue a track; the distance is relative to the track's gate. */
   private record Pair(BallTrack track, BallDetection ball, double relative) {}
@@ -132,7 +132,7 @@ final class CameraTracks {
 
   /** Among too many, those go that have the fewest detections, of equals the oldest: white spots come and go, a ball stays. */
   private void forgetTooMany() {
-    if (tracks.size() <= MOST) {
+    if (tracks.size() <= MOST_TRACKS) {
       return;
     }
     List<BallTrack> ranked = new ArrayList<>(tracks);
@@ -141,7 +141,7 @@ final class CameraTracks {
             .reversed()
             .thenComparing(Comparator.comparingDouble(BallTrack::lastTime).reversed()));
     Set<BallTrack> kept = Collections.newSetFromMap(new IdentityHashMap<>());
-    kept.addAll(ranked.subList(0, MOST));
+    kept.addAll(ranked.subList(0, MOST_TRACKS));
     tracks.removeIf(track -> !kept.contains(track));
     updated.removeIf(track -> !kept.contains(track));
   }

@@ -26,7 +26,7 @@ import org.apache.commons.math3.linear.SingularMatrixException;
 /** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
 public final class Decision {
   /** What only so many kicks show may be theirs. */
-  private static final int FEW = 2;
+  private static final int TOO_FEW_KICKS = 2;
 
   private final DecisionSettings settings;
   private final ModelFitter fitter;
@@ -237,7 +237,7 @@ public final class Decision {
     }
     double sum = Arrays.stream(gained).sum();
     Arrays.sort(gained);
-    for (int i = 0; i < Math.min(FEW, gained.length); i++) {
+    for (int i = 0; i < Math.min(TOO_FEW_KICKS, gained.length); i++) {
       sum -= gained[gained.length - 1 - i];
     }
     return sum < settings.fewKicks() * Arrays.stream(gained).sum();

@@ -10,7 +10,7 @@ import java.util.Arrays;
  */
 public record Harmonics(int order, double period) implements Basis {
   static final String TYPE = "harmonics";
-  private static final int MOST = 4;
+  private static final int HIGHEST_ORDER = 4;
 
   /** Steps of an integrator per period of the highest harmonic; chosen: Simpson's rule errs by (π/2)⁴/2880 = 0.2 % of the term then. */
   private static final double STEPS_PER_PERIOD = 4;
@@ -21,9 +21,9 @@ public record Harmonics(int order, double period) implements Basis {
    * @throws IllegalArgumentException when one is out of its range
    */
   public Harmonics {
-    if (order < 1 || order > MOST) {
+    if (order < 1 || order > HIGHEST_ORDER) {
       throw new IllegalArgumentException(
-          "order: must be within 1 and " + MOST + ", but is " + order);
+          "order: must be within 1 and " + HIGHEST_ORDER + ", but is " + order);
     }
     if (!(period > 0) || Double.isInfinite(period)) {
       throw new IllegalArgumentException("period: must be positive, but is " + period);

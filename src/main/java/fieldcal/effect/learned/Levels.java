@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 public record Levels(int first, int count) implements Basis {
   static final String TYPE = "levels";
-  private static final int MOST = 16;
+  private static final int MOST_LEVELS = 16;
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -22,9 +22,9 @@ public record Levels(int first, int count) implements Basis {
     if (first < 0) {
       throw new IllegalArgumentException("first: must not be negative, but is " + first);
     }
-    if (count < 1 || count > MOST) {
+    if (count < 1 || count > MOST_LEVELS) {
       throw new IllegalArgumentException(
-          "count: must be within 1 and " + MOST + ", but is " + count);
+          "count: must be within 1 and " + MOST_LEVELS + ", but is " + count);
     }
   }
 
