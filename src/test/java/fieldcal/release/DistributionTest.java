@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -61,6 +63,35 @@ class DistributionTest {
             output(
                 List.of(unpacked.resolve("bin/fieldcal").toString(), "info", recording.toString())))
         .contains("grsim-flat");
+  }
+
+  @Test
+  void startsFromAnArchiveOfItsClassesThatTheFirstStartMakes() throws Exception {
+    // Java 17 finds no classes in its archive where the path has a space.
+    Path here = folder.resolve("packed");
+    output(List.of("cp", "-r", unpacked.toString(), here.toString()));
+    String program = here.resolve("bin/fieldcal").toString();
+    Path archive = here.resolve("start/classes.jsa");
+    Files.deleteIfExists(archive);
+    Files.deleteIfExists(here.resolve("start/made-for"));
+    String usage = output(List.of(program, "--help"));
+    assertThat(archive).isNotEmptyFile();
+    assertThat(output(List.of("env", "FIELDCAL_JAVA_OPTS=-Xlog:class+load", program, "--help")))
+        .containsPattern("fieldcal\\.app\\.cli\\.Main source: shared objects file");
+
+    Files.setPosixFilePermissions(archive, PosixFilePermissions.fromString("rw-r--r--"));
+    Files.writeString(archive, "damaged");
+    assertThat(output(List.of(program, "--help"))).isEqualTo(usage);
+
+    // Another version of a library: as after an update in place.
+    Path jar =
+        files(here.resolve("lib")).stream()
+            .filter(file -> file.getFileName().toString().startsWith("picocli"))
+            .findFirst()
+            .orElseThrow();
+    Files.setLastModifiedTime(jar, FileTime.fromMillis(0));
+    assertThat(output(List.of(program, "--help"))).isEqualTo(usage);
+    assertThat(Files.size(archive)).isGreaterThan(1 << 20);
   }
 
   @Test
