@@ -27,6 +27,11 @@ import java.util.Optional;
  * }</pre>
  */
 public final class GameLogReader implements Closeable {
+  /**
+   * A packed log that unpacks to more than that many times its size is refused. Recordings of real and simulated fields reach 11; what is made to fill memory or time reaches the most that gzip can, 1030.
+   */
+  public static final double LARGEST_RATIO = 100;
+
   static final String MAGIC = "SSL_LOG_FILE";
   static final int VERSION = 1;
   static final int FILE_HEADER_LENGTH = MAGIC.length() + Integer.BYTES;
@@ -60,7 +65,23 @@ public final class GameLogReader implements Closeable {
    * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
    */
   public static GameLogReader open(Path file) throws GameLogException {
-    GameLogReader reader = new GameLogReader(file, LogInput.open(file));
+    return open(file, LARGEST_RATIO);
+  }
+
+  /**
+   * Opens a log with another limit of packing, and reads its header.
+   *
+   * @param file the log
+   * @param largestRatio how many times a packed log's size it may unpack to; the limit counts from 16 MB on. {@link Double#POSITIVE_INFINITY}: no limit
+   * @return a reader before the first record; {@link #next()} throws where the limit is reached
+   * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
+   * @throws IllegalArgumentException if the limit is below 1 or NaN
+   */
+  public static GameLogReader open(Path file, double largestRatio) throws GameLogException {
+    if (!(largestRatio >= 1)) {
+      throw new IllegalArgumentException("the ratio must be at least 1, but is " + largestRatio);
+    }
+    GameLogReader reader = new GameLogReader(file, LogInput.open(file, largestRatio));
     try {
       reader.readFileHeader();
       return reader;
@@ -78,7 +99,7 @@ public final class GameLogReader implements Closeable {
    * Goes to the next record.
    *
    * @return false at the end of the log
-   * @throws GameLogException if the file system fails
+   * @throws GameLogException if the file system fails, or a packed log unpacks to too much
    */
   public boolean next() throws GameLogException {
     while (true) {

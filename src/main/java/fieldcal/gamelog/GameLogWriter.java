@@ -34,12 +34,24 @@ public final class GameLogWriter implements Closeable {
   public static GameLogWriter create(Path file, OpenOption... options) throws IOException {
     OutputStream raw = Files.newOutputStream(file, options);
     try {
-      boolean gzip = file.getFileName().toString().endsWith(".gz");
-      return to(gzip ? new GZIPOutputStream(raw, BUFFER) : raw);
+      return to(raw, file);
     } catch (IOException e) {
       raw.close();
       throw e;
     }
+  }
+
+  /**
+   * Writes a log to a stream, for those who open the file themselves.
+   *
+   * @param out where; closed with the writer
+   * @param file what the log will be called; compressed if the name ends with {@code .gz}
+   * @return a writer after the header
+   * @throws IOException if it cannot be written
+   */
+  public static GameLogWriter to(OutputStream out, Path file) throws IOException {
+    boolean gzip = file.getFileName().toString().endsWith(".gz");
+    return to(gzip ? new GZIPOutputStream(out, BUFFER) : out);
   }
 
   /**

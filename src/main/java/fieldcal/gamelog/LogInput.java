@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
 
@@ -16,15 +17,21 @@ final class LogInput implements Closeable {
   private static final int GZIP_BUFFER = 1 << 16;
   private static final int GZIP_TRAILER = 8;
 
+  /** Up to here a file does no harm, however it was packed, bytes. */
+  private static final long HARMLESS = 1L << 24;
+
   private final Path file;
   private final long totalBytes;
   private final CountingStream raw;
   private final Gzip gzip;
   private final InputStream bytes;
+  private final double largestRatio;
+  private long unpacked;
   private boolean ended;
 
-  private LogInput(Path file) throws IOException {
+  private LogInput(Path file, double largestRatio) throws IOException {
     this.file = file;
+    this.largestRatio = largestRatio;
     totalBytes = Files.size(file);
     byte[] magic;
     try (InputStream head = Files.newInputStream(file)) {
@@ -42,7 +49,7 @@ final class LogInput implements Closeable {
     bytes = gzip == null ? raw : gzip;
   }
 
-  static LogInput open(Path file) throws GameLogException {
+  static LogInput open(Path file, double largestRatio) throws GameLogException {
     try {
       if (Files.isDirectory(file)) {
         throw new GameLogException(file, 0, "is a directory; name a .log or .log.gz file in it");
@@ -51,7 +58,7 @@ final class LogInput implements Closeable {
         // Recordings are read more than once, and their size is shown; opening a pipe would wait.
         throw new GameLogException(file, 0, "is a pipe or a device; save it as a file first");
       }
-      return new LogInput(file);
+      return new LogInput(file, largestRatio);
     } catch (NoSuchFileException e) {
       throw new GameLogException(file, 0, "no such file; check the name", e);
     } catch (GameLogException e) {
@@ -73,8 +80,12 @@ final class LogInput implements Closeable {
       if (count < 0) {
         ended = true;
         reportBytesAfterGzip(problems, logOffset);
+      } else if (gzip != null) {
+        requireRatio(count);
       }
       return count;
+    } catch (GameLogException e) {
+      throw e;
     } catch (EOFException e) {
       ended = true;
       problems.add(
@@ -90,6 +101,20 @@ final class LogInput implements Closeable {
     } catch (IOException e) {
       throw new GameLogException(
           file, raw.count, "cannot be read on (" + reason(e) + "); check the disk", e);
+    }
+  }
+
+  private void requireRatio(int more) throws GameLogException {
+    unpacked += more;
+    if (unpacked > HARMLESS && unpacked > largestRatio * raw.count) {
+      throw new GameLogException(
+          file,
+          raw.count,
+          String.format(
+              Locale.ROOT,
+              "unpacks to more than %.0f times its size, which no recording does; if it is one,"
+                  + " unpack it with gunzip and read the .log",
+              largestRatio));
     }
   }
 

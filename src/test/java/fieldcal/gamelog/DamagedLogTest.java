@@ -77,6 +77,37 @@ class DamagedLogTest {
   }
 
   @Test
+  void whatUnpacksToFarTooMuchIsRefused() throws IOException {
+    // 64 MB of zeros in 64 KB behind a record: a bomb. Without the limit they are read as garbage.
+    byte[] bomb = LogBuilder.gzip(records(1).record(9, 4, new byte[1 << 26]).bytes());
+    Path file = file(bomb);
+
+    assertThatThrownBy(() -> readAll(file, GameLogReader.LARGEST_RATIO))
+        .isInstanceOf(GameLogException.class)
+        .hasMessageContaining(file.toString())
+        .hasMessageContaining("unpacks to more than 100 times its size")
+        .hasMessageContaining("gunzip");
+    readAll(file, Double.POSITIVE_INFINITY);
+    assertThatThrownBy(() -> GameLogReader.open(file, Double.NaN))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void ofSmallFilesTheRatioDoesNotMatter() throws IOException {
+    Path file = file(LogBuilder.gzip(records(1).record(9, 4, new byte[1 << 20]).bytes()));
+
+    readAll(file, GameLogReader.LARGEST_RATIO);
+  }
+
+  private static void readAll(Path file, double largestRatio) throws IOException {
+    try (GameLogReader log = GameLogReader.open(file, largestRatio)) {
+      while (log.next()) {
+        // Only whether it can be read.
+      }
+    }
+  }
+
+  @Test
   void bytesAfterTheGzipDataAreReported() throws IOException {
     byte[] packed = LogBuilder.gzip(records(20).bytes());
     byte[] padded = Arrays.copyOf(packed, packed.length + 1000);

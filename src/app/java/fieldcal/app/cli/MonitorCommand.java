@@ -110,7 +110,9 @@ final class MonitorCommand implements Callable<Integer> {
         names = "--multicast",
         required = true,
         paramLabel = "ADDR:PORT",
-        description = "multicast address of vision; the league's is 224.5.23.2:10006")
+        description =
+            "where vision sends to; the league's multicast group is 224.5.23.2:10006;"
+                + " 255.255.255.255:10006 hears a vision that broadcasts")
     private String vision;
   }
 

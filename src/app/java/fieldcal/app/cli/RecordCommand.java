@@ -48,7 +48,9 @@ final class RecordCommand implements Callable<Integer> {
       names = "--multicast",
       paramLabel = "ADDR:PORT",
       defaultValue = LEAGUE_VISION,
-      description = "multicast address of vision (default: the league's, ${DEFAULT-VALUE})")
+      description =
+          "where vision sends to (default: the league's multicast group, ${DEFAULT-VALUE});"
+              + " 255.255.255.255:10006 hears a vision that broadcasts")
   private String multicast;
 
   @Option(

@@ -17,7 +17,8 @@ final class SimulatorOptions {
       names = "--vision",
       paramLabel = "ADDR:PORT",
       description =
-          "on the network: multicast address of the simulator's vision (default 224.5.23.2:10020)")
+          "on the network: multicast or broadcast address of the simulator's vision (default"
+              + " 224.5.23.2:10020)")
   private String vision = "224.5.23.2:10020";
 
   @Option(

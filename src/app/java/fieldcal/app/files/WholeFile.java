@@ -127,9 +127,10 @@ public final class WholeFile {
     Path target = Files.isSymbolicLink(file) ? followed(file) : file.toAbsolutePath();
     Path directory = target.getParent();
     Files.createDirectories(directory);
+    Unfinished.removeLeftBehind(directory);
     // Beside the file, so that the move is one step; not a temporary file, which only its owner
     // could read.
-    Path unfinished = directory.resolve(target.getFileName() + ".part");
+    Path unfinished = Unfinished.of(target);
     try {
       try (OutputStream to = new BufferedOutputStream(Files.newOutputStream(unfinished))) {
         content.writeTo(to);
@@ -139,18 +140,11 @@ public final class WholeFile {
       throw e;
     } catch (IOException e) {
       // A full disk says no more than that.
-      throw new IOException(file + ": " + e.getMessage(), e);
+      FileSystemException named = new FileSystemException(file.toString(), null, e.getMessage());
+      named.initCause(e);
+      throw named;
     } finally {
-      deleteQuietly(unfinished);
-    }
-  }
-
-  /** What went wrong before is what the operator must hear of, not that there is nothing to clean up. */
-  private static void deleteQuietly(Path unfinished) {
-    try {
-      Files.deleteIfExists(unfinished);
-    } catch (IOException e) {
-      // The next write replaces it.
+      Unfinished.remove(unfinished);
     }
   }
 }

@@ -37,6 +37,7 @@ public final class MatchNetwork implements AutoCloseable {
   }
 
   private final NetworkPlace visionPlace;
+  private final Optional<NetworkPlace> refereePlace;
   private final PacketReceiver vision;
   private final VisionSource visionSource;
   private final Optional<PacketReceiver> referee;
@@ -56,6 +57,7 @@ public final class MatchNetwork implements AutoCloseable {
   public MatchNetwork(NetworkPlace vision, Optional<NetworkPlace> referee, Epoch epoch, Sink sink)
       throws IOException {
     visionPlace = vision;
+    refereePlace = referee;
     this.sink = sink;
     visionSource = new VisionSource(epoch, sink);
     refereeSource = new RefereeSource(epoch);
@@ -158,24 +160,27 @@ public final class MatchNetwork implements AutoCloseable {
   public List<String> notes() {
     List<String> lines = new ArrayList<>();
     ReceiverCounts seen = vision.counts();
-    String line = line("vision", seen);
+    String line = line("vision", visionPlace, seen);
     if (seen.received() > 0 && seen.silentFor() <= PATIENCE && withoutFrames() > PATIENCE) {
       line += String.format(Locale.ROOT, ", NO FRAME among them for %.0f s", withoutFrames());
     }
     lines.add(line);
     senders(lines, visionSource.counts(), visionSource.tooMany());
     if (referee.isPresent()) {
-      lines.add(line("referee", referee.get().counts()));
+      lines.add(line("referee", refereePlace.orElseThrow(), referee.get().counts()));
       senders(lines, refereeSource.counts(), refereeSource.tooMany());
     }
     return lines;
   }
 
-  private static String line(String name, ReceiverCounts counts) {
+  private static String line(String name, NetworkPlace place, ReceiverCounts counts) {
     StringBuilder line = new StringBuilder();
     line.append(name).append(": ");
     if (counts.received() == 0) {
-      line.append("no packet yet");
+      line.append("no packet yet from ").append(place);
+      if (!counts.joined().isEmpty()) {
+        line.append(" (joined on ").append(String.join(", ", counts.joined())).append(")");
+      }
     } else {
       line.append(counts.received()).append(" packets, ").append(counts.dropped());
       line.append(" dropped");
@@ -184,11 +189,24 @@ public final class MatchNetwork implements AutoCloseable {
       line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
       line.append(", joined again ").append(counts.rejoined()).append(" times");
       if (counts.received() == 0) {
-        line.append("; check address, port and --interface");
+        line.append("; ").append(advice(place));
       }
     }
     counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));
     return line.toString();
+  }
+
+  /** What to try where nothing came at all. */
+  private static String advice(NetworkPlace place) {
+    if (place.isBroadcast()) {
+      return "check the port, and whether the sender broadcasts";
+    }
+    if (place.isGroup()) {
+      return "check address, port and --interface; where switches drop multicast, let the sender"
+          + " broadcast and listen to 255.255.255.255:"
+          + place.address().getPort();
+    }
+    return "check address and port";
   }
 
   /** Those who send, when there are several or something is wrong with one; who left long ago is of no interest any more. */

@@ -3,9 +3,11 @@ package fieldcal.app.net;
 import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.InterfaceAddress;
 import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.net.UnknownHostException;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -15,10 +17,13 @@ import java.util.Optional;
 /**
  * Where packets are received: an address with a port, and the network interface.
  *
- * @param address a multicast group, or one of this machine's own addresses, whose packets are received as they are
+ * @param address a multicast group; a broadcast address (255.255.255.255, or the highest of a network that this machine is in), for all that is broadcast to the port; or one of this machine's own addresses, whose
+ *     packets are received as they are
  * @param networkInterface the name or an address of an interface; empty: every interface that can
  */
 public record NetworkPlace(InetSocketAddress address, Optional<String> networkInterface) {
+  /** 255.255.255.255: everybody on the networks of the sender. */
+  private static final int ALL_ONES = -1;
 
   /**
    * Checks the parts. {@inheritDoc}
@@ -62,6 +67,14 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
       if (networkInterface != null) {
         find(networkInterface);
       }
+      if (networkInterface != null && isBroadcast(address)) {
+        throw new IllegalArgumentException(
+            "broadcasts to "
+                + host
+                + " are received on all interfaces; leave out the interface '"
+                + networkInterface
+                + "'");
+      }
       return new NetworkPlace(
           new InetSocketAddress(address, port), Optional.ofNullable(networkInterface));
     } catch (UnknownHostException e) {
@@ -92,11 +105,56 @@ public record NetworkPlace(InetSocketAddress address, Optional<String> networkIn
     return able;
   }
 
+  /** Whether it is a multicast group, which has to be joined. */
+  boolean isGroup() {
+    return address.getAddress().isMulticastAddress();
+  }
+
+  /**
+   * Whether it is a broadcast address. What is sent there needs a socket that may broadcast.
+   *
+   * @return true for 255.255.255.255, and for the highest address of a network that this machine is in
+   */
+  public boolean isBroadcast() {
+    return isBroadcast(address.getAddress());
+  }
+
+  private static boolean isBroadcast(InetAddress address) {
+    if (!(address instanceof Inet4Address)) {
+      return false;
+    }
+    if (bits(address) == ALL_ONES) {
+      return true;
+    }
+    try {
+      for (NetworkInterface one : Collections.list(NetworkInterface.getNetworkInterfaces())) {
+        for (InterfaceAddress own : one.getInterfaceAddresses()) {
+          // Java knows no broadcast address of the loopback interface, so it is computed of all.
+          int hostBits = Integer.SIZE - own.getNetworkPrefixLength();
+          if (own.getAddress() instanceof Inet4Address && hostBits > 1 && hostBits < Integer.SIZE) {
+            int hosts = (1 << hostBits) - 1;
+            if (bits(address) == (bits(own.getAddress()) | hosts)) {
+              return true;
+            }
+          }
+        }
+      }
+    } catch (SocketException e) {
+      // Nobody can tell.
+    }
+    return false;
+  }
+
+  private static int bits(InetAddress address) {
+    return ByteBuffer.wrap(address.getAddress()).getInt();
+  }
+
   /** Whether anything can be received there at all. */
   boolean isOwnOrGroup() {
     InetAddress here = address.getAddress();
     try {
-      return here.isMulticastAddress()
+      return isGroup()
+          || isBroadcast(here)
           || here.isAnyLocalAddress()
           || NetworkInterface.getByInetAddress(here) != null;
     } catch (SocketException e) {

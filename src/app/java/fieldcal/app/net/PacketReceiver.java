@@ -15,6 +15,7 @@ import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
@@ -40,6 +41,7 @@ public final class PacketReceiver implements AutoCloseable {
   private long received;
   private long dropped;
   private long rejoined;
+  private List<String> joined = List.of();
   private long last = System.nanoTime();
   private String problem;
   private boolean closed;
@@ -89,19 +91,26 @@ public final class PacketReceiver implements AutoCloseable {
     channel = DatagramChannel.open(StandardProtocolFamily.INET);
     channel.setOption(StandardSocketOptions.SO_REUSEADDR, true);
     if (channel.supportedOptions().contains(StandardSocketOptions.SO_REUSEPORT)) {
-      channel.setOption(StandardSocketOptions.SO_REUSEPORT, address.isMulticastAddress());
+      channel.setOption(StandardSocketOptions.SO_REUSEPORT, place.isGroup() || place.isBroadcast());
     }
     bind(address);
     channel.configureBlocking(false);
     channel.register(selector, SelectionKey.OP_READ);
-    if (address.isMulticastAddress()) {
+    if (place.isGroup()) {
       join(address);
     }
   }
 
-  /** Bound to the group itself, packets of other groups that other programs join do not come in; not all systems can. */
+  /**
+   * Bound to the group itself, packets of other groups that other programs join do not come in; not all systems can. Broadcasts go to 255.255.255.255 or to the network's own broadcast address, as the sender
+   * likes it, and only a socket that is bound to no address hears both.
+   */
   private void bind(InetAddress address) throws IOException {
     int wanted = port == 0 ? place.address().getPort() : port;
+    if (place.isBroadcast()) {
+      channel.bind(new InetSocketAddress(wanted));
+      return;
+    }
     try {
       channel.bind(new InetSocketAddress(address, wanted));
     } catch (SocketException e) {
@@ -114,18 +123,19 @@ public final class PacketReceiver implements AutoCloseable {
 
   private void join(InetAddress group) throws IOException {
     List<NetworkInterface> interfaces = place.interfaces();
-    int joined = 0;
+    List<String> on = new ArrayList<>();
     String reason = "no network interface is up";
     for (NetworkInterface one : interfaces) {
       try {
         channel.join(group, one);
-        joined++;
+        on.add(one.getName());
       } catch (IOException | IllegalArgumentException e) {
         reason = one.getName() + ": " + e.getMessage();
       }
     }
     synchronized (shared) {
-      problem = joined > 0 ? null : reason;
+      joined = List.copyOf(on);
+      problem = on.isEmpty() ? reason : null;
     }
   }
 
@@ -248,7 +258,8 @@ public final class PacketReceiver implements AutoCloseable {
   public ReceiverCounts counts() {
     synchronized (shared) {
       double silent = (System.nanoTime() - last) / (double) SECOND;
-      return new ReceiverCounts(received, dropped, rejoined, silent, Optional.ofNullable(problem));
+      return new ReceiverCounts(
+          received, dropped, rejoined, joined, silent, Optional.ofNullable(problem));
     }
   }
 

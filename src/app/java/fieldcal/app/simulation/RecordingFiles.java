@@ -1,6 +1,7 @@
 package fieldcal.app.simulation;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.files.WholeFile;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
 import fieldcal.gamelog.RecordingOrigin;
@@ -14,12 +15,12 @@ import fieldcal.simulation.truth.Truth;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.VisionEncoder;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.DoubleConsumer;
 
 /**
@@ -46,7 +47,7 @@ public record RecordingFiles(Path log, Path truth, Path commands) {
   }
 
   /**
-   * Simulates and writes all three files; existing ones are replaced.
+   * Simulates and writes all three files; existing ones are replaced, or stay as they are when one of the three cannot be written.
    *
    * @param settings what is to be simulated
    * @param progress is told which share is done, 0 … 1
@@ -56,16 +57,31 @@ public record RecordingFiles(Path log, Path truth, Path commands) {
    */
   public Truth write(SimulationSettings settings, DoubleConsumer progress) throws IOException {
     Simulation simulation = Simulation.of(settings);
-    Truth result;
-    try (GameLogWriter writer = GameLogWriter.create(log)) {
-      Sink sink = new Sink(simulation, writer, progress);
-      result = simulation.run(sink::accept);
+    AtomicReference<Truth> happened = new AtomicReference<>();
+    // Each is complete before the one around it replaces an older file.
+    WholeFile.streamBytes(
+        log,
+        logBytes -> {
+          happened.set(record(simulation, logBytes, progress));
+          WholeFile.streamBytes(
+              truth,
+              truthBytes -> {
+                truthBytes.write(
+                    new ObjectMapper().writeValueAsBytes(TruthJson.of(happened.get())));
+                truthBytes.flush();
+                WholeFile.write(commandsCsv(happened.get()), commands);
+              });
+        });
+    return happened.get();
+  }
+
+  private Truth record(Simulation simulation, OutputStream to, DoubleConsumer progress)
+      throws IOException {
+    try (GameLogWriter writer = GameLogWriter.to(to, log)) {
+      return simulation.run(new Sink(simulation, writer, progress)::accept);
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }
-    Files.writeString(commands, commandsCsv(result), StandardCharsets.UTF_8);
-    new ObjectMapper().writeValue(truth.toFile(), TruthJson.of(result));
-    return result;
   }
 
   /**

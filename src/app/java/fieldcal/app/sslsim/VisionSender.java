@@ -10,7 +10,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 import java.util.Collections;
 
-/** Sends vision's packets to a multicast group, or to one address. A machine without a network sends to itself. */
+/** Sends vision's packets to a multicast group, to all by broadcast, or to one address. A machine without a network sends to itself. */
 final class VisionSender implements Closeable {
   private final InetSocketAddress target;
   private final DatagramChannel channel;
@@ -19,6 +19,8 @@ final class VisionSender implements Closeable {
   VisionSender(InetSocketAddress target) throws IOException {
     this.target = target;
     channel = DatagramChannel.open(StandardProtocolFamily.INET);
+    // Nothing where the address is none of a broadcast.
+    channel.setOption(StandardSocketOptions.SO_BROADCAST, true);
     if (target.getAddress().isMulticastAddress()) {
       channel.setOption(StandardSocketOptions.IP_MULTICAST_LOOP, true);
       channel.setOption(StandardSocketOptions.IP_MULTICAST_TTL, 1);

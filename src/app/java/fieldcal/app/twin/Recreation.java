@@ -1,5 +1,6 @@
 package fieldcal.app.twin;
 
+import fieldcal.app.files.WholeFile;
 import fieldcal.app.statistics.FieldRecording;
 import fieldcal.app.statistics.RecordedFrames;
 import fieldcal.ball.BallState;
@@ -63,11 +64,15 @@ final class Recreation {
         one.spans().stream().map(s -> new Replay.Span(s[0] - start, s[1] - start)).toList();
     Replay replay = new Replay(settings, kicks(one), robots(one), spans, epoch);
     VisionEncoder encoder = new VisionEncoder(epoch);
-    try (GameLogWriter writer = GameLogWriter.create(log)) {
-      replay.run(packet -> write(writer, encoder, packet), progress);
-    } catch (UncheckedIOException e) {
-      throw e.getCause();
-    }
+    WholeFile.streamBytes(
+        log,
+        bytes -> {
+          try (GameLogWriter writer = GameLogWriter.to(bytes, log)) {
+            replay.run(packet -> write(writer, encoder, packet), progress);
+          } catch (UncheckedIOException e) {
+            throw e.getCause();
+          }
+        });
   }
 
   private void write(GameLogWriter writer, VisionEncoder encoder, SimulatedPacket packet) {

@@ -41,7 +41,6 @@ class SelectionFileTest {
     assertThat(after.dropped()).isEqualTo(before.dropped());
     assertThat(after.kept()).isEqualTo(before.kept());
     assertThat(folder.resolve("sub")).isDirectoryContaining("glob:**selection.json");
-    assertThat(file.resolveSibling("selection.json.part")).doesNotExist();
   }
 
   @Test

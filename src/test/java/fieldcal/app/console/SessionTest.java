@@ -240,7 +240,7 @@ class SessionTest {
       Path file = session.resolve("selection.json");
       String before = Files.readString(file);
       // What is written first cannot be: as on a disk without room.
-      Path blocked = Files.createDirectory(session.resolve("selection.json.part"));
+      Path blocked = Files.createDirectory(unfinished("selection.json"));
       Files.writeString(blocked.resolve("full"), "");
       JsonNode state = console.decide("{\"action\":\"drop\",\"kicks\":[2]}");
       assertThat(state.at("/unsaved/0").asText()).contains("not saved").contains("selection.json");
@@ -257,10 +257,15 @@ class SessionTest {
     }
   }
 
+  /** What a file is while this process writes it. */
+  private Path unfinished(String name) {
+    return session.resolve(name + "." + ProcessHandle.current().pid() + ".part");
+  }
+
   @Test
   void resultsThatCannotBeWrittenAreTold() throws IOException {
     try (RunningConsole console = ready()) {
-      Path blocked = Files.createDirectory(session.resolve("report.html.part"));
+      Path blocked = Files.createDirectory(unfinished("report.html"));
       Files.writeString(blocked.resolve("full"), "");
       Answer answer = console.post("/api/results", "{}");
       assertThat(answer.status()).isEqualTo(507);

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -63,6 +65,49 @@ class WholeFileTest {
     assertThatThrownBy(() -> WholeFile.write("x", full))
         .isInstanceOf(IOException.class)
         .hasMessageContaining("/dev/full");
+  }
+
+  @Test
+  void whatKilledProgramsLeftIsRemovedAndNothingElse() throws Exception {
+    Process over = new ProcessBuilder("true").start();
+    over.waitFor();
+    // The number of a program that is no more, and of one that runs.
+    Path left = old("report.html." + over.pid() + ".part");
+    Path own = old("report.html." + ProcessHandle.current().pid() + ".part");
+    Path recent = Files.createFile(folder.resolve("model.json." + over.pid() + ".part"));
+    Path foreign = old("film.mkv.part");
+    WholeFile.write("x", folder.resolve("model.json"));
+    assertThat(left).doesNotExist();
+    assertThat(own).exists();
+    assertThat(recent).exists();
+    assertThat(foreign).exists();
+  }
+
+  private Path old(String name) throws IOException {
+    Path file = Files.createFile(folder.resolve(name));
+    Files.setLastModifiedTime(file, FileTime.from(Instant.now().minusSeconds(3600)));
+    return file;
+  }
+
+  @Test
+  void aProgramThatIsToldToEndRemovesWhatItWasWriting() throws Exception {
+    Process writing =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                "fieldcal.app.files.SlowWriter",
+                folder.resolve("big.json").toString())
+            .redirectErrorStream(true)
+            .start();
+    try {
+      assertThat(writing.inputReader().readLine()).isEqualTo("writing");
+      assertThat(files(folder)).containsExactly("big.json." + writing.pid() + ".part");
+    } finally {
+      writing.destroy();
+    }
+    writing.waitFor();
+    assertThat(files(folder)).isEmpty();
   }
 
   private static Stream<String> names(Path directory) throws IOException {

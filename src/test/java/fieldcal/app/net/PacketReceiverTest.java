@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Sockets on the loopback interface. What is waited for comes within milliseconds; the limits only keep a failure from hanging. */
 @Timeout(120)
@@ -82,6 +83,31 @@ class PacketReceiverTest {
       sender.send(new java.net.DatagramPacket(new byte[] {3}, 1, here, receiver.port()));
       assertThat(receiver.take(LONG).orElseThrow().data()).containsExactly(3);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"255.255.255.255:0", "127.255.255.255:0"})
+  void whatIsBroadcastIsHeardByAll(String listened) throws Exception {
+    NetworkPlace place = NetworkPlace.parse(listened, null);
+    try (PacketReceiver receiver = new PacketReceiver(place, 8, 60);
+        PacketReceiver other =
+            new PacketReceiver(
+                NetworkPlace.parse("255.255.255.255:" + receiver.port(), null), 8, 60);
+        DatagramSocket sender = new DatagramSocket()) {
+      // The loopback interface's own: a broadcast that leaves no machine.
+      InetAddress all = InetAddress.getByName("127.255.255.255");
+      sender.setBroadcast(true);
+      sender.send(new java.net.DatagramPacket(new byte[] {5}, 1, all, receiver.port()));
+      assertThat(receiver.take(LONG).orElseThrow().data()).containsExactly(5);
+      assertThat(other.take(LONG).orElseThrow().data()).containsExactly(5);
+    }
+  }
+
+  @Test
+  void broadcastsAreNotOfOneInterface() {
+    assertThatThrownBy(() -> NetworkPlace.parse("255.255.255.255:10006", "127.0.0.1"))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("leave out the interface '127.0.0.1'");
   }
 
   @Test

@@ -2,6 +2,7 @@ package fieldcal.app.simulation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -15,10 +16,14 @@ import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,6 +43,51 @@ class SimulateCommandTest {
         .setOut(new PrintWriter(out))
         .setErr(new PrintWriter(err))
         .execute(all.toArray(String[]::new));
+  }
+
+  /** What the system lets a program write into a file is bounded: every write beyond fails, as on a full disk. */
+  @Test
+  void aFullDiskLeavesNothingOfTheNewRecordingAndAllOfTheOldOne() throws Exception {
+    Path prlimit = Path.of("/usr/bin/prlimit");
+    assumeTrue(Files.isExecutable(prlimit), "prlimit of util-linux limits a process");
+    assertThat(
+            run("--scenario=flat", "--kicks=1", "--clean", "--out=" + directory.resolve("a.log")))
+        .as(err.toString())
+        .isZero();
+    Map<String, byte[]> before = contents();
+    // Larger than the old log's neighbours, smaller than any log; then smaller than all.
+    for (int room : new int[] {1 << 16, 1 << 8}) {
+      Process process =
+          new ProcessBuilder(
+                  prlimit.toString(),
+                  "--fsize=" + room,
+                  Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                  "-XX:-UsePerfData",
+                  "-cp",
+                  System.getProperty("java.class.path"),
+                  "fieldcal.app.cli.Main",
+                  "simulate",
+                  "--scenario=flat",
+                  "--kicks=3",
+                  "--out=" + directory.resolve("a.log"))
+              .redirectErrorStream(true)
+              .start();
+      String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertThat(process.waitFor()).as(said).isEqualTo(1);
+      assertThat(said.strip().lines()).hasSize(1);
+      assertThat(said).contains("a.log: ").contains("too large").doesNotContain("defect");
+      assertThat(contents()).as("room for %d bytes", room).containsExactlyEntriesOf(before);
+    }
+  }
+
+  private Map<String, byte[]> contents() throws IOException {
+    Map<String, byte[]> contents = new TreeMap<>();
+    try (Stream<Path> files = Files.list(directory)) {
+      for (Path file : files.toList()) {
+        contents.put(file.getFileName().toString(), Files.readAllBytes(file));
+      }
+    }
+    return contents;
   }
 
   @Test
@@ -138,10 +188,11 @@ class SimulateCommandTest {
   }
 
   @Test
-  void aFileThatCannotBeWrittenIsNamed() {
-    Path log = directory.resolve("missing").resolve("x.log.gz");
+  void aFileThatCannotBeWrittenIsNamed() throws IOException {
+    Path file = Files.createFile(directory.resolve("file"));
+    Path log = file.resolve("x.log.gz");
     assertThat(run("--scenario=flat", "--kicks=1", "--out=" + log)).isEqualTo(1);
-    assertThat(err.toString()).contains(log.toString());
+    assertThat(err.toString()).contains(file.toString());
   }
 
   @ParameterizedTest
