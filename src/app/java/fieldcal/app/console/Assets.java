@@ -32,6 +32,8 @@ final class Assets {
           "parts.js",
           "kicks.js",
           "kick-table.js",
+          "replay.js",
+          "sessions.js",
           "diagnosis.js",
           "publish.js",
           "export.js",

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.monitor.MatchStatus;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
@@ -68,7 +69,9 @@ final class MatchJson {
 
   private static ObjectNode parameter(ParameterEstimate e) {
     ObjectNode node = NODES.objectNode();
-    node.put("name", e.parameter().modelName()).put("unit", e.parameter().unit());
+    node.put("name", ParameterWords.inFiles(e.parameter().modelName()));
+    node.put("words", ParameterWords.of(e.parameter().modelName()));
+    node.put("unit", e.parameter().unit());
     node.put("kind", e.parameter().kind().id());
     put(node, "median", e.median());
     put(node, "lower", e.lowerQuartile());
@@ -97,7 +100,7 @@ final class MatchJson {
       put(node, "rmsMm", k.rmsMm());
       node.put("unused", k.unused().orElse(null));
       ArrayNode says = node.putArray("says");
-      k.samples().keySet().forEach(p -> says.add(p.modelName()));
+      k.samples().keySet().forEach(p -> says.add(ParameterWords.inFiles(p.modelName())));
     }
     return kicks;
   }

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.play.KickResult;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.calibration.Average;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlannedKick;
@@ -109,7 +110,8 @@ final class PlayDrawing {
     s.kicks().forEach(k -> kicks.add(kick(k)));
     ArrayNode model = root.putArray("model");
     for (Map.Entry<String, Average> e : new TreeMap<>(s.model()).entrySet()) {
-      ObjectNode node = model.addObject().put("name", e.getKey()).put("n", e.getValue().n());
+      ObjectNode node = model.addObject().put("name", ParameterWords.inFiles(e.getKey()));
+      node.put("words", ParameterWords.of(e.getKey())).put("n", e.getValue().n());
       put(node, "mean", e.getValue().mean(), 6);
       put(node, "error", e.getValue().standardError(), 6);
     }
@@ -142,7 +144,7 @@ final class PlayDrawing {
     node.put("good", k.verdict().orElse(null));
     node.put("reason", k.reason());
     ArrayNode says = node.putArray("says");
-    k.parameters().forEach(p -> says.add(p.name()));
+    k.parameters().forEach(p -> says.add(ParameterWords.inFiles(p.name())));
     return node;
   }
 

@@ -50,20 +50,22 @@ public record RecordStatus(
   public String line(String vision) {
     if (frames == 0) {
       return String.format(
-          Locale.ROOT, "%.0f s  no vision heard yet on %s", Math.floor(seconds), vision);
+          Locale.ROOT, "%.0f s, no vision heard yet on %s", Math.floor(seconds), vision);
     }
     return String.format(
         Locale.ROOT,
-        "%.0f s  %d frames of %s  %.1f MB%s%s%s",
+        "%.0f s, %d frames of %s, %.1f MB%s%s%s",
         Math.floor(seconds),
         frames,
         cameraNames(),
         bytes / MEGABYTE,
-        referee.isEmpty() ? "" : "  referee " + referee,
-        geometry || seconds < GEOMETRY ? "" : "  no geometry yet: chips cannot be fitted without",
+        referee.isEmpty() ? "" : ", referee " + referee,
+        geometry || seconds < GEOMETRY
+            ? ""
+            : ", no geometry yet: chips cannot be fitted without it",
         silent < SILENCE
             ? ""
-            : String.format(Locale.ROOT, "  vision is silent for %.0f s", silent));
+            : String.format(Locale.ROOT, ", vision has been silent for %.0f s", silent));
   }
 
   /**

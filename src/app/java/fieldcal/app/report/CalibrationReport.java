@@ -1,6 +1,7 @@
 package fieldcal.app.report;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.PublishWords;
 import fieldcal.verdict.VerdictRule;
 import java.util.List;
@@ -117,6 +118,16 @@ public record CalibrationReport(
       Objects.requireNonNull(name, "name");
       Objects.requireNonNull(unit, "unit");
       Objects.requireNonNull(note, "note");
+    }
+
+    /**
+     * What people call it.
+     *
+     * @return for example "sliding deceleration (acc_slide)"
+     */
+    @JsonProperty
+    public String words() {
+      return ParameterWords.of(name);
     }
 
     /**

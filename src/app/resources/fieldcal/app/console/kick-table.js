@@ -1,19 +1,22 @@
 /* The table of kicks: sorted, filtered, one kick selected, any number marked. Told what to show; tells what was pressed. */
+import {button, renew, select} from './parts.js';
+
 const {el} = Charts;
 const {content, choices} = Frame;
 const {KINDS, COLUMNS, FILTERS, whyDropped, sorted} = CalibrationViews;
 const LISTED = COLUMNS.filter(column => column.key !== 'used');
 const STEPS = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -Infinity, End: Infinity};
 
-export function kickTable({select, mark, toggle, filtered}) {
-  const state = {filter: 'all', sort: {key: 'id', down: false}, shown: [], rows: new Map(), selected: null, listed: ''};
+export function kickTable({pickKick, mark, toggle, filtered, narrowed}) {
+  const state = {filter: 'all', robot: '', recording: '', slowest: '', fastest: '', sort: {key: 'id', down: false}, shown: [], rows: new Map(), selected: null, listed: ''};
   const parts = new Map();
   let last = null;
 
   function show(report, byHand, marks, selected) {
     last = [report, byHand, marks, selected];
     choices('kick-filter', Object.keys(FILTERS).map(key => [key, key + ' ' + report.kicks.filter(FILTERS[key]).length]), state.filter, key => { state.filter = key; show(...last); filtered(key); });
-    state.shown = sorted(report.kicks.filter(FILTERS[state.filter]), state.sort);
+    showPicks(report.kicks);
+    state.shown = sorted(report.kicks.filter(kick => FILTERS[state.filter](kick) && picked(kick)), state.sort);
     const focused = document.activeElement && document.activeElement.closest('#kicks tr[data-kick]');
     const box = content('kicks');
     if (state.shown.length === 0) {
@@ -44,6 +47,43 @@ export function kickTable({select, mark, toggle, filtered}) {
     }
     setMarks(marks);
     pick(selected, Boolean(focused));
+  }
+
+  // ---- of the kicks, those of one robot, one recording, or a range of speeds ----
+
+  const chosen = () => [state.robot, state.recording, state.slowest, state.fastest].some(value => value !== '');
+
+  function picked(kick) {
+    const speed = Plots.kickSpeed(kick);
+    return (state.robot === '' || Plots.robotName(kick) === state.robot) && (state.recording === '' || kick.source === state.recording)
+      && (state.slowest === '' || speed >= Number(state.slowest)) && (state.fastest === '' || speed <= Number(state.fastest));
+  }
+
+  /** Choices of one thing only are left out: they would choose nothing. */
+  function showPicks(kicks) {
+    const of = name => [...new Set(kicks.map(name))].sort((a, b) => a.localeCompare(b, 'en', {numeric: true}));
+    const robots = of(Plots.robotName), recordings = of(kick => kick.source);
+    if (!robots.includes(state.robot)) state.robot = '';
+    if (!recordings.includes(state.recording)) state.recording = '';
+    const choose = key => value => { state[key] = value; again(); };
+    const speed = (key, label) => el('input', {id: 'pick-' + key, type: 'number', min: 0, max: 15, step: 0.1, value: state[key], placeholder: label, 'aria-label': label + ' kick, m/s', oninput: event => choose(key)(event.target.value)});
+    renew(document.getElementById('kick-pick'), [robots, recordings], () => [
+      ...(robots.length > 1 ? [select('pick-robot', [['', 'all robots'], ...robots.map(name => [name, name])], state.robot, choose('robot'))] : []),
+      ...(recordings.length > 1 ? [select('pick-recording', [['', 'all recordings'], ...recordings.map(name => [name, Charts.fileName(name)])], state.recording, choose('recording'))] : []),
+      el('span', {class: 'speeds'}, speed('slowest', 'slowest'), '–', speed('fastest', 'fastest'), ' m/s'),
+      button('All', everything, {id: 'pick-all', title: 'Lists the kicks of all robots, recordings and speeds'})]);
+    document.getElementById('pick-all').disabled = !chosen();
+  }
+
+  function again() {
+    show(...last);
+    narrowed();
+  }
+
+  function everything() {
+    Object.assign(state, {robot: '', recording: '', slowest: '', fastest: ''});
+    for (const node of document.querySelectorAll('#kick-pick select, #kick-pick input')) node.value = '';
+    again();
   }
 
   /** The kicks that are listed, in their order, as CSV for a spreadsheet: SI units, a point as decimal mark. */
@@ -95,10 +135,10 @@ export function kickTable({select, mark, toggle, filtered}) {
       type: 'button', class: 'use', tabindex: -1, 'aria-label': (kick.selected ? 'drop' : 'use') + ' kick ' + kick.id,
       title: kick.selected ? 'Drop this kick' : 'Use this kick', onclick: event => { event.stopPropagation(); toggle(kick.id); },
     }, used, decision ? el('span', {title: decision === 'drop' ? 'dropped by hand' : 'kept by hand'}, 'hand') : '');
-    const row = el('tr', {'data-kick': kick.id, class: why ? 'dropped' : null, onclick: () => select(kick.id)},
+    const row = el('tr', {'data-kick': kick.id, class: why ? 'dropped' : null, onclick: () => pickKick(kick.id)},
       el('td', {}, check), LISTED.map(column => el('td', {class: column.left ? 'text' : null}, column.text(kick))), el('td', {class: 'text'}, press));
     state.rows.set(kick.id, row);
-    return why ? [row, el('tr', {class: kick.selected ? 'why part' : 'why', onclick: () => select(kick.id)}, el('td', {colspan: LISTED.length + 2}, why))] : [row];
+    return why ? [row, el('tr', {class: kick.selected ? 'why part' : 'why', onclick: () => pickKick(kick.id)}, el('td', {colspan: LISTED.length + 2}, why))] : [row];
   }
 
   function pressed(event) {
@@ -126,7 +166,7 @@ export function kickTable({select, mark, toggle, filtered}) {
     if (state.shown.length === 0) return;
     const now = state.shown.findIndex(kick => kick.id === state.selected);
     const next = now < 0 ? 0 : Math.max(0, Math.min(state.shown.length - 1, now + rows));
-    select(state.shown[next].id, focus);
+    pickKick(state.shown[next].id, focus);
   }
 
   /** Shows which kick is selected, and where it is in the list. */
@@ -161,5 +201,8 @@ export function kickTable({select, mark, toggle, filtered}) {
     return now < 0 ? [] : [state.shown[now + 1], state.shown[now - 1]].filter(Boolean).map(kick => kick.id);
   }
 
-  return {show, pick, step, setMarks, expect, beside};
+  /** What is picked, to tell whether it changed. */
+  const picks = () => [state.robot, state.recording, state.slowest, state.fastest].join('|');
+
+  return {show, pick, step, setMarks, expect, beside, picked, picks};
 }

@@ -2,16 +2,19 @@
 import {ask} from './server.js';
 import {button, refill, renew, soon} from './parts.js';
 import {kickTable} from './kick-table.js';
+import {replayPart} from './replay.js';
 
 const {el, known, number, withError} = Charts;
 const {$, content, draw, forget, choices, charts} = Frame;
 const {KINDS, difference, kickTitle, kickFacts, kickLegend, layOutKick, drawKick} = CalibrationViews;
+const MOST_BESIDE = 8;
 const REASONS = ['touched by a robot or a foot', 'ball was not at rest', 'two balls in view', 'hit the goal or the wall', 'kicked over a line or a seam', 'the robot slipped'];
 
 export function kicksPage(app) {
   const page = {id: 'kicks', title: 'Kicks', show, resized, keys: {}, keyWords: []};
   const view = {selected: null, kind: null, axis: 'kick', marks: new Set(), details: new Map(), fits: null, laidOut: '', pictured: ''};
-  const table = kickTable({select, mark, toggle, filtered});
+  const table = kickTable({pickKick: select, mark, toggle, filtered, narrowed: () => drawModel()});
+  const replay = replayPart($('kick-replay'), $('kick-charts'));
   let theme, reason = '';
 
   const state = () => app.state;
@@ -91,7 +94,7 @@ export function kicksPage(app) {
   function markedWords(ids) {
     const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'reason for dropping', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f; Enter drops)', onkeydown: reasoned, oninput: event => { reason = event.target.value; }});
     const list = el('datalist', {id: 'reasons'}, REASONS.map(value => el('option', {value})));
-    const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'Several: drag over points, or tick them.')] : [
+    const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'Drag over points or tick kicks to mark them.')] : [
       el('b', {}, ids.length + (ids.length === 1 ? ' kick marked' : ' kicks marked')),
       button('Drop them', () => drop(ids), {id: 'drop-marked', strong: true}),
       button('Restore them', () => restore(ids), {id: 'restore-marked'}),
@@ -134,6 +137,7 @@ export function kicksPage(app) {
     table.setMarks(view.marks);
     showMarked();
     drawModel();
+    showKick();
   }
 
   // ---- the model and its parameters over the kicks ----
@@ -144,7 +148,8 @@ export function kicksPage(app) {
     choices('parameter-axis', Object.entries(Plots.AXES).map(([key, axis]) => [key, axis.label]), view.axis, key => { view.axis = key; showModel(); });
     const {verdict} = report();
     $('advice').replaceChildren(
-      state().settled ? '' : el('span', {class: 'note', id: 'refining'}, 'joint fit follows … '), CalibrationViews.decisionBadge(verdict),
+      CalibrationViews.decisionBadge(verdict), ' ' + verdict.toDo[0] + ' ', verdict.reasons.length || verdict.notes.length ? el('a', {href: '#publish'}, 'Why') : '',
+      state().settled ? '' : el('span', {class: 'note', id: 'refining'}, ' The joint fit follows …'),
       state().model.effects.length ? el('span', {class: 'note'}, ' with ' + state().model.effects.join(', ')) : '');
     $('advice').title = [...verdict.toDo, ...verdict.reasons, ...verdict.notes].join('\n');
     $('parameter-legend').replaceChildren(...CalibrationViews.parameterLegend(theme));
@@ -167,13 +172,13 @@ export function kicksPage(app) {
 
   function valueOf(parameter) {
     return [
-      el('p', {}, el('b', {}, Plots.inFiles(parameter.name)), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
+      el('p', {}, el('b', {title: parameter.words}, Plots.inFiles(parameter.name)), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
       el('p', {}, el('b', {class: 'mean'}, withError(parameter.mean, parameter.standardError)), el('span', {class: 'spring'}), el('span', {class: 'note', title: 'kicks in the mean'}, 'n ' + parameter.n))];
   }
 
   /** Draws what is not drawn as it should be, after everything that tells in words. */
   function drawModel() {
-    const shown = JSON.stringify([state().run, state().calibration.version, view.kind, view.axis, [...view.marks], theme.text]);
+    const shown = JSON.stringify([state().run, state().calibration.version, view.kind, view.axis, [...view.marks], table.picks(), theme.text]);
     for (const box of content('parameters').querySelectorAll('.chart')) {
       if (box.dataset.shows === shown) circle(box);
       else soon(box, () => drawParameter(box));
@@ -198,7 +203,7 @@ export function kicksPage(app) {
     const parameter = model && model.parameters.find(p => p.name === box.parentNode.dataset.parameter);
     if (!parameter) return;
     const kicks = report().kicks.filter(kick => kick.kind === view.kind);
-    const option = Plots.parameter(theme, parameter, kicks, view.axis, null);
+    const option = Plots.parameter(theme, parameter, kicks, view.axis, null, table.picked);
     option.series.push(markedPoints(option));
     points.set(box, items(option));
     option.grid.bottom = 38;
@@ -269,18 +274,25 @@ export function kicksPage(app) {
     if (view.selected !== id || !kickOf(id)) return;
     const all = merged(detail);
     $('kick-facts').replaceChildren(...kickFacts(report(), all));
-    const pictured = JSON.stringify([state().run, view.fits, id, theme.text]);
+    const marked = besides(kick), beside = await Promise.all(marked.map(detailOf)).catch(() => []);
+    if (view.selected !== id || !kickOf(id)) return;
+    const pictured = JSON.stringify([state().run, view.fits, id, marked, theme.text]);
     if (view.pictured === pictured) return;
     view.pictured = pictured;
-    $('kick-legend').replaceChildren(...kickLegend(theme, all));
+    $('kick-legend').replaceChildren(...kickLegend(theme, all, beside));
     layOutKick($('kick-charts'), all);
-    drawKick(theme, $('kick-charts'), report(), all, soon);
+    drawKick(theme, $('kick-charts'), report(), all, soon, beside);
     soon($('kick'), () => {
       $('kick').dataset.shown = id;
+      $('kick').dataset.beside = beside.map(one => one.id).join(' ');
+      replay.show(all);
       // Most go on to the next one, or back.
       for (const near of table.beside()) detailOf(near).catch(() => {});
     });
   }
+
+  /** The marked kicks of the same kind, whose lines are drawn beside those of the selected one; of many the first: more could not be told apart. */
+  const besides = kick => [...view.marks].filter(id => id !== kick.id && kickOf(id).kind === kick.kind).sort((a, b) => a - b).slice(0, MOST_BESIDE);
 
   /** What was seen of a kick, asked for once as long as it is not fitted anew. */
   function detailOf(id) {
@@ -314,10 +326,11 @@ export function kicksPage(app) {
   $('previous').addEventListener('click', () => table.step(-1));
   $('next').addEventListener('click', () => table.step(1));
   page.keys = {
+    p: () => replay.toggle(),
     j: () => table.step(1), k: () => table.step(-1), d: press('drop-marked', 'drop'), r: press('restore-marked', 'restore', 'auto', 'keep'),
     s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
   };
   page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick; shift and an arrow mark several'], ['Esc', 'clear all marks'],
-    ['s', 'one more round of 2σ'], ['u, U or Ctrl+Z, Ctrl+Y', 'undo, redo'], ['f', 'write a reason; Enter drops with it']];
+    ['s', 'one more round of 2σ'], ['u, U or Ctrl+Z, Ctrl+Y', 'undo, redo'], ['f', 'write a reason; Enter drops with it'], ['p', 'replay the kick, or pause it']];
   return page;
 }

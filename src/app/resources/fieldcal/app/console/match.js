@@ -103,7 +103,7 @@ export function matchPage(app) {
       const figure = box.querySelector('figure[data-parameter="' + p.name + '"]');
       const off = known(p.percent) ? signed(p.percent, 0) + ' %' : '–';
       figure.querySelector('.value').replaceChildren(
-        el('p', {}, el('b', {}, p.name), p.unit ? el('small', {}, ' ' + p.unit) : '', el('span', {class: 'spring'}), p.enough ? badge(p.warning ? 'bad' : 'good', (p.warning ? '⚠ ' : '') + off) : el('span', {class: 'note'}, p.samples + ' of ' + now.enough + ' kicks')),
+        el('p', {}, el('b', {title: p.words}, p.name), p.unit ? el('small', {}, ' ' + p.unit) : '', el('span', {class: 'spring'}), p.enough ? badge(p.warning ? 'bad' : 'good', (p.warning ? '⚠ ' : '') + off) : el('span', {class: 'note'}, p.samples + ' of ' + now.enough + ' kicks')),
         el('p', {}, el('b', {class: 'mean'}, number(p.median, 3)), el('span', {class: 'note'}, known(p.lower) ? number(p.lower, 3) + ' … ' + number(p.upper, 3) : ''), el('span', {class: 'spring'}), el('span', {class: 'note'}, 'published ' + number(p.published, 3))));
       draw(figure.querySelector('.chart'), medianPlot(p));
     }
@@ -111,7 +111,7 @@ export function matchPage(app) {
 
   function medianPlot(p) {
     const option = base(theme, 'time [UTC]', '');
-    option.grid = {left: 58, right: 26, top: 8, bottom: 40};
+    option.grid = {left: 58, right: 32, top: 8, bottom: 40};
     const times = p.history.map(point => point[0]), span = times.length ? times[times.length - 1] - times[0] : 0;
     // Always hours first: minutes and seconds alone read as hours and minutes. One kick alone has no span, so the axis has at least a minute.
     option.xAxis.axisLabel.formatter = value => clock(value).slice(...(span < 600 ? [0, 8] : [0, 5]));

@@ -1,6 +1,7 @@
 /* The page for giving the model away: what changes against the published one, files, packets, text for a configuration. */
 import {exportPart} from './export.js';
 import {button, confirmed, field, progress, renew, table} from './parts.js';
+import {sessionsPart} from './sessions.js';
 
 const {el, known, number, signed} = Charts;
 const {$, content, choices, badge} = Frame;
@@ -22,7 +23,7 @@ export function publishPage(app) {
   const report = () => state().calibration.report;
   const complete = () => state().model.flat || state().model.chip;
 
-  const forPrograms = exportPart(app);
+  const forPrograms = exportPart(app), otherSession = sessionsPart(app);
 
   function show() {
     const theme = app.colours();
@@ -34,6 +35,7 @@ export function publishPage(app) {
     showFiles();
     showSnippet();
     forPrograms.show();
+    otherSession.show();
   }
 
   // ---- what vision publishes at the moment ----
@@ -81,7 +83,7 @@ export function publishPage(app) {
   /** The new model beside what vision publishes now and what the recordings, or the operator's file, say. */
   function changes(short) {
     const now = heard() && heard().geometry ? heard().values : null, before = state().model.compared;
-    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text'}, Plots.inFiles(p.name), p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
+    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text', title: p.words}, Plots.inFiles(p.name), p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
       ...(now ? [el('td', {}, Plots.asPublished(now[p.name]))] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
     return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'Your file' : 'Recordings', false, 'what the new model was compared with']]), ...(now ? [['Vision now']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
   }
@@ -144,19 +146,7 @@ export function publishPage(app) {
     showFiles();
   }
 
-  async function copySnippet() {
-    const button = $('snippet-copy');
-    try {
-      await navigator.clipboard.writeText($('snippet').textContent);
-      button.textContent = '✔ copied';
-    } catch (refused) {
-      // Without a safe connection a browser lets nobody write there; what is selected can be copied by hand.
-      getSelection().selectAllChildren($('snippet'));
-      button.textContent = 'Ctrl+C copies it';
-    }
-    setTimeout(() => { button.textContent = 'Copy'; }, 3000);
-  }
-  $('snippet-copy').addEventListener('click', copySnippet);
+  $('snippet-copy').replaceWith(Object.assign(Frame.copyButton(() => $('snippet').textContent, 'the text'), {id: 'snippet-copy'}));
 
   function showSnippet() {
     choices('snippet-kind', Object.entries(FORMS), view.form, key => { view.form = key; showSnippet(); });

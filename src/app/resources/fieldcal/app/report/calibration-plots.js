@@ -73,21 +73,26 @@ const Plots = (() => {
       point.used || point.undetermined ? '' : 'Dropped: ' + (point.fitted.dropped || kick.rejectedBecause));
   }
 
-  /** One parameter over the kicks: error bars, mean, band of two sigma, what was dropped. Items carry {kick: id}. */
-  function parameter(theme, parameter, kicks, axisKey, selectedId) {
+  /**
+   * One parameter over the kicks: error bars, mean, band of two sigma, what was dropped. Items carry {kick: id}. Only the kicks that are listed are drawn; mean, band and range are those of all.
+   */
+  function parameter(theme, parameter, kicks, axisKey, selectedId, listed = () => true) {
     const horizontal = AXES[axisKey];
-    const points = [];
+    let points = [];
     for (const kick of kicks) {
       const fitted = kick.parameters.find(p => p.name === parameter.name);
       if (!fitted) continue;
       points.push({kick, fitted, used: isUsed(kick, fitted), x: horizontal.of(kick), value: fitted.value, error: fitted.standardError || 0, undetermined: known(fitted.value) ? '' : fitted.undetermined || 'undetermined'});
     }
+    const all = points.filter(p => !p.undetermined);
+    const [low, high] = parameterRange(parameter, all);
+    points = points.filter(p => listed(p.kick));
     const seen = points.filter(p => !p.undetermined);
-    const [low, high] = parameterRange(parameter, seen);
     const option = base(theme, horizontal.name, '');
     option.yAxis.min = low;
     option.yAxis.max = high;
     option.yAxis.axisLabel.showMinLabel = option.yAxis.axisLabel.showMaxLabel = false;
+    option.yAxis.splitNumber = 4;
     option.yAxis.axisLabel.formatter = value => number(value, Math.max(1, Math.min(4, Math.ceil(-Math.log10((high - low) / 4)))));
     option.grid.left = 58;
     if (horizontal.minInterval) option.xAxis.minInterval = 1;
@@ -107,7 +112,7 @@ const Plots = (() => {
     // ECharts rounds the places of lines to two decimals unless told otherwise.
     const reference = {type: 'scatter', data: [], silent: true, z: 1, markLine: {precision: 8, silent: true, symbol: 'none', data: [], animation: false}};
     if (known(parameter.mean)) {
-      const band = 2 * typicalSpread(parameter, seen);
+      const band = 2 * typicalSpread(parameter, all);
       reference.markArea = {silent: true, itemStyle: {color: theme.good, opacity: 0.14}, data: [[{yAxis: Math.max(low, parameter.mean - band)}, {yAxis: Math.min(high, parameter.mean + band)}]]};
       reference.markLine.data.push({yAxis: parameter.mean, lineStyle: {color: theme.good, width: 2, type: 'solid'}, label: {show: false}});
     }
@@ -259,14 +264,25 @@ const Plots = (() => {
     };
   }
 
-  function timeAxes(option, kick) {
-    const {start, end} = prepare(kick);
+  /** From the kick's first observation to its last, or to that of the longest kick beside it. */
+  function timeAxes(option, kick, beside = []) {
+    const {start} = prepare(kick), end = Math.max(...[kick, ...beside].map(one => prepare(one).end));
     option.grid.top = 20;
     option.xAxis.min = Math.floor(start * 5) / 5;
     option.xAxis.max = Math.ceil(end * 5) / 5;
     option.xAxis.scale = false;
     option.xAxis.axisLabel.showMinLabel = option.xAxis.axisLabel.showMaxLabel = false;
     return option;
+  }
+
+  /** Kicks that are drawn beside another one: thin lines with their number. at(kick) gives the places of a line. */
+  function besideIt(theme, kicks, at) {
+    return kicks.flatMap(kick => {
+      const line = at(kick), last = line.filter(([x, y]) => x !== null && y !== null).pop();
+      const label = {show: true, formatter: String(kick.id), position: 'right', color: theme.warn, fontSize: 12, fontWeight: 700, textBorderColor: theme.panel, textBorderWidth: 3};
+      return [{type: 'line', ...packed(line), symbol: 'none', silent: true, lineStyle: {color: theme.warn, width: 1.5}, z: 4, name: 'beside ' + kick.id},
+        ...(last ? [{type: 'scatter', data: [last], symbolSize: 1, silent: true, z: 6, label}] : [])];
+    });
   }
 
   const seconds = row => number(row.t, 3) + ' s after the kick';
@@ -308,7 +324,7 @@ const Plots = (() => {
   }
 
   /** The path on the field, true to scale in a box of the given size in pixels. */
-  function path(theme, kick, others, field, size) {
+  function path(theme, kick, others, field, size, beside = []) {
     const prepared = prepare(kick);
     const box = extent(field, [kick.x, ...kick.fitted.x, ...kick.seen.flatMap(seen => seen.x)], [kick.y, ...kick.fitted.y, ...kick.seen.flatMap(seen => seen.y)]);
     const option = fieldView(theme, field, box, size);
@@ -321,6 +337,7 @@ const Plots = (() => {
       option.series.push(points(style, camera, used, at));
       option.series.push(points(style, camera, outliers, at, {symbolSize: 7, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4}));
     }
+    option.series.push(...besideIt(theme, beside, one => one.fitted.x.map((x, i) => [x, one.fitted.y[i]])));
     option.series.push(line(kick.fitted.x.map((x, i) => [x, kick.fitted.y[i]]), theme.text, 2, 5));
     option.series.push({
       type: 'scatter', z: 6,
@@ -345,10 +362,10 @@ const Plots = (() => {
   }
 
   /** Speed over the ground over time. */
-  function speed(theme, kick) {
+  function speed(theme, kick, beside = []) {
     const {cameras} = prepare(kick);
-    const option = timeAxes(base(theme, 'time since the kick [s]', 'speed [m/s]'), kick);
-    const top = Math.max(0.1, Math.hypot(kick.vx, kick.vy), ...kick.fitted.speed) * 1.1;
+    const option = timeAxes(base(theme, 'time since the kick [s]', 'speed [m/s]'), kick, beside);
+    const top = Math.max(0.1, ...[kick, ...beside].flatMap(one => [Math.hypot(one.vx, one.vy), ...one.fitted.speed])) * 1.1;
     option.yAxis.min = 0;
     option.yAxis.max = Math.ceil(top * 2) / 2;
     option.series.push(eventLines(theme, kick));
@@ -357,6 +374,7 @@ const Plots = (() => {
       const rows = used.filter(row => known(row.speed) && row.t >= 0);
       option.series.push(points(style, camera, rows, row => [row.t, Math.max(0, Math.min(option.yAxis.max, row.speed))]));
     }
+    option.series.push(...besideIt(theme, beside, one => speedLine(one.fitted)));
     option.series.push({type: 'line', data: speedLine(kick.fitted), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, z: 5});
     option.tooltip.formatter = tipOf(option, (row, camera) => tip(number(row.speed, 3) + ' m/s, camera ' + camera, seconds(row), 'fitted ' + number(along(kick.fitted, 'speed', row.t), 3) + ' m/s'));
     return option;
@@ -369,11 +387,21 @@ const Plots = (() => {
     return [4, 6, 8, 10, 15, 20, 30, 40, 60, 80, 100, 150, 200, 300].find(range => range >= wanted) || Math.ceil(wanted / 100) * 100;
   }
 
+  /** The mean over the time around each observation; gaps where there is none, and at the kick. */
+  function runningMean(used, column) {
+    const mean = [];
+    used.filter(row => known(row[column + 'Mean'])).forEach((row, i, all) => {
+      if (i > 0 && (row.t - all[i - 1].t > 4 * HALF_WINDOW || (row.t >= 0) !== (all[i - 1].t >= 0))) mean.push([row.t, null]);
+      mean.push([row.t, row[column + 'Mean']]);
+    });
+    return mean;
+  }
+
   /** Residuals along or across the direction of travel; what is outside the plot stands at its edge. */
-  function residual(theme, kick, column, noises) {
+  function residual(theme, kick, column, noises, beside = []) {
     const {cameras} = prepare(kick);
     const range = residualRange(cameras);
-    const option = timeAxes(base(theme, 'time since the kick [s]', column + ' [mm]'), kick);
+    const option = timeAxes(base(theme, 'time since the kick [s]', column + ' [mm]'), kick, beside);
     Object.assign(option.yAxis, {min: -range, max: range, interval: range / 2});
     const noise = Math.max(0, ...cameras.map(({camera}) => noises[camera]).filter(known));
     option.series.push(Object.assign(eventLines(theme, kick), noise === 0 ? {} : {
@@ -391,22 +419,18 @@ const Plots = (() => {
       };
       add(used, {symbolSize: 4});
       add(outliers, {symbolSize: 8, itemStyle: {color: 'transparent', borderColor: style.colour, borderWidth: 1.5}, z: 4});
-      const mean = [];
-      used.filter(row => known(row[column + 'Mean'])).forEach((row, i, all) => {
-        if (i > 0 && (row.t - all[i - 1].t > 4 * HALF_WINDOW || (row.t >= 0) !== (all[i - 1].t >= 0))) mean.push([row.t, null]);
-        mean.push([row.t, row[column + 'Mean']]);
-      });
-      option.series.push({type: 'line', ...packed(mean), symbol: 'none', silent: true, lineStyle: {color: style.colour, width: 2}, z: 5});
+      option.series.push({type: 'line', ...packed(runningMean(used, column)), symbol: 'none', silent: true, lineStyle: {color: style.colour, width: 2}, z: 5});
     }
+    option.series.push(...besideIt(theme, beside, one => prepare(one).cameras.flatMap(({used}) => [...runningMean(used, column), [null, null]])));
     option.tooltip.formatter = tipOf(option, (row, camera) => tip('Camera ' + camera + (row.used ? '' : ', outlier'), seconds(row), signed(row.along, 1) + ' mm along, ' + signed(row.across, 1) + ' mm across'));
     return option;
   }
 
   /** Height over time; the seen one is what the ray implies in the plane of the fitted path. */
-  function height(theme, kick) {
+  function height(theme, kick, beside = []) {
     const {cameras} = prepare(kick);
-    const option = timeAxes(base(theme, 'time since the kick [s]', 'height [m]'), kick);
-    const top = Math.max(0.05, ...kick.fitted.z) * 1.15;
+    const option = timeAxes(base(theme, 'time since the kick [s]', 'height [m]'), kick, beside);
+    const top = Math.max(0.05, ...[kick, ...beside].flatMap(one => one.fitted.z)) * 1.15;
     option.yAxis.min = 0;
     option.yAxis.max = Math.ceil(top * 20) / 20;
     option.yAxis.axisLabel.showMaxLabel = false;
@@ -415,12 +439,13 @@ const Plots = (() => {
       const rows = used.filter(row => known(row.height) && row.t >= 0);
       option.series.push(points(theme.camera(camera), camera, rows, row => [row.t, Math.max(0, Math.min(option.yAxis.max, row.height))]));
     }
+    option.series.push(...besideIt(theme, beside, one => one.fitted.t.map((t, i) => [t, one.fitted.z[i]])));
     option.series.push({type: 'line', data: kick.fitted.t.map((t, i) => [t, kick.fitted.z[i]]), symbol: 'none', silent: true, lineStyle: {color: theme.text, width: 2}, areaStyle: {color: theme.text, opacity: 0.06}, z: 5});
     option.tooltip.formatter = tipOf(option, (row, camera) => tip(number(row.height * 1000, 0) + ' mm high, camera ' + camera, seconds(row), 'fitted ' + number(along(kick.fitted, 'z', row.t) * 1000, 0) + ' mm'));
     return option;
   }
 
-    return {
-    AXES, inFiles, asPublished, kickSpeed, kickDirection, endWords, robotName, isUsed, sigmas, prepare, parameter, path, speed, residual, height,
+  return {
+    AXES, along, inFiles, asPublished, kickSpeed, kickDirection, endWords, robotName, isUsed, sigmas, prepare, parameter, path, speed, residual, height,
   };
 })();

@@ -17,11 +17,15 @@ const CalibrationViews = (() => {
     const [level, mark] = DECISIONS[words.decision];
     box.className = level;
     box.replaceChildren(
+      Frame.copyButton(() => inWords(words, warnings), 'the verdict'),
       el('p', {class: 'decision'}, el('b', {class: 'action'}, mark + ' ' + words.title[0].toUpperCase() + words.title.slice(1)), words.toDo.join(' ')),
       ...words.reasons.map(reason => el('p', {class: 'reason'}, reason)),
       ...words.notes.map(note => el('p', {class: 'note'}, note)));
     if (warnings.length) box.append(el('ul', {}, warnings.map(warning => el('li', {}, warning))));
   }
+
+  /** The same as text. */
+  const inWords = (words, warnings) => ['Verdict: ' + words.title + '. ' + words.toDo.join(' '), ...words.reasons, ...words.notes, ...warnings].join('\n') + '\n';
 
   /** The decision as a badge, for a line that has no room for more. */
   function decisionBadge(words) {
@@ -40,12 +44,18 @@ const CalibrationViews = (() => {
   function modelRow(parameter) {
     const digits = Charts.decimals(parameter.standardError);
     return el('tr', {},
-      el('td', {class: 'text'}, Plots.inFiles(parameter.name), parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
+      el('td', {class: 'text wrap'}, parameter.words, parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
       el('td', {class: 'big', title: known(parameter.sigma) ? 'scatter between the kicks beyond their own errors: ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
       el('td', {}, parameter.n),
       el('td', {}, withError(parameter.joint, parameter.jointStandardError)),
       el('td', {}, Plots.asPublished(parameter.published)),
       el('td', {title: parameter.note || null}, difference(parameter)));
+  }
+
+  /** The same for a spreadsheet: values between tabulators, SI units. */
+  function modelAsText(report) {
+    const rows = report.models.flatMap(model => model.parameters.map(p => [Plots.inFiles(p.name), p.unit, p.mean, p.standardError, p.n, p.joint, p.jointStandardError, p.published]));
+    return [['parameter', 'unit', 'mean', 'standard_error', 'n', 'joint', 'joint_standard_error', 'published'], ...rows].map(row => row.map(value => known(value) || value ? value : '').join('\t')).join('\n') + '\n';
   }
 
   /** The models with their errors beside what is published. */
@@ -61,6 +71,7 @@ const CalibrationViews = (() => {
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
     return [
+      Frame.copyButton(() => modelAsText(report), 'the table, for a spreadsheet'),
       el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, body))),
       ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => Plots.inFiles(p.name) + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note))];
   }
@@ -169,11 +180,12 @@ const CalibrationViews = (() => {
     ];
   }
 
-  function kickLegend(theme, kick) {
+  function kickLegend(theme, kick, beside = []) {
     return [
       ...Plots.prepare(kick).cameras.map(({camera}) => el('span', {}, swatch(theme.camera(camera).symbol, theme.camera(camera).colour), 'camera ' + camera)),
       el('span', {}, swatch('circle', theme.muted, true), 'outlier'), el('span', {}, swatch('line', theme.text), 'fitted'), el('span', {}, swatch('line', theme.muted), 'other kicks'),
-      el('span', {}, swatch('band', theme.good), 'noise ± 2σ')];
+      el('span', {}, swatch('band', theme.good), 'noise ± 2σ'),
+      ...(beside.length ? [el('span', {class: 'beside'}, swatch('line', theme.warn), 'marked: ' + beside.map(one => one.id).join(', '))] : [])];
   }
 
   /** Places for a kick's pictures; made anew only when another sort of kick has others. */
@@ -197,14 +209,14 @@ const CalibrationViews = (() => {
     }
   }
 
-  /** The pictures of one kick: path among the others of its kind, speed, height, residuals; when(place, paint) says when each is painted. */
-  function drawKick(theme, box, report, kick, when = (place, paint) => paint()) {
+  /** The pictures of one kick: path among the others of its kind, speed, height, residuals, with the lines of kicks beside it; when(place, paint) says when each is painted. */
+  function drawKick(theme, box, report, kick, when = (place, paint) => paint(), beside = []) {
     const others = report.kicks.filter(k => k.kind === kick.kind && k.id !== kick.id);
     const noises = Object.fromEntries(report.cameras.map(c => [c.id, c.noiseMm]));
     const options = {
-      path: place => Plots.path(theme, kick, others, report.field, {width: place.clientWidth, height: place.clientHeight}),
-      speed: () => Plots.speed(theme, kick), height: () => Plots.height(theme, kick),
-      along: () => Plots.residual(theme, kick, 'along', noises), across: () => Plots.residual(theme, kick, 'across', noises),
+      path: place => Plots.path(theme, kick, others, report.field, {width: place.clientWidth, height: place.clientHeight}, beside),
+      speed: () => Plots.speed(theme, kick, beside), height: () => Plots.height(theme, kick, beside),
+      along: () => Plots.residual(theme, kick, 'along', noises, beside), across: () => Plots.residual(theme, kick, 'across', noises, beside),
     };
     for (const place of box.querySelectorAll('[data-plot]')) when(place, () => draw(place, options[place.dataset.plot](place)));
   }

@@ -71,6 +71,25 @@ const Frame = (() => {
     return svg;
   }
 
+  /** A button that copies a text. Where a browser lets nobody write to the clipboard, the text is shown to be copied by hand. */
+  function copyButton(text, what) {
+    const press = async () => {
+      try {
+        await navigator.clipboard.writeText(text());
+        node.textContent = '✔ copied';
+      } catch (refused) {
+        const copy = el('textarea', {class: 'copied', readonly: '', rows: 4, 'aria-label': what}, text());
+        node.after(copy);
+        copy.select();
+        copy.addEventListener('blur', () => copy.remove());
+        node.textContent = 'Ctrl+C copies it';
+      }
+      setTimeout(() => { node.textContent = 'Copy'; }, 3000);
+    };
+    const node = el('button', {type: 'button', class: 'copy', title: 'Copies ' + what, 'aria-label': 'Copy ' + what, onclick: press}, 'Copy');
+    return node;
+  }
+
   // ---- what a report is made from ----
 
   /** The line under the heading and the one at the end of the page. */
@@ -135,5 +154,5 @@ const Frame = (() => {
     page.showAll();
   }
 
-  return {$, content, charts, screen, draw, forget, figure, choices, badge, swatch, showProvenance, showProblems, start};
+  return {$, content, charts, screen, draw, forget, figure, choices, badge, swatch, copyButton, showProvenance, showProblems, start};
 })();

@@ -1,0 +1,137 @@
+package fieldcal.app.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Nothing is cut off, on a small laptop, a large screen and a phone: the console's pages, the report, and what the mouse shows. */
+class LayoutTest {
+  /** What hides a part of a badge, a button or a number: an edge of the window, or of a box that clips; a box that scrolls does so only on a wide screen. */
+  private static final String CUT_OFF =
+      """
+      const narrow = innerWidth < 700, cut = [];
+      for (const node of document.querySelectorAll('.badge, button, input, select, td.big, h2, .legend span')) {
+        const box = node.getBoundingClientRect();
+        if (box.width === 0) continue;
+        let scrolls = false;
+        for (let above = node.parentElement; above && above !== document.body; above = above.parentElement) {
+          const style = getComputedStyle(above);
+          if (style.overflowX === 'visible') continue;
+          if (style.overflowX === 'auto' || style.overflowX === 'scroll') { scrolls = true; if (narrow) continue; }
+          const edge = above.getBoundingClientRect();
+          if (box.right > edge.right + 1 || box.left < edge.left - 1) cut.push(node.textContent.trim() + ' in ' + (above.id || above.className));
+        }
+        if (!(scrolls && narrow) && (box.right > innerWidth + 1 || box.left < -1)) cut.push(node.textContent.trim() + ' in the window');
+      }
+      if (document.documentElement.scrollWidth > innerWidth + 1) cut.push('the page is ' + document.documentElement.scrollWidth + ' px wide');
+      return cut;
+      """;
+
+  /** Where the points of the parameters' plots are in the window. */
+  private static final String POINTS =
+      """
+      return [...document.querySelectorAll('#parameters .chart')].flatMap(box => {
+        const chart = Frame.charts.get(box), edge = box.getBoundingClientRect();
+        return chart.getOption().series.filter(s => s.type === 'scatter' && !s.silent).flatMap(s => s.data).map(point => {
+          const [x, y] = chart.convertToPixel({xAxisIndex: 0, yAxisIndex: 0}, point.value);
+          return [edge.left + x + point.symbolOffset[0], edge.top + y + point.symbolOffset[1]];
+        });
+      });
+      """;
+
+  /** Corners of the tip that is shown which something lies over, or which are outside the window; null when none is shown. */
+  private static final String HIDDEN_CORNERS =
+      """
+      const tip = [...document.querySelectorAll('.tip')].find(node => getComputedStyle(node.parentElement).visibility !== 'hidden' && node.parentElement.style.opacity !== '0');
+      if (!tip) return null;
+      tip.parentElement.style.pointerEvents = 'auto';
+      const at = tip.getBoundingClientRect(), hidden = [];
+      for (const [x, y] of [[at.left + 2, at.top + 2], [at.right - 2, at.top + 2], [at.left + 2, at.bottom - 2], [at.right - 2, at.bottom - 2]]) {
+        if (!tip.contains(document.elementFromPoint(x, y))) hidden.push(x + ', ' + y + ' of ' + tip.textContent);
+      }
+      tip.parentElement.style.pointerEvents = 'none';
+      return hidden;
+      """;
+
+  @TempDir private static Path folder;
+  private static RunningConsole console;
+
+  @BeforeAll
+  static void start() throws IOException {
+    Path session = folder.resolve("session");
+    SampleSession.copy(SampleSession.small(), session);
+    console = RunningConsole.start(session);
+    console.settled();
+  }
+
+  @AfterAll
+  static void stop() {
+    if (console != null) {
+      console.close();
+    }
+  }
+
+  private static void assertWhole(Browser browser, String what) {
+    browser.awaitGone("[data-waiting]");
+    assertThat((List<?>) browser.script(CUT_OFF)).as(what).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280,720", "1920,1080", "390,844"})
+  void nothingIsCutOff(int width, int height) {
+    try (Browser browser = new Browser(width, height)) {
+      browser.open(console.url() + "#kicks/1");
+      browser.find("#kick[data-shown='1']");
+      for (String page : List.of("kicks", "play", "diagnosis", "publish", "match", "recordings")) {
+        browser.script("location.hash = arguments[0]", page);
+        browser.find("#page-" + page + ":not([hidden])");
+        assertWhole(browser, page);
+      }
+      browser.script("location.hash = 'publish'");
+      browser.type("#send-address", "127.0.0.1");
+      browser.type("#send-port", "10006");
+      browser.click("#send-button");
+      browser.awaitText("#dialog", "acc_slide");
+      assertWhole(browser, "the question before sending");
+      assertThat(
+              browser.script(
+                  "const box = document.getElementById('dialog'); return box.scrollWidth <="
+                      + " box.clientWidth"))
+          .isEqualTo(true);
+      browser.open(console.url() + "files/report.html");
+      browser.find("#kick-charts canvas");
+      assertWhole(browser, "report");
+      browser.assertNoComplaints();
+    }
+  }
+
+  /** A tooltip is higher than the plot of a parameter; all of it must be seen. */
+  @Test
+  void whatTheMouseShowsIsWhole() {
+    try (Browser browser = new Browser()) {
+      browser.open(console.url() + "#kicks/1");
+      browser.find("#kick[data-shown='1']");
+      browser.awaitGone("[data-waiting]");
+      List<?> points = (List<?>) browser.script(POINTS);
+      assertThat(points).hasSizeGreaterThan(SampleSession.KICKS);
+      for (Object point : points) {
+        List<?> place = (List<?>) point;
+        browser.command(
+            "Input.dispatchMouseEvent",
+            Map.of("type", "mouseMoved", "x", place.get(0), "y", place.get(1)));
+        browser.await(
+            "a tip at " + place, d -> browser.script(HIDDEN_CORNERS) == null ? null : true);
+        assertThat((List<?>) browser.script(HIDDEN_CORNERS)).as("at %s", place).isEmpty();
+      }
+    }
+  }
+}
