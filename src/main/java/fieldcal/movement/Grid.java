@@ -85,6 +85,31 @@ public final class Grid {
     outside += other.outside;
   }
 
+  /** Tells each cell that holds something, and as last one what lay outside. */
+  void cells(MovementCells.Sink sink) {
+    for (int i = 0; i < counts.length; i++) {
+      if (counts[i] > 0) {
+        sink.cell(i, centreX(i % columns), centreY(i / columns), counts[i]);
+      }
+    }
+    if (outside > 0) {
+      sink.cell(counts.length, Double.NaN, Double.NaN, outside);
+    }
+  }
+
+  /** Adds what {@link #cells} told; false when there is no such cell. */
+  boolean addCell(int cell, long count) {
+    if (cell < 0 || cell > counts.length || count < 0) {
+      return false;
+    }
+    if (cell == counts.length) {
+      outside += count;
+    } else {
+      counts[cell] += count;
+    }
+    return true;
+  }
+
   /** Forgets everything. */
   public void clear() {
     Arrays.fill(counts, 0);

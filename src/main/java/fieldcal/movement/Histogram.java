@@ -69,6 +69,32 @@ public final class Histogram {
     samples += other.samples;
   }
 
+  /** Tells each bin that holds something, and as last one, numbered {@link #bins}, what lay beyond. */
+  void cells(MovementCells.Sink sink) {
+    for (int i = 0; i < counts.length; i++) {
+      if (counts[i] > 0) {
+        sink.cell(i, (i + 0.5) * width, Double.NaN, counts[i]);
+      }
+    }
+    if (beyond > 0) {
+      sink.cell(counts.length, Double.NaN, Double.NaN, beyond);
+    }
+  }
+
+  /** Adds what {@link #cells} told; false when there is no such bin. */
+  boolean addCell(int bin, long count) {
+    if (bin < 0 || bin > counts.length || count < 0) {
+      return false;
+    }
+    if (bin == counts.length) {
+      beyond += count;
+    } else {
+      counts[bin] += count;
+    }
+    samples += count;
+    return true;
+  }
+
   /** Forgets everything. */
   public void clear() {
     Arrays.fill(counts, 0);

@@ -78,6 +78,28 @@ final class ManoeuvreTable {
     samples += other.samples;
   }
 
+  /** Tells each cell that holds something, with its acceleration and its speed. */
+  void cells(MovementCells.Sink sink) {
+    Columns columns = columns();
+    int i = 0;
+    for (Map.Entry<Integer, Integer> cell : cells.entrySet()) {
+      sink.cell(cell.getKey(), columns.acceleration[i], columns.speed[i], cell.getValue());
+      i++;
+    }
+  }
+
+  /** Adds what {@link #cells} told; false when there is no such cell. */
+  boolean addCell(int cell, long count) {
+    int strongest = (int) (Math.log(STRONGEST / WEAKEST) / LOG_STEP);
+    int all = (strongest + 1) * ERROR_CLASSES * SPEEDS * (DIRECTIONS + 1);
+    if (cell < 0 || cell >= all || count < 0 || count > Integer.MAX_VALUE) {
+      return false;
+    }
+    cells.merge(cell, (int) count, Math::addExact);
+    samples += count;
+    return true;
+  }
+
   void clear() {
     cells.clear();
     samples = 0;

@@ -146,6 +146,34 @@ public final class TeamStatistics {
     return Integer.bitCount(robots);
   }
 
+  /** Tells each robot that was seen to manoeuvre as a cell. */
+  void robotCells(MovementCells.Sink sink) {
+    for (int robot = 0; robot <= ROBOTS; robot++) {
+      if ((robots >> robot & 1) == 1) {
+        sink.cell(robot, robot, Double.NaN, 1);
+      }
+    }
+  }
+
+  /** Adds what {@link #robotCells} told; false when there is no such robot. */
+  boolean addRobot(int robot) {
+    boolean known = robot >= 0 && robot <= ROBOTS;
+    if (known) {
+      robots |= 1 << robot;
+    }
+    return known;
+  }
+
+  boolean addManoeuvres(long count) {
+    manoeuvres += Math.max(0, count);
+    return count >= 0;
+  }
+
+  /** Made when it is not there. */
+  Histogram cruisingOf(int robot) {
+    return cruising.computeIfAbsent(robot, key -> speeds());
+  }
+
   /** Speeds of manoeuvres at constant velocity, by the robot's number. */
   Map<Integer, Histogram> cruising() {
     return cruising;

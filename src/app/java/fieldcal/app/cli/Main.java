@@ -28,7 +28,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       PlayCommand.class,
       RecordCommand.class,
       TwinCommand.class,
-      CompareCommand.class
+      CompareCommand.class,
+      ArchiveCommand.class
     })
 public final class Main {
   private static final int BAD_INPUT = 1;

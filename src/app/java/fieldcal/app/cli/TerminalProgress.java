@@ -75,6 +75,13 @@ final class TerminalProgress implements AutoCloseable {
     bar.stepTo(done);
   }
 
+  /** Shows more behind the bar. */
+  void note(String what) {
+    if (bar != null) {
+      bar.setExtraMessage(what);
+    }
+  }
+
   @Override
   public void close() {
     if (bar != null) {

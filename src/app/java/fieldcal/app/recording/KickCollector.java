@@ -13,6 +13,7 @@ import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
 import fieldcal.gamelog.RecordingSummary;
+import fieldcal.gamelog.RefereeState;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderCounts;
@@ -58,6 +59,7 @@ public final class KickCollector {
   }
 
   private final Progress progress;
+  private final RecordingListener beside;
   private final List<Kick> kicks = new ArrayList<>();
   private final Map<Integer, String> sources = new HashMap<>();
   private final Map<Integer, CameraCalibration> calibrations = new TreeMap<>();
@@ -81,7 +83,18 @@ public final class KickCollector {
    * @param progress told how far the reading is
    */
   public KickCollector(Progress progress) {
+    this(progress, new RecordingListener() {});
+  }
+
+  /**
+   * A collector that lets somebody else read along, so that a recording is read once for several purposes.
+   *
+   * @param progress told how far the reading is
+   * @param beside is told all that the recordings hold, but no progress
+   */
+  public KickCollector(Progress progress, RecordingListener beside) {
     this.progress = progress;
+    this.beside = beside;
   }
 
   /**
@@ -283,6 +296,7 @@ public final class KickCollector {
 
     @Override
     public void onGeometry(FieldGeometry next) {
+      beside.onGeometry(next);
       if (geometry.isEmpty() || next.completes(geometry.get())) {
         geometry = Optional.of(next);
       }
@@ -361,6 +375,7 @@ public final class KickCollector {
 
     @Override
     public void onFrame(VisionFrame frame, double receivedTime) {
+      beside.onFrame(frame, receivedTime);
       int number = numbers.getOrDefault(frame.cameraId(), frame.cameraId());
       VisionFrame known = number == frame.cameraId() ? frame : renumbered(frame, number);
       if (Double.isNaN(sessionStart)) {
@@ -376,7 +391,13 @@ public final class KickCollector {
     }
 
     @Override
+    public void onReferee(RefereeState state, double receivedTime) {
+      beside.onReferee(state, receivedTime);
+    }
+
+    @Override
     public void onClockJump(int cameraId, double jump) {
+      beside.onClockJump(cameraId, jump);
       clocks.computeIfAbsent(cameraId, id -> new ClockComparison()).jumped();
     }
 

@@ -1,0 +1,217 @@
+package fieldcal.archive;
+
+import fieldcal.app.files.WholeFile;
+import fieldcal.archive.match.Fingerprint;
+import fieldcal.archive.table.ParquetFile;
+import fieldcal.archive.table.Row;
+import fieldcal.archive.table.Table;
+import fieldcal.archive.table.Tables;
+import java.io.IOException;
+import java.io.Serializable;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/**
+ * An archive on the disk: {@code TABLE/tournament=T/match=M/LOG.parquet} for each table, and {@code state/} with one record for each log that is done. A log's files are written aside and
+ * moved into place, its record comes last; so a run that was killed leaves whole logs, and whatever it leaves of another one is replaced by the same bytes.
+ *
+ * @param root of the archive, absolute; the same on every machine that works on it
+ */
+record ArchiveFolder(String root) implements Serializable {
+  /** Grows when the tables change: what another release wrote is written again. */
+  private static final int FORMAT = 1;
+
+  private static final String STATE = "state";
+  private static final String DONE = ".done";
+  private static final String UNFINISHED = "unfinished-";
+
+  private Path state() {
+    return Path.of(root, STATE);
+  }
+
+  /** Whether somebody began an archive here. */
+  boolean begun() {
+    return Files.isDirectory(state());
+  }
+
+  /** Makes what is missing, and clears away what a killed run left aside. Only for the one who holds the lock. */
+  void prepare() throws IOException {
+    Files.createDirectories(state());
+    for (Path left : list(state(), UNFINISHED)) {
+      delete(left);
+    }
+  }
+
+  /** Fingerprints of all logs that have a record. */
+  List<String> done() throws IOException {
+    List<String> logs = new ArrayList<>();
+    try (Stream<Path> files = Files.list(state())) {
+      files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(DONE))
+          .map(name -> name.substring(0, name.length() - DONE.length()))
+          .sorted()
+          .forEach(logs::add);
+    }
+    return logs;
+  }
+
+  /**
+   * Whether a log is done: by this release, under this name, and every file that its record names is there as it was written. Otherwise what is there of it is removed.
+   */
+  boolean isDone(LogFile log) throws IOException {
+    Path record = state().resolve(log.log() + DONE);
+    if (!Files.exists(record)) {
+      return false;
+    }
+    List<String> lines = Files.readAllLines(record);
+    boolean good = !lines.isEmpty() && lines.get(0).equals(head(log));
+    for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
+      String[] cells = line.split("\t");
+      Path file = Path.of(root, cells[0]);
+      good = good && Files.exists(file) && Fingerprint.of(file).equals(cells[1]);
+    }
+    if (!good) {
+      for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
+        Files.deleteIfExists(Path.of(root, line.split("\t")[0]));
+      }
+      Files.delete(record);
+    }
+    return good;
+  }
+
+  private static String head(LogFile log) {
+    String version = ArchiveFolder.class.getPackage().getImplementationVersion();
+    return String.join(
+        "\t",
+        "fieldcal.archive/" + FORMAT,
+        version == null ? "development" : version,
+        log.tournament(),
+        log.match(),
+        log.name());
+  }
+
+  /** Where the rows of a table are that come from one log. */
+  Path file(Table table, LogFile log) {
+    return Path.of(root)
+        .resolve(table.name())
+        .resolve("tournament=" + log.tournament())
+        .resolve("match=" + log.match())
+        .resolve((log.log() == null ? "unreadable" : log.log()) + ".parquet");
+  }
+
+  /** Row of the table matches as the log alone knows it. */
+  private Path summary(LogFile log) {
+    return state().resolve(log.log() + ".match.parquet");
+  }
+
+  /**
+   * Writes all rows of a log.
+   *
+   * @param log with fingerprint
+   * @param rows of each table; tables without rows get no file
+   * @param attempt a name that no other attempt has
+   */
+  void commit(LogFile log, Map<Table, List<Row>> rows, String attempt) throws IOException {
+    Path aside = Files.createDirectories(state().resolve(UNFINISHED + attempt));
+    Map<Path, Path> moves = new LinkedHashMap<>();
+    StringBuilder record = new StringBuilder(head(log)).append('\n');
+    for (Map.Entry<Table, List<Row>> entry : rows.entrySet()) {
+      Table table = entry.getKey();
+      if (entry.getValue().isEmpty()) {
+        continue;
+      }
+      Path written = aside.resolve(table.name() + ".parquet");
+      ParquetFile.write(table, entry.getValue(), written);
+      Path target = table == Tables.MATCHES ? summary(log) : file(table, log);
+      moves.put(written, target);
+      record
+          .append(Path.of(root).relativize(target))
+          .append('\t')
+          .append(Fingerprint.of(written))
+          .append('\n');
+    }
+    for (Map.Entry<Path, Path> move : moves.entrySet()) {
+      Files.createDirectories(move.getValue().getParent());
+      move(move.getKey(), move.getValue());
+    }
+    delete(aside);
+    WholeFile.write(record.toString(), state().resolve(log.log() + DONE));
+  }
+
+  /** Replaces a file of the archive in one step. */
+  static void replace(Table table, List<Row> rows, Path target) throws IOException {
+    Files.createDirectories(target.getParent());
+    Path written = target.resolveSibling(target.getFileName() + ".part");
+    ParquetFile.write(table, rows, written);
+    move(written, target);
+  }
+
+  private static void move(Path from, Path to) throws IOException {
+    try {
+      Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (AtomicMoveNotSupportedException e) {
+      Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  /** The match of a log that is done. */
+  Optional<Row> match(LogFile log) throws IOException {
+    Path file = summary(log);
+    return Files.exists(file)
+        ? Optional.of(ParquetFile.read(Tables.MATCHES, file).get(0))
+        : Optional.empty();
+  }
+
+  /** All rows of a table that come from one log. */
+  List<Row> rows(Table table, LogFile log) throws IOException {
+    Path file = file(table, log);
+    return Files.exists(file) ? ParquetFile.read(table, file) : List.of();
+  }
+
+  /** Removes files and folders of a table whose logs are not among those given. */
+  void keepOnly(Table table, List<LogFile> logs) throws IOException {
+    Map<Path, LogFile> expected = new TreeMap<>();
+    logs.forEach(log -> expected.put(file(table, log), log));
+    Path folder = Path.of(root, table.name());
+    if (!Files.isDirectory(folder)) {
+      return;
+    }
+    List<Path> all;
+    try (Stream<Path> files = Files.walk(folder)) {
+      all = files.sorted(Comparator.reverseOrder()).toList();
+    }
+    for (Path path : all) {
+      boolean emptyFolder = Files.isDirectory(path) && list(path, "").isEmpty();
+      if (emptyFolder || Files.isRegularFile(path) && !expected.containsKey(path)) {
+        Files.delete(path);
+      }
+    }
+  }
+
+  private static List<Path> list(Path folder, String prefix) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.filter(file -> file.getFileName().toString().startsWith(prefix)).toList();
+    }
+  }
+
+  private static void delete(Path path) throws IOException {
+    List<Path> all;
+    try (Stream<Path> files = Files.walk(path)) {
+      all = files.sorted(Comparator.reverseOrder()).toList();
+    }
+    for (Path one : all) {
+      Files.deleteIfExists(one);
+    }
+  }
+}

@@ -1,0 +1,247 @@
+package fieldcal.archive.table;
+
+import static fieldcal.archive.table.ColumnType.BOOLEAN;
+import static fieldcal.archive.table.ColumnType.DOUBLE;
+import static fieldcal.archive.table.ColumnType.INT;
+import static fieldcal.archive.table.ColumnType.INTS;
+import static fieldcal.archive.table.ColumnType.LONG;
+import static fieldcal.archive.table.ColumnType.TEXT;
+import static fieldcal.archive.table.ColumnType.TIME;
+
+import java.util.List;
+
+/** Which tables the archive has. SI units; angles in radians; instants in UTC. {@code docs/archive.md} lists the same columns, and a test compares. */
+public final class Tables {
+  private static final String COLOUR = "colour";
+  private static final String LOG_MEANING =
+      "content of the log: the first 16 hexadecimal digits of its SHA-256";
+
+  private Tables() {}
+
+  /** One row for each kick that was found. */
+  public static final Table KICKS = kicks();
+
+  /** One row for each match. */
+  public static final Table MATCHES = matches();
+
+  /** One row for each camera of each match. */
+  public static final Table CAMERAS = cameras();
+
+  /** One row for each quantity of each team or robot of each match. */
+  public static final Table ROBOTS = robots();
+
+  /** One row for each cell that counted something. */
+  public static final Table LIMITS_HISTOGRAMS = limitsHistograms();
+
+  /** One row for each thing that was wrong. */
+  public static final Table PROBLEMS = problems();
+
+  /** All of them, in the order of the documentation. */
+  public static final List<Table> ALL =
+      List.of(KICKS, MATCHES, CAMERAS, ROBOTS, LIMITS_HISTOGRAMS, PROBLEMS);
+
+  private static Table.Builder table(String name, String meaning) {
+    return new Table.Builder(name, meaning).always(TEXT, "log", "", LOG_MEANING);
+  }
+
+  private static Table.Builder model(Table.Builder builder) {
+    return builder
+        .estimate("acc_slide", "m/s²", "acceleration while sliding, negative")
+        .estimate("acc_roll", "m/s²", "acceleration while rolling, negative")
+        .estimate("k_switch", "", "speed at the start of rolling as a fraction of the kick's")
+        .estimate("damping_xy_first_hop", "", "horizontal damping at the first impact")
+        .estimate("damping_xy_other_hops", "", "horizontal damping at later impacts")
+        .estimate("damping_z", "", "vertical damping at an impact");
+  }
+
+  private static Table kicks() {
+    Table.Builder kicks =
+        table("kicks", "A kick that was found.")
+            .always(INT, "kick", "", "running number within the log, from 1")
+            .always(TIME, "time", "", "when the ball was kicked")
+            .maybe(TEXT, "team", "", "name of the kicker's team, as the referee says")
+            .maybe(TEXT, COLOUR, "", "yellow or blue; missing when no robot was near enough")
+            .maybe(INT, "robot", "", "number of the kicker")
+            .maybe(TEXT, "kind", "", "flat or chip; missing when the kick could not be fitted")
+            .always(DOUBLE, "x", "m", "where the ball was kicked")
+            .always(DOUBLE, "y", "m", "where the ball was kicked")
+            .estimate("speed", "m/s", "right after the kick, the vertical part of a chip included")
+            .maybe(DOUBLE, "direction", "rad", "in the plane, from x towards y")
+            .maybe(DOUBLE, "elevation", "rad", "above the plane; 0 for a flat kick")
+            .always(TEXT, "end", "", "stopped, left_field, touched_robot, lost or recording_ended")
+            .always(DOUBLE, "duration", "s", "from the kick to the end of its observations")
+            .always(BOOLEAN, "from_rest", "", "whether the ball lay still before")
+            .always(BOOLEAN, "may_spin", "", "whether the ball was dribbled before")
+            .always(
+                INTS,
+                "cameras",
+                "",
+                "ids of the cameras that saw it, ascending; an id of 100 or more is a camera that"
+                    + " was calibrated again during the match")
+            .always(INT, "observations", "", "detections of its ball")
+            .always(INT, "used", "", "detections that the fit used")
+            .maybe(DOUBLE, "rms_mm", "mm", "residual per axis")
+            .always(
+                BOOLEAN, "selected", "", "whether a parameter of it enters the model of the match")
+            .maybe(TEXT, "not_used_because", "", "why none does");
+    return model(kicks)
+        .maybe(
+            DOUBLE,
+            "published_error_1s",
+            "m",
+            "distance between the ball 1 s after a flat kick and where the published model says"
+                + " that it is; missing for chips, shorter kicks, and without a published model")
+        .build();
+  }
+
+  private static Table matches() {
+    Table.Builder matches =
+        table("matches", "A game log that could be read.")
+            .always(TEXT, "file", "", "name of the log's file")
+            .always(TEXT, "origin", "", "field, or simulation where the log says so")
+            .always(TIME, "start", "", "when the first message was received")
+            .always(DOUBLE, "duration", "s", "from the first message to the last")
+            .always(DOUBLE, "playing", "s", "how long the referee let the match run")
+            .maybe(TEXT, "yellow", "", "name of the yellow team, as the referee says")
+            .maybe(TEXT, "blue", "", "name of the blue team, as the referee says")
+            .maybe(INT, "score_yellow", "", "goals of yellow at the end")
+            .maybe(INT, "score_blue", "", "goals of blue at the end")
+            .maybe(
+                TEXT,
+                "stage",
+                "",
+                "last stage of the match that the referee told, as in SSL_Referee")
+            .maybe(DOUBLE, "field_length", "m", "as published")
+            .maybe(DOUBLE, "field_width", "m", "as published")
+            .maybe(
+                TEXT,
+                "geometry",
+                "",
+                "fingerprint of field size and camera calibrations: equal for the same geometry");
+    for (String name : List.of("acc_slide", "acc_roll")) {
+      matches.maybe(DOUBLE, "published_" + name, "m/s²", "of the model that vision published");
+    }
+    for (String name :
+        List.of("k_switch", "damping_xy_first_hop", "damping_xy_other_hops", "damping_z")) {
+      matches.maybe(DOUBLE, "published_" + name, "", "of the model that vision published");
+    }
+    return model(matches)
+        .always(INT, "kicks", "", "kicks that were found")
+        .always(INT, "flat_kicks", "", "flat kicks that enter the model")
+        .always(INT, "chips", "", "chips that enter the model")
+        .maybe(
+            DOUBLE,
+            "published_error_1s",
+            "m",
+            "root mean square of the kicks' published_error_1s, of kicks whose fit is trusted")
+        .maybe(DOUBLE, "rms_mm", "mm", "residual per axis of all kicks together")
+        .maybe(DOUBLE, "robot_noise", "m", "noise of one coordinate of a driving robot's position")
+        .maybe(
+            DOUBLE,
+            "robot_noise_standing",
+            "m",
+            "the same of robots that stand while the referee says halt")
+        .always(LONG, "frames", "", "frames of all cameras")
+        .always(LONG, "file_bytes", "bytes", "size of the log's file")
+        .always(INT, "problems", "", "rows in problems")
+        .build();
+  }
+
+  private static Table cameras() {
+    return table("cameras", "A camera of a match.")
+        .always(INT, "camera", "", "its id")
+        .always(LONG, "frames", "", "that it sent, duplicates not counted")
+        .maybe(DOUBLE, "rate", "Hz", "frames per second outside of gaps")
+        .always(LONG, "lost", "", "frames that are missing by their numbers, outside of gaps")
+        .always(LONG, "gaps", "", "how often it was silent for more than 0.5 s")
+        .always(DOUBLE, "longest_gap", "s", "0 without gaps")
+        .maybe(DOUBLE, "jitter", "s", "standard deviation of the capture times about an even pace")
+        .maybe(
+            DOUBLE,
+            "latency",
+            "s",
+            "median delay from capture to reception; missing where the clocks differ by more")
+        .maybe(DOUBLE, "clock_difference", "s", "mean of reception minus capture")
+        .maybe(
+            DOUBLE, "clock_rate", "", "seconds of the recorder's clock per second of the camera's")
+        .always(LONG, "ball_detections", "", "balls that it reported, false ones included")
+        .always(LONG, "robot_detections", "", "robots that it reported")
+        .maybe(DOUBLE, "ball_noise", "m", "standard deviation per axis of a resting ball")
+        .estimate(
+            "offset_x", "m", "what it adds to every position, relative to the mean of all cameras")
+        .estimate(
+            "offset_y", "m", "what it adds to every position, relative to the mean of all cameras")
+        .maybe(DOUBLE, "x", "m", "where it hangs, as published")
+        .maybe(DOUBLE, "y", "m", "where it hangs, as published")
+        .maybe(DOUBLE, "height", "m", "how high it hangs above the carpet, as published")
+        .maybe(DOUBLE, "focal_length", "pixels", "as published")
+        .maybe(DOUBLE, "distortion", "", "radial distortion, as published")
+        .maybe(INT, "lens_sign", "", "−1, 0 or 1: the sign of the distortion; some tools drop it")
+        .maybe(TEXT, "calibration", "", "fingerprint of its calibration: equal for the same one")
+        .build();
+  }
+
+  private static Table robots() {
+    return table("robots", "A quantity of a team or of one robot in a match.")
+        .always(TEXT, COLOUR, "", "yellow or blue")
+        .maybe(TEXT, "team", "", "name of the team, as the referee says")
+        .maybe(INT, "robot", "", "number of the robot; missing for all robots of the team together")
+        .always(
+            TEXT,
+            "quantity",
+            "",
+            "velocity_max, acceleration_max, braking_max, the same with league_ before them (the"
+                + " league's estimate), torque_limited, directional, or speed_cap")
+        .maybe(DOUBLE, "value", "m/s, m/s² or none", "missing when it is undetermined")
+        .maybe(DOUBLE, "standard_error", "as value", "missing when it is unknown")
+        .always(LONG, "samples", "", "observations that it rests on")
+        .maybe(
+            BOOLEAN,
+            "reached",
+            "",
+            "false when the robots were never seen at the limit: then the value is a lower bound;"
+                + " missing where it has no meaning")
+        .maybe(
+            TEXT,
+            "note",
+            "",
+            "why it is undetermined or only a bound; for an effect where it was seen")
+        .build();
+  }
+
+  private static Table limitsHistograms() {
+    return table(
+            "limits_histograms",
+            "A cell of a histogram of movements that counted something. Counts of several matches"
+                + " add up, and limits can be estimated from the sums.")
+        .maybe(TEXT, COLOUR, "", "yellow or blue; missing for what both teams share")
+        .maybe(TEXT, "team", "", "name of the team, as the referee says")
+        .always(TEXT, "histogram", "", "which histogram")
+        .maybe(INT, "robot", "", "number of the robot, for histograms of each robot")
+        .always(INT, "cell", "", "number of the cell; one beyond the last for all that lay outside")
+        .maybe(DOUBLE, "x", "of the histogram", "centre of the cell")
+        .maybe(
+            DOUBLE,
+            "y",
+            "of the histogram",
+            "centre of the cell; missing for histograms of one dimension")
+        .always(LONG, "count", "", "how much the cell has counted")
+        .build();
+  }
+
+  private static Table problems() {
+    return new Table.Builder("problems", "Something that was wrong with a log.")
+        .maybe(TEXT, "log", "", LOG_MEANING + "; missing when it cannot be opened at all")
+        .always(TEXT, "file", "", "name of the log's file")
+        .always(
+            BOOLEAN,
+            "fatal",
+            "",
+            "whether the log could not be read: then it has no row in any other table")
+        .always(TEXT, "place", "", "where in the log; the file's name for all of it")
+        .always(TEXT, "what", "", "what was wrong")
+        .always(LONG, "count", "", "how often")
+        .maybe(TEXT, "advice", "", "what it means, or what to do")
+        .build();
+  }
+}

@@ -1,0 +1,217 @@
+package fieldcal.archive;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import fieldcal.app.archive.ArchiveOutcome;
+import fieldcal.app.archive.ArchiveRequest;
+import fieldcal.app.simulation.RecordingFiles;
+import fieldcal.archive.table.ParquetFile;
+import fieldcal.archive.table.Row;
+import fieldcal.archive.table.Table;
+import fieldcal.archive.table.Tables;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.ScenarioSettings;
+import fieldcal.simulation.SimulationSettings;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Whole runs on a few short logs: every table, damage, resumption, order, threads, and what is refused. */
+class ArchiveRunTest {
+  private static final int KICKS = 4;
+
+  @TempDir private static Path folder;
+  private static Path logs;
+  private static Path whole;
+  private static ArchiveOutcome outcome;
+
+  @BeforeAll
+  static void archiveOnce() throws IOException {
+    logs = folder.resolve("logs");
+    for (int seed = 1; seed <= 3; seed++) {
+      simulate(ScenarioSettings.of(ScenarioKind.FLAT, KICKS), seed, "cup/flat-" + seed + ".log.gz");
+    }
+    simulate(ScenarioSettings.of(ScenarioKind.MATCH, 0).withMatch(3, 0.4), 7, "open/match.log");
+    Path open = logs.resolve("open");
+    byte[] flat = Files.readAllBytes(logs.resolve("cup/flat-1.log.gz"));
+    Files.write(open.resolve("cut.log.gz"), Arrays.copyOf(flat, flat.length / 2));
+    Files.writeString(open.resolve("nonsense.log"), "this is no game log, whatever its name says");
+    Files.createFile(open.resolve("empty.log"));
+    Files.copy(logs.resolve("cup/flat-2.log.gz"), open.resolve("the-same.log.gz"));
+    whole = folder.resolve("whole");
+    outcome = run(whole, "local[2,4]", false, logs);
+  }
+
+  private static void simulate(ScenarioSettings scenario, long seed, String name)
+      throws IOException {
+    Path log = logs.resolve(name);
+    Files.createDirectories(log.getParent());
+    RecordingFiles.besides(log)
+        .write(SimulationSettings.DEFAULT.withSeed(seed).withScenario(scenario), share -> {});
+  }
+
+  private static ArchiveOutcome run(Path out, String master, boolean resume, Path... paths)
+      throws IOException {
+    return run(out, master, resume, new AtomicInteger(), paths);
+  }
+
+  private static ArchiveOutcome run(
+      Path out, String master, boolean resume, AtomicInteger read, Path... paths)
+      throws IOException {
+    return new SparkArchive()
+        .run(
+            new ArchiveRequest(List.of(paths), out, Optional.of(master), resume),
+            progress -> read.set(progress.logsDone()));
+  }
+
+  /** Everything but the lock and Spark's messages, by its place. */
+  private static Map<String, byte[]> content(Path archive) throws IOException {
+    Map<String, byte[]> content = new TreeMap<>();
+    try (Stream<Path> files = Files.walk(archive)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        String name = archive.relativize(file).toString();
+        if (!name.equals("lock") && !name.equals("spark-messages.txt")) {
+          content.put(name, Files.readAllBytes(file));
+        }
+      }
+    }
+    return content;
+  }
+
+  private static void assertSame(Path archive) throws IOException {
+    Map<String, byte[]> expected = content(whole);
+    Map<String, byte[]> found = content(archive);
+    assertThat(found.keySet()).isEqualTo(expected.keySet());
+    expected.forEach((name, bytes) -> assertThat(found.get(name)).as(name).isEqualTo(bytes));
+  }
+
+  private static List<Row> rows(Table table) throws IOException {
+    List<Row> rows = new ArrayList<>();
+    try (Stream<Path> files = Files.walk(whole.resolve(table.name()))) {
+      for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
+        rows.addAll(ParquetFile.read(table, file));
+      }
+    }
+    return rows;
+  }
+
+  @Test
+  void everyLogIsInTheTables() throws IOException {
+    assertThat(outcome.logs()).isEqualTo(7);
+    assertThat(outcome.broken()).isEqualTo(2);
+    assertThat(outcome.findings())
+        .anyMatch(line -> line.contains("the-same.log.gz: is the same as"));
+    assertThat(rows(Tables.MATCHES))
+        .extracting(row -> row.text("file"))
+        .containsExactly(
+            "flat-1.log.gz", "flat-2.log.gz", "flat-3.log.gz", "cut.log.gz", "match.log");
+    String first = rows(Tables.MATCHES).get(0).text("log");
+    assertThat(rows(Tables.KICKS))
+        .hasSize((int) outcome.kicks())
+        .filteredOn(row -> row.text("log").equals(first))
+        .hasSizeBetween(KICKS - 1, KICKS)
+        .allSatisfy(
+            row -> {
+              assertThat(row.text("kind")).isEqualTo("flat");
+              assertThat(row.number("acc_slide")).isBetween(-3.5, -2.7);
+            });
+    assertThat(rows(Tables.CAMERAS)).hasSize(5 * 4);
+    assertThat(rows(Tables.ROBOTS)).extracting(row -> row.text("quantity")).contains("braking_max");
+    assertThat(rows(Tables.LIMITS_HISTOGRAMS)).isNotEmpty();
+  }
+
+  @Test
+  void aBrokenLogIsOneRowAmongTheProblems() throws IOException {
+    List<Row> fatal =
+        rows(Tables.PROBLEMS).stream().filter(row -> (Boolean) row.get("fatal")).toList();
+    assertThat(fatal)
+        .extracting(row -> row.text("file"))
+        .containsExactlyInAnyOrder("empty.log", "nonsense.log");
+    assertThat(fatal).allSatisfy(row -> assertThat(row.text("what")).isNotBlank());
+    assertThat(rows(Tables.PROBLEMS))
+        .anyMatch(
+            row ->
+                row.text("file").equals("cut.log.gz") && row.text("what").contains("ends early"));
+  }
+
+  @Test
+  void theOrderOfTheFilesAndTheNumberOfThreadsDoNotMatter() throws IOException {
+    Path other = folder.resolve("other");
+    List<Path> single = new ArrayList<>();
+    try (Stream<Path> files = Files.walk(logs)) {
+      files.filter(file -> file.toString().contains(".log")).forEach(single::add);
+    }
+    single.sort(Comparator.reverseOrder());
+    run(other, "local[1]", false, single.toArray(Path[]::new));
+    assertSame(other);
+  }
+
+  @Test
+  void whatIsMissingOrDamagedIsReadAgainAndNothingElse() throws IOException {
+    Path resumed = folder.resolve("resumed");
+    for (Map.Entry<String, byte[]> file : content(whole).entrySet()) {
+      Path to = resumed.resolve(file.getKey());
+      Files.createDirectories(to.getParent());
+      Files.write(to, file.getValue());
+    }
+    // As a run that was killed leaves it: one log not recorded, one file half, and things put
+    // aside.
+    List<Path> kicks;
+    try (Stream<Path> files = Files.walk(resumed.resolve("kicks"))) {
+      kicks = files.filter(Files::isRegularFile).sorted().toList();
+    }
+    Files.write(kicks.get(0), new byte[100]);
+    String unrecorded = kicks.get(1).getFileName().toString().replace(".parquet", ".done");
+    Files.delete(resumed.resolve("state").resolve(unrecorded));
+    Files.createDirectories(resumed.resolve("state/unfinished-1/x"));
+
+    assertThatThrownBy(() -> run(resumed, "local[2,4]", false, logs))
+        .hasMessageContaining("there is an archive already; --resume continues it");
+    AtomicInteger read = new AtomicInteger();
+    ArchiveOutcome again = run(resumed, "local[2,4]", true, read, logs);
+    assertThat(read).hasValue(2);
+    assertThat(again.skipped()).isEqualTo(5);
+    assertSame(resumed);
+
+    assertThatThrownBy(() -> run(resumed, "local[2,4]", true, logs.resolve("cup")))
+        .hasMessageContaining("holds 4 logs that are not among those named");
+    assertSame(resumed);
+  }
+
+  @Test
+  void twoRunsOnOneArchiveRefuseEachOther() throws IOException {
+    Path busy = folder.resolve("busy");
+    ArchiveLock lock = ArchiveLock.take(busy);
+    try {
+      assertThatThrownBy(() -> run(busy, "local[1]", true, logs))
+          .hasMessageContaining("another run is working on this archive (process ");
+    } finally {
+      lock.close();
+    }
+    ArchiveLock.take(busy).close();
+  }
+
+  @Test
+  void whatIsNotThereIsNamed() {
+    assertThatThrownBy(() -> run(folder.resolve("x"), "local[1]", false, folder.resolve("nowhere")))
+        .hasMessageContaining("nowhere: no such file or folder");
+    assertThatThrownBy(() -> run(folder.resolve("x"), "local[1]", false, whole.resolve("kicks")))
+        .hasMessageContaining("there is no game log");
+    assertThatThrownBy(() -> run(folder.resolve("x"), "nonsense", false, logs))
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("Spark does not start on 'nonsense'");
+  }
+}
