@@ -22,8 +22,8 @@ import picocli.CommandLine.Spec;
     name = "archive",
     mixinStandardHelpOptions = true,
     description =
-        "Turns hundreds of game logs into Parquet tables of kicks, matches, cameras and robots. Runs"
-            + " on Apache Spark, on all cores of this machine or on a cluster.")
+        "Turns hundreds of game logs into Parquet tables of kicks, matches, cameras and robots."
+            + " Runs on Apache Spark, on all cores of this machine or on a cluster.")
 final class ArchiveCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
