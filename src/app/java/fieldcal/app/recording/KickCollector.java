@@ -35,6 +35,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * Reads recordings and finds their kicks.
@@ -239,6 +240,7 @@ public final class KickCollector {
         "kicks that were seen too briefly",
         "let the ball roll on in view of a camera");
     one.clocks.forEach((id, clock) -> addClock(log, id, clock));
+    one.layout.findings(one.published()).forEach(finding -> addMixedUp(log, finding));
     if (one.finder.counts().recordingGaps() > 0) {
       problems.add(
           new DataProblem(
@@ -262,6 +264,29 @@ public final class KickCollector {
     }
   }
 
+  private void addMixedUp(Path log, CameraLayout.Finding finding) {
+    String numbers =
+        finding.cameras().stream().map(String::valueOf).collect(Collectors.joining(" and "));
+    if (finding.swapped()) {
+      problems.add(
+          new DataProblem(
+              log + ", cameras " + numbers,
+              "each reports what lies below the other: their numbers are swapped",
+              1,
+              "give them the numbers of their calibrations, and record again; chips are wrong"));
+      return;
+    }
+    boolean one = finding.cameras().size() == 1;
+    problems.add(
+        new DataProblem(
+            log + (one ? ", camera " : ", cameras ") + numbers,
+            (one ? "it is" : "one of them is")
+                + " rotated by 180°: what it sees together with another camera is reported"
+                + " point-mirrored",
+            1,
+            "calibrate it again, with the corners of the right half of the field"));
+  }
+
   private void count(Path log, int times, String what, String advice) {
     if (times > 0) {
       problems.add(new DataProblem(log.toString(), what, times, advice));
@@ -279,6 +304,7 @@ public final class KickCollector {
     private final Set<Integer> ids = new HashSet<>();
 
     private final Set<Integer> seen = new HashSet<>();
+    private final CameraLayout layout = new CameraLayout();
     private final Map<Integer, ClockComparison> clocks = new TreeMap<>();
     private int found;
 
@@ -328,6 +354,17 @@ public final class KickCollector {
         }
       }
       finder.geometry(next, known);
+    }
+
+    /** Positions as published in this recording. */
+    Map<Integer, Camera> published() {
+      Map<Integer, Camera> own = new TreeMap<>();
+      for (int number : numbers.values()) {
+        if (cameras.containsKey(number)) {
+          own.put(number, cameras.get(number));
+        }
+      }
+      return own;
     }
 
     private int numberOf(CameraCalibration c) {
@@ -384,6 +421,7 @@ public final class KickCollector {
       ids.add(frame.cameraId());
       seen.add(number);
       streams.computeIfAbsent(number, id -> new CameraStream()).accept(known);
+      layout.accept(known);
       finder.accept(known);
       clocks
           .computeIfAbsent(frame.cameraId(), id -> new ClockComparison())
