@@ -151,7 +151,7 @@ final class SimulatorClient implements RobotLink {
     }
   }
 
-  private static List<SimulatorError> errors(byte[] answer, boolean ofControl) {
+  static List<SimulatorError> errors(byte[] answer, boolean ofControl) {
     try {
       return ofControl
           ? SimulatorResponse.parseFrom(answer).getErrorsList()

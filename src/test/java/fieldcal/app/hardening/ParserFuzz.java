@@ -2,9 +2,16 @@ package fieldcal.app.hardening;
 
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.console.ConsoleFuzz;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.export.ExportFuzz;
+import fieldcal.app.export.ExportModel;
+import fieldcal.app.history.History;
 import fieldcal.app.monitor.StateFile;
+import fieldcal.app.sslsim.SimulatorFuzz;
+import fieldcal.app.twin.TwinFile;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.RefereeDecoder;
 import fieldcal.vision.Epoch;
@@ -28,14 +35,25 @@ import java.util.zip.GZIPOutputStream;
  * Changes good inputs at random, and requires of everything that reads bytes that it reads them or ends with one line for the operator: an {@link IOException}, nothing else. Seeded: a failure names
  * parser, seed and number, and comes again. As a program it runs as long as wanted; {@link ParserFuzzTest} runs a little of it.
  */
-public final class ParserFuzz {
+public final class ParserFuzz implements AutoCloseable {
   /** A file or packet that the parser reads; what it throws besides {@link IOException} is a defect. */
-  interface Parser {
+  public interface Parser {
+    /**
+     * Reads.
+     *
+     * @param input changed at random
+     * @throws IOException with one line, when it cannot be read
+     */
     void read(byte[] input) throws IOException;
   }
 
-  /** A parser and good inputs for it. */
-  private record Target(Parser parser, List<byte[]> corpus) {}
+  /**
+   * A parser and good inputs for it.
+   *
+   * @param parser what is to be broken
+   * @param corpus at least one input
+   */
+  public record Target(Parser parser, List<byte[]> corpus) {}
 
   /** Bytes and texts at which parsers break. */
   private static final byte[][] SPLINTERS = {
@@ -61,6 +79,7 @@ public final class ParserFuzz {
 
   private final Map<String, Target> targets = new LinkedHashMap<>();
   private final Path scratch;
+  private final ConsoleFuzz console;
 
   /**
    * Gathers the good inputs.
@@ -87,6 +106,21 @@ public final class ParserFuzz {
     add("extended-model", corpus, f -> ExtendedModelFile.read(f, EPOCH), "extended_model.json");
     add("state", corpus, StateFile::read, "state.json");
     add("commands", corpus, CommandFile::read, "commands.csv");
+    add("twin", corpus, TwinFile::read, "twin.json");
+    add("limits", corpus, ExportModel::read, "limits.json");
+    add("history", corpus, f -> new History(f.getParent()).entries(), "history.jsonl");
+    add("recordings", corpus, f -> RecordingFolder.decisions(f.getParent()), "recordings.json");
+    targets.put("notes", new Target(ConsoleFuzz.notes(scratch), files(corpus, "console.json")));
+    targets.put(
+        "simulator-control", new Target(SimulatorFuzz.control(), SimulatorFuzz.controlMessages()));
+    targets.put(
+        "simulator-robots", new Target(SimulatorFuzz.robots(), SimulatorFuzz.robotMessages()));
+    targets.put(
+        "simulator-answers", new Target(SimulatorFuzz.answers(), SimulatorFuzz.answerMessages()));
+    targets.putAll(ExportFuzz.targets(scratch));
+    console = new ConsoleFuzz(scratch);
+    targets.put(
+        "http", new Target(console, files(corpus, "request-get.http", "request-post.http")));
   }
 
   private interface FileReader {
@@ -95,11 +129,17 @@ public final class ParserFuzz {
 
   private void add(String name, Path corpus, FileReader reader, String... files)
       throws IOException {
+    // In a folder of its own, under its own name: some are found by it.
+    Files.createDirectories(scratch.resolve(name));
+    targets.put(name, new Target(file(name + "/" + files[0], reader), files(corpus, files)));
+  }
+
+  private static List<byte[]> files(Path corpus, String... names) throws IOException {
     List<byte[]> good = new ArrayList<>();
-    for (String one : files) {
+    for (String one : names) {
       good.add(Files.readAllBytes(corpus.resolve(one)));
     }
-    targets.put(name, new Target(file(name + "-" + files[0], reader), good));
+    return good;
   }
 
   private Parser file(String name, FileReader reader) {
@@ -254,16 +294,22 @@ public final class ParserFuzz {
     long inputs = args.length > 0 ? Long.parseLong(args[0]) : 10_000_000;
     long seed = args.length > 1 ? Long.parseLong(args[1]) : 1;
     Path scratch = Files.createTempDirectory("fieldcal-fuzz");
-    ParserFuzz fuzz =
-        new ParserFuzz(Path.of(System.getProperty("fieldcal.projectDir", ".")), scratch);
-    List<String> names =
-        args.length > 2 ? Arrays.asList(args).subList(2, args.length) : fuzz.names();
-    for (String name : names) {
-      long begin = System.nanoTime();
-      long read = fuzz.run(name, seed, inputs);
-      out.printf(
-          "%-15s %,d inputs, %,d of them read, %.0f s%n",
-          name, inputs, read, (System.nanoTime() - begin) * 1e-9);
+    try (ParserFuzz fuzz =
+        new ParserFuzz(Path.of(System.getProperty("fieldcal.projectDir", ".")), scratch)) {
+      List<String> names =
+          args.length > 2 ? Arrays.asList(args).subList(2, args.length) : fuzz.names();
+      for (String name : names) {
+        long begin = System.nanoTime();
+        long read = fuzz.run(name, seed, inputs);
+        out.printf(
+            "%-34s %,d inputs, %,d of them read, %.0f s%n",
+            name, inputs, read, (System.nanoTime() - begin) * 1e-9);
+      }
     }
+  }
+
+  @Override
+  public void close() {
+    console.close();
   }
 }
