@@ -6,35 +6,36 @@ import java.util.Locale;
 /** What can be wrong with a recording without making it useless. */
 public enum LogProblem implements ProblemKind {
   /** The compressed file ends early. */
-  TRUNCATED_GZIP("the gzip file ends early; read up to there"),
+  TRUNCATED_GZIP("the gzip file ends early; what comes before is read"),
   /** The compressed data is damaged; what follows is lost. */
-  DAMAGED_GZIP("the gzip data is damaged; read up to there"),
+  DAMAGED_GZIP("the gzip data are damaged; what comes before is read"),
   /** Something follows the compressed data. */
-  BYTES_AFTER_GZIP("bytes after the gzip data; ignored"),
+  BYTES_AFTER_GZIP("bytes follow the gzip data; they are ignored"),
   /** The last record ends after the file. */
-  TRUNCATED_RECORD("the last record is longer than the rest of the file; skipped"),
+  TRUNCATED_RECORD("the last record is longer than the rest of the file; it is skipped"),
   /** A record's length is wrong: another record starts within it. */
-  DAMAGED_RECORD("record with a wrong length; skipped to the record that starts within it"),
+  DAMAGED_RECORD(
+      "a record has a wrong length; reading goes on with the record that starts within it"),
   /** Bytes that are no record. */
-  GARBAGE("bytes that are no record; skipped to the next one"),
+  GARBAGE("some bytes are no record; reading goes on with the next record"),
   /** A message of a type that has no name. */
-  UNKNOWN_MESSAGE_TYPE("message of an unknown type; skipped"),
+  UNKNOWN_MESSAGE_TYPE("a message is of an unknown type; it is skipped"),
   /** A referee message that is none. */
-  MALFORMED_REFEREE("packet is no referee message; skipped"),
+  MALFORMED_REFEREE("a packet is no referee message; it is skipped"),
   /** Detections came before the first geometry. */
-  FRAME_BEFORE_GEOMETRY("frame before the first geometry"),
+  FRAME_BEFORE_GEOMETRY("a frame comes before the first geometry"),
   /** A camera sends detections but the geometry does not know it. */
-  UNCALIBRATED_CAMERA("frame of a camera that the geometry does not name"),
+  UNCALIBRATED_CAMERA("a frame is of a camera that the geometry does not name"),
   /** The geometry is not the one before. */
-  GEOMETRY_CHANGED("the geometry changed midway"),
+  GEOMETRY_CHANGED("the geometry changes midway"),
   /** The recorder's clock, or a camera's against it, went back. */
-  CLOCK_JUMP_BACK("a clock jumped back"),
+  CLOCK_JUMP_BACK("a clock jumps back"),
   /** A camera's clock went forward against the recorder's. */
-  CLOCK_JUMP_FORWARD("a clock jumped forward"),
+  CLOCK_JUMP_FORWARD("a clock jumps forward"),
   /** A single frame's time agrees with no other. */
-  STRAY_TIME("frame with a time far from its neighbours'; skipped"),
+  STRAY_TIME("a frame's time is far from its neighbours'; it is skipped"),
   /** The frame was there already. */
-  DUPLICATE_FRAME("frame that was there already; skipped");
+  DUPLICATE_FRAME("a frame comes twice; the second one is skipped");
 
   private final String text;
 

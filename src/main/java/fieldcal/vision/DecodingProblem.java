@@ -5,25 +5,25 @@ import java.util.Locale;
 /** What can be wrong with a vision packet. */
 public enum DecodingProblem implements ProblemKind {
   /** The bytes are no protobuf message, or end within one. */
-  MALFORMED_PACKET("packet is no vision message; skipped"),
+  MALFORMED_PACKET("a packet is no vision message; it is skipped"),
   /** The frame lacks its capture time or its camera. */
-  INCOMPLETE_FRAME("frame without capture time or camera; skipped"),
+  INCOMPLETE_FRAME("a frame has no capture time or no camera; it is skipped"),
   /** The camera number is beyond {@link VisionDecoder#MAX_CAMERA_ID}. */
-  BAD_CAMERA_ID("frame of an impossible camera number; skipped"),
+  BAD_CAMERA_ID("a frame has an impossible camera number; it is skipped"),
   /** The capture time is no Unix time. */
-  BAD_CAPTURE_TIME("frame with a NaN, infinite or impossible capture time; skipped"),
+  BAD_CAPTURE_TIME("a frame's capture time is NaN, infinite or impossible; it is skipped"),
   /** The sending time is no Unix time. */
-  BAD_SENT_TIME("frame with a NaN, infinite or impossible sending time; time ignored"),
+  BAD_SENT_TIME("a frame's sending time is NaN, infinite or impossible; the time is ignored"),
   /** A ball has no position. */
-  INCOMPLETE_BALL("ball without position; skipped"),
+  INCOMPLETE_BALL("a ball has no position; it is skipped"),
   /** A ball's coordinate is NaN or infinite. */
-  NON_FINITE_BALL("ball at a NaN or infinite position; skipped"),
+  NON_FINITE_BALL("a ball's position is NaN or infinite; it is skipped"),
   /** A ball is farther out than {@link VisionDecoder#MAX_COORDINATE}. */
-  FAR_BALL("ball more than 100 m from the field's centre; skipped"),
+  FAR_BALL("a ball is more than 100 m from the field's centre; it is skipped"),
   /** A robot has no position or number. */
-  INCOMPLETE_ROBOT("robot without position or number; skipped"),
+  INCOMPLETE_ROBOT("a robot has no position or no number; it is skipped"),
   /** A robot's coordinate is NaN or infinite. */
-  NON_FINITE_ROBOT("robot at a NaN or infinite position; skipped"),
+  NON_FINITE_ROBOT("a robot's position is NaN or infinite; it is skipped"),
   /** A robot is farther out than {@link VisionDecoder#MAX_COORDINATE} or its number beyond {@link VisionDecoder#MAX_ROBOT_NUMBER}. */
   IMPOSSIBLE_ROBOT(
       "robot of an impossible number or more than 100 m from the field's centre; skipped"),
@@ -31,13 +31,13 @@ public enum DecodingProblem implements ProblemKind {
   NON_FINITE_DETAIL(
       "detection with a NaN or infinite height, orientation, pixel or confidence; value ignored"),
   /** The geometry lacks the field's size, or a size is not positive. */
-  BAD_FIELD_SIZE("geometry without a usable field size; skipped"),
+  BAD_FIELD_SIZE("a geometry has no usable field size; it is skipped"),
   /** A line or an arc of the field is incomplete or not finite. */
-  BAD_FIELD_LINE("field line with missing or non-finite values; skipped"),
+  BAD_FIELD_LINE("a field line has missing or non-finite values; it is skipped"),
   /** A camera calibration is incomplete, not finite, or given twice. */
-  BAD_CALIBRATION("camera calibration with missing or non-finite values; skipped"),
+  BAD_CALIBRATION("a camera's calibration has missing or non-finite values; it is skipped"),
   /** A published ball model is incomplete or out of its range. */
-  BAD_MODEL("published ball model with missing or impossible values; ignored");
+  BAD_MODEL("a published ball model has missing or impossible values; it is ignored");
 
   private final String text;
 

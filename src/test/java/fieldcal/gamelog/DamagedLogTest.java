@@ -198,7 +198,7 @@ class DamagedLogTest {
     assertThat(read.problems.kinds()).containsExactly(LogProblem.GARBAGE);
     assertThat(read.problems.lines().get(0))
         .isEqualTo(
-            "1 × bytes that are no record; skipped to the next one; first at byte "
+            "1 × some bytes are no record; reading goes on with the next record; first at byte "
                 + at
                 + " (216 bytes)");
   }

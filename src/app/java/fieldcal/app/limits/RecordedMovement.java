@@ -54,11 +54,7 @@ record RecordedMovement(
       // Cameras that are calibrated anew change nothing here: each piece has a constant of its own
       // for each camera.
       if (kind != LogProblem.GEOMETRY_CHANGED) {
-        ProblemAccount.Occurrence first = account.first(kind).get(0);
-        String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
-        list.add(
-            new DataProblem(
-                log + ", byte " + first.offset(), kind.text() + detail, account.count(kind), ""));
+        list.add(DataProblem.of(log, account, kind));
       }
     }
     if (summary.frames() == 0) {
@@ -78,7 +74,10 @@ record RecordedMovement(
     } else if (observer.statistics().counted() == 0) {
       list.add(
           new DataProblem(
-              log.toString(), "the ball was never in play while robots were seen", 1, ""));
+              log.toString(),
+              "the ball was never in play while robots were seen",
+              1,
+              "there is nothing to measure: only play counts, by the referee's stage and command"));
     }
     if (observer.statistics().refused() > 0) {
       list.add(

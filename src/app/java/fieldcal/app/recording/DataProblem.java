@@ -1,5 +1,9 @@
 package fieldcal.app.recording;
 
+import fieldcal.gamelog.LogProblem;
+import fieldcal.gamelog.ProblemAccount;
+import fieldcal.vision.ProblemKind;
+import java.nio.file.Path;
 import java.util.Objects;
 
 /**
@@ -8,15 +12,45 @@ import java.util.Objects;
  * @param where file, with the offset where there is one
  * @param what in words
  * @param count how often
- * @param advice what it means or what to do; may be empty
+ * @param advice what it means or what to do
  */
 public record DataProblem(String where, String what, long count, String advice) {
 
-  /** Checks that the texts are there. {@inheritDoc} */
+  /**
+   * Checks that the texts are there. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when there is no advice: a problem of which nobody says what it means helps nobody
+   */
   public DataProblem {
     Objects.requireNonNull(where, "where");
     Objects.requireNonNull(what, "what");
-    Objects.requireNonNull(advice, "advice");
+    if (advice.isBlank()) {
+      throw new IllegalArgumentException("nothing says what it means that " + what);
+    }
+  }
+
+  /**
+   * One kind of what was wrong with a recording, with the first place.
+   *
+   * @param log the recording
+   * @param account of what was wrong with it
+   * @param kind that was met
+   * @return the problem
+   */
+  public static DataProblem of(Path log, ProblemAccount account, ProblemKind kind) {
+    ProblemAccount.Occurrence first = account.first(kind).get(0);
+    String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
+    String place = log + ", byte " + first.offset();
+    return new DataProblem(place, kind.text() + detail, account.count(kind), advice(kind));
+  }
+
+  private static String advice(ProblemKind kind) {
+    if (kind == LogProblem.GEOMETRY_CHANGED) {
+      return "cameras that changed are treated as new ones";
+    }
+    return kind == LogProblem.FRAME_BEFORE_GEOMETRY
+        ? "nothing to do: the frames are used"
+        : "the rest of the recording is used";
   }
 
   @Override
@@ -25,6 +59,9 @@ public record DataProblem(String where, String what, long count, String advice) 
         + ": "
         + what
         + (count > 1 ? " (" + count + " times)" : "")
-        + (advice.isEmpty() ? "" : "; " + advice);
+        + ". "
+        + Character.toUpperCase(advice.charAt(0))
+        + advice.substring(1)
+        + (advice.endsWith("?") ? "" : ".");
   }
 }

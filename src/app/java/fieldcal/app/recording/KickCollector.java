@@ -8,7 +8,6 @@ import fieldcal.fit.CameraViews;
 import fieldcal.fit.LensCheck;
 import fieldcal.gamelog.ClockComparison;
 import fieldcal.gamelog.GameLogException;
-import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
@@ -21,7 +20,6 @@ import fieldcal.kick.KickFinderSettings;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
-import fieldcal.vision.ProblemKind;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -184,19 +182,7 @@ public final class KickCollector {
 
   private void account(Path log, RecordingSummary summary, OneRecording one) {
     ProblemAccount account = summary.problems();
-    for (ProblemKind kind : account.kinds()) {
-      ProblemAccount.Occurrence first = account.first(kind).get(0);
-      String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
-      String advice =
-          kind == LogProblem.GEOMETRY_CHANGED
-              ? "cameras that changed are treated as new ones"
-              : kind == LogProblem.FRAME_BEFORE_GEOMETRY
-                  ? "nothing to do: the frames are used"
-                  : "the rest of the recording is used";
-      problems.add(
-          new DataProblem(
-              log + ", byte " + first.offset(), kind.text() + detail, account.count(kind), advice));
-    }
+    account.kinds().forEach(kind -> problems.add(DataProblem.of(log, account, kind)));
     if (summary.frames() == 0) {
       problems.add(
           new DataProblem(

@@ -9,7 +9,7 @@ import java.util.Objects;
  * @param where file, and offset if there is one
  * @param what in words
  * @param count how often
- * @param advice what it means or what to do; may be empty
+ * @param advice what it means or what to do
  */
 public record Problem(String where, String what, long count, String advice) {
 

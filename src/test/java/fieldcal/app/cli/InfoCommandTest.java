@@ -65,7 +65,7 @@ class InfoCommandTest {
     Path cut = Files.write(folder.resolve("cut.log.gz"), Arrays.copyOf(packed, packed.length / 3));
 
     assertThat(run("info", cut.toString())).isZero();
-    assertThat(out.toString()).contains("1 × the gzip file ends early; read up to there");
+    assertThat(out.toString()).contains("1 × the gzip file ends early; what comes before is read");
   }
 
   @Test

@@ -48,7 +48,7 @@ public final class SampleOutcome {
             Optional.empty(),
             BallModels.NONE,
             java.util.stream.IntStream.range(0, problems)
-                .mapToObj(i -> new DataProblem("friday.log.gz", "remark " + i, 1, ""))
+                .mapToObj(i -> new DataProblem("friday.log.gz", "remark " + i, 1, "nothing to do"))
                 .toList(),
             0.5,
             List.of(),
