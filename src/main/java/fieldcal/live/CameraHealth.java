@@ -1,5 +1,7 @@
 package fieldcal.live;
 
+import java.util.OptionalInt;
+
 /**
  * How well one camera does.
  *
@@ -16,6 +18,7 @@ package fieldcal.live;
  * @param offsetXMm what it adds to every x, against the mean of the cameras that see the same balls, mm; NaN before it was compared
  * @param offsetYMm the same for y, mm
  * @param apartMm how far it is off from the camera that it disagrees with most, mm; NaN before two were compared
+ * @param apartFrom that camera; empty before two were compared
  * @param calibrated whether usable geometry of it is published
  */
 public record CameraHealth(
@@ -32,6 +35,7 @@ public record CameraHealth(
     double offsetXMm,
     double offsetYMm,
     double apartMm,
+    OptionalInt apartFrom,
     boolean calibrated) {
   /**
    * Two cameras that are further apart disagree, mm. An AI that takes them as they are sees a ball step aside by so much; within the 0.4 s that a ball of 3 m/s slides, a step of 10 mm looks like 0.13 m/s², 4 % of the sliding deceleration.

@@ -1,6 +1,7 @@
 package fieldcal.live;
 
 import fieldcal.vision.VisionFrame;
+import java.util.OptionalInt;
 
 /** Counts the frames of one camera and measures its rate, in constant memory. */
 final class CameraWatch {
@@ -54,7 +55,8 @@ final class CameraWatch {
     noise.restart();
   }
 
-  CameraHealth health(double now, CameraAlignment.Known known, double apart) {
+  CameraHealth health(
+      double now, CameraAlignment.Known known, double apart, OptionalInt apartFrom) {
     return new CameraHealth(
         id,
         frames,
@@ -69,6 +71,7 @@ final class CameraWatch {
         1000 * known.offsetX(),
         1000 * known.offsetY(),
         1000 * apart,
+        apartFrom,
         known.calibrated());
   }
 }

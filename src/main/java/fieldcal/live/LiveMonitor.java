@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
@@ -218,13 +219,19 @@ public final class LiveMonitor {
     ball.add(earlier);
   }
 
-  private static double apart(int camera, Map<Integer, CameraAlignment.Known> known) {
-    return known.entrySet().stream()
-        .filter(other -> other.getKey() != camera)
-        .mapToDouble(other -> other.getValue().distance(known.get(camera)))
-        .filter(Double::isFinite)
-        .max()
-        .orElse(Double.NaN);
+  private CameraHealth health(
+      int id, CameraWatch camera, Map<Integer, CameraAlignment.Known> known) {
+    CameraAlignment.Known its = known.get(id);
+    double apart = Double.NaN;
+    OptionalInt from = OptionalInt.empty();
+    for (Map.Entry<Integer, CameraAlignment.Known> other : known.entrySet()) {
+      double distance = other.getValue().distance(its);
+      if (other.getKey() != id && !(distance <= apart) && Double.isFinite(distance)) {
+        apart = distance;
+        from = OptionalInt.of(other.getKey());
+      }
+    }
+    return camera.health(guard.now(), its, apart, from);
   }
 
   /**
@@ -239,8 +246,7 @@ public final class LiveMonitor {
       List<CameraHealth> health = new ArrayList<>();
       Map<Integer, CameraAlignment.Known> known = new TreeMap<>();
       cameras.keySet().forEach(id -> known.put(id, ball.known(id)));
-      cameras.forEach(
-          (id, camera) -> health.add(camera.health(guard.now(), known.get(id), apart(id, known))));
+      cameras.forEach((id, camera) -> health.add(health(id, camera, known)));
       return new LiveSnapshot(
           epoch.unixSeconds(guard.now()),
           phase,

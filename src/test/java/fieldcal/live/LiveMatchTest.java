@@ -73,6 +73,7 @@ class LiveMatchTest {
               // 2 mm at the centre of an image, more towards its edge.
               assertThat(camera.noiseMm()).isBetween(1.8, 2.8);
               assertThat(camera.disagrees()).isTrue();
+              assertThat(camera.apartFrom().getAsInt()).isNotEqualTo(camera.id());
             });
 
     otherCarpet.feed(monitor, match.duration() + 0.1);

@@ -151,6 +151,7 @@ final class MatchJson {
     put(node, "offsetXMm", c.offsetXMm());
     put(node, "offsetYMm", c.offsetYMm());
     put(node, "apartMm", c.apartMm());
+    node.put("apartFrom", c.apartFrom().isPresent() ? c.apartFrom().getAsInt() : null);
     node.put("disagrees", c.disagrees());
     node.put("gaps", c.gaps());
     put(node, "longestGap", c.longestGap());

@@ -240,6 +240,7 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
       number(one, "offset_x_mm", camera.offsetXMm());
       number(one, "offset_y_mm", camera.offsetYMm());
       number(one, "apart_mm", camera.apartMm());
+      camera.apartFrom().ifPresent(other -> one.put("apart_from", other));
     }
     write(node.put("frames", s.frames()).put("stray_frames", s.strayFrames()));
   }

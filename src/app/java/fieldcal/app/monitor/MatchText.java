@@ -279,7 +279,11 @@ final class MatchText {
           c.silentFor() > 1 ? String.format(Locale.ROOT, "  SILENT for %.0f s", c.silentFor()) : "";
       String apart =
           c.disagrees()
-              ? String.format(Locale.ROOT, "  %.0f mm apart from another camera", c.apartMm())
+              ? String.format(
+                  Locale.ROOT,
+                  "  %.0f mm apart from camera %d",
+                  c.apartMm(),
+                  c.apartFrom().getAsInt())
               : "";
       String uncalibrated = c.calibrated() ? "" : "  no usable calibration";
       add(
