@@ -2,6 +2,7 @@ package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.PlayWorld.Robot;
+import fieldcal.vision.RobotId;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -36,6 +37,7 @@ public final class CalibrationPlay {
 
   private Step step;
   private Optional<String> waiting = Optional.empty();
+  private WaitingFor waitingFor = WaitingFor.NOTHING;
   private boolean paused;
   private Optional<String> hostReason = Optional.empty();
   private String holding;
@@ -97,7 +99,7 @@ public final class CalibrationPlay {
     }
     ball.update(world.ball(), world.time());
     Situation s = new Situation(plan, ball, driver, safety, world);
-    Optional<String> hold = reasonToHold(s);
+    Optional<Hold> hold = reasonToHold(s);
     if (hold.isPresent()) {
       return hold(s, hold.get());
     }
@@ -105,6 +107,8 @@ public final class CalibrationPlay {
     Step next = step.tick(s);
     step = next;
     waiting = s.waiting();
+    // What it waited for last is what it ends for.
+    waitingFor = step.phase().over() ? waitingFor : s.waitingFor();
     PlayAnswer answer = s.answer();
     watchProgress(s, answer, Double.isNaN(span) ? 0 : span);
     return step.phase().over() ? standStill() : answer;
@@ -115,34 +119,47 @@ public final class CalibrationPlay {
         List.of(RobotOrder.stop(plan.first()), RobotOrder.stop(plan.second())), Optional.empty());
   }
 
-  private Optional<String> reasonToHold(Situation s) {
+  /** Why both robots stand, and what that is about. */
+  private record Hold(String reason, WaitingFor object) {}
+
+  private Optional<Hold> reasonToHold(Situation s) {
     if (paused) {
-      return Optional.of("paused");
+      return held("paused");
     }
     if (hostReason.isPresent()) {
-      return hostReason;
+      return held(hostReason.get());
     }
     Permission permission = s.world().permission();
     if (permission != Permission.RUN) {
-      return Optional.of("referee: " + permission.name());
+      return held("referee: " + permission.name());
     }
     if (!(s.time() - s.world().visionTime() < NO_VISION)) {
-      return Optional.of("no vision");
+      return held("no vision");
     }
     for (int i = 0; i < 2; i++) {
       if (!s.sees(i)) {
-        return Optional.of(plan.robot(i) + " is not seen");
+        RobotId id = plan.robot(i);
+        WaitingFor missing = WaitingFor.robot(id);
+        // It is looked for where it was last.
+        WaitingFor there = s.world().robot(id).map(r -> missing.at(r.x(), r.y())).orElse(missing);
+        return Optional.of(new Hold(id + " is not seen", there));
       }
     }
     return Optional.empty();
   }
 
-  private PlayAnswer hold(Situation s, String reason) {
+  private static Optional<Hold> held(String reason) {
+    return Optional.of(new Hold(reason, WaitingFor.NOTHING));
+  }
+
+  private PlayAnswer hold(Situation s, Hold hold) {
+    String reason = hold.reason();
     if (holding == null) {
       heldSince = s.time();
     }
     holding = reason;
     waiting = Optional.of(reason);
+    waitingFor = hold.object();
     if (step instanceof WatchStep watch) {
       watch.onlyWatch(s);
     }
@@ -172,9 +189,11 @@ public final class CalibrationPlay {
       double ordered = answer.orders().get(i).velocity().speed();
       double stuck = motions[i].stuckFor(s.robot(i), ordered, span);
       if (stuck > STUCK_FOR_GOOD) {
+        waitingFor = heading(answer.orders().get(i));
         stop(plan.robot(i) + " does not move");
       } else if (stuck > STUCK) {
         waiting = Optional.of(plan.robot(i) + " does not move");
+        waitingFor = heading(answer.orders().get(i));
       }
     }
     ledger.hopeless().ifPresent(this::stop);
@@ -190,6 +209,11 @@ public final class CalibrationPlay {
       enoughSince = Double.NaN;
       watchStall(span);
     }
+  }
+
+  private static WaitingFor heading(RobotOrder order) {
+    WaitingFor robot = WaitingFor.robot(order.robot());
+    return order.target().map(target -> robot.at(target.x(), target.y())).orElse(robot);
   }
 
   private void watchStall(double span) {
@@ -267,6 +291,7 @@ public final class CalibrationPlay {
     return new PlayState(
         step.phase(),
         stopped ? Optional.of(((EndStep) step).reason()) : waiting,
+        stopped || waiting.isPresent() ? waitingFor : WaitingFor.NOTHING,
         ledger.good(),
         ledger.made(),
         ledger.unjudged(),

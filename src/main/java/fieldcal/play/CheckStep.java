@@ -40,11 +40,11 @@ final class CheckStep implements Step {
     }
     double breath = breathes ? BREATH * Math.min(MOST_BREATHS, ledger.failures()) : 0;
     if (s.time() - since < breath && holder < 0) {
-      s.waitFor(ledger.lastFailure() + "; trying again");
+      s.waitFor(ledger.lastFailure() + "; trying again", WaitingFor.NOTHING);
       return this;
     }
     if (ledger.enough()) {
-      s.waitFor("the last kicks are being fitted");
+      s.waitFor("the last kicks are being fitted", WaitingFor.NOTHING);
       return this;
     }
     BallMemory ball = s.ball();
@@ -54,14 +54,14 @@ final class CheckStep implements Step {
     }
     double hidden = ball.known() ? s.ballUnseen() : s.time() - since;
     if (!ball.known() || hidden > LOST) {
-      s.waitFor("the ball is not seen");
+      s.waitFor("the ball is not seen", s.theBall());
       return hidden > LOST ? new HelpStep(ledger, "the ball is not seen") : this;
     }
     if (!s.area().reachable(ball.x(), ball.y()) && (ball.resting() > 0.2 || hidden > 0.5)) {
       return new HelpStep(ledger, where(s));
     }
     if (ball.resting() < 0.15 || hidden > 0.3) {
-      s.waitFor(hidden > 0.3 ? "the ball is not seen" : "the ball still moves");
+      s.waitFor(hidden > 0.3 ? "the ball is not seen" : "the ball still moves", s.theBall());
       return s.time() - since > s.limits().flightTimeout()
           ? new HelpStep(ledger, "the ball does not come to rest")
           : this;
@@ -78,7 +78,9 @@ final class CheckStep implements Step {
     Optional<Task> here = Decider.from(s, kick, holder, x, y);
     Optional<Task> task = here.isPresent() ? here : Decider.fromEnd(s, kick, holder);
     if (task.isEmpty()) {
-      s.waitFor("somebody is in the way of " + s.plan().robot(holder));
+      s.waitFor(
+          "somebody is in the way of " + s.plan().robot(holder),
+          WaitingFor.robot(s.plan().robot(holder)));
       return new CheckStep(ledger, -1);
     }
     return new PlaceStep(ledger, task.get());
@@ -100,7 +102,9 @@ final class CheckStep implements Step {
       }
     }
     Optional<Robot> third = s.others().stream().filter(r -> near(s, r)).findFirst();
-    s.waitFor(third.map(r -> r.id() + " is in the way").orElse("no robot can get at the ball"));
+    s.waitFor(
+        third.map(r -> r.id() + " is in the way").orElse("no robot can get at the ball"),
+        third.map(r -> WaitingFor.robot(r.id())).orElse(s.theBall()));
     return s.time() - since > 0.25 * s.limits().patience()
         ? new HelpStep(ledger, s.waiting().orElseThrow())
         : this;

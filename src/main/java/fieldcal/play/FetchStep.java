@@ -125,7 +125,7 @@ final class FetchStep extends TaskStep {
     Optional<Robot> close = inTheWay(s.except(i), ballX, ballY, facing);
     if (close.isPresent()) {
       String reason = close.get().id() + " is too close to the ball";
-      s.waitFor(reason);
+      s.waitFor(reason, WaitingFor.robot(close.get().id()));
       blocked = Double.isNaN(blocked) ? s.time() : blocked;
       if (s.time() - blocked > BLOCKED) {
         return notFetched(reason);

@@ -58,7 +58,8 @@ final class PositionStep extends TaskStep {
     double distance = Math.min(3, task.along(task.receiver().x(), task.receiver().y()));
     Optional<Robot> third = Decider.inTheWay(s, task, distance);
     if (third.isPresent()) {
-      s.waitFor(third.get().id() + " is in the way of the kick");
+      s.waitFor(
+          third.get().id() + " is in the way of the kick", WaitingFor.robot(third.get().id()));
       blocked = Double.isNaN(blocked) ? s.time() : blocked;
       return false;
     }
@@ -78,13 +79,15 @@ final class PositionStep extends TaskStep {
                         : kicker.speed() >= 0.08 ? "does not stand still" : "";
     boolean placed = amiss.isEmpty();
     if (!placed && age(s) > SLOW) {
-      s.waitFor(s.plan().robot(task.kicker()) + " " + amiss);
+      s.waitFor(s.plan().robot(task.kicker()) + " " + amiss, WaitingFor.robot(kicker.id()));
     }
     double off = Math.hypot(receiver.x() - task.receiver().x(), receiver.y() - task.receiver().y());
     boolean late = age(s) > 8;
     boolean received = off < (late ? 0.6 : 0.15) && receiver.speed() < 0.3;
     if (placed && !received) {
-      s.waitFor(s.plan().robot(task.other()) + " is not in its place yet");
+      s.waitFor(
+          s.plan().robot(task.other()) + " is not in its place yet",
+          WaitingFor.robot(receiver.id()).at(task.receiver().x(), task.receiver().y()));
     }
     return placed && received && s.ball().resting() > s.limits().settle();
   }

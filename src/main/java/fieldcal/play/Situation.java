@@ -27,6 +27,7 @@ final class Situation {
   private final Kick[] kicks = {Kick.NONE, Kick.NONE};
   private final boolean[] dribblers = new boolean[2];
   private String waiting;
+  private WaitingFor waitingFor = WaitingFor.NOTHING;
   private BallRequest request;
 
   Situation(PlayPlan plan, BallMemory ball, Driver driver, Safety safety, PlayWorld world) {
@@ -170,17 +171,27 @@ final class Situation {
     kicks[index] = kick;
   }
 
-  void waitFor(String reason) {
+  void waitFor(String reason, WaitingFor object) {
     waiting = reason;
+    waitingFor = object;
+  }
+
+  /** The place of the ball, as far as it is known. */
+  WaitingFor theBall() {
+    return ball.known() ? WaitingFor.place(ball.x(), ball.y()) : WaitingFor.NOTHING;
   }
 
   Optional<String> waiting() {
     return Optional.ofNullable(waiting);
   }
 
+  WaitingFor waitingFor() {
+    return waitingFor;
+  }
+
   void request(double x, double y, String reason) {
     request = new BallRequest(x, y, reason);
-    waiting = reason;
+    waitFor(reason, WaitingFor.place(x, y));
   }
 
   /** What comes of it all. */

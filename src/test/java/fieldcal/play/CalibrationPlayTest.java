@@ -10,8 +10,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.PlayedKick.End;
+import fieldcal.vision.RobotId;
 import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -270,6 +272,11 @@ class CalibrationPlayTest {
     field.run(play, 0.4);
     assertStanding(field.tick(play));
     assertThat(play.state().waiting()).contains("blue 7 is not seen");
+    assertThat(play.state().waitingFor().robot()).contains(BLUE);
+    // It is looked for where it was last.
+    WaitingFor.Place last = play.state().waitingFor().place().orElseThrow();
+    FakeField.Body there = field.robots.get(BLUE);
+    assertThat(Math.hypot(last.x() - there.x, last.y() - there.y)).isLessThan(0.1);
     field.run(play, 5);
     field.put(BLUE, -1, 3, 0).visible = true;
     assertFinishes();
@@ -282,6 +289,7 @@ class CalibrationPlayTest {
     field.run(play, 200);
     assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
     assertThat(play.state().waiting().orElseThrow()).startsWith("blue 7 is not seen for 60");
+    assertThat(play.state().waitingFor().robot()).contains(BLUE);
   }
 
   @Test
@@ -290,6 +298,7 @@ class CalibrationPlayTest {
     field.robots.get(YELLOW).obeys = false;
     field.run(play, 8);
     assertThat(play.state().waiting()).contains("yellow 3 does not move");
+    assertThat(play.state().waitingFor().robot()).contains(YELLOW);
     field.run(play, 60);
     assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
     assertThat(play.state().waiting()).contains("yellow 3 does not move");
@@ -307,9 +316,15 @@ class CalibrationPlayTest {
   void aThirdRobotAtTheBallIsWaitedFor() {
     flat(1);
     field.put(THIRD, 1.13, 0.5, 0);
-    field.run(play, 4);
+    Set<RobotId> waitedFor = new HashSet<>();
+    for (int i = 0; i < 4 / FakeField.TICK; i++) {
+      field.tick(play);
+      play.state().waitingFor().robot().ifPresent(waitedFor::add);
+    }
+    assertThat(waitedFor).contains(THIRD);
     field.put(THIRD, 5, -4, 0);
     assertFinishes();
+    assertThat(play.state().waitingFor()).isEqualTo(WaitingFor.NOTHING);
   }
 
   @Test

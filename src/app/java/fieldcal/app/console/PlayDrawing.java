@@ -16,6 +16,7 @@ import fieldcal.play.PlayState;
 import fieldcal.play.PlayWorld;
 import fieldcal.play.PlayedKick;
 import fieldcal.play.SpreadKicks;
+import fieldcal.play.WaitingFor;
 import fieldcal.vision.FieldGeometry;
 import java.util.Locale;
 import java.util.Map;
@@ -88,6 +89,7 @@ final class PlayDrawing {
     root.put("phase", state.phase().text()).put("over", state.phase().over());
     root.put("paused", s.paused());
     root.put("waiting", state.waiting().orElse(null));
+    root.set("waitingFor", waitingFor(state.waitingFor()));
     root.put("good", state.good()).put("made", state.made()).put("wanted", state.wanted());
     root.put("unjudged", state.unjudged()).put("kicker", state.kicker());
     state.next().ifPresent(next -> put(root, "nextSpeed", next.speed(), 2));
@@ -116,6 +118,24 @@ final class PlayDrawing {
       put(node, "error", e.getValue().standardError(), 6);
     }
     return root;
+  }
+
+  private static ObjectNode waitingFor(WaitingFor object) {
+    ObjectNode node = NODES.objectNode();
+    object
+        .robot()
+        .ifPresent(
+            id ->
+                node.put("team", id.team().name().toLowerCase(Locale.ROOT))
+                    .put("number", id.number()));
+    object
+        .place()
+        .ifPresent(
+            place -> {
+              put(node, "x", place.x(), 3);
+              put(node, "y", place.y(), 3);
+            });
+    return node;
   }
 
   private static ArrayNode robots(SessionSnapshot s) {

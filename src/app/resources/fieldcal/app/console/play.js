@@ -135,7 +135,7 @@ export function playPage(app) {
     const now = live() || (status() && !plan ? status() : null);
     const geometry = (now && now.field) || (plan && plan.field);
     $('play-legend').replaceChildren(el('span', {}, swatch('circle', '#c9a400'), 'yellow'), el('span', {}, swatch('circle', theme.accent), 'blue'), el('span', {}, swatch('circle', '#e8641b'), 'ball'),
-      el('span', {}, swatch('dashes', theme.text), 'kicks along'), el('span', {}, swatch('cross', theme.bad), 'lay the ball here'));
+      el('span', {}, swatch('dashes', theme.text), 'kicks along'), el('span', {}, swatch('cross', theme.bad), 'lay the ball here'), el('span', {}, swatch('circle', theme.bad, true), 'what the play waits for'));
     if (!geometry || box.clientWidth === 0) return;
     const wantedShape = JSON.stringify([geometry, plan && plan.lines, box.clientWidth, box.clientHeight, document.documentElement.dataset.theme]);
     if (anew || shape !== wantedShape) {
@@ -154,7 +154,10 @@ export function playPage(app) {
       type: 'line', silent: true, symbol: 'none', z: 2, lineStyle: {color: theme.text, width: 2, type: 'dashed', opacity: 0.55}, data: [[line[0], line[1]], [line[2], line[3]]],
       markPoint: {silent: true, symbol: 'circle', symbolSize: 1, label: {show: true, color: theme.text, fontSize: 13, fontWeight: 600, formatter: counts[i].length + ' kicks', textBorderColor: theme.field, textBorderWidth: 3}, data: [{coord: [line[0] + 0.25 * (line[2] - line[0]), line[1] + 0.25 * (line[3] - line[1])]}]},
     })));
-    for (const id of ['yellow', 'blue', 'fronts', 'ball', 'wanted']) option.series.push({id, type: id === 'fronts' ? 'line' : 'scatter', silent: true, data: [], symbol: id === 'fronts' ? 'none' : undefined, z: 5});
+    for (const id of ['yellow', 'blue', 'fronts', 'ball', 'wanted', 'waiting', 'way']) {
+      const isLine = id === 'fronts' || id === 'way';
+      option.series.push({id, type: isLine ? 'line' : 'scatter', silent: true, data: [], symbol: isLine ? 'none' : undefined, z: id === 'waiting' ? 8 : 5});
+    }
     return option;
   }
 
@@ -171,8 +174,24 @@ export function playPage(app) {
       {id: 'yellow', data: of('yellow', '#f2cc0c')}, {id: 'blue', data: of('blue', '#6cb2ff')},
       {id: 'fronts', data: robots.flatMap(r => [[r.x, r.y], [r.x + reach * Math.cos(r.orientation), r.y + reach * Math.sin(r.orientation)], [null, null]]), lineStyle: {color: theme.text, width: 2}},
       {id: 'ball', data: now && now.ball ? [{value: [now.ball.x, now.ball.y], symbolSize: 11, itemStyle: {color: '#e8641b', opacity: now.ball.unseen > 1 ? 0.3 : 1, borderColor: theme.text, borderWidth: 1}}] : []},
+      ...waitedFor(now, robots, size),
       {id: 'wanted', data: now && now.ballWanted ? [{value: now.ballWanted, symbol: 'path://M-5,-5L5,5M-5,5L5,-5', symbolSize: 18, itemStyle: {color: 'transparent', borderColor: theme.bad, borderWidth: 3}}] : []},
     ];
+  }
+
+  /** The robot that the play waits for, its place, and the way there; beside it, why. */
+  function waitedFor(now, robots, size) {
+    const about = now && now.waiting && now.waitingFor || {};
+    const robot = robots.find(r => r.team === about.team && r.number === about.number), place = known(about.x) ? [about.x, about.y] : null;
+    const spot = robot ? [robot.x, robot.y] : place, ring = {color: 'transparent', borderColor: theme.bad, borderWidth: 3};
+    if (!spot) return [{id: 'waiting', data: []}, {id: 'way', data: []}];
+    const {length} = now.field || plan.field, words = {show: true, formatter: now.waiting, color: theme.bad, fontSize: 14, fontWeight: 700, textBorderColor: theme.field, textBorderWidth: 3, width: 230, overflow: 'break'};
+    // Beside the ring, on the side where there is more room.
+    Object.assign(words, {position: spot[0] > length / 6 ? 'left' : spot[0] < -length / 6 ? 'right' : 'top', distance: 8});
+    const apart = robot && place && Math.hypot(place[0] - robot.x, place[1] - robot.y) > 0.05;
+    return [
+      {id: 'waiting', data: [{value: spot, symbol: 'circle', symbolSize: size + 16, itemStyle: ring, label: words}, ...(apart ? [{value: place, symbol: 'circle', symbolSize: size + 6, itemStyle: Object.assign({}, ring, {borderType: 'dashed'})}] : [])]},
+      {id: 'way', data: apart ? [[robot.x, robot.y], place] : [], lineStyle: {color: theme.bad, width: 2, type: 'dashed'}}];
   }
 
   page.keys = {p: () => { const node = $('play-resume') || $('play-pause'); if (node) node.click(); }};

@@ -8,6 +8,7 @@ import fieldcal.play.PlayPhase;
 import fieldcal.play.PlayState;
 import fieldcal.play.PlayWorld;
 import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.WaitingFor;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.util.List;
@@ -29,6 +30,7 @@ class PlayTextTest {
         new PlayState(
             PlayPhase.POSITION,
             Optional.of(waiting).filter(w -> !w.isEmpty()),
+            WaitingFor.NOTHING,
             1,
             2,
             0,

@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -268,6 +269,42 @@ class BrowserTest {
       browser.awaitGone("#play-abort");
       browser.awaitText("#play-state", "the operator ended it");
     }
+  }
+
+  @Test
+  void whatThePlayWaitsForIsDrawnOnTheField() throws IOException {
+    Path session = Files.createDirectory(folder.resolve("waiting"));
+    try (ServedKicks field = new ServedKicks();
+        RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#play");
+      browser.find("#play-field canvas");
+      browser.script(
+          "const s = document.getElementById('order-field'); s.value = 'simulator';"
+              + " s.dispatchEvent(new Event('change'))");
+      browser.type("#order-port", Integer.toString(field.port()));
+      browser.type("#order-vision", field.vision());
+      browser.click("#play-start");
+      browser.awaitText("#play-line", "0 of 12");
+      field.setPresent(1, false);
+      browser.awaitText("#play-waiting", "yellow 1 is not seen");
+      assertThat(waitedFor()).isEqualTo(List.of("yellow 1 is not seen"));
+      field.setPresent(1, true);
+      browser.awaitGone("#play-waiting");
+      assertThat(waitedFor()).isEmpty();
+      browser.click("#play-abort");
+      browser.click("#confirm");
+      browser.awaitGone("#play-abort");
+      browser.awaitText("#play-waiting", "the operator ended it");
+    }
+  }
+
+  /** The words beside each ring that is drawn. */
+  private static List<?> waitedFor() {
+    return (List<?>)
+        browser.script(
+            "const chart = Frame.charts.get(document.querySelector('#play-field .chart')); return"
+                + " chart.getOption().series.find(s => s.id === 'waiting').data.map(d => d.label"
+                + " && d.label.formatter)");
   }
 
   @Test

@@ -52,6 +52,7 @@ public final class Screenshots {
     try {
       try (Browser browser = new Browser(width, height)) {
         pictures.walk(browser, Files.createDirectory(folder.resolve("session")));
+        pictures.waiting(browser, Files.createDirectory(folder.resolve("saturday")));
         pictures.pages(browser, Files.createDirectory(folder.resolve("friday")));
       }
     } finally {
@@ -72,6 +73,28 @@ public final class Screenshots {
               .withCamera(step -> picture(browser, "walk-" + step));
       walk.walk(console.url() + "?theme=" + theme);
       walk.times().forEach(System.out::println);
+    }
+  }
+
+  /** A play that waits for a robot that was taken off. */
+  private void waiting(Browser browser, Path session) throws IOException {
+    try (ServedKicks field = new ServedKicks();
+        RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "?theme=" + theme + "#play");
+      browser.find("#play-field canvas");
+      browser.script(
+          "const s = document.getElementById('order-field'); s.value = 'simulator';"
+              + " s.dispatchEvent(new Event('change'))");
+      browser.type("#order-port", Integer.toString(field.port()));
+      browser.type("#order-vision", field.vision());
+      browser.click("#play-start");
+      browser.await("it kicks", d -> browser.count("#play-kicks tbody tr") > 0 ? true : null);
+      field.setPresent(1, false);
+      browser.awaitText("#play-waiting", "yellow 1 is not seen");
+      picture(browser, "console-play-waiting");
+      browser.click("#play-abort");
+      browser.click("#confirm");
+      browser.awaitGone("#play-abort");
     }
   }
 

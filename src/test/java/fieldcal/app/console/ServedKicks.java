@@ -86,6 +86,22 @@ final class ServedKicks implements AutoCloseable {
     return vision;
   }
 
+  /** Where its simulator is controlled. */
+  int port() {
+    return port;
+  }
+
+  /** Takes one of the two robots off the field, or puts it back. */
+  void setPresent(int robot, boolean present) throws IOException {
+    TeleportRobot whether =
+        TeleportRobot.newBuilder()
+            .setId(RobotId.newBuilder().setId(robot).setTeam(Team.YELLOW))
+            .setPresent(present)
+            .build();
+    SimulatorControl control = SimulatorControl.newBuilder().addTeleportRobot(whether).build();
+    send(port, SimulatorCommand.newBuilder().setControl(control).build().toByteArray());
+  }
+
   /**
    * Lays the ball down before a robot, which kicks it.
    *
