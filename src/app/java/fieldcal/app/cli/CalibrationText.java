@@ -117,7 +117,7 @@ final class CalibrationText {
   }
 
   /** With as many decimals as show two digits of the error, at least four. */
-  private static String withError(double value, double error) {
+  static String withError(double value, double error) {
     int decimals =
         error > 0 ? Math.min(7, Math.max(4, 1 - (int) Math.floor(Math.log10(error)))) : 4;
     return String.format(Locale.ROOT, "%9." + decimals + "f ± %." + decimals + "f", value, error);

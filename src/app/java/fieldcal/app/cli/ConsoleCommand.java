@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     description =
         "Serves a page in the browser on which you look at kicks, drop and restore them, and"
-            + " diagnose and publish the ball model. Ctrl+C ends it.")
+            + " diagnose and publish the ball model. Ctrl-C ends it.")
 final class ConsoleCommand implements Callable<Integer> {
   private static final int TOKEN_BYTES = 12;
 
@@ -97,7 +97,7 @@ final class ConsoleCommand implements Callable<Integer> {
     try (Console console = Console.start(settings, Clock.systemUTC())) {
       PrintWriter out = spec.commandLine().getOut();
       out.println("Console of " + directory + ": " + console.url());
-      out.println("Open this address in a browser; Ctrl+C ends the console.");
+      out.println("Open this address in a browser; Ctrl-C ends the console.");
       out.flush();
       CountDownLatch ended = new CountDownLatch(1);
       Runtime.getRuntime().addShutdownHook(new Thread(console::close));

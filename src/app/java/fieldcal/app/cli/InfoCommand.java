@@ -20,10 +20,10 @@ import picocli.CommandLine.Spec;
 final class InfoCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
-  @Parameters(paramLabel = "LOG", description = "An SSL game log, .log or .log.gz.")
+  @Parameters(paramLabel = "LOG", description = "an SSL game log, .log or .log.gz")
   private Path log;
 
-  @Option(names = "--json", description = "Prints JSON instead of text.")
+  @Option(names = "--json", description = "prints JSON instead of text")
   private boolean json;
 
   InfoCommand() {}

@@ -126,43 +126,54 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--across",
       paramLabel = "X",
-      description = "x of the line of chips, where cameras overlap (default 0, the half-way line)")
+      description =
+          "x of the line of chips in m, where cameras overlap (default 0 m, the half-way line)")
   private double across;
 
-  @Option(names = "--speed-min", paramLabel = "M/S", description = "slowest kick (flat 2, chip 3)")
+  @Option(
+      names = "--speed-min",
+      paramLabel = "M/S",
+      description = "slowest kick (default 2 m/s for flat kicks, 3 m/s for chips)")
   private Double speedMin;
 
   @Option(
       names = "--speed-max",
       paramLabel = "M/S",
-      description = "fastest kick (flat 6.5, chip 5.5)")
+      description = "fastest kick (default 6.5 m/s for flat kicks, 5.5 m/s for chips)")
   private Double speedMax;
 
   @Option(
       names = "--elevation",
       paramLabel = "DEG",
-      description = "elevation of chips (default 45)")
+      description = "elevation of chips (default 45°)")
   private double elevation = 45;
 
   @Option(
       names = "--margin",
       paramLabel = "M",
-      description = "how far outside the lines robots may drive (default 0.2, less where narrow)")
+      description =
+          "how far outside the lines robots may drive (default 0.2 m, less where the field has less"
+              + " room)")
   private Double margin;
 
   @Option(
       names = "--receiver-distance",
       paramLabel = "M",
-      description = "largest distance between the receiver and the ball (default the line's end)")
+      description =
+          "largest distance between the receiver and the ball (default: the receiver stands at the"
+              + " end of the line)")
   private Double receiverDistance;
 
-  @Option(names = "--drive-speed", paramLabel = "M/S", description = "fastest drive (default 2.5)")
+  @Option(
+      names = "--drive-speed",
+      paramLabel = "M/S",
+      description = "the robots' highest speed (default 2.5 m/s)")
   private Double driveSpeed;
 
   @Option(
       names = "--patience",
       paramLabel = "S",
-      description = "longest wait for a robot, vision or the ball to come back (default 60)")
+      description = "longest wait for a robot, vision or the ball to come back (default 60 s)")
   private Double patience;
 
   @Option(

@@ -156,10 +156,9 @@ final class PlayText {
       parameters.append(
           String.format(
               Locale.ROOT,
-              "  %s %.3f ± %.3f",
+              "  %s %s",
               ParameterWords.inFiles(e.name()),
-              e.value(),
-              e.standardError()));
+              CalibrationText.withError(e.value(), e.standardError()).strip()));
     }
     line(
         "%3d  %-9s %s %.2f m/s%s%s",

@@ -106,6 +106,7 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--flat-model",
       paramLabel = "ACC_SLIDE,ACC_ROLL,K_SWITCH",
       split = ",",
+      hideParamSyntax = true,
       description = "ideal physics with these parameters, for example -3.1,-0.28,0.65")
   private double[] flatModel;
 
@@ -113,6 +114,7 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--chip-model",
       paramLabel = "E_XY1,E_XY,E_Z",
       split = ",",
+      hideParamSyntax = true,
       description = "ideal physics with these parameters, for example 0.75,0.95,0.52")
   private double[] chipModel;
 
@@ -125,13 +127,13 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--noise-mm",
       paramLabel = "MM",
-      description = "noise of a ball straight below a camera (default 2)")
+      description = "noise of a ball straight below a camera (default 2 mm)")
   private Double noiseMm;
 
   @Option(
       names = "--camera-height",
       paramLabel = "M",
-      description = "height of the cameras above the carpet, metres (default 5.3)")
+      description = "height of the cameras above the carpet (default 5.3 m)")
   private Double cameraHeight;
 
   @Option(
@@ -151,10 +153,16 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(names = "--division", paramLabel = "A|B", description = "field size (default A)")
   private String division;
 
-  @Option(names = "--speed-min", paramLabel = "M/S", description = "slowest kick")
+  @Option(
+      names = "--speed-min",
+      paramLabel = "M/S",
+      description = "slowest kick of a scenario, m/s")
   private Double speedMin;
 
-  @Option(names = "--speed-max", paramLabel = "M/S", description = "fastest kick")
+  @Option(
+      names = "--speed-max",
+      paramLabel = "M/S",
+      description = "fastest kick of a scenario, m/s")
   private Double speedMax;
 
   @Option(
@@ -163,7 +171,7 @@ final class SimulateCommand implements Callable<Integer> {
       description = "share of kicks that the receiver tries to stop (default 0.7)")
   private Double reception;
 
-  @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default 2)")
+  @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default 2 min)")
   private Double minutes;
 
   @Option(names = "--team-size", paramLabel = "N", description = "robots per team (default 6)")
@@ -173,6 +181,7 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--yellow-limits",
       paramLabel = "V,A,B",
       split = ",",
+      hideParamSyntax = true,
       description =
           "yellow robots: speed m/s, acceleration and braking m/s² (match: drawn from the seed)")
   private double[] yellowLimits;
@@ -181,6 +190,7 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--blue-limits",
       paramLabel = "V,A,B",
       split = ",",
+      hideParamSyntax = true,
       description = "the same of blue robots")
   private double[] blueLimits;
 

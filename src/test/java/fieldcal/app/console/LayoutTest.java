@@ -114,6 +114,23 @@ class LayoutTest {
     }
   }
 
+  @Test
+  void theReportsOfOtherCommandsAreWholeOnAPhone() throws IOException {
+    Path match = folder.resolve("match");
+    SampleSession.recordMatch(match);
+    SampleSession.run("limits", match.resolve("matches/match.log.gz").toString(), "--out=" + match);
+    Path kicks = folder.resolve("kicks");
+    SampleSession.run("diagnose", SampleSession.small().toString(), "--out=" + kicks);
+    try (Browser browser = new Browser(390, 844)) {
+      for (Path page : List.of(match.resolve("limits.html"), kicks.resolve("diagnosis.html"))) {
+        browser.open(page.toUri().toString());
+        browser.find("canvas");
+        assertWhole(browser, page.getFileName().toString());
+      }
+      browser.assertNoComplaints();
+    }
+  }
+
   /** A tooltip is higher than the plot of a parameter; all of it must be seen. */
   @Test
   void whatTheMouseShowsIsWhole() {

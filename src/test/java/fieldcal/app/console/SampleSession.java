@@ -66,13 +66,16 @@ final class SampleSession {
   }
 
   private static void simulate(String... options) {
+    run(Stream.concat(Stream.of("simulate"), Stream.of(options)).toArray(String[]::new));
+  }
+
+  /** Runs a command, which has to succeed. */
+  static void run(String... args) {
     StringWriter err = new StringWriter();
     CommandLine commands = Main.commandLine();
     commands.setOut(new PrintWriter(new StringWriter()));
     commands.setErr(new PrintWriter(err));
-    int exit =
-        commands.execute(
-            Stream.concat(Stream.of("simulate"), Stream.of(options)).toArray(String[]::new));
+    int exit = commands.execute(args);
     assertThat(exit).as(err.toString()).isZero();
   }
 
