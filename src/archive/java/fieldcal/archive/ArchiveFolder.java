@@ -157,6 +157,11 @@ record ArchiveFolder(String root) implements Serializable {
     move(written, target);
   }
 
+  /** Replaces the only file of a table that is of all matches together. */
+  void replace(Table table, List<Row> rows) throws IOException {
+    replace(table, rows, Path.of(root, table.name(), table.name() + ".parquet"));
+  }
+
   private static void move(Path from, Path to) throws IOException {
     try {
       Files.move(from, to, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);

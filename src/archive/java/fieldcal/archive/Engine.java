@@ -108,6 +108,28 @@ final class Engine implements AutoCloseable {
     }
   }
 
+  /** Reads the tables again, for what follows from all of them: a summary of each log, and each team in each tournament. */
+  Conclusions conclude(List<LogFile> logs, ArchiveFolder folder) throws IOException {
+    List<MatchSummary> summaries =
+        collect(
+            () ->
+                context
+                    .parallelize(logs, logs.size())
+                    .map(log -> MatchSummary.of(log, folder))
+                    .collect());
+    List<TeamMatches> teams = Conclusions.teams(summaries);
+    List<TeamStudy> studies =
+        teams.isEmpty()
+            ? List.of()
+            : collect(
+                () ->
+                    context
+                        .parallelize(teams, teams.size())
+                        .map(team -> TeamStudy.of(team, folder))
+                        .collect());
+    return new Conclusions(summaries, Conclusions.venues(summaries), studies);
+  }
+
   private static String attempt(LogFile log) {
     return log.log() + "-" + TaskContext.get().taskAttemptId();
   }

@@ -8,6 +8,7 @@ import fieldcal.archive.match.MatchTables;
 import fieldcal.archive.table.Row;
 import fieldcal.archive.table.Table;
 import fieldcal.archive.table.Tables;
+import fieldcal.archive.venue.Carpet;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -64,7 +65,16 @@ public final class SparkArchive implements ArchiveEngine {
     if (!open.isEmpty()) {
       engine.read(open, folder, progress);
     }
-    return finish(folder, logs, logs.size() - open.size(), findings);
+    for (LogFile log : logs) {
+      if (log.log() == null) {
+        Row row = MatchTables.broken(null, Path.of(log.path()), log.unreadable());
+        ArchiveFolder.replace(Tables.PROBLEMS, List.of(row), folder.file(Tables.PROBLEMS, log));
+      }
+    }
+    Conclusions conclusions = engine.conclude(logs, folder);
+    write(folder, logs, conclusions);
+    Atlas.write(conclusions, folder);
+    return outcome(conclusions, logs.size() - open.size(), findings);
   }
 
   /** One log for each content; the order of the files decides under which name. */
@@ -99,29 +109,45 @@ public final class SparkArchive implements ArchiveEngine {
     }
   }
 
-  private static ArchiveOutcome finish(
-      ArchiveFolder folder, List<LogFile> logs, int skipped, List<String> findings)
+  /** What one log alone does not know: the venue of its match, and the tables of all together. */
+  private static void write(ArchiveFolder folder, List<LogFile> logs, Conclusions conclusions)
       throws IOException {
+    Map<String, Carpet> carpets = conclusions.carpets();
+    for (LogFile log : logs) {
+      Optional<Row> match = log.log() == null ? Optional.empty() : folder.match(log);
+      if (match.isPresent()) {
+        Carpet carpet = carpets.get(log.log());
+        Row row =
+            match
+                .get()
+                .set("venue", carpet == null ? null : carpet.venue())
+                .set("carpet", carpet == null ? null : carpet.name());
+        ArchiveFolder.replace(Tables.MATCHES, List.of(row), folder.file(Tables.MATCHES, log));
+      }
+    }
+    for (Table table : Tables.OF_MATCHES) {
+      folder.keepOnly(table, logs);
+    }
+    folder.replace(Tables.CARPETS, conclusions.carpetRows());
+    folder.replace(Tables.CHANGES, conclusions.changeRows());
+    folder.replace(Tables.TEAMS, conclusions.teamRows());
+  }
+
+  private static ArchiveOutcome outcome(
+      Conclusions conclusions, int skipped, List<String> findings) {
     int broken = 0;
     double play = 0;
     long kicks = 0;
-    for (LogFile log : logs) {
-      if (log.log() == null) {
-        Row row = MatchTables.broken(null, Path.of(log.path()), log.unreadable());
-        ArchiveFolder.replace(Tables.PROBLEMS, List.of(row), folder.file(Tables.PROBLEMS, log));
-      }
-      Optional<Row> match = log.log() == null ? Optional.empty() : folder.match(log);
-      if (match.isEmpty()) {
+    for (MatchSummary summary : conclusions.summaries()) {
+      if (summary.facts() == null) {
         broken++;
-        continue;
+      } else {
+        play += 1e-6 * (summary.facts().end() - summary.facts().start());
+        kicks += summary.kicks();
       }
-      play += match.get().number("duration");
-      kicks += match.get().whole("kicks");
-      ArchiveFolder.replace(Tables.MATCHES, List.of(match.get()), folder.file(Tables.MATCHES, log));
     }
-    for (Table table : Tables.ALL) {
-      folder.keepOnly(table, logs);
-    }
-    return new ArchiveOutcome(logs.size(), skipped, broken, play, kicks, findings);
+    List<String> all = new ArrayList<>(findings);
+    all.addAll(FindingWords.of(conclusions));
+    return new ArchiveOutcome(conclusions.summaries().size(), skipped, broken, play, kicks, all);
   }
 }

@@ -134,6 +134,24 @@ class ArchiveRunTest {
   }
 
   @Test
+  void whatFollowsFromAllIsThereToo() throws IOException {
+    assertThat(rows(Tables.CARPETS))
+        .filteredOn(row -> row.text("parameter").equals("acc_slide"))
+        .hasSize(4) // three fields, one of them in two logs, and the match's
+        .allSatisfy(row -> assertThat(row.number("value")).isBetween(-3.5, -2.7));
+    assertThat(rows(Tables.MATCHES)).allMatch(row -> row.text("venue") != null);
+    assertThat(rows(Tables.TEAMS)).extracting(row -> row.text("team")).contains("Yellow", "Blue");
+    String page = Files.readString(whole.resolve("archive.html"));
+    assertThat(page.contains("nonsense.log")).isTrue();
+    // What scripts hold are the libraries' own words; a page that needs a network would say so
+    // outside of them.
+    String markup = page.replaceAll("(?s)<script>.*?</script>|<script type=.*?</script>", "");
+    assertThat(markup)
+        .contains("archive")
+        .doesNotContain("{{", "<script", "src=", "href=", "@import");
+  }
+
+  @Test
   void aBrokenLogIsOneRowAmongTheProblems() throws IOException {
     List<Row> fatal =
         rows(Tables.PROBLEMS).stream().filter(row -> (Boolean) row.get("fatal")).toList();

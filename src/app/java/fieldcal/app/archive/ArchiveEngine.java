@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.ServiceLoader;
 
-/** Turns many game logs into tables. Found at run time, since its class path is not that of the tools. */
+/** Turns many game logs into tables and an atlas. Found at run time, since its class path is not that of the tools. */
 public interface ArchiveEngine {
 
   /** Told how far the work is; called from several threads, one after the other. */

@@ -22,8 +22,9 @@ import picocli.CommandLine.Spec;
     name = "archive",
     mixinStandardHelpOptions = true,
     description =
-        "Turns hundreds of game logs into Parquet tables of kicks, matches, cameras and robots."
-            + " Runs on Apache Spark, on all cores of this machine or on a cluster.")
+        "Turns hundreds of game logs into Parquet tables of kicks, matches, cameras and robots, and"
+            + " into an atlas of carpets, cameras and teams. Runs on Apache Spark, on all cores of"
+            + " this machine or on a cluster.")
 final class ArchiveCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
@@ -39,7 +40,7 @@ final class ArchiveCommand implements Callable<Integer> {
       names = "--out",
       required = true,
       paramLabel = "DIR",
-      description = "writes the tables to this directory")
+      description = "writes the tables and archive.html to this directory")
   private Path out;
 
   @Option(
@@ -85,6 +86,7 @@ final class ArchiveCommand implements Callable<Integer> {
         outcome.skipped() > 0 ? "; " + outcome.skipped() + " were in the archive already" : "",
         outcome.broken() > 0 ? "; " + outcome.broken() + " could not be read, see problems" : "");
     outcome.findings().forEach(text::println);
+    text.printf("atlas: %s%n", out.resolve("archive.html"));
     text.flush();
   }
 }

@@ -36,9 +36,21 @@ public final class Tables {
   /** One row for each thing that was wrong. */
   public static final Table PROBLEMS = problems();
 
-  /** All of them, in the order of the documentation. */
-  public static final List<Table> ALL =
+  /** One row for each parameter of each carpet. */
+  public static final Table CARPETS = carpets();
+
+  /** One row for each change at a venue. */
+  public static final Table CHANGES = changes();
+
+  /** One row for each quantity of each team in each tournament. */
+  public static final Table TEAMS = teams();
+
+  /** Those with files for each match. */
+  public static final List<Table> OF_MATCHES =
       List.of(KICKS, MATCHES, CAMERAS, ROBOTS, LIMITS_HISTOGRAMS, PROBLEMS);
+
+  /** What follows from all matches together, one file each. */
+  public static final List<Table> OF_ALL = List.of(CARPETS, CHANGES, TEAMS);
 
   private static Table.Builder table(String name, String meaning) {
     return new Table.Builder(name, meaning).always(TEXT, "log", "", LOG_MEANING);
@@ -117,7 +129,17 @@ public final class Tables {
                 TEXT,
                 "geometry",
                 "",
-                "fingerprint of field size and camera calibrations: equal for the same geometry");
+                "fingerprint of field size and camera calibrations: equal for the same geometry")
+            .maybe(
+                TEXT,
+                "venue",
+                "",
+                "which field, counted by the first match on it; missing without a geometry")
+            .maybe(
+                TEXT,
+                "carpet",
+                "",
+                "which stretch of matches without another ball or carpet; missing without a venue");
     for (String name : List.of("acc_slide", "acc_roll")) {
       matches.maybe(DOUBLE, "published_" + name, "m/s²", "of the model that vision published");
     }
@@ -242,6 +264,71 @@ public final class Tables {
         .always(TEXT, "what", "", "what was wrong")
         .always(LONG, "count", "", "how often")
         .maybe(TEXT, "advice", "", "what it means, or what to do")
+        .build();
+  }
+
+  private static Table carpets() {
+    return new Table.Builder(
+            "carpets", "A parameter of one carpet and ball, pooled over the matches on it.")
+        .always(TEXT, "venue", "", "as in matches")
+        .always(TEXT, "carpet", "", "as in matches")
+        .always(TIME, "first", "", "start of the first match on it")
+        .always(TIME, "last", "", "start of the last match on it")
+        .always(TEXT, "parameter", "", "as in the columns of matches")
+        .always(INT, "matches", "", "matches that determine it")
+        .always(DOUBLE, "value", "of the parameter", "mean over the matches, weighted")
+        .always(
+            DOUBLE, "standard_error", "as value", "of the mean, scatter between matches included")
+        .always(
+            DOUBLE, "scatter", "as value", "standard deviation between matches beyond their errors")
+        .maybe(
+            DOUBLE,
+            "drift",
+            "as value, per day",
+            "slope over time; missing with fewer than four matches")
+        .maybe(DOUBLE, "drift_error", "as drift", "standard error of drift")
+        .maybe(DOUBLE, "published", "as value", "median of what vision published")
+        .build();
+  }
+
+  private static Table changes() {
+    return new Table.Builder("changes", "Something that changed at a venue between two matches.")
+        .always(TEXT, "venue", "", "as in matches")
+        .always(TEXT, "kind", "", "carpet_or_ball, ball, camera_calibrated or camera_moved")
+        .maybe(
+            INT,
+            "camera",
+            "",
+            "id of the camera; missing for all at once, and for what is no camera")
+        .always(TIME, "after", "", "end of the last match before the change")
+        .always(TIME, "before", "", "start of the first match after the change")
+        .always(TEXT, "last_match", "", "log of the last match before the change")
+        .always(TEXT, "next_match", "", "log of the first match after the change")
+        .always(TEXT, "what", "", "in words, with numbers")
+        .maybe(
+            DOUBLE,
+            "sigmas",
+            "",
+            "how many standard errors the largest of these differences is; missing for"
+                + " calibrations, which are certain")
+        .build();
+  }
+
+  private static Table teams() {
+    return new Table.Builder(
+            "teams",
+            "A quantity of a team in a tournament, from the histograms of all its matches"
+                + " together.")
+        .always(TEXT, "tournament", "", "as in the folders")
+        .always(TEXT, "team", "", "name of the team, as the referee says")
+        .maybe(INT, "robot", "", "number of the robot; missing for all robots of the team together")
+        .always(TEXT, "quantity", "", "as in robots")
+        .maybe(DOUBLE, "value", "m/s, m/s² or none", "missing when it is undetermined")
+        .maybe(DOUBLE, "standard_error", "as value", "missing when it is unknown")
+        .always(LONG, "samples", "", "observations that it rests on")
+        .maybe(BOOLEAN, "reached", "", "as in robots")
+        .maybe(TEXT, "note", "", "as in robots")
+        .always(INT, "matches", "", "matches of the team in the tournament")
         .build();
   }
 }

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -15,7 +16,7 @@ class TablesTest {
       Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "archive.md");
 
   static Iterable<Table> tables() {
-    return Tables.ALL;
+    return Stream.concat(Tables.OF_MATCHES.stream(), Tables.OF_ALL.stream()).toList();
   }
 
   @ParameterizedTest

@@ -1,0 +1,210 @@
+package fieldcal.archive.venue;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+
+/** Venues, carpets and changes from matches with known truth. */
+class VenueStudyTest {
+  private static final long HOUR = 3_600_000_000L;
+  private static final double ROLL_ERROR = 0.001;
+  private static final double OFFSET_ERROR = 0.0002;
+
+  /** A venue as it is at a time; values change from match to match by a scatter. */
+  private static final class Field {
+    private final Random random;
+    private final List<MatchFacts> matches = new ArrayList<>();
+    private double x;
+    private double roll = -0.28;
+    private double perDay;
+    private double inertia = 0.65;
+    private double knock;
+    private int calibration;
+    private long time;
+
+    Field(long seed) {
+      random = new Random(seed);
+      x = 3 * seed;
+    }
+
+    Field play(int count) {
+      for (int i = 0; i < count; i++) {
+        List<CameraFacts> cameras = new ArrayList<>();
+        for (int id = 0; id < 2; id++) {
+          String fingerprint = x + " " + id + " " + calibration;
+          cameras.add(
+              new CameraFacts(
+                  id,
+                  x + 5 * id + 0.01 * calibration,
+                  1,
+                  5.3,
+                  fingerprint,
+                  new Measured(id * knock + noise(OFFSET_ERROR), OFFSET_ERROR),
+                  new Measured(noise(OFFSET_ERROR), OFFSET_ERROR),
+                  72,
+                  0.001,
+                  0.0003,
+                  0,
+                  0,
+                  0.1));
+        }
+        Map<String, Measured> model = new TreeMap<>();
+        double now = roll + perDay * time / (24.0 * HOUR);
+        model.put("acc_roll", new Measured(now + noise(1.5 * ROLL_ERROR), ROLL_ERROR));
+        model.put("k_switch", new Measured(inertia + noise(0.002), 0.002));
+        String log = String.format("%016d", random.nextLong() >>> 8);
+        matches.add(
+            new MatchFacts(
+                log,
+                "cup",
+                "log",
+                time,
+                time + HOUR / 2,
+                12,
+                9,
+                "g" + calibration,
+                cameras,
+                model,
+                Map.of("acc_roll", -0.26),
+                Double.NaN));
+        time += 3 * HOUR;
+      }
+      return this;
+    }
+
+    private double noise(double sigma) {
+      return sigma * random.nextGaussian();
+    }
+
+    VenueStudy study() {
+      List<MatchFacts> shuffled = new ArrayList<>(matches);
+      Collections.shuffle(shuffled, random);
+      List<Venue> venues = VenueFinder.find(shuffled);
+      assertThat(venues).hasSize(1);
+      return VenueStudy.of(venues.get(0));
+    }
+  }
+
+  @Test
+  void matchesAreGroupedByTheirCameras() {
+    Field one = new Field(1).play(4);
+    // Calibrated again between two matches: one centimetre off.
+    one.calibration++;
+    one.play(3);
+    Field other = new Field(2).play(5);
+    List<MatchFacts> all = new ArrayList<>(one.matches);
+    all.addAll(other.matches);
+    Collections.shuffle(all, new Random(3));
+    List<Venue> venues = VenueFinder.find(all);
+    assertThat(venues).extracting(v -> v.matches().size()).containsExactlyInAnyOrder(7, 5);
+    assertThat(venues).extracting(Venue::name).containsExactly("V01", "V02");
+    assertThat(
+            VenueStudy.of(venues.stream().filter(v -> v.matches().size() == 7).findFirst().get())
+                .changes())
+        .singleElement()
+        .satisfies(
+            change -> {
+              assertThat(change.kind()).isEqualTo(Change.Kind.CAMERA_CALIBRATED);
+              assertThat(change.camera()).isEmpty();
+              assertThat(change.last()).isEqualTo(one.matches.get(3));
+            });
+  }
+
+  @Test
+  void afterHalfAYearTheSamePlaceIsAnotherVenue() {
+    Field field = new Field(1).play(3);
+    field.calibration++;
+    field.time += 24 * 180 * HOUR;
+    field.play(3);
+    assertThat(VenueFinder.find(field.matches)).hasSize(2);
+  }
+
+  @Test
+  void aMatchWithoutGeometryIsOfNoVenue() {
+    MatchFacts blind =
+        new MatchFacts(
+            "0",
+            "cup",
+            "log",
+            0,
+            1,
+            Double.NaN,
+            Double.NaN,
+            null,
+            List.of(),
+            Map.of(),
+            Map.of(),
+            Double.NaN);
+    assertThat(VenueFinder.find(List.of(blind))).isEmpty();
+  }
+
+  @Test
+  void anotherCarpetIsFoundAndDatedWhereverItComes() {
+    for (int before = 2; before <= 10; before++) {
+      Field field = new Field(before).play(before);
+      field.roll = -0.24;
+      field.play(12 - before);
+      VenueStudy study = field.study();
+      assertThat(study.changes()).as("after " + before).hasSize(1);
+      Change change = study.changes().get(0);
+      assertThat(change.kind()).isEqualTo(Change.Kind.CARPET_OR_BALL);
+      assertThat(change.last()).isEqualTo(field.matches.get(before - 1));
+      assertThat(change.next()).isEqualTo(field.matches.get(before));
+      assertThat(study.carpets()).extracting(Carpet::name).containsExactly("V01-1", "V01-2");
+      Carpet.Pooled pooled = study.carpets().get(1).parameters().get("acc_roll");
+      assertThat(pooled.value()).isEqualTo(-0.24, within(4 * pooled.error()));
+      assertThat(pooled.published()).isEqualTo(-0.26);
+    }
+  }
+
+  @Test
+  void anotherBallIsToldFromAnotherCarpet() {
+    Field field = new Field(4).play(6);
+    field.inertia = 0.62;
+    field.play(6);
+    assertThat(field.study().changes())
+        .singleElement()
+        .satisfies(change -> assertThat(change.kind()).isEqualTo(Change.Kind.BALL));
+  }
+
+  @Test
+  void nothingIsFoundWhereNothingChangesAndDriftIsNoChange() {
+    int changes = 0;
+    for (int seed = 0; seed < 200; seed++) {
+      Field field = new Field(seed);
+      field.perDay = seed % 2 * -0.01;
+      VenueStudy study = field.play(12).study();
+      changes += study.changes().size();
+      if (seed % 2 == 1 && study.changes().isEmpty()) {
+        Carpet.Pooled roll = study.carpets().get(0).parameters().get("acc_roll");
+        assertThat(roll.drift()).isEqualTo(-0.01, within(4.5 * roll.driftError()));
+      }
+    }
+    // Each field has eight numbers that could seem to change: 1 in 40 of the fields, at most.
+    assertThat(changes).isLessThanOrEqualTo(5);
+  }
+
+  @Test
+  void aCameraThatWasKnockedIsNamed() {
+    Field field = new Field(6).play(5);
+    field.knock = 0.012;
+    field.play(4);
+    assertThat(field.study().changes())
+        .singleElement()
+        .satisfies(
+            change -> {
+              assertThat(change.kind()).isEqualTo(Change.Kind.CAMERA_MOVED);
+              assertThat(change.camera()).hasValue(1);
+              assertThat(change.next()).isEqualTo(field.matches.get(5));
+              assertThat(change.what())
+                  .matches("camera 1 reports everything shifted by \\+1[12]\\.\\d mm in x.*");
+            });
+  }
+}
