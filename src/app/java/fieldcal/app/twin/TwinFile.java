@@ -270,6 +270,7 @@ public final class TwinFile {
     RobotLimits blue = limits(robots.object("blue"));
     robots.close();
     BallModels models = published(root.object("published"));
+    BallPhysics whole = physics;
     SimulationSettings settings =
         root.made(
             () ->
@@ -280,8 +281,9 @@ public final class TwinFile {
                     .withNuisance(Nuisance.NONE)
                     .withPublishedModels(models)
                     .withInstalled(cameras)
-                    .withEffects(effects));
-    return new Twin(sources, settings.withPhysics(physics), notes);
+                    .withEffects(effects)
+                    .withPhysics(whole));
+    return new Twin(sources, settings, notes);
   }
 
   private static FieldSize field(Fields f) throws InputException {
@@ -350,7 +352,11 @@ public final class TwinFile {
     Region view = Region.NONE;
     if (f.has("view")) {
       double[] v = four(f, "view", 4);
-      view = new Region(v[0], v[1], v[2], v[3]);
+      try {
+        view = new Region(v[0], v[1], v[2], v[3]);
+      } catch (IllegalArgumentException e) {
+        throw f.wrong("view", e.getMessage());
+      }
     }
     Region area = view;
     CameraErrors errors = learned.errors(id);

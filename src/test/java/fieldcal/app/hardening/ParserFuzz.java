@@ -29,6 +29,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 
 /**
@@ -182,6 +183,33 @@ public final class ParserFuzz implements AutoCloseable {
       }
     }
     return read;
+  }
+
+  /**
+   * Feeds every parser what broke it once.
+   *
+   * @param found a folder with one folder for each parser
+   * @return how many inputs there were
+   * @throws IOException when they cannot be read
+   */
+  int runFound(Path found) throws IOException {
+    List<Path> files;
+    try (Stream<Path> all = Files.walk(found)) {
+      files = all.filter(Files::isRegularFile).sorted().toList();
+    }
+    for (Path file : files) {
+      String name = file.getParent().getFileName().toString();
+      try {
+        targets.get(name).parser.read(Files.readAllBytes(file));
+      } catch (IOException e) {
+        if (e.getMessage() == null || e.getMessage().isBlank()) {
+          throw new AssertionError(file + " ends without a word", e);
+        }
+      } catch (RuntimeException | Error e) {
+        throw new AssertionError(file + " breaks its parser again: " + e, e);
+      }
+    }
+    return files.size();
   }
 
   private static AssertionError broke(String name, long seed, long number, Throwable why) {

@@ -10,9 +10,18 @@ import org.junit.jupiter.api.io.TempDir;
 /** A little of {@link ParserFuzz} for every parser; {@code ./gradlew parserFuzz} runs more. */
 class ParserFuzzTest {
   /** Some seconds for all parsers together. */
-  private static final int INPUTS = 600;
+  private static final int INPUTS = 400;
 
   @TempDir private static Path scratch;
+
+  @Test
+  void whatBrokeAParserOnceDoesNotAgain() throws IOException {
+    Path project = Path.of(System.getProperty("fieldcal.projectDir", "."));
+    try (ParserFuzz fuzz = new ParserFuzz(project, scratch)) {
+      Path found = project.resolve("src/test/resources/fieldcal/app/hardening/found");
+      assertThat(fuzz.runFound(found)).isPositive();
+    }
+  }
 
   @Test
   void everyParserEndsWithOneLine() throws IOException {
