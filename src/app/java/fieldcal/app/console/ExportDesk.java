@@ -11,6 +11,8 @@ import fieldcal.app.export.ExportModel.ModelVerdict;
 import fieldcal.app.export.Exporter;
 import fieldcal.app.export.ProcessorHost;
 import fieldcal.app.export.Target;
+import fieldcal.app.export.Target.Key;
+import fieldcal.app.export.Target.TargetFile;
 import fieldcal.app.export.format.BaseFile;
 import fieldcal.app.export.format.Editor.Change;
 import fieldcal.app.history.History;
@@ -57,14 +59,20 @@ final class ExportDesk {
     this.changed = changed;
   }
 
-  /** The targets with what each needs to know. */
+  /** The targets that take something of a calibration, with what each needs to know. */
   static ArrayNode targets() {
     ArrayNode targets = NODES.arrayNode();
     for (String name : Target.names()) {
       Target target = Target.of(name);
+      // Limits of robots are measured by another command; here is the model of the ball.
+      List<TargetFile> files =
+          target.files().stream().filter(f -> !f.keys().stream().allMatch(Key::ofRobots)).toList();
+      if (files.isEmpty()) {
+        continue;
+      }
       ObjectNode node = targets.addObject().put("name", name).put("title", target.title());
-      node.put("file", target.files().get(0).file());
-      target.files().stream()
+      node.put("file", files.get(0).file());
+      files.stream()
           .filter(f -> f.entryMeans() != null)
           .findFirst()
           .ifPresent(f -> node.put("entry", f.entryMeans()));
@@ -110,7 +118,15 @@ final class ExportDesk {
     changes.forEach(c -> words.add(ProcessorHost.words(c)));
     ArrayNode notes = answer.putArray("notes");
     sentences.forEach(notes::add);
-    answer.put("verdict", model.provenance().verdict().map(ModelVerdict::headline).orElse(null));
+    // What may be published needs no word here.
+    answer.put(
+        "verdict",
+        model
+            .provenance()
+            .verdict()
+            .filter(v -> !v.allows())
+            .map(ModelVerdict::headline)
+            .orElse(null));
     return answer;
   }
 

@@ -116,6 +116,15 @@ public record ExportModel(
       return decision.equals("do_not_publish");
     }
 
+    /**
+     * Whether the model may be published without a word.
+     *
+     * @return true when the decision is "publish"
+     */
+    public boolean allows() {
+      return decision.equals("publish");
+    }
+
     static Optional<ModelVerdict> of(JsonNode node) {
       if (!node.path("decision").isTextual()) {
         return Optional.empty();

@@ -31,6 +31,10 @@ public record Target(String name, String title, List<TargetFile> files) {
           "grsim",
           "robot-specs");
 
+  /** How the names of robots' quantities end; before it may stand a team. */
+  private static final List<String> LIMITS =
+      List.of("velocity_max", "acceleration_max", "braking_max");
+
   /** Copies the list. {@inheritDoc} */
   public Target {
     files = List.copyOf(files);
@@ -120,6 +124,15 @@ public record Target(String name, String title, List<TargetFile> files) {
       divisor = divisor == null ? 1 : divisor;
       min = min == null ? Double.NEGATIVE_INFINITY : min;
       max = max == null ? Double.POSITIVE_INFINITY : max;
+    }
+
+    /**
+     * Whether it is of a robot, and not of the ball or the cameras.
+     *
+     * @return true for limits of movement
+     */
+    public boolean ofRobots() {
+      return LIMITS.stream().anyMatch(quantity::endsWith);
     }
 
     double value(double quantity) {

@@ -42,6 +42,9 @@ final class YamlForm implements ConfigForm {
       int line = e.getProblemMark().map(Mark::getLine).orElse(0) + 1;
       throw new InputException(
           base.name() + ", line " + line + ": is not valid YAML: " + e.getProblem());
+    } catch (NumberFormatException e) {
+      // The library's own answer to an escape in which the file ends.
+      throw new InputException(base.name() + ": is not valid YAML: an escape is cut off");
     } catch (YamlEngineException e) {
       String words = e.getMessage().lines().findFirst().orElse("");
       throw new InputException(base.name() + ": is not valid YAML: " + words);
