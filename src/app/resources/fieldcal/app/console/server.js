@@ -3,9 +3,12 @@
 /** How long no word may come before the connection counts as lost, ms; the server sends one every three seconds. */
 const SILENCE = 9000;
 
+/** What the server refuses with is as on a terminal: it begins small and has no full stop. */
+const sentence = text => text[0].toUpperCase() + text.slice(1) + (/[.?!…]$/.test(text) ? '' : '.');
+
 class Refused extends Error {
   constructor(status, message) {
-    super(message);
+    super(sentence(message));
     this.status = status;
   }
 }

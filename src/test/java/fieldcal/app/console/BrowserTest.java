@@ -318,7 +318,7 @@ class BrowserTest {
               + " s.dispatchEvent(new Event('change'))");
       browser.type("#watch-yellow", "9, 9");
       browser.click("#watch-start");
-      browser.awaitText("#notices", "the limits of yellow must be");
+      browser.awaitText("#notices", "The limits of yellow must be");
       browser.type("#watch-yellow", "9, 9, 9");
       browser.click("#watch-start");
       browser.awaitText("#watch-line", "ended");

@@ -64,6 +64,7 @@ class LayoutTest {
 
   @TempDir private static Path folder;
   private static RunningConsole console;
+  private static Browser browser;
 
   @BeforeAll
   static void start() throws IOException {
@@ -71,16 +72,20 @@ class LayoutTest {
     SampleSession.copy(SampleSession.small(), session);
     console = RunningConsole.start(session);
     console.settled();
+    browser = new Browser();
   }
 
   @AfterAll
   static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
     if (console != null) {
       console.close();
     }
   }
 
-  private static void assertWhole(Browser browser, String what) {
+  private static void assertWhole(String what) {
     browser.awaitGone("[data-waiting]");
     assertThat((List<?>) browser.script(CUT_OFF)).as(what).isEmpty();
   }
@@ -88,30 +93,29 @@ class LayoutTest {
   @ParameterizedTest
   @CsvSource({"1280,720", "1920,1080", "390,844"})
   void nothingIsCutOff(int width, int height) {
-    try (Browser browser = new Browser(width, height)) {
-      browser.open(console.url() + "#kicks/1");
-      browser.find("#kick[data-shown='1']");
-      for (String page : List.of("kicks", "play", "diagnosis", "publish", "match", "recordings")) {
-        browser.script("location.hash = arguments[0]", page);
-        browser.find("#page-" + page + ":not([hidden])");
-        assertWhole(browser, page);
-      }
-      browser.script("location.hash = 'publish'");
-      browser.type("#send-address", "127.0.0.1");
-      browser.type("#send-port", "10006");
-      browser.click("#send-button");
-      browser.awaitText("#dialog", "acc_slide");
-      assertWhole(browser, "the question before sending");
-      assertThat(
-              browser.script(
-                  "const box = document.getElementById('dialog'); return box.scrollWidth <="
-                      + " box.clientWidth"))
-          .isEqualTo(true);
-      browser.open(console.url() + "files/report.html");
-      browser.find("#kick-charts canvas");
-      assertWhole(browser, "report");
-      browser.assertNoComplaints();
+    browser.resize(width, height);
+    browser.open(console.url() + "#kicks/1");
+    browser.find("#kick[data-shown='1']");
+    for (String page : List.of("kicks", "play", "diagnosis", "publish", "match", "recordings")) {
+      browser.script("location.hash = arguments[0]", page);
+      browser.find("#page-" + page + ":not([hidden])");
+      assertWhole(page);
     }
+    browser.script("location.hash = 'publish'");
+    browser.type("#send-address", "127.0.0.1");
+    browser.type("#send-port", "10006");
+    browser.click("#send-button");
+    browser.awaitText("#dialog", "acc_slide");
+    assertWhole("the question before sending");
+    assertThat(
+            browser.script(
+                "const box = document.getElementById('dialog'); return box.scrollWidth <="
+                    + " box.clientWidth"))
+        .isEqualTo(true);
+    browser.open(console.url() + "files/report.html");
+    browser.find("#kick-charts canvas");
+    assertWhole("report");
+    browser.assertNoComplaints();
   }
 
   @Test
@@ -121,34 +125,31 @@ class LayoutTest {
     SampleSession.run("limits", match.resolve("matches/match.log.gz").toString(), "--out=" + match);
     Path kicks = folder.resolve("kicks");
     SampleSession.run("diagnose", SampleSession.small().toString(), "--out=" + kicks);
-    try (Browser browser = new Browser(390, 844)) {
-      for (Path page : List.of(match.resolve("limits.html"), kicks.resolve("diagnosis.html"))) {
-        browser.open(page.toUri().toString());
-        browser.find("canvas");
-        assertWhole(browser, page.getFileName().toString());
-      }
-      browser.assertNoComplaints();
+    browser.resize(390, 844);
+    for (Path page : List.of(match.resolve("limits.html"), kicks.resolve("diagnosis.html"))) {
+      browser.open(page.toUri().toString());
+      browser.find("canvas");
+      assertWhole(page.getFileName().toString());
     }
+    browser.assertNoComplaints();
   }
 
   /** A tooltip is higher than the plot of a parameter; all of it must be seen. */
   @Test
   void whatTheMouseShowsIsWhole() {
-    try (Browser browser = new Browser()) {
-      browser.open(console.url() + "#kicks/1");
-      browser.find("#kick[data-shown='1']");
-      browser.awaitGone("[data-waiting]");
-      List<?> points = (List<?>) browser.script(POINTS);
-      assertThat(points).hasSizeGreaterThan(SampleSession.KICKS);
-      for (Object point : points) {
-        List<?> place = (List<?>) point;
-        browser.command(
-            "Input.dispatchMouseEvent",
-            Map.of("type", "mouseMoved", "x", place.get(0), "y", place.get(1)));
-        browser.await(
-            "a tip at " + place, d -> browser.script(HIDDEN_CORNERS) == null ? null : true);
-        assertThat((List<?>) browser.script(HIDDEN_CORNERS)).as("at %s", place).isEmpty();
-      }
+    browser.resize(1280, 720);
+    browser.open(console.url() + "#kicks/1");
+    browser.find("#kick[data-shown='1']");
+    browser.awaitGone("[data-waiting]");
+    List<?> points = (List<?>) browser.script(POINTS);
+    assertThat(points).hasSizeGreaterThan(SampleSession.KICKS);
+    for (Object point : points) {
+      List<?> place = (List<?>) point;
+      browser.command(
+          "Input.dispatchMouseEvent",
+          Map.of("type", "mouseMoved", "x", place.get(0), "y", place.get(1)));
+      browser.await("a tip at " + place, d -> browser.script(HIDDEN_CORNERS) == null ? null : true);
+      assertThat((List<?>) browser.script(HIDDEN_CORNERS)).as("at %s", place).isEmpty();
     }
   }
 }
