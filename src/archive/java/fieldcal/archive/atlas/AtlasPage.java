@@ -2,6 +2,7 @@ package fieldcal.archive.atlas;
 
 import fieldcal.app.report.ReportPage;
 import java.io.IOException;
+import java.util.List;
 
 /** {@code archive.html}. */
 public final class AtlasPage {
@@ -12,7 +13,7 @@ public final class AtlasPage {
           "the Parquet tables beside it",
           FOLDER + "atlas.html",
           FOLDER + "atlas.css",
-          java.util.List.of(FOLDER + "atlas.js"));
+          List.of(FOLDER + "atlas.js"));
 
   private AtlasPage() {}
 

@@ -32,11 +32,15 @@ final class ChangeFinder {
    *
    * @param times of the measurements, ascending
    * @param series each with one measurement for each time, null where there is none
+   * @param smallest standard deviation from one measurement to the next that each series has at least, whatever few of them show
    */
-  ChangeFinder(double[] times, List<Measured[]> series) {
+  ChangeFinder(double[] times, List<Measured[]> series, double[] smallest) {
     this.times = times;
     this.series = series;
-    scatter = series.stream().mapToDouble(ChangeFinder::scatter).toArray();
+    scatter = new double[series.size()];
+    for (int s = 0; s < scatter.length; s++) {
+      scatter[s] = Math.max(smallest[s] * smallest[s], scatter(series.get(s)));
+    }
   }
 
   /** Variance between neighbours beyond their errors. */

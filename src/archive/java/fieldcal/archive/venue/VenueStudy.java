@@ -3,6 +3,8 @@ package fieldcal.archive.venue;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.Sample;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -36,6 +38,12 @@ public final class VenueStudy {
   /** … and more than good cameras disagree anyway, m. */
   private static final double SMALLEST_MOVE = 0.002;
 
+  /** From match to match a parameter differs by at least that part of itself, chosen well below what calling it another carpet would need: else a hundred kicks more would make changes of a thousandth certain. */
+  private static final double SAME_CARPET = 0.003;
+
+  /** The same of a camera's offset, m: a fifteenth of a good camera's noise. */
+  private static final double SAME_OFFSET = 1e-4;
+
   private static final double MICROS_PER_DAY = 24 * 3600 * 1e6;
 
   private final Venue venue;
@@ -57,7 +65,7 @@ public final class VenueStudy {
     study.cutCarpets();
     study.compareCalibrations();
     study.changes.sort(
-        java.util.Comparator.comparingLong((Change c) -> c.next().start())
+        Comparator.comparingLong((Change c) -> c.next().start())
             .thenComparing(Change::kind)
             .thenComparingInt(c -> c.camera().orElse(-1)));
     return study;
@@ -111,7 +119,9 @@ public final class VenueStudy {
               .map(match -> usable(match.model().get(parameter)))
               .toArray(Measured[]::new));
     }
-    ChangeFinder finder = new ChangeFinder(days(telling), series);
+    ChangeFinder finder =
+        new ChangeFinder(
+            days(telling), series, series.stream().mapToDouble(VenueStudy::sameCarpet).toArray());
     List<Integer> ends = new ArrayList<>(telling.isEmpty() ? List.of() : finder.find());
     ends.add(telling.size());
     int begin = 0;
@@ -135,6 +145,15 @@ public final class VenueStudy {
       before = begin;
       begin = end;
     }
+  }
+
+  private static double sameCarpet(Measured[] series) {
+    return SAME_CARPET
+        * Arrays.stream(series)
+            .filter(m -> m != null)
+            .mapToDouble(m -> Math.abs(m.value()))
+            .average()
+            .orElse(0);
   }
 
   private static Map<String, Carpet.Pooled> pooled(
@@ -273,7 +292,9 @@ public final class VenueStudy {
       series.add(offsets(matches, id, true));
       series.add(offsets(matches, id, false));
     }
-    ChangeFinder finder = new ChangeFinder(days(matches), series);
+    ChangeFinder finder =
+        new ChangeFinder(
+            days(matches), series, series.stream().mapToDouble(one -> SAME_OFFSET).toArray());
     List<Integer> cuts = finder.find();
     for (int k = 0; k < cuts.size(); k++) {
       int begin = k == 0 ? 0 : cuts.get(k - 1);
