@@ -1,6 +1,7 @@
 package fieldcal.benchmark;
 
 import fieldcal.app.console.ConsoleBenchmark;
+import fieldcal.app.console.Soak;
 import fieldcal.diagnosis.DiagnosisSpeed;
 import fieldcal.effect.ExtendedQueries;
 import fieldcal.fit.FitAccuracy;
@@ -27,8 +28,8 @@ public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [match-kicks]"
           + " [k-switch] [diagnose] [live] [live-warnings] [live-carpets] [live-day] [sample-tree]"
-          + " [console] [play] [play-calibration] [play-adaptive] [play-causes] [play-udp] [--kicks"
-          + " N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
+          + " [console] [play] [play-calibration] [play-adaptive] [play-causes] [play-udp] [soak]"
+          + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -66,6 +67,7 @@ public final class Benchmarks {
     parts.put("play-adaptive", AdaptiveBenchmark::run);
     parts.put("play-causes", CausesBenchmark::run);
     parts.put("play-udp", NetworkPlayBenchmark::run);
+    parts.put("soak", Soak::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

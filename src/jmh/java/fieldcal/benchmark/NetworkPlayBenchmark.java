@@ -33,7 +33,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 /**
  * 12 flat kicks and 12 chips over UDP on loopback, on a good network and on a bad one, beside the same in process. In real time: some three minutes per run, both networks at once. One drawn field per run.
  */
-final class NetworkPlayBenchmark {
+public final class NetworkPlayBenchmark {
   private static final int KICKS = 12;
 
   private NetworkPlayBenchmark() {}
@@ -91,6 +91,22 @@ final class NetworkPlayBenchmark {
         "over UDP within 3 combined standard errors of the same in process: %d of %d parameters,"
             + " rms %.2f, worst %.2f, goal %s: %s%n",
         same, differences.size(), rms, worst, all, all.verdict(same));
+  }
+
+  /**
+   * One session of flat kicks and one of chips over a network that loses and delays, in real time.
+   *
+   * @param seed of field and play
+   * @return whether both ended with all kicks
+   * @throws IOException when it cannot be run
+   */
+  public static boolean overBadNetwork(long seed) throws IOException {
+    ExecutorService threads = Executors.newCachedThreadPool();
+    try {
+      return served(DrawnField.of(seed), seed, Way.BAD, threads).complete();
+    } finally {
+      threads.shutdown();
+    }
   }
 
   /** Both networks at the same time; first what needs the whole machine. */
