@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.ModelChoice.Weighed;
 import fieldcal.diagnosis.decision.Decision;
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
@@ -14,6 +15,7 @@ import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.ModelState;
 import fieldcal.diagnosis.model.MovingNoise;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.screening.KickScreen;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.CauseSearch;
@@ -71,9 +73,6 @@ public final class Diagnoser {
 
   /** A simpler model is taken unless a larger one predicts held-out kicks better by that share: a tenth of the noise's excess that matters. */
   private static final double CLEARLY_BETTER = 0.01;
-
-  /** A component that explains less than that share of what the largest explains does not decide about others. */
-  private static final double LITTLE = 0.05;
 
   /** Change of a cause's size by which a learned term beside it has taken its place, as a share. */
   private static final double SUPPLANTED = 0.5;
@@ -270,7 +269,7 @@ public final class Diagnoser {
           best.model()
               .startingAt(best.solution().values(), best.solution().scatters())
               .forKinds(arena.flats(), arena.chips());
-      FittedModel again = fitter.fit(start, matching(best, kicks), false, solver);
+      FittedModel again = fitter.fit(start, matching(best, kicks), Weighing.ALIKE, solver);
       base = fitter.fit(simple(problem.fits(), kicks), solver);
       return again;
     }
@@ -302,7 +301,7 @@ public final class Diagnoser {
               .model()
               .startingAt(found.solution().values(), found.solution().scatters())
               .forKinds(true, true);
-      return fitter.fit(start, base, true, solver);
+      return fitter.fit(start, base, Weighing.EXPLAINED_FIRST, solver);
     }
 
     private FittedModel search(
@@ -323,21 +322,21 @@ public final class Diagnoser {
           few.fit(
               start.model().startingAt(start.solution().values(), start.solution().scatters()),
               start.restrictedTo(some),
-              false,
+              Weighing.ALIKE,
               solver);
       CauseSearch search = new CauseSearch(few, new Dictionary(effects, arena), most, coarse);
       FittedModel found = search.search(begin, revises);
       trace.addAll(search.trace());
       EffectModel model =
           found.model().startingAt(found.solution().values(), found.solution().scatters());
-      return fitter.fit(model, start, false, solver);
+      return fitter.fit(model, start, Weighing.ALIKE, solver);
     }
 
     /** The search gave kicks that it did not explain less weight; decisions give all the same. */
     private FittedModel evenly(FittedModel found) {
       EffectModel model =
           found.model().startingAt(found.solution().values(), found.solution().scatters());
-      return fitter.fit(model, found, false, solver);
+      return fitter.fit(model, found, Weighing.ALIKE, solver);
     }
 
     /** What was decided: the model to predict with, and the judgements of what is in it. */
@@ -348,19 +347,31 @@ public final class Diagnoser {
         HoldOut held,
         HoldOut heldBase) {}
 
+    private Decision decision() {
+      return new Decision(settings, fitter, alternatives(), problem.seed());
+    }
+
+    private Alternatives alternatives() {
+      return new Alternatives(fitter, dictionary());
+    }
+
+    private Dictionary dictionary() {
+      return new Dictionary(catalogue, arena);
+    }
+
     private Answer decide(FittedModel found) {
       long seed = problem.seed();
       HoldOut heldBase = HoldOut.of(base, true, seed);
-      Alternatives alternatives = new Alternatives(fitter, new Dictionary(catalogue, arena));
-      Decision decision = new Decision(settings, fitter, alternatives, seed);
+      ModelChoice choice =
+          new ModelChoice(fitter, dictionary(), settings, problem, heldBase, solver, trace);
       FittedModel named = base;
       List<Judgement> judged = List.of();
       HoldOut held = heldBase;
       if (!found.model().components().isEmpty()) {
-        Weighed weighed = predicting(decision, weigh(decision, found), heldBase);
-        named = weighed.model;
-        judged = weighed.judged;
-        held = weighed.held;
+        Weighed weighed = choice.of(found);
+        named = weighed.model();
+        judged = weighed.judged();
+        held = weighed.held();
       }
       if (Leftover.of(named).isSignificant()) {
         progress.accept("describing what has no name");
@@ -376,13 +387,12 @@ public final class Diagnoser {
                         start.model().components().size() + MOST_LEARNED,
                         false));
         if (learned.model().components().size() > named.model().components().size()) {
-          Weighed weighed =
-              predicting(decision, weigh(decision, withoutSupplanted(named, learned)), heldBase);
-          if (weighed.held.rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()
-              && !weighed.held.predictsWorseThan(heldBase, seed)) {
-            named = weighed.model;
-            judged = weighed.judged;
-            held = weighed.held;
+          Weighed weighed = choice.of(withoutSupplanted(named, learned));
+          if (weighed.held().rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()
+              && !weighed.held().predictsWorseThan(heldBase, seed)) {
+            named = weighed.model();
+            judged = weighed.judged();
+            held = weighed.held();
           }
         }
       }
@@ -398,28 +408,6 @@ public final class Diagnoser {
       return new Answer(named, judged, kickers, held, heldBase);
     }
 
-    /** A value for each kick helps where the kick has been seen, and may harm where it is predicted: then the model is taken without. */
-    private Weighed predicting(Decision decision, Weighed weighed, HoldOut heldBase) {
-      if (!weighed.held.predictsWorseThan(heldBase, problem.seed())) {
-        return weighed;
-      }
-      Weighed same = weigh(decision, withoutPerKick(weighed.model));
-      return same.held.predictsWorseThan(heldBase, problem.seed()) ? weighed : same;
-    }
-
-    private FittedModel withoutPerKick(FittedModel found) {
-      List<Component> kept = new ArrayList<>();
-      List<Effect> effects = found.effects();
-      for (int i = 0; i < effects.size(); i++) {
-        Component c = found.model().components().get(i);
-        if (!c.isPerKick()) {
-          kept.add(c.startingAt(effects.get(i)));
-        }
-      }
-      EffectModel start = found.model().startingAt(found.solution().values(), new double[0]);
-      return fitter.fit(start.with(kept), found, false, solver);
-    }
-
     /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
     private FittedModel withoutSupplanted(FittedModel before, FittedModel after) {
       double[] then = before.solution().values();
@@ -430,7 +418,7 @@ public final class Diagnoser {
       List<Effect> effects = after.effects();
       for (int i = 0; i < have.size(); i++) {
         Component c = have.get(i);
-        boolean stays = c.isPerKick() || isLaw(c);
+        boolean stays = c.isPerKick() || c.isLaw();
         boolean known = false;
         for (int j = 0; j < had.size(); j++) {
           if (had.get(j).isSameCause(c) && had.get(j).size() == c.size()) {
@@ -454,7 +442,7 @@ public final class Diagnoser {
         return after;
       }
       EffectModel model = after.model().startingAt(now, after.solution().scatters()).with(kept);
-      return fitter.fit(model, after, false, solver);
+      return fitter.fit(model, after, Weighing.ALIKE, solver);
     }
 
     /** The library of smooth terms, and the laws: with what was hidden before in the model, one may be right after all. */
@@ -462,56 +450,6 @@ public final class Diagnoser {
       List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
       catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
       return all;
-    }
-
-    /** A model all of whose components stand up to the decision. */
-    private record Weighed(FittedModel model, List<Judgement> judged, HoldOut held) {}
-
-    /** Drops what does not stand up, the weakest first: without it the others may. A law goes last, since others may have taken its place. */
-    private Weighed weigh(Decision decision, FittedModel found) {
-      FittedModel at = found;
-      boolean simplified = false;
-      while (true) {
-        HoldOut held = HoldOut.of(at, true, problem.seed());
-        List<Judgement> judged = decision.judge(at, held);
-        List<Judgement> failed = judged.stream().filter(j -> !stays(j)).toList();
-        List<Judgement> others = failed.stream().filter(j -> !isLaw(j.component())).toList();
-        List<Judgement> leaving = others.isEmpty() ? failed : others;
-        if (leaving.isEmpty()) {
-          CauseSearch search =
-              new CauseSearch(
-                  fitter, new Dictionary(catalogue, arena), problem.maxCauses(), solver);
-          FittedModel simpler = simplified ? at : search.simplified(at);
-          simplified = true;
-          if (simpler == at) {
-            return new Weighed(at, judged, held);
-          }
-          trace.addAll(search.trace());
-          at = evenly(simpler);
-          continue;
-        }
-        double weakest = leaving.stream().mapToDouble(Judgement::evidence).min().orElse(0);
-        double largest = judged.stream().mapToDouble(Judgement::evidence).max().orElse(0);
-        List<Component> kept = new ArrayList<>();
-        for (Judgement j : judged) {
-          // What is little beside the largest changes nothing for the others, and goes at once.
-          boolean goes = leaving.contains(j) && j.evidence() <= Math.max(weakest, LITTLE * largest);
-          if (!goes) {
-            kept.add(j.component().startingAt(j.effect()));
-          }
-        }
-        EffectModel start = at.model().startingAt(at.solution().values(), new double[0]).with(kept);
-        at = fitter.fit(start, at, false, solver);
-      }
-    }
-
-    private static boolean isLaw(Component c) {
-      return !c.template().starts().isEmpty();
-    }
-
-    /** A cause stays, and so does the form of another that has no cause: a law, or a curve that pays on held-out kicks. */
-    private static boolean stays(Judgement j) {
-      return j.outcome() == Outcome.NAMED || isLaw(j.component()) && j.outcome() == Outcome.FORM;
     }
 
     private Diagnosis result(Answer a) {
@@ -522,7 +460,7 @@ public final class Diagnoser {
         Judgement j = a.judged.get(i);
         boolean isLearned = LearnedFindings.isLearned(j.effect());
         if (j.outcome() == Outcome.NAMED && !isLearned) {
-          causes.add(cause(j));
+          causes.add(cause(j, decision().ties(a.extended, i, j)));
         } else {
           learned.add(LearnedFindings.of(a.extended, i, j, arena));
         }
@@ -580,12 +518,12 @@ public final class Diagnoser {
       if (causes.isEmpty() && learned.isEmpty()) {
         return left ? Verdict.UNEXPLAINED_STRUCTURE : Verdict.MODEL_ADEQUATE;
       }
-      boolean unnamed = learned.stream().anyMatch(l -> LearnedFindings.isLearned(l.effect()));
+      boolean unnamed = learned.stream().anyMatch(l -> l.kind() != LearnedFinding.Kind.LAW);
       return left || unnamed || causes.isEmpty() ? Verdict.PARTLY_EXPLAINED : Verdict.EXPLAINED;
     }
 
-    private static Cause cause(Judgement j) {
-      return new Cause(j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), gain(j), j.ties());
+    private static Cause cause(Judgement j, List<String> ties) {
+      return new Cause(j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), gain(j), ties);
     }
 
     static Gain gain(Judgement j) {
@@ -594,8 +532,7 @@ public final class Diagnoser {
 
     private List<Candidate> candidates(List<Cause> causes) {
       List<Candidate> all = new ArrayList<>();
-      Alternatives alternatives = new Alternatives(fitter, new Dictionary(catalogue, arena));
-      for (Alternatives.Scored s : alternatives.scores(base)) {
+      for (Alternatives.Scored s : alternatives().scores(base)) {
         boolean named =
             causes.stream()
                 .anyMatch(

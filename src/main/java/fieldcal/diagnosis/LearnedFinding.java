@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.effect.Effect;
 import fieldcal.effect.learned.LearnedCurve;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.SimpleFormula;
 import java.util.List;
 import java.util.Objects;
@@ -9,14 +10,14 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * Something that improves the prediction of held-out kicks without being a named cause: a learned curve, or a law that takes the place of the simple model's.
+ * Something that improves the prediction of held-out kicks without being a named cause: a learned curve, a law that takes the place of the simple model's, or an effect that is not proven.
  *
  * @param effect the term as the extended model holds it
  * @param actsOn "ground", "impact", "kick" or "measurement"
  * @param dependsOn the variables
  * @param camera the camera whose reports it changes; empty for all else
- * @param curves one for each component, over the range of the data; empty for a law
- * @param formula the best simple formula of the first curve; empty for a law
+ * @param curves one for each component, over the range of the data; empty for all but a learned curve
+ * @param formula the best simple formula of the first curve; empty for all but a learned curve
  * @param gain on kicks that were held out
  */
 public record LearnedFinding(
@@ -33,5 +34,27 @@ public record LearnedFinding(
     Objects.requireNonNull(effect, "effect");
     dependsOn = List.copyOf(dependsOn);
     curves = List.copyOf(curves);
+  }
+
+  /** What it is. */
+  public enum Kind {
+    /** A learned curve. */
+    CURVE,
+    /** A law that takes the place of the simple model's. */
+    LAW,
+    /** An effect of the catalogue without which kicks are predicted worse, and which is not proven to be a cause. */
+    UNPROVEN
+  }
+
+  /**
+   * What it is.
+   *
+   * @return its kind
+   */
+  public Kind kind() {
+    if (effect instanceof LearnedTerm) {
+      return Kind.CURVE;
+    }
+    return effect.starts().isEmpty() ? Kind.UNPROVEN : Kind.LAW;
   }
 }

@@ -7,13 +7,11 @@ import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
 import fieldcal.diagnosis.Unexplained;
-import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
 /**
@@ -178,7 +176,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         d.causes().size() == 1
             ? text("The model is wrong, and the cause is found: %s.", names(d))
             : text("The model is wrong, and %d causes are found: %s.", d.causes().size(), names(d));
-    return found + laws(d);
+    return found + laws(d) + unproven(d);
   }
 
   private static String partly(Diagnosis d, List<String> lines) {
@@ -194,7 +192,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
             ? "The model is wrong, and no known cause explains it."
             : text("The model is wrong, and a part of it is explained: %s.", names(d));
     String more = unnamed.isEmpty() ? "" : text(" What helps and has no name: %s.", unnamed);
-    return found + more + laws(d);
+    return found + more + laws(d) + unproven(d);
   }
 
   private static String unexplained(Diagnosis d, List<String> lines) {
@@ -309,18 +307,24 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
 
   /** Learned curves by name. */
   private static String unnamed(Diagnosis d) {
-    return names(d, f -> f.effect() instanceof LearnedTerm);
+    return names(d, LearnedFinding.Kind.CURVE);
   }
 
   /** What takes the place of the simple model's own laws; begins with a blank. */
   private static String laws(Diagnosis d) {
-    String names = names(d, f -> !(f.effect() instanceof LearnedTerm));
+    String names = names(d, LearnedFinding.Kind.LAW);
     return names.isEmpty() ? "" : text(" The extended model also has another form: %s.", names);
   }
 
-  private static String names(Diagnosis d, Predicate<LearnedFinding> which) {
+  /** What the prediction needs and nothing proves; begins with a blank. */
+  private static String unproven(Diagnosis d) {
+    String names = names(d, LearnedFinding.Kind.UNPROVEN);
+    return names.isEmpty() ? "" : text(" These also help and are not proven: %s.", names);
+  }
+
+  private static String names(Diagnosis d, LearnedFinding.Kind kind) {
     return d.learned().stream()
-        .filter(which)
+        .filter(f -> f.kind() == kind)
         .map(f -> EffectName.of(f.effect()))
         .collect(Collectors.joining("; "));
   }

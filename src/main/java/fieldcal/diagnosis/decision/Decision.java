@@ -5,11 +5,13 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
+import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -68,7 +70,7 @@ public final class Decision {
     for (int i = 0; i < n; i++) {
       FittedModel w = without(model, i);
       without.add(w);
-      evidence[i] = (cost(w) - cost(model)) / noise;
+      evidence[i] = (w.evenCost() - model.evenCost()) / noise;
     }
     List<Judgement> all = new ArrayList<>();
     for (int i = 0; i < n; i++) {
@@ -77,10 +79,17 @@ public final class Decision {
     return all;
   }
 
-  private static double cost(FittedModel model) {
-    double[] ones = new double[model.kickCount()];
-    Arrays.fill(ones, 1);
-    return model.solution().costWith(ones);
+  /**
+   * What would explain the same as a component that was named.
+   *
+   * @param model fitted to all kicks
+   * @param i component
+   * @param judgement of it
+   * @return ids of effects, or an id with its camera
+   */
+  public List<String> ties(FittedModel model, int i, Judgement judgement) {
+    double tolerance = Math.max(settings.tie(), settings.tieShare() * judgement.evidence());
+    return alternatives.equalTo(model, i, tolerance);
   }
 
   private FittedModel without(FittedModel model, int i) {
@@ -93,7 +102,7 @@ public final class Decision {
     }
     EffectModel start =
         model.model().startingAt(model.solution().values(), new double[0]).with(rest);
-    return fitter.fit(start, model, false, solver);
+    return fitter.fit(start, model, Weighing.ALIKE, solver);
   }
 
   private Judgement judge(
@@ -109,18 +118,13 @@ public final class Decision {
     Optional<Map<String, Double>> errors = model.errors(i);
     // What is left may be another form of anything.
     double largest = excess;
-    boolean law = !c.template().starts().isEmpty();
+    boolean law = c.isLaw();
     for (int j = 0; j < evidence.length; j++) {
       // A law is the form of everything that it takes part in; other causes only of their kind.
       boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
       largest = compared ? Math.max(largest, evidence[j]) : largest;
     }
     Outcome outcome = outcome(model, i, without, evidence[i], largest, excess, gain);
-    List<String> ties =
-        outcome == Outcome.NAMED
-            ? alternatives.equalTo(
-                model, i, Math.max(settings.tie(), settings.tieShare() * evidence[i]))
-            : List.of();
     return new Judgement(
         c,
         model.effects().get(i),
@@ -128,7 +132,6 @@ public final class Decision {
         model.scatter(i),
         evidence[i],
         gain,
-        ties,
         outcome);
   }
 
@@ -151,9 +154,7 @@ public final class Decision {
     if (!(evidence > limit)) {
       return Outcome.CHANCE;
     }
-    if (!c.isPerKick()
-        && c.template().starts().isEmpty()
-        && isUneven(model, i, size, settings.uneven())) {
+    if (!c.isPerKick() && !c.isLaw() && isUneven(model, i, size, settings.uneven())) {
       return Outcome.UNSTEADY;
     }
     boolean small = c.isPerKick() && excess > 0 && isUneven(model, i, 1, settings.uneven());
@@ -162,7 +163,7 @@ public final class Decision {
       // follows from the kick.
       return Outcome.UNSTEADY;
     }
-    if (isOfFewKicks(model, without)) {
+    if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
     }
     if (evidence < settings.formShare() * largest && gain[1] < 100 * settings.formGain()) {
@@ -172,7 +173,7 @@ public final class Decision {
     if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
-    boolean law = !c.template().starts().isEmpty();
+    boolean law = c.isLaw();
     return law && evidence < largest ? Outcome.FORM : Outcome.NAMED;
   }
 
@@ -230,7 +231,33 @@ public final class Decision {
     return sum;
   }
 
-  private boolean isOfFewKicks(FittedModel model, FittedModel without) {
+  /**
+   * Whether the kicks other than the two that tell most would not show a cause of that size. What counts is what the equations let each kick tell, not by how much it was wrong: a kick that is metres wrong bends what all kicks share, and then
+   * others gain, too.
+   */
+  private static boolean isToldByFewKicks(FittedModel model, int i, double limit) {
+    double[] ones = Weighing.ALIKE.of(model);
+    ScoreSystem equations = model.solution().scores(List.of(), new double[0], ones);
+    int from = model.model().offset(i);
+    int size = model.model().components().get(i).magnitudeCount();
+    double[] values = model.solution().values();
+    double[] told = new double[model.kickCount()];
+    for (int a = from; a < from + size; a++) {
+      for (int b = from; b < from + size; b++) {
+        int row = model.model().freeIndex(a);
+        int column = model.model().freeIndex(b);
+        for (int k = 0; k < told.length; k++) {
+          told[k] += values[a] * equations.curvature(k, row, column) * values[b];
+        }
+      }
+    }
+    Arrays.sort(told);
+    double others = Arrays.stream(told).limit(Math.max(0, told.length - TOO_FEW_KICKS)).sum();
+    return !(others > limit * Math.max(1, model.solution().reducedChiSquare()));
+  }
+
+  /** The same of values that each kick has of its own, whose mean may be nothing. */
+  private boolean isGainOfFewKicks(FittedModel model, FittedModel without) {
     double[] gained = new double[model.kickCount()];
     for (int k = 0; k < gained.length; k++) {
       gained[k] = without.solution().chiSquare(k) - model.solution().chiSquare(k);

@@ -9,7 +9,7 @@ package fieldcal.diagnosis.decision;
  * @param formShare a cause that explains less than that share of what the largest cause of its kind (motion, measurement) explains, and gains little, is that one's form: a law whose shape is right to a sixth leaves three hundredths of its
  *     chi-square
  * @param formGain share of the held-out residual from which on it is a cause all the same: three per cent of the noise is a quarter of it in variance
- * @param fewKicks share of what a cause explains that kicks other than the two that gain most must have: two numbers, a step and its instant, fit any two
+ * @param fewKicks share of what values of each kick's own explain that kicks other than the two that gain most must have: two numbers, a mean and a scatter, fit any two
  * @param tie difference of cost up to which two explanations are equals: odds of e³ = 20 : 1
  * @param tieShare the same as a share of what the cause explains: where much is explained, errors of the model that all explanations share decide more than noise does
  * @param leastGain share of the held-out residual that a cause must gain; one whose magnitude differs from kick to kick, which takes up something of anything, must gain {@code formGain}

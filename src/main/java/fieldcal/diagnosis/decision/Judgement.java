@@ -2,7 +2,6 @@ package fieldcal.diagnosis.decision;
 
 import fieldcal.diagnosis.model.Component;
 import fieldcal.effect.Effect;
-import java.util.List;
 import java.util.Map;
 
 /**
@@ -14,7 +13,6 @@ import java.util.Map;
  * @param scatter of its magnitude from kick to kick; 0 when it is the same for all
  * @param evidence by how much chi-square rises without it, everything else fitted again, in units of what is left
  * @param gain on held-out kicks: mm, per cent, lower and upper bound in mm
- * @param ties what would explain the same: ids, or an id with its camera
  * @param outcome the decision
  */
 public record Judgement(
@@ -24,7 +22,6 @@ public record Judgement(
     double scatter,
     double evidence,
     double[] gain,
-    List<String> ties,
     Outcome outcome) {
 
   /** What it is taken for. */
@@ -45,7 +42,6 @@ public record Judgement(
 
   @Override
   public String toString() {
-    return "%s %s evidence %.0f gain %.2f %% ties %s"
-        .formatted(outcome, effect, evidence, gain[1], ties);
+    return "%s %s evidence %.0f gain %.2f %%".formatted(outcome, effect, evidence, gain[1]);
   }
 }

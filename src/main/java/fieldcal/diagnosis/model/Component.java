@@ -150,6 +150,15 @@ public final class Component {
   }
 
   /**
+   * Whether it is a law that replaces another, and has no absence to be compared with.
+   *
+   * @return false for what may be absent
+   */
+  public boolean isLaw() {
+    return !template.starts().isEmpty();
+  }
+
+  /**
    * Whether it has a place that could be free.
    *
    * @return false for effects that act everywhere

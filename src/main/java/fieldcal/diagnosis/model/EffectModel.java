@@ -139,6 +139,16 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   /**
+   * Where a parameter stands among those that are estimated: its column in the equations.
+   *
+   * @param global index of the parameter
+   * @return how many before it are estimated
+   */
+  public int freeIndex(int global) {
+    return (int) globals().subList(0, global).stream().filter(Parameter::estimated).count();
+  }
+
+  /**
    * Index of a component's first global parameter.
    *
    * @param component which

@@ -109,4 +109,13 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   public double reduced(int k) {
     return solution.chiSquare(k) / Math.max(1, solution.kicks().get(k).rows());
   }
+
+  /**
+   * Cost of the fit with all kicks weighing alike, whatever weights it was found with.
+   *
+   * @return chi-square and what priors and values of each kick's own cost
+   */
+  public double evenCost() {
+    return solution.costWith(Weighing.ALIKE.of(this));
+  }
 }

@@ -43,6 +43,9 @@ public final class KickRecord {
   /** Where the kick's own fit ended, cameras' offsets taken out: position, velocity, time. */
   final double[] start;
 
+  /** Chi-square for each residual that the kick's own fit leaves, with a ball of its own. */
+  final double alone;
+
   final int flights;
   final int size;
   final double[] time;
@@ -120,6 +123,7 @@ public final class KickRecord {
       w22[i] = whitening.w22();
     }
     usedCount = count();
+    alone = alone(fit);
     sightings = new Sightings(camera, time, row);
     fromRest = kick.fromRest() && restCount() >= LEAST_REST;
     blocks = makeBlocks();
@@ -137,6 +141,7 @@ public final class KickRecord {
     kick = of.kick;
     kind = of.kind;
     start = of.start;
+    alone = of.alone;
     flights = of.flights;
     size = of.size;
     time = of.time;
@@ -159,6 +164,18 @@ public final class KickRecord {
     block21 = new double[blocks.length];
     block22 = new double[blocks.length];
     blockSightings = meanSightings();
+  }
+
+  private double alone(KickFit fit) {
+    double sum = 0;
+    double[] r = new double[2];
+    for (int i = 0; i < size; i++) {
+      if (used[i]) {
+        whiten(i, fit.residualX(i), fit.residualY(i), r);
+        sum += r[0] * r[0] + r[1] * r[1];
+      }
+    }
+    return sum / Math.max(1, 2 * usedCount);
   }
 
   private int count() {
@@ -253,6 +270,15 @@ public final class KickRecord {
       }
     }
     return new Sightings(cameras, blockTime, rows);
+  }
+
+  /**
+   * What the kick's own fit leaves, with a ball of its own.
+   *
+   * @return chi-square for each residual
+   */
+  public double alone() {
+    return alone;
   }
 
   /**

@@ -62,22 +62,21 @@ public final class ModelFitter {
    *
    * @param model with values to start from
    * @param before a fit of the same kicks
-   * @param weighted whether kicks that the other model does not explain weigh less: by their reduced chi-square
+   * @param weighing how much kicks count that the other model does not explain
    * @param solver how
    * @return the fit
    */
   public FittedModel fit(
-      EffectModel model, FittedModel before, boolean weighted, SharedSolver solver) {
+      EffectModel model, FittedModel before, Weighing weighing, SharedSolver solver) {
     List<EffectKick> terms = new ArrayList<>();
     List<double[]> starts = new ArrayList<>();
-    double[] weights = ones();
+    double[] weights = weighing.of(before);
     for (int k = 0; k < kicks.size(); k++) {
       EffectKick term = new EffectKick(kicks.get(k), model, sessionStart);
       boolean same = before.kick(k).record().kind == kicks.get(k).kind;
       terms.add(same ? term.withFlights(before.kick(k).flights()) : term);
       double[] own = same ? before.solution().own(k) : kicks.get(k).start;
       starts.add(startWith(own, model, same ? before.model() : null, kicks.get(k)));
-      weights[k] = weighted ? 1 / Math.max(1, before.reduced(k)) : 1;
     }
     return solve(model, terms, starts, weights, solver);
   }

@@ -4,6 +4,7 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
@@ -57,7 +58,10 @@ public final class Alternatives {
       return List.of();
     }
     Scorer scorer =
-        new Scorer(model, proposals.stream().flatMap(p -> p.components().stream()).toList());
+        new Scorer(
+            model,
+            proposals.stream().flatMap(p -> p.components().stream()).toList(),
+            Weighing.EXPLAINED_FIRST);
     List<Scored> all = new ArrayList<>();
     for (Proposal p : proposals) {
       Component c = p.components().get(0);
@@ -87,7 +91,7 @@ public final class Alternatives {
    */
   public List<String> equalTo(FittedModel model, int i, double tolerance) {
     Component own = model.model().components().get(i);
-    if (own.isPerKick() || !own.template().starts().isEmpty()) {
+    if (own.isPerKick() || own.isLaw()) {
       return List.of();
     }
     List<Component> rest = new ArrayList<>(model.model().components());
@@ -102,7 +106,10 @@ public final class Alternatives {
       return List.of();
     }
     Scorer scorer =
-        new Scorer(model, proposals.stream().flatMap(p -> p.components().stream()).toList());
+        new Scorer(
+            model,
+            proposals.stream().flatMap(p -> p.components().stream()).toList(),
+            Weighing.EXPLAINED_FIRST);
     Sweep sweep = scorer.without(List.of(i));
     double loss = sweep.gain(scorer.modelColumns(i));
     // The score test is exact to first order only; the refit decides.
@@ -143,7 +150,7 @@ public final class Alternatives {
     }
     EffectModel start =
         model.model().startingAt(model.solution().values(), new double[0]).with(all);
-    return fitter.fit(start, model, false, solver);
+    return fitter.fit(start, model, Weighing.ALIKE, solver);
   }
 
   private static double cost(FittedModel model) {

@@ -1,66 +1,47 @@
 package fieldcal.diagnosis.search;
 
-import fieldcal.diagnosis.model.Component;
-import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
-import fieldcal.diagnosis.search.SearchStep.Action;
-import fieldcal.effect.Effect;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Set;
+import java.util.stream.Stream;
 
 /**
- * A matching pursuit with joint refits (orthogonal matching pursuit; Pati et al. 1993): everything in a dictionary is score-tested beside the present model, the best are added, all is refitted, what is not needed any more is removed (Wald), until
- * nothing gains more than its penalty. Evidence is not divided by what is still unexplained, or the second of two strong causes would never look worth it; instead a kick that the present model does not explain weighs less, so that those that are
- * explained decide. Not thread-safe; used once.
+ * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a wrong valley: while something is left, others begin anew in another manner (a
+ * multi-start, as for any function with many minima), and the best of them is revised. Evidence is not divided by what is still unexplained, or the second of two strong causes would never look worth it. Not thread-safe; used once.
  */
 public final class CauseSearch {
-  /** What else may come at once with the best: that share of its gain. What gains less may be its shadow, and waits for the refit. */
-  private static final double TOGETHER = 0.2;
-
-  /** How many come at once: beyond that, columns at the old point say little of the new one. */
-  private static final int MOST_AT_ONCE = 3;
-
-  /** Places of a family that take part in a round. */
-  private static final int PLACES_KEPT = 2;
-
   /** A reduced chi-square below that is a tenth more than the noise, and not worth another search. */
   private static final double EXPLAINED = 1.2;
 
   /** Share of the kicks that must be explained. */
   private static final double MOST_KICKS = 0.85;
 
-  /** Rounds of revision; each is as long as a search. */
-  private static final int MOST_REVISIONS = 1;
+  /** A pursuit that begins anew must leave that share at most of what an earlier one leaves: where no component is right, each leaves another rest, and the least of them means nothing. */
+  private static final double ANEW = 0.5;
 
-  /** Joint refits after which early choices are not questioned any more: a recording whose physics the dictionary does not have would keep the search busy. */
-  private static final int MOST_FITS = 60;
+  /**
+   * How a pursuit goes about it.
+   *
+   * @param weighing how much kicks count that are not explained yet
+   * @param sharedFirst whether what all kicks share comes first: values of each kick's own take up something of anything
+   */
+  private record Manner(Weighing weighing, boolean sharedFirst) {}
 
-  /** How many others may come for one that is taken out: a shadow may hide two causes. */
-  private static final int EXCHANGED = 2;
+  /** In the order in which they are tried; each ends some recordings that the others do not. */
+  private static final List<Manner> MANNERS =
+      Stream.of(false, true)
+          .flatMap(
+              shared -> Stream.of(Weighing.values()).map(weighing -> new Manner(weighing, shared)))
+          .toList();
 
-  /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
-  private static final double WORTH = 0.003;
-
-  /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
-  private static final double REALISED = 0.1;
-
-  /** A law that replaces another must explain that share of what is left, or its shadow on other effects would be taken for it. */
-  private static final double LAW_SHARE = 0.1;
-
+  private final ModelFitter fitter;
   private final Dictionary dictionary;
   private final int maxComponents;
-  private final Refits refits;
-  private final Simplification simplification;
+  private final SharedSolver solver;
   private final List<SearchStep> trace = new ArrayList<>();
-  private final Set<String> rejected = new HashSet<>();
-  private Component banned;
-  private FittedModel best;
 
   /**
    * A search.
@@ -72,10 +53,10 @@ public final class CauseSearch {
    */
   public CauseSearch(
       ModelFitter fitter, Dictionary dictionary, int maxComponents, SharedSolver solver) {
+    this.fitter = fitter;
     this.dictionary = dictionary;
     this.maxComponents = maxComponents;
-    refits = new Refits(fitter, solver);
-    simplification = new Simplification(refits, dictionary, trace);
+    this.solver = solver;
   }
 
   /**
@@ -95,16 +76,38 @@ public final class CauseSearch {
    * @return the best model found
    */
   public FittedModel search(FittedModel start, boolean revises) {
-    best = start;
-    addLaws();
-    grow(MOST_AT_ONCE);
+    FittedModel best = start;
+    Refits refits = refits(Weighing.EXPLAINED_FIRST);
+    for (Manner manner :
+        Boolean.getBoolean("D")
+            ? MANNERS.subList(0, 1)
+            : start.model().components().isEmpty() ? MANNERS : MANNERS.subList(0, 1)) {
+      Refits own = refits(manner.weighing);
+      FittedModel grown = pursuit(own).grown(start, manner.sharedFirst);
+      if (Price.total(grown) < (best == start ? 1 : ANEW) * Price.total(best)) {
+        best = grown;
+        refits = own;
+      }
+      if (isExplained(best)) {
+        break;
+      }
+    }
+    Simplification simplification = new Simplification(refits, dictionary, trace);
     if (!revises) {
       return simplification.withLawForOther(best).orElse(best);
     }
-    for (int i = 0; i < MOST_REVISIONS && !isExplained(best) && revise(); i++) {
-      grow(MOST_AT_ONCE);
+    if (!isExplained(best)) {
+      best = pursuit(refits).revised(best);
     }
     return simplification.simplified(best, maxComponents);
+  }
+
+  private Refits refits(Weighing weighing) {
+    return new Refits(fitter, weighing, solver);
+  }
+
+  private Pursuit pursuit(Refits refits) {
+    return new Pursuit(refits, dictionary, maxComponents, trace);
   }
 
   /**
@@ -114,18 +117,8 @@ public final class CauseSearch {
    * @return the model, or a simpler one that explains as much
    */
   public FittedModel simplified(FittedModel model) {
-    return simplification.simplified(model, maxComponents);
-  }
-
-  /** Each round adds something, or rejects or removes it. */
-  private void grow(int atOnce) {
-    for (int round = 0; round < 4 * maxComponents && addBest(atOnce); round++) {
-      if (trace.get(trace.size() - 1).action() == Action.ADDED) {
-        movePlaces();
-        addLaws();
-        prune();
-      }
-    }
+    Refits refits = refits(Weighing.EXPLAINED_FIRST);
+    return new Simplification(refits, dictionary, trace).simplified(model, maxComponents);
   }
 
   /** Whether what is left is hardly more than noise in all kicks but a few, which may be none of the ball's free flights. */
@@ -135,309 +128,5 @@ public final class CauseSearch {
       well += model.reduced(k) < EXPLAINED * EXPLAINED ? 1 : 0;
     }
     return model.solution().reducedChiSquare() < EXPLAINED || well > MOST_KICKS * model.kickCount();
-  }
-
-  /**
-   * An early choice may have been the shadow of two causes. Takes out each component in turn and lets others take its place; keeps the best exchange if it is better than what was.
-   */
-  private boolean revise() {
-    FittedModel before = best;
-    FittedModel top = null;
-    double most = 0;
-    String what = "";
-    Set<String> tabu = Set.copyOf(rejected);
-    for (Component out : before.model().components()) {
-      if (refits.count() > MOST_FITS) {
-        break;
-      }
-      best = before;
-      rejected.clear();
-      List<Component> without = new ArrayList<>(before.model().components());
-      without.remove(out);
-      if (out.template().starts().isEmpty()) {
-        best = refits.fit(best, without);
-        banned = out;
-        for (int i = 0; i < EXCHANGED && addBest(1); i++) {
-          prune();
-        }
-        banned = null;
-      } else {
-        restartLaw(out, without);
-      }
-      double gain = Price.net(before, best);
-      if (gain > most) {
-        most = gain;
-        top = best;
-        what = out.toString();
-      }
-    }
-    best = top == null ? before : top;
-    rejected.clear();
-    if (top == null) {
-      rejected.addAll(tabu);
-      return false;
-    }
-    trace.add(new SearchStep(what, Action.SWAPPED, Double.NaN, most));
-    return true;
-  }
-
-  private void restartLaw(Component law, List<Component> without) {
-    FittedModel before = best;
-    for (Effect start : law.template().starts()) {
-      List<Component> with = new ArrayList<>(without);
-      with.add(Component.of(start, start.magnitudes()));
-      best = before;
-      FittedModel tried = refits.fit(best, with);
-      best = Price.gain(before, tried) > 0 ? tried : before;
-      if (best != before) {
-        return;
-      }
-    }
-  }
-
-  private boolean addBest(int atOnce) {
-    EffectModel model = best.model();
-    if (model.components().size() >= maxComponents) {
-      return false;
-    }
-    List<Proposal> proposals = new ArrayList<>(dictionary.everywhere(model));
-    proposals.addAll(bestPlaces(model));
-    proposals.removeIf(p -> rejected.contains(p.toString()));
-    if (proposals.isEmpty()) {
-      return false;
-    }
-    Scorer scorer = new Scorer(best, components(proposals));
-    Sweep sweep = scorer.sweep();
-    List<Component> chosen = new ArrayList<>();
-    List<Proposal> from = new ArrayList<>();
-    double first = 0;
-    double worth = WORTH * best.solution().rows();
-    double expected = 0;
-    while (from.size() < atOnce && model.components().size() + chosen.size() < maxComponents) {
-      Proposal top = null;
-      double topNet = Math.max(worth, TOGETHER * first);
-      double topGain = 0;
-      for (Proposal p : proposals) {
-        if (clashes(p, chosen) || banned != null && clashes(p, List.of(banned))) {
-          continue;
-        }
-        double gain = scorer.gain(p, sweep);
-        if (gain - Price.of(p) <= topNet) {
-          continue;
-        }
-        double net = gain - Price.of(p.group() ? members(p, scorer, sweep) : p.components());
-        if (net > topNet) {
-          topNet = net;
-          topGain = gain;
-          top = p;
-        }
-      }
-      if (top == null) {
-        break;
-      }
-      first = Math.max(first, topNet);
-      expected += topGain;
-      from.add(top);
-      List<Component> members = top.group() ? members(top, scorer, sweep) : top.components();
-      for (Component c : members) {
-        chosen.add(c);
-        for (int column : scorer.columns(c)) {
-          sweep.toggle(column);
-        }
-      }
-      if (chosen.get(chosen.size() - 1).isPerKick()) {
-        // Values of each kick's own change all equations.
-        break;
-      }
-    }
-    if (chosen.isEmpty()) {
-      return false;
-    }
-    return tryAdding(placed(chosen), from, expected);
-  }
-
-  /** The components of a group that are needed, best first, until what the others would add is not worth it. */
-  private List<Component> members(Proposal group, Scorer scorer, Sweep at) {
-    Sweep sweep = at.copy();
-    List<Component> members = new ArrayList<>();
-    List<Component> left = new ArrayList<>(group.components());
-    while (!left.isEmpty()) {
-      Component top = null;
-      double most = 0;
-      for (Component c : left) {
-        double gain = sweep.gain(scorer.columns(c));
-        if (gain > most) {
-          most = gain;
-          top = c;
-        }
-      }
-      if (top == null || !members.isEmpty() && most < Price.of(List.of(top))) {
-        break;
-      }
-      members.add(top);
-      left.remove(top);
-      for (int column : scorer.columns(top)) {
-        sweep.toggle(column);
-      }
-    }
-    return members;
-  }
-
-  private boolean tryAdding(List<Component> chosen, List<Proposal> from, double expected) {
-    FittedModel next = refits.fit(best, added(best.model().components(), chosen));
-    double gained = Price.gain(best, next);
-    double penalty = Price.of(chosen);
-    boolean good = gained > penalty && gained > REALISED * expected;
-    trace.add(
-        new SearchStep(chosen.toString(), good ? Action.ADDED : Action.REJECTED, expected, gained));
-    if (good) {
-      best = next;
-      rejected.clear();
-      return true;
-    }
-    if (from.size() > 1) {
-      // Together they may be too much at once.
-      return tryAdding(placed(membersOf(from.get(0), chosen)), from.subList(0, 1), expected);
-    }
-    rejected.add(from.get(0).toString());
-    return true;
-  }
-
-  private static List<Component> membersOf(Proposal p, List<Component> chosen) {
-    return chosen.stream().filter(c -> p.components().stream().anyMatch(c::isSameCause)).toList();
-  }
-
-  static List<Component> added(List<Component> had, List<Component> chosen) {
-    List<Component> all = new ArrayList<>();
-    for (Component h : had) {
-      if (chosen.stream().noneMatch(c -> c.isSameCause(h) && Dictionary.isMore(c, h))) {
-        all.add(h);
-      }
-    }
-    all.addAll(chosen);
-    return all;
-  }
-
-  static boolean clashes(Proposal p, List<Component> chosen) {
-    return p.components().stream().anyMatch(c -> chosen.stream().anyMatch(c::isSameCause));
-  }
-
-  static Set<Component> components(List<Proposal> proposals) {
-    Set<Component> all = new LinkedHashSet<>();
-    proposals.forEach(p -> all.addAll(p.components()));
-    return all;
-  }
-
-  /** Of each family that has a place the best few places. */
-  private List<Proposal> bestPlaces(EffectModel model) {
-    List<List<Proposal>> families = dictionary.placed(model);
-    if (families.isEmpty()) {
-      return List.of();
-    }
-    List<Proposal> all = families.stream().flatMap(List::stream).toList();
-    Scorer scorer = new Scorer(best, components(all));
-    Sweep sweep = scorer.sweep();
-    List<Proposal> kept = new ArrayList<>();
-    for (List<Proposal> family : families) {
-      family.stream()
-          .sorted(Comparator.comparingDouble((Proposal p) -> -scorer.gain(p, sweep)))
-          .limit(PLACES_KEPT)
-          .forEach(kept::add);
-    }
-    return kept;
-  }
-
-  private List<Component> placed(List<Component> chosen) {
-    List<Component> better = new ArrayList<>();
-    for (Component c : chosen) {
-      better.add(c.hasPlace() ? new PlaceSearch(best).improve(c) : c);
-    }
-    return better;
-  }
-
-  /** Fits the places of what is in the model together with everything else. */
-  private void movePlaces() {
-    if (best.model().components().stream().noneMatch(Component::hasPlace)) {
-      return;
-    }
-    FittedModel moved = refits.fitPlaces(best);
-    double gained = Price.gain(best, moved);
-    if (gained > 0) {
-      trace.add(new SearchStep("places", Action.MOVED, Double.NaN, gained));
-      best = moved;
-    }
-  }
-
-  /** Tries laws that replace another: they cannot be score-tested. */
-  private void addLaws() {
-    if (best.model().components().size() >= maxComponents) {
-      return;
-    }
-    for (Effect law : dictionary.laws(best.model())) {
-      FittedModel top = null;
-      double most = 0;
-      for (Effect start : law.starts()) {
-        Component c = Component.of(start, start.magnitudes());
-        FittedModel tried = refits.fit(best, added(best.model().components(), List.of(c)));
-        double gain = Price.gain(best, tried);
-        if (gain > most) {
-          most = gain;
-          top = tried;
-        }
-      }
-      double left = 0;
-      for (int k = 0; k < best.kickCount(); k++) {
-        left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
-      }
-      boolean good = top != null && most > Price.LAW && most > LAW_SHARE * left;
-      trace.add(new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
-      if (good) {
-        best = top;
-        rejected.clear();
-      }
-    }
-  }
-
-  /** Removes what is not needed any more, the weakest first. */
-  private void prune() {
-    while (!best.model().components().isEmpty()) {
-      List<Component> components = best.model().components();
-      int weakest = -1;
-      double least = Double.POSITIVE_INFINITY;
-      for (int i = 0; i < components.size(); i++) {
-        double loss = loss(best, i) - Price.of(List.of(components.get(i)));
-        if (loss < least) {
-          least = loss;
-          weakest = i;
-        }
-      }
-      if (least > 0) {
-        return;
-      }
-      List<Component> without = new ArrayList<>(components);
-      Component removed = without.remove(weakest);
-      FittedModel next = refits.fit(best, without);
-      double lost = Price.gain(next, best);
-      if (lost > Price.of(List.of(removed))) {
-        return;
-      }
-      trace.add(new SearchStep(removed.toString(), Action.REMOVED, least, -lost));
-      best = next;
-    }
-  }
-
-  /** What the model would lose without a component, to first order; infinite where that says nothing. */
-  static double loss(FittedModel model, int component) {
-    Component c = model.model().components().get(component);
-    if (c.isPerKick() || !c.template().starts().isEmpty()) {
-      return Double.POSITIVE_INFINITY;
-    }
-    int from = model.model().offset(component);
-    int[] indices = new int[c.magnitudeCount()];
-    for (int i = 0; i < indices.length; i++) {
-      indices[i] = from + i;
-    }
-    double loss = model.solution().waldLoss(indices);
-    return Double.isNaN(loss) ? Double.POSITIVE_INFINITY : loss;
   }
 }

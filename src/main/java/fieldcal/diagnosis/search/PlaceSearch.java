@@ -3,6 +3,7 @@ package fieldcal.diagnosis.search;
 import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.Effect;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,9 +20,11 @@ final class PlaceSearch {
   private static final int ROUNDS = 7;
 
   private final FittedModel model;
+  private final Weighing weighing;
 
-  PlaceSearch(FittedModel model) {
+  PlaceSearch(FittedModel model, Weighing weighing) {
     this.model = model;
+    this.weighing = weighing;
   }
 
   /** The component at the best place near its own. */
@@ -32,7 +35,7 @@ final class PlaceSearch {
     for (int round = 0; round < ROUNDS; round++) {
       List<Component> tried = neighbours(best, share);
       tried.add(best);
-      Scorer scorer = new Scorer(model, tried);
+      Scorer scorer = new Scorer(model, tried, weighing);
       Sweep sweep = scorer.sweep();
       Component top = best;
       double most = scorer.gain(Proposal.of(best), sweep);

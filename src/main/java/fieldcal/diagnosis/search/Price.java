@@ -2,10 +2,15 @@ package fieldcal.diagnosis.search;
 
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.Weighing;
 import java.util.List;
 
-/** What components cost a model, and what one model gains on another, in units of chi-square. */
-final class Price {
+/**
+ * What components cost a model, and what one model gains on another, in units of chi-square.
+ *
+ * @param weighing of kicks that the first of two models does not explain
+ */
+record Price(Weighing weighing) {
   /**
    * What an effect must gain at least. Of a hundred independent columns noise makes the best gain 13 (the 99 % quantile of the largest of a hundred chi-square variables); the search may be generous, since the decision judges once
    * more.
@@ -18,8 +23,6 @@ final class Price {
   /** What a law must gain that has no absence to be compared with: as an effect of two coordinates. */
   static final double LAW = PENALTY + 2 * PENALTY_PER_COORDINATE;
 
-  private Price() {}
-
   /** The least that a proposal must gain; a group must gain it for each member that is needed. */
   static double of(Proposal p) {
     return of(p.group() ? p.components().subList(0, 1) : p.components());
@@ -28,7 +31,7 @@ final class Price {
   static double of(List<Component> components) {
     double price = 0;
     for (Component c : components) {
-      if (!c.template().starts().isEmpty()) {
+      if (c.isLaw()) {
         // A law stands in the place of another with as many numbers.
         price += PENALTY;
         continue;
@@ -40,17 +43,28 @@ final class Price {
     return price;
   }
 
-  /** By how much the cost falls, kicks that the first model does not explain weighing less. */
-  static double gain(FittedModel from, FittedModel to) {
-    double[] weights = new double[from.kickCount()];
-    for (int k = 0; k < weights.length; k++) {
-      weights[k] = 1 / Math.max(1, from.reduced(k));
-    }
+  /** By how much the cost falls. */
+  double gain(FittedModel from, FittedModel to) {
+    double[] weights = weighing.of(from);
     return from.solution().costWith(weights) - to.solution().costWith(weights);
   }
 
   /** The same when both pay for their components. */
-  static double net(FittedModel from, FittedModel to) {
+  double net(FittedModel from, FittedModel to) {
     return gain(from, to) - of(to.model().components()) + of(from.model().components());
+  }
+
+  /**
+   * What a model costs in all: the logarithm of what it leaves of each kick, as when each kick's noise were unknown, and the price of its components. Models that were found with different weights compare by it.
+   */
+  static double total(FittedModel model) {
+    double sum = model.solution().cost() + of(model.model().components());
+    double[] weights = model.solution().problem().weights();
+    for (int k = 0; k < weights.length; k++) {
+      double reduced = model.reduced(k);
+      sum -= weights[k] * model.solution().chiSquare(k);
+      sum += model.solution().kicks().get(k).rows() * Math.log(Math.max(1, reduced));
+    }
+    return sum;
   }
 }

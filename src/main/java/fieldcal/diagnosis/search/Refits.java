@@ -4,20 +4,28 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Joint fits of a search, counted: kicks that the model does not explain from which they start weigh less. Not thread-safe. */
+/** Joint fits of a search, counted: from a model that says how much each kick weighs. Not thread-safe. */
 final class Refits {
   private final ModelFitter fitter;
+  private final Weighing weighing;
   private final SharedSolver solver;
   private int count;
 
-  Refits(ModelFitter fitter, SharedSolver solver) {
+  Refits(ModelFitter fitter, Weighing weighing, SharedSolver solver) {
     this.fitter = fitter;
+    this.weighing = weighing;
     this.solver = solver;
+  }
+
+  /** How much kicks weigh. */
+  Weighing weighing() {
+    return weighing;
   }
 
   /** How many there were. */
@@ -35,7 +43,7 @@ final class Refits {
       int i = had.indexOf(c);
       started.add(i < 0 ? c : c.startingAt(now.get(i)));
     }
-    return fitter.fit(start(from).with(started), from, true, solver);
+    return fitter.fit(start(from).with(started), from, weighing, solver);
   }
 
   /** The same components with their places fitted together with everything else, and held there again. */
@@ -47,12 +55,12 @@ final class Refits {
       Component c = from.model().components().get(i).startingAt(now.get(i));
       freed.add(c.hasPlace() ? c.withPlaceFree() : c);
     }
-    FittedModel moved = fitter.fit(start(from).with(freed), from, true, solver);
+    FittedModel moved = fitter.fit(start(from).with(freed), from, weighing, solver);
     List<Component> held = new ArrayList<>();
     for (int i = 0; i < freed.size(); i++) {
       held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
     }
-    return fitter.fit(start(from).with(held), moved, true, solver);
+    return fitter.fit(start(from).with(held), moved, weighing, solver);
   }
 
   private static EffectModel start(FittedModel from) {

@@ -3,6 +3,7 @@ package fieldcal.diagnosis.search;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
@@ -29,8 +30,9 @@ final class Scorer {
   /**
    * @param model the centre
    * @param components whose columns are wanted
+   * @param weighing of kicks that the model does not explain
    */
-  Scorer(FittedModel model, Collection<Component> components) {
+  Scorer(FittedModel model, Collection<Component> components, Weighing weighing) {
     this.model = model;
     ModelState centre = model.solution().state();
     List<ModelState> states = new ArrayList<>();
@@ -53,11 +55,8 @@ final class Scorer {
       }
       columns.put(c, of);
     }
-    double[] weights = new double[model.kickCount()];
-    for (int k = 0; k < weights.length; k++) {
-      weights[k] = 1 / Math.max(1, model.reduced(k));
-    }
-    system = model.solution().scores(states, steps.stream().mapToDouble(s -> s).toArray(), weights);
+    double[] widths = steps.stream().mapToDouble(s -> s).toArray();
+    system = model.solution().scores(states, widths, weighing.of(model));
     precisions = new double[system.size()];
     List<Prior> known = model.model().priors();
     int free = 0;
@@ -95,7 +94,7 @@ final class Scorer {
         out[column] = true;
       }
       for (int j = 0; j < model.model().components().get(component).size(); j++) {
-        removed[baseColumn(from + j)] = values[from + j];
+        removed[model.model().freeIndex(from + j)] = values[from + j];
       }
     }
     Sweep moved = new Sweep(system, precisions, removed);
@@ -112,17 +111,9 @@ final class Scorer {
     int from = model.model().offset(component);
     int[] columns = new int[model.model().components().get(component).size()];
     for (int j = 0; j < columns.length; j++) {
-      columns[j] = baseColumn(from + j);
+      columns[j] = model.model().freeIndex(from + j);
     }
     return columns;
-  }
-
-  private int baseColumn(int global) {
-    int column = 0;
-    for (int g = 0; g < global; g++) {
-      column += model.model().globals().get(g).estimated() ? 1 : 0;
-    }
-    return column;
   }
 
   /** All columns of a proposal. */

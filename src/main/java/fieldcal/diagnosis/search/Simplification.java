@@ -35,11 +35,13 @@ final class Simplification {
   private static final double FIRST_ORDER = 0.02;
 
   private final Refits refits;
+  private final Price price;
   private final Dictionary dictionary;
   private final List<SearchStep> trace;
 
   Simplification(Refits refits, Dictionary dictionary, List<SearchStep> trace) {
     this.refits = refits;
+    price = new Price(refits.weighing());
     this.dictionary = dictionary;
     this.trace = trace;
   }
@@ -62,14 +64,14 @@ final class Simplification {
   Optional<FittedModel> withLawForOther(FittedModel best) {
     List<Component> had = best.model().components();
     for (Component out : had) {
-      if (!(out.template() instanceof MotionEffect) || !out.template().starts().isEmpty()) {
+      if (!(out.template() instanceof MotionEffect) || out.isLaw()) {
         continue;
       }
       List<Component> rest = new ArrayList<>(had);
       rest.remove(out);
       List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
       for (Component c : had) {
-        if (!c.template().starts().isEmpty()) {
+        if (c.isLaw()) {
           laws.add(c.template());
           rest.remove(c);
         }
@@ -78,8 +80,8 @@ final class Simplification {
       for (Effect law : small || out.isPerKick() ? laws : List.<Effect>of()) {
         for (Effect start : law.starts()) {
           Component c = Component.of(start, start.magnitudes());
-          FittedModel next = refits.fit(best, CauseSearch.added(rest, List.of(c)));
-          double gain = Price.gain(best, next) + Price.of(List.of(out)) + LAW_PREFERRED;
+          FittedModel next = refits.fit(best, Pursuit.added(rest, List.of(c)));
+          double gain = price.gain(best, next) + Price.of(List.of(out)) + LAW_PREFERRED;
           if (gain > 0) {
             trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
             return Optional.of(next);
@@ -92,7 +94,7 @@ final class Simplification {
 
   /** What a component of the model explains, as a share of all residuals. */
   private static double weakness(FittedModel best, Component c) {
-    return CauseSearch.loss(best, best.model().components().indexOf(c)) / best.solution().rows();
+    return Pursuit.loss(best, best.model().components().indexOf(c)) / best.solution().rows();
   }
 
   private Optional<FittedModel> once(FittedModel best) {
@@ -101,7 +103,7 @@ final class Simplification {
     List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
     proposals =
         proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
-    Scorer scorer = new Scorer(best, CauseSearch.components(proposals));
+    Scorer scorer = new Scorer(best, Pursuit.components(proposals), refits.weighing());
     for (List<Integer> set : sets(had)) {
       List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
       Sweep sweep = scorer.without(set);
@@ -118,7 +120,7 @@ final class Simplification {
       double least = kept - FIRST_ORDER * Math.abs(kept);
       List<Proposal> simpler =
           proposals.stream()
-              .filter(p -> !CauseSearch.clashes(p, rest))
+              .filter(p -> !Pursuit.clashes(p, rest))
               .filter(p -> Price.of(p.components()) < cost + (odd ? unusual : 0))
               .filter(p -> net(p, scorer, sweep) > least)
               .sorted(Comparator.comparingDouble(p -> -net(p, scorer, sweep)))
@@ -128,7 +130,7 @@ final class Simplification {
         List<Component> all = new ArrayList<>(rest);
         all.add(scorer.estimated(p.components().get(0), sweep));
         FittedModel next = refits.fit(best, all);
-        double gain = Price.gain(best, next) + cost - Price.of(p.components());
+        double gain = price.gain(best, next) + cost - Price.of(p.components());
         double allowed = (odd ? EQUAL : NEARLY_EQUAL) * Math.abs(kept);
         int last = all.size() - 1;
         Component found = next.model().components().get(last).startingAt(next.effects().get(last));
@@ -179,6 +181,6 @@ final class Simplification {
   }
 
   private static boolean isLinear(Component c) {
-    return !c.isPerKick() && c.template().starts().isEmpty();
+    return !c.isPerKick() && !c.isLaw();
   }
 }

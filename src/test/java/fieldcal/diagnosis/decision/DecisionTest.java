@@ -10,6 +10,7 @@ import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.validation.HoldOut;
@@ -39,7 +40,7 @@ class DecisionTest {
     List<Component> components =
         Arrays.stream(effects).map(e -> Component.of(e, e.magnitudes())).toList();
     FittedModel model =
-        fitter.fit(simple.model().with(components), simple, false, FittedField.SOLVER);
+        fitter.fit(simple.model().with(components), simple, Weighing.ALIKE, FittedField.SOLVER);
     Alternatives alternatives =
         new Alternatives(fitter, new Dictionary(List.of(effects), field.arena()));
     return new Decision(DecisionSettings.defaults(), fitter, alternatives, SEED)

@@ -19,7 +19,7 @@ class SpinAndSwitchTest {
             .fit(
                 field.simple().model().with(List.of(Component.perKick(new KickSpin(0)))),
                 field.simple(),
-                false,
+                Weighing.ALIKE,
                 FittedField.SOLVER);
     double spin = fitted.effects().get(0).value("fraction");
     double kSwitch = fitted.solution().values()[2];

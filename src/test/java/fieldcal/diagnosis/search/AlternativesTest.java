@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.measurement.CameraOffset;
@@ -36,7 +37,7 @@ class AlternativesTest {
                         Component.of(drag, drag.magnitudes()),
                         Component.of(offset, offset.magnitudes()))),
             field.simple(),
-            false,
+            Weighing.ALIKE,
             FittedField.SOLVER);
   }
 

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.Effect;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.motion.AirDrag;
@@ -33,18 +34,26 @@ class ScorerTest {
   private FittedModel fitted(FittedModel start, Component... components) {
     return field
         .fitter()
-        .fit(start.model().with(List.of(components)), start, true, FittedField.SOLVER);
+        .fit(
+            start.model().with(List.of(components)),
+            start,
+            Weighing.EXPLAINED_FIRST,
+            FittedField.SOLVER);
   }
 
   @Test
   void gainBesideTheModelIsWhatARefitGains() {
-    Scorer scorer = new Scorer(field.simple(), List.of(drag, offset, nap));
+    Scorer scorer =
+        new Scorer(field.simple(), List.of(drag, offset, nap), Weighing.EXPLAINED_FIRST);
     for (Component c : List.of(drag, offset)) {
-      double expected = Price.gain(field.simple(), fitted(field.simple(), c));
+      double expected =
+          new Price(Weighing.EXPLAINED_FIRST).gain(field.simple(), fitted(field.simple(), c));
       assertThat(scorer.gain(Proposal.of(c), scorer.sweep()))
           .isCloseTo(expected, within(SECOND_ORDER * expected));
     }
-    double both = Price.gain(field.simple(), fitted(field.simple(), drag, offset));
+    double both =
+        new Price(Weighing.EXPLAINED_FIRST)
+            .gain(field.simple(), fitted(field.simple(), drag, offset));
     assertThat(scorer.gain(new Proposal(List.of(drag, offset), false), scorer.sweep()))
         .isCloseTo(both, within(SECOND_ORDER * both));
   }
@@ -52,10 +61,10 @@ class ScorerTest {
   @Test
   void withoutAComponentItsOwnColumnsGainWhatItExplains() {
     FittedModel both = fitted(field.simple(), drag, offset);
-    Scorer scorer = new Scorer(both, List.of(other, nap));
+    Scorer scorer = new Scorer(both, List.of(other, nap), Weighing.EXPLAINED_FIRST);
     for (int i : new int[] {0, 1}) {
       FittedModel without = fitted(both, both.model().components().get(1 - i));
-      double expected = -Price.gain(both, without);
+      double expected = -new Price(Weighing.EXPLAINED_FIRST).gain(both, without);
       assertThat(scorer.without(List.of(i)).gain(scorer.modelColumns(i)))
           .isCloseTo(expected, within(SECOND_ORDER * expected));
     }
@@ -65,7 +74,7 @@ class ScorerTest {
   @Test
   void withoutAComponentItsEqualGainsAsMuch() {
     FittedModel both = fitted(field.simple(), drag, offset);
-    Scorer scorer = new Scorer(both, List.of(other, nap));
+    Scorer scorer = new Scorer(both, List.of(other, nap), Weighing.EXPLAINED_FIRST);
     Sweep without = scorer.without(List.of(1));
     double own = without.gain(scorer.modelColumns(1));
     assertThat(without.gain(scorer.columns(other))).isCloseTo(own, within(1e-3 * own));

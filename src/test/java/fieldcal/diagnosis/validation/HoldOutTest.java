@@ -7,6 +7,7 @@ import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.motion.AirDrag;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +25,7 @@ class HoldOutTest {
           .fit(
               field.simple().model().with(List.of(Component.of(new AirDrag(0), List.of("cd")))),
               field.simple(),
-              false,
+              Weighing.ALIKE,
               FittedField.SOLVER);
 
   /** The step is exact where the model is linear; a ball's is nearly so over a standard error. */
@@ -44,7 +45,7 @@ class HoldOutTest {
     double[] refitted =
         field
             .fitter(rest)
-            .fit(drag.model(), drag.restrictedTo(rest), false, FittedField.SOLVER)
+            .fit(drag.model(), drag.restrictedTo(rest), Weighing.ALIKE, FittedField.SOLVER)
             .solution()
             .values();
     double[][] covariance = drag.solution().covariance().orElseThrow();

@@ -173,8 +173,8 @@ public record DiagnosisReport(
    * @param name a few words
    * @param what what it does, a sentence with numbers
    * @param advice what to do; may be empty
-   * @param formula the best simple formula of a curve, the numbers of a law
-   * @param law whether it is a law that takes the place of the simple model's; then there are no curves
+   * @param formula the best simple formula of a curve, the numbers of all else
+   * @param kind "curve", "law" (takes the place of the simple model's) or "unproven" (an effect that is not proven to be a cause); only curves have pictures
    * @param gainMm what kicks that were held out gain, root mean square, mm
    * @param gainPercent the same in per cent
    * @param gainLowMm lower bound, 2.5 %
@@ -186,7 +186,7 @@ public record DiagnosisReport(
       String what,
       String advice,
       String formula,
-      boolean law,
+      String kind,
       @Rounded(3) double gainMm,
       @Rounded(2) double gainPercent,
       @Rounded(3) double gainLowMm,

@@ -35,6 +35,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -138,7 +139,7 @@ public final class DiagnosisReportBuilder {
         text.what(),
         text.advice(),
         text.strength(),
-        finding.curves().isEmpty(),
+        finding.kind().name().toLowerCase(Locale.ROOT),
         finding.gain().mm(),
         finding.gain().percent(),
         finding.gain().lowMm(),

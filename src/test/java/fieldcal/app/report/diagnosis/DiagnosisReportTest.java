@@ -170,7 +170,7 @@ class DiagnosisReportTest {
     DiagnosisReport partly = report(SampleDiagnosis.partly(24), "session.log.gz", true);
     assertThat(partly.verdict().id()).isEqualTo("partly_explained");
     assertThat(partly.learned()).hasSize(4);
-    assertThat(partly.learned().get(0).law()).isTrue();
+    assertThat(partly.learned().get(0).kind()).isEqualTo("law");
     assertThat(partly.learned().get(1).curves()).hasSize(1);
     assertThat(partly.learned().get(1).curves().get(0).axes()).containsExactly("speed");
     assertThat(partly.learned().get(2).curves().get(0).axes()).containsExactly("x", "y");

@@ -1,0 +1,226 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.decision.Decision;
+import fieldcal.diagnosis.decision.DecisionSettings;
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.decision.Judgement.Outcome;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
+import fieldcal.diagnosis.search.Alternatives;
+import fieldcal.diagnosis.search.CauseSearch;
+import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.effect.Effect;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Which of the components that a search found stay in the model: those with a name, and those without which kicks that were held out are predicted worse. Not thread-safe.
+ */
+final class ModelChoice {
+  /** What several components explain together, in sums of what each explains beside the others, from which on they stand for each other. */
+  private static final double MUTUAL = 2;
+
+  /** Index of the lower bound of a gain. */
+  private static final int LOWER = 2;
+
+  /** A component that explains less than that share of what the largest explains does not decide about others. */
+  private static final double LITTLE = 0.05;
+
+  private final ModelFitter fitter;
+  private final Dictionary dictionary;
+  private final DecisionSettings settings;
+  private final Decision decision;
+  private final HoldOut heldBase;
+  private final int maxCauses;
+  private final long seed;
+  private final SharedSolver solver;
+  private final List<SearchStep> trace;
+
+  /**
+   * @param fitter of the kicks
+   * @param dictionary of the catalogue
+   * @param settings every number that decides
+   * @param problem for its seed and the most causes
+   * @param heldBase how the simple model does on kicks that were held out
+   * @param solver of the refits
+   * @param trace to which simplifications are added
+   */
+  ModelChoice(
+      ModelFitter fitter,
+      Dictionary dictionary,
+      DecisionSettings settings,
+      DiagnosisProblem problem,
+      HoldOut heldBase,
+      SharedSolver solver,
+      List<SearchStep> trace) {
+    this.fitter = fitter;
+    this.dictionary = dictionary;
+    this.settings = settings;
+    this.heldBase = heldBase;
+    this.solver = solver;
+    this.trace = trace;
+    maxCauses = problem.maxCauses();
+    seed = problem.seed();
+    decision = new Decision(settings, fitter, new Alternatives(fitter, dictionary), seed);
+  }
+
+  /** A value for each kick helps where the kick has been seen, and may harm where it is predicted: then the model is taken without. */
+  Weighed of(FittedModel found) {
+    Weighed weighed = weigh(found);
+    if (!weighed.held.predictsWorseThan(heldBase, seed)) {
+      return weighed;
+    }
+    Weighed same = weigh(withoutPerKick(weighed.model));
+    return same.held.predictsWorseThan(heldBase, seed) ? weighed : same;
+  }
+
+  private FittedModel withoutPerKick(FittedModel found) {
+    List<Component> kept = new ArrayList<>();
+    List<Effect> effects = found.effects();
+    for (int i = 0; i < effects.size(); i++) {
+      Component c = found.model().components().get(i);
+      if (!c.isPerKick()) {
+        kept.add(c.startingAt(effects.get(i)));
+      }
+    }
+    EffectModel start = found.model().startingAt(found.solution().values(), new double[0]);
+    return fitter.fit(start.with(kept), found, Weighing.ALIKE, solver);
+  }
+
+  /** A model all of whose components stand up to the decision. */
+  record Weighed(FittedModel model, List<Judgement> judged, HoldOut held) {
+    /** Whether this predicts held-out kicks as well but for a share. */
+    boolean isAsGoodAs(Weighed other, double share) {
+      return held.rmsMm() * (1 - share) <= other.held.rmsMm();
+    }
+
+    /** Whether this does better beyond chance on held-out kicks, fitted and predicted: a value for each kick may fit what it does not help to predict. */
+    boolean isBetterThan(Weighed other, long seed) {
+      return held.gainOn(other.held, seed)[LOWER] > 0
+          && other.held.predictsWorseThan(held, seed)
+          && !held.predictsWorseThan(other.held, seed);
+    }
+  }
+
+  /**
+   * Drops what does not stand up, the weakest first: without it the others may. A law goes last, since others may have taken its place. What nobody can name may be needed all the same: of the models on the way the simplest is taken that
+   * predicts held-out kicks as well as the best of them.
+   */
+  private Weighed weigh(FittedModel found) {
+    List<Weighed> way = new ArrayList<>();
+    FittedModel at = found;
+    boolean simplified = false;
+    while (true) {
+      HoldOut held = HoldOut.of(at, true, seed);
+      List<Judgement> judged = decision.judge(at, held);
+      way.add(new Weighed(at, judged, held));
+      List<Judgement> failed = judged.stream().filter(j -> !stays(j)).toList();
+      if (!failed.isEmpty()) {
+        at = withoutWeakest(at, judged, failed);
+        continue;
+      }
+      if (simplified) {
+        return best(way);
+      }
+      CauseSearch search = new CauseSearch(fitter, dictionary, maxCauses, solver);
+      FittedModel simpler = search.simplified(at);
+      simplified = true;
+      if (simpler == at) {
+        return best(way);
+      }
+      trace.addAll(search.trace());
+      at = fitter.fit(startingAt(simpler), simpler, Weighing.ALIKE, solver);
+    }
+  }
+
+  /** Without the weakest that failed, and without what is little beside the largest, unless these stand for each other. */
+  private FittedModel withoutWeakest(
+      FittedModel at, List<Judgement> judged, List<Judgement> failed) {
+    List<Judgement> others = failed.stream().filter(j -> !j.component().isLaw()).toList();
+    List<Judgement> leaving = others.isEmpty() ? failed : others;
+    Judgement weakest =
+        leaving.stream().min(Comparator.comparingDouble(Judgement::evidence)).orElseThrow();
+    double largest = judged.stream().mapToDouble(Judgement::evidence).max().orElse(0);
+    List<Judgement> going =
+        leaving.stream().filter(j -> j == weakest || j.evidence() <= LITTLE * largest).toList();
+    FittedModel next = without(at, judged, going);
+    double noise = Math.max(1, at.solution().reducedChiSquare());
+    double lost = (next.evenCost() - at.evenCost()) / noise;
+    double expected = going.stream().mapToDouble(Judgement::evidence).sum();
+    if (going.size() == 1 || lost < MUTUAL * Math.max(0, expected)) {
+      return next;
+    }
+    return without(at, judged, List.of(weakest));
+  }
+
+  private FittedModel without(FittedModel at, List<Judgement> judged, List<Judgement> going) {
+    List<Component> kept = new ArrayList<>();
+    for (Judgement j : judged) {
+      if (!going.contains(j)) {
+        kept.add(j.component().startingAt(j.effect()));
+      }
+    }
+    EffectModel start = at.model().startingAt(at.solution().values(), new double[0]).with(kept);
+    return fitter.fit(start, at, Weighing.ALIKE, solver);
+  }
+
+  /** Of the models on the way the last that predicts held-out kicks as well as any; what is in it and has no name must pay for its place. */
+  private Weighed best(List<Weighed> way) {
+    Weighed last = way.get(way.size() - 1);
+    List<Weighed> sound =
+        way.stream().filter(w -> !w.held.predictsWorseThan(heldBase, seed)).toList();
+    Weighed top = sound.stream().min(Comparator.comparingDouble(w -> w.held.rmsMm())).orElse(last);
+    Weighed best = top;
+    for (Weighed w : sound) {
+      best = w.isAsGoodAs(top, settings.formGain()) ? w : best;
+    }
+    if (best == last || !best.isBetterThan(last, seed)) {
+      return last;
+    }
+    Weighed lean = best;
+    while (true) {
+      List<Judgement> idle = lean.judged.stream().filter(this::isIdle).toList();
+      Optional<Judgement> weakest =
+          idle.stream().min(Comparator.comparingDouble(Judgement::evidence));
+      if (weakest.isEmpty()) {
+        return lean;
+      }
+      Weighed all = reweighed(lean, idle);
+      Weighed next =
+          all.isAsGoodAs(best, settings.formGain()) ? all : reweighed(lean, List.of(weakest.get()));
+      if (!next.isAsGoodAs(best, settings.formGain())) {
+        return lean;
+      }
+      lean = next;
+    }
+  }
+
+  private Weighed reweighed(Weighed from, List<Judgement> going) {
+    FittedModel model = without(from.model, from.judged, going);
+    HoldOut held = HoldOut.of(model, true, seed);
+    return new Weighed(model, decision.judge(model, held), held);
+  }
+
+  /** Whether what has no name gains nothing worth its place either. */
+  private boolean isIdle(Judgement j) {
+    boolean pays = j.gain()[LOWER] > 0 && j.gain()[1] > 100 * settings.formGain();
+    return j.outcome() != Outcome.NAMED && !pays;
+  }
+
+  /** A cause stays, and so does the form of another that has no cause: a law, or a curve that pays on held-out kicks. */
+  private static boolean stays(Judgement j) {
+    return j.outcome() == Outcome.NAMED || j.component().isLaw() && j.outcome() == Outcome.FORM;
+  }
+
+  private static EffectModel startingAt(FittedModel from) {
+    return from.model().startingAt(from.solution().values(), from.solution().scatters());
+  }
+}
