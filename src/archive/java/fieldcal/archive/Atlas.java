@@ -9,6 +9,7 @@ import fieldcal.archive.venue.Change;
 import fieldcal.archive.venue.MatchFacts;
 import fieldcal.archive.venue.Measured;
 import fieldcal.archive.venue.VenueStudy;
+import fieldcal.movement.Grid;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -185,8 +186,9 @@ final class Atlas {
         study.standingNoise());
   }
 
-  private static AtlasView.Picture picture(TeamStudy.Picture p) {
-    return new AtlasView.Picture(p.cellX(), p.cellY(), p.x(), p.y(), p.count());
+  private static AtlasView.Picture picture(Grid.Occupied cells) {
+    return new AtlasView.Picture(
+        cells.widthX(), cells.widthY(), cells.x(), cells.y(), cells.count());
   }
 
   private static List<AtlasView.Speeds> speeds(List<MatchSummary> summaries) {

@@ -31,9 +31,9 @@ import java.util.Optional;
 record TeamStudy(
     TeamMatches matches,
     List<Quantity> quantities,
-    Picture ownFrame,
-    Picture againstSpeed,
-    Picture standing,
+    Grid.Occupied ownFrame,
+    Grid.Occupied againstSpeed,
+    Grid.Occupied standing,
     double standingNoise,
     long manoeuvres)
     implements Serializable {
@@ -48,28 +48,6 @@ record TeamStudy(
       Boolean reached,
       String note)
       implements Serializable {}
-
-  /** The cells of a grid that hold something. */
-  record Picture(double cellX, double cellY, double[] x, double[] y, long[] count)
-      implements Serializable {
-    static Picture of(Grid grid) {
-      List<double[]> cells = new ArrayList<>();
-      for (int row = 0; row < grid.rows(); row++) {
-        for (int column = 0; column < grid.columns(); column++) {
-          if (grid.count(column, row) > 0) {
-            cells.add(
-                new double[] {grid.centreX(column), grid.centreY(row), grid.count(column, row)});
-          }
-        }
-      }
-      return new Picture(
-          grid.centreX(1) - grid.centreX(0),
-          grid.centreY(1) - grid.centreY(0),
-          cells.stream().mapToDouble(c -> c[0]).toArray(),
-          cells.stream().mapToDouble(c -> c[1]).toArray(),
-          cells.stream().mapToLong(c -> (long) c[2]).toArray());
-    }
-  }
 
   /** Adds the histograms of all matches, whichever colour the team had, and estimates. */
   static TeamStudy of(TeamMatches matches, ArchiveFolder folder) throws IOException {
@@ -87,9 +65,9 @@ record TeamStudy(
     return new TeamStudy(
         matches,
         quantities(limits),
-        Picture.of(all.of(Team.YELLOW).ownFrame()),
-        Picture.of(all.of(Team.YELLOW).againstSpeed()),
-        Picture.of(all.standing()),
+        all.of(Team.YELLOW).ownFrame().occupied(),
+        all.of(Team.YELLOW).againstSpeed().occupied(),
+        all.standing().occupied(),
         all.standingNoiseMm() / 1000,
         limits.manoeuvres());
   }

@@ -18,7 +18,7 @@ public final class LiveStateDocument {
   public static final String SCHEMA = "fieldcal.live_state/1";
 
   /** More samples than that are no state that was written by this class. */
-  private static final int MOST = 10_000;
+  private static final int MOST_SAMPLES = 10_000;
 
   private LiveStateDocument() {}
 
@@ -75,8 +75,8 @@ public final class LiveStateDocument {
       if (!(entry.getValue() instanceof List<?> list)) {
         throw new IllegalArgumentException(place + ": must be a list");
       }
-      if (list.size() > MOST) {
-        throw new IllegalArgumentException(place + ": has more than " + MOST + " entries");
+      if (list.size() > MOST_SAMPLES) {
+        throw new IllegalArgumentException(place + ": has more than " + MOST_SAMPLES + " entries");
       }
       List<BallSample> samples = new ArrayList<>();
       for (Object one : list) {

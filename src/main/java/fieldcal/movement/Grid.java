@@ -1,6 +1,8 @@
 package fieldcal.movement;
 
+import java.io.Serializable;
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /** A two-dimensional histogram of cells of equal size. Two of the same cells merge exactly. Mutable, for one thread. */
 public final class Grid {
@@ -182,4 +184,32 @@ public final class Grid {
   public double centreY(int row) {
     return minY + (row + 0.5) * widthY;
   }
+
+  /**
+   * The cells that have counted something.
+   *
+   * @return by rows, in each by columns
+   */
+  public Occupied occupied() {
+    int[] cells = IntStream.range(0, counts.length).filter(i -> counts[i] > 0).toArray();
+    return new Occupied(
+        widthX,
+        widthY,
+        Arrays.stream(cells).mapToDouble(i -> centreX(i % columns)).toArray(),
+        Arrays.stream(cells).mapToDouble(i -> centreY(i / columns)).toArray(),
+        Arrays.stream(cells).mapToLong(i -> counts[i]).toArray());
+  }
+
+  /**
+   * Cells that have counted something; arrays of the same length, one entry for each cell.
+   *
+   * @param widthX width of a cell in x, in the unit of the grid's x axis
+   * @param widthY width of a cell in y, in the unit of the grid's y axis
+   * @param x centres in x
+   * @param y centres in y
+   * @param count sums of weights
+   * @serial exclude
+   */
+  public record Occupied(double widthX, double widthY, double[] x, double[] y, long[] count)
+      implements Serializable {}
 }

@@ -1,5 +1,7 @@
 package fieldcal.app.console;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.Optional;
 
@@ -74,6 +76,15 @@ final class LiveSession {
       failure = why;
     }
     changed.run();
+  }
+
+  /** What a page needs to begin with: whether it goes on, why it failed, and what it told last. */
+  ObjectNode state(Optional<ObjectNode> last) {
+    ObjectNode node = JsonNodeFactory.instance.objectNode();
+    node.put("running", running());
+    node.put("failure", failure().orElse(null));
+    last.ifPresent(status -> node.set("status", status));
+    return node;
   }
 
   /** Waits for the end, but not for long. */

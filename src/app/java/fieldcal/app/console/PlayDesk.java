@@ -1,7 +1,6 @@
 package fieldcal.app.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.play.EmbeddedPlayField;
@@ -178,10 +177,6 @@ final class PlayDesk {
 
   /** What a page needs to begin with. */
   ObjectNode state() {
-    ObjectNode node = JsonNodeFactory.instance.objectNode();
-    node.put("running", live.running());
-    node.put("failure", live.failure().orElse(null));
-    last.ifPresent(status -> node.set("status", status));
-    return node;
+    return live.state(last);
   }
 }

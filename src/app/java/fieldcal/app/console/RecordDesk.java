@@ -117,10 +117,6 @@ final class RecordDesk {
 
   /** What a page needs to show. */
   ObjectNode state() {
-    ObjectNode node = JsonNodeFactory.instance.objectNode();
-    node.put("running", live.running());
-    node.put("failure", live.failure().orElse(null));
-    last.ifPresent(status -> node.set("status", status));
-    return node;
+    return live.state(last);
   }
 }

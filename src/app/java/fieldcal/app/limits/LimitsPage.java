@@ -97,21 +97,8 @@ final class LimitsPage {
       @Rounded(4) double[] y,
       long[] count) {
     static Picture of(Grid grid) {
-      List<double[]> cells = new ArrayList<>();
-      for (int row = 0; row < grid.rows(); row++) {
-        for (int column = 0; column < grid.columns(); column++) {
-          if (grid.count(column, row) > 0) {
-            cells.add(
-                new double[] {grid.centreX(column), grid.centreY(row), grid.count(column, row)});
-          }
-        }
-      }
-      return new Picture(
-          grid.centreX(1) - grid.centreX(0),
-          grid.centreY(1) - grid.centreY(0),
-          cells.stream().mapToDouble(c -> c[0]).toArray(),
-          cells.stream().mapToDouble(c -> c[1]).toArray(),
-          cells.stream().mapToLong(c -> (long) c[2]).toArray());
+      Grid.Occupied cells = grid.occupied();
+      return new Picture(cells.widthX(), cells.widthY(), cells.x(), cells.y(), cells.count());
     }
   }
 

@@ -58,12 +58,10 @@ record Price(Weighing weighing) {
    * What a model costs in all: the logarithm of what it leaves of each kick, as when each kick's noise were unknown, and the price of its components. Models that were found with different weights compare by it.
    */
   static double total(FittedModel model) {
-    double sum = model.solution().cost() + of(model.model().components());
-    double[] weights = model.solution().problem().weights();
-    for (int k = 0; k < weights.length; k++) {
-      double reduced = model.reduced(k);
-      sum -= weights[k] * model.solution().chiSquare(k);
-      sum += model.solution().kicks().get(k).rows() * Math.log(Math.max(1, reduced));
+    double sum = model.evenCost() + of(model.model().components());
+    for (int k = 0; k < model.kickCount(); k++) {
+      sum -= model.solution().chiSquare(k);
+      sum += model.solution().kicks().get(k).rows() * Math.log(Math.max(1, model.reduced(k)));
     }
     return sum;
   }

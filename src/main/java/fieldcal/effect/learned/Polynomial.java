@@ -15,7 +15,7 @@ import java.util.Arrays;
 public record Polynomial(int degree, double fromX, double toX, double fromY, double toY)
     implements Basis {
   static final String TYPE = "polynomial";
-  private static final int MOST = 3;
+  private static final int HIGHEST_DEGREE = 3;
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -23,9 +23,9 @@ public record Polynomial(int degree, double fromX, double toX, double fromY, dou
    * @throws IllegalArgumentException when a range is empty or the degree out of its range
    */
   public Polynomial {
-    if (degree < 1 || degree > MOST) {
+    if (degree < 1 || degree > HIGHEST_DEGREE) {
       throw new IllegalArgumentException(
-          "degree: must be within 1 and " + MOST + ", but is " + degree);
+          "degree: must be within 1 and " + HIGHEST_DEGREE + ", but is " + degree);
     }
     Basis.requireRange("range", fromX, toX);
     Basis.requireRange("range_y", fromY, toY);

@@ -16,9 +16,9 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
   static final String TYPE = "spline";
 
   /** Shortest and longest list of knots; chosen, because fewer make no curve and more are no smooth one. */
-  private static final int FEWEST = 3;
+  private static final int FEWEST_KNOTS = 3;
 
-  private static final int MOST = 32;
+  private static final int MOST_KNOTS = 32;
 
   /** Steps of an integrator per interval between knots; chosen, keeps its errors below a hundredth of the term. */
   private static final double STEPS_PER_INTERVAL = 4;
@@ -30,9 +30,9 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
    */
   public Spline {
     Basis.requireRange("range", from, to);
-    if (knots < FEWEST || knots > MOST) {
+    if (knots < FEWEST_KNOTS || knots > MOST_KNOTS) {
       throw new IllegalArgumentException(
-          "knots: must be within " + FEWEST + " and " + MOST + ", but is " + knots);
+          "knots: must be within " + FEWEST_KNOTS + " and " + MOST_KNOTS + ", but is " + knots);
     }
   }
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
  */
 public final class Table {
   /** Most points of a table; chosen, far above what a curve needs. */
-  private static final int MOST = 100_000;
+  private static final int MOST_POINTS = 100_000;
 
   private final double[] xs;
   private final double[] ys;
@@ -36,9 +36,9 @@ public final class Table {
   }
 
   private static double[] ascending(String name, double[] points) {
-    if (points.length == 0 || points.length > MOST) {
+    if (points.length == 0 || points.length > MOST_POINTS) {
       throw new IllegalArgumentException(
-          name + " needs 1 to " + MOST + " points, but has " + points.length);
+          name + " needs 1 to " + MOST_POINTS + " points, but has " + points.length);
     }
     for (int i = 0; i < points.length; i++) {
       Check.finite(name, points[i]);
