@@ -161,10 +161,10 @@ public final class KickScreen {
               solver.fitOwn(variant, start, state, means, scatters).chiSquare()
                   / Math.max(1, variant.rows()));
     }
-    // A model that does not explain the others cannot say of which kind this one is, unless the
-    // other kind leaves less than this one with a ball of its own.
-    double most = median < STANDS_OUT ? Math.max(good, now.alone()) : now.alone();
-    return left < Math.min(most, CLEARLY_BETTER * at.reduced(k)) ? changed : now;
+    // A model that does not explain the others cannot say of which kind this one is: then the kick
+    // says it by itself, with a ball of its own.
+    boolean trusted = median < STANDS_OUT || changed.alone() < CLEARLY_BETTER * now.alone();
+    return trusted && left < CLEARLY_BETTER * at.reduced(k) ? changed : now;
   }
 
   /** The kick without what may be no free ball: its end, its begin, its rest. */

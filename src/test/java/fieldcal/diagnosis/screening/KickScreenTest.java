@@ -9,6 +9,9 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.physics.BallPhysics;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,6 +20,11 @@ import org.junit.jupiter.api.Test;
 /** Kicks among sound ones, of which one is not what it is taken for. */
 class KickScreenTest {
   private static final int WHICH = 3;
+
+  private static final SimulationSettings LIVELY =
+      FittedField.SOUND
+          .withPhysics(BallPhysics.ideal(-3.1, -0.28, 5.0 / 7, 0.5, 0.95, 0.8))
+          .withScenario(ScenarioKind.MIXED, 12);
 
   private static List<KickRecord> with(FittedField field, KickRecord other) {
     List<KickRecord> kicks = new ArrayList<>(field.fitter().kicks());
@@ -122,5 +130,30 @@ class KickScreenTest {
     assertThat(field.screen().revise(field.simple(), false))
         .extracting(KickRecord::kind)
         .containsOnly(KickKind.FLAT);
+  }
+
+  /** All kicks waver, and the chip is of a ball that bounces otherwise: as theirs it looks worse than as a flat kick, with a ball of its own it is a chip without a doubt. */
+  @Test
+  void whereNothingIsExplainedAKickSpeaksForItself() {
+    FittedField field = FittedField.mixed();
+    List<KickRecord> kicks = new ArrayList<>(field.fitter().kicks());
+    int chip = 0;
+    while (kicks.get(chip).kind() != KickKind.CHIP) {
+      chip++;
+    }
+    kicks.replaceAll(
+        k -> field.again(MovedBall.shifted(k.kick(), t -> 0.05 * Math.sin(8 * t)), k.kind()));
+    Kick lively = chip(FittedField.of(LIVELY));
+    kicks.set(chip, field.again(lively, KickKind.FLAT));
+    List<KickRecord> revised = field.screen().revise(field.simple(kicks), false);
+    assertThat(revised.get(chip).kind()).isEqualTo(KickKind.CHIP);
+  }
+
+  private static Kick chip(FittedField field) {
+    return field.fitter().kicks().stream()
+        .filter(k -> k.kind() == KickKind.CHIP)
+        .findFirst()
+        .orElseThrow()
+        .kick();
   }
 }
