@@ -77,6 +77,9 @@ public final class Diagnoser {
   /** Change of a cause's size by which a learned term beside it has taken its place, as a share. */
   private static final double SUPPLANTED = 0.5;
 
+  /** Curves alone must leave at most that share of the held-out variance that causes with names leave: by less they are another description of the same. */
+  private static final double IMITATED = 0.5;
+
   private static final int FIT_ITERATIONS = 25;
   private static final int COARSE_ITERATIONS = 15;
 
@@ -364,48 +367,54 @@ public final class Diagnoser {
       HoldOut heldBase = HoldOut.of(base, true, seed);
       ModelChoice choice =
           new ModelChoice(fitter, dictionary(), settings, problem, heldBase, solver, trace);
-      FittedModel named = base;
-      List<Judgement> judged = List.of();
-      HoldOut held = heldBase;
+      Weighed best = new Weighed(base, List.of(), heldBase);
       if (!found.model().components().isEmpty()) {
-        Weighed weighed = choice.of(found);
-        named = weighed.model();
-        judged = weighed.judged();
-        held = weighed.held();
+        best = choice.of(found);
       }
-      if (Leftover.of(named).isSignificant()) {
+      if (Leftover.of(best.model()).isSignificant()) {
         progress.accept("describing what has no name");
-        FittedModel start = named;
-        FittedModel learned =
-            guarded(
-                "the search for learned terms",
-                named,
-                () ->
-                    search(
-                        start,
-                        learnedAndLaws(),
-                        start.model().components().size() + MOST_LEARNED,
-                        false));
-        if (learned.model().components().size() > named.model().components().size()) {
-          Weighed weighed = choice.of(withoutSupplanted(named, learned));
-          if (weighed.held().rmsMm() < (1 - CLEARLY_BETTER) * held.rmsMm()
-              && !weighed.held().predictsWorseThan(heldBase, seed)) {
-            named = weighed.model();
-            judged = weighed.judged();
-            held = weighed.held();
-          }
+        best = described(best, choice, heldBase);
+      }
+      if (!(best.held().rmsMm() <= heldBase.rmsMm())) {
+        best = new Weighed(base, List.of(), heldBase);
+      }
+      FittedModel extended = best.model();
+      List<Cause> kickers =
+          extended.solution().reducedChiSquare() < EXPLAINED
+              ? new KickerBias(extended, problem.commands(), seed).causes(catalogue, arena)
+              : List.of();
+      return new Answer(extended, best.judged(), kickers, best.held(), heldBase);
+    }
+
+    /** With learned terms for what has no name. Several effects may have imitated one that has none: then curves alone leave much less, and nothing is named. */
+    private Weighed described(Weighed named, ModelChoice choice, HoldOut heldBase) {
+      Weighed best = named;
+      FittedModel curved = withCurves(named.model());
+      if (curved.model().components().size() > named.model().model().components().size()) {
+        Weighed weighed = choice.of(withoutSupplanted(named.model(), curved));
+        if (weighed.held().rmsMm() < (1 - CLEARLY_BETTER) * named.held().rmsMm()
+            && !weighed.held().predictsWorseThan(heldBase, problem.seed())) {
+          best = weighed;
         }
       }
-      if (!(held.rmsMm() <= heldBase.rmsMm())) {
-        named = base;
-        held = heldBase;
-        judged = List.of();
+      if (best.model().model().components().isEmpty()
+          || !Leftover.of(best.model()).isSignificant()) {
+        return best;
       }
-      List<Cause> kickers =
-          named.solution().reducedChiSquare() < EXPLAINED
-              ? new KickerBias(named, problem.commands(), seed).causes(catalogue, arena)
-              : List.of();
-      return new Answer(named, judged, kickers, held, heldBase);
+      Weighed alone = choice.of(withCurves(base));
+      boolean imitated =
+          Math.pow(alone.held().rmsMm(), 2) < IMITATED * Math.pow(best.held().rmsMm(), 2);
+      return imitated && !alone.held().predictsWorseThan(best.held(), problem.seed())
+          ? alone
+          : best;
+    }
+
+    private FittedModel withCurves(FittedModel start) {
+      int most = start.model().components().size() + MOST_LEARNED;
+      return guarded(
+          "the search for learned terms",
+          start,
+          () -> search(start, learnedAndLaws(), most, false));
     }
 
     /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */

@@ -120,4 +120,17 @@ class RecordedEffectsTest {
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.4 * diagnosis.base().predictionErrorMm().get(1.0));
   }
+
+  /** Rolling that is braked less and less with the time since the kick, which no effect of the catalogue says: several named ones imitate it, and a curve alone says it better. */
+  @Test
+  void causesThatImitateACurveAreNotNamed() throws IOException {
+    Diagnosis diagnosis = diagnose("ode-fading-friction");
+    assertThat(diagnosis.causes()).isEmpty();
+    assertThat(diagnosis.learned().get(0).actsOn()).isEqualTo("ground");
+    assertThat(diagnosis.learned().get(0).dependsOn()).containsExactly("time_since_kick");
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(1.2 * diagnosis.extended().noiseMm());
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.2 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
 }

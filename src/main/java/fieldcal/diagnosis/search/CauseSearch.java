@@ -78,10 +78,8 @@ public final class CauseSearch {
   public FittedModel search(FittedModel start, boolean revises) {
     FittedModel best = start;
     Refits refits = refits(Weighing.EXPLAINED_FIRST);
-    for (Manner manner :
-        Boolean.getBoolean("D")
-            ? MANNERS.subList(0, 1)
-            : start.model().components().isEmpty() ? MANNERS : MANNERS.subList(0, 1)) {
+    boolean free = revises && start.model().components().isEmpty();
+    for (Manner manner : free ? MANNERS : MANNERS.subList(0, 1)) {
       Refits own = refits(manner.weighing);
       FittedModel grown = pursuit(own).grown(start, manner.sharedFirst);
       if (Price.total(grown) < (best == start ? 1 : ANEW) * Price.total(best)) {
