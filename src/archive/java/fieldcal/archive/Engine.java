@@ -3,6 +3,7 @@ package fieldcal.archive;
 import fieldcal.app.archive.ArchiveEngine;
 import fieldcal.app.archive.ArchiveProgress;
 import fieldcal.app.calibrate.InputException;
+import fieldcal.app.recording.LogOpener;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -82,7 +83,8 @@ final class Engine implements AutoCloseable {
   }
 
   /** Reads logs, the largest first, so that none is left for the end. */
-  List<LogResult> read(List<LogFile> logs, ArchiveFolder folder, ArchiveEngine.Progress progress)
+  List<LogResult> read(
+      List<LogFile> logs, ArchiveFolder folder, LogOpener opener, ArchiveEngine.Progress progress)
       throws IOException {
     List<LogFile> order =
         logs.stream()
@@ -98,7 +100,7 @@ final class Engine implements AutoCloseable {
                   .parallelize(order, order.size())
                   .map(
                       log -> {
-                        LogResult result = LogTask.run(log, folder, attempt(log));
+                        LogResult result = LogTask.run(log, folder, opener, attempt(log));
                         play.add(result.play());
                         return result;
                       })

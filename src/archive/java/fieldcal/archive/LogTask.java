@@ -1,5 +1,6 @@
 package fieldcal.archive;
 
+import fieldcal.app.recording.LogOpener;
 import fieldcal.archive.match.Fingerprint;
 import fieldcal.archive.match.MatchData;
 import fieldcal.archive.match.MatchReader;
@@ -30,12 +31,13 @@ final class LogTask {
   }
 
   /** Reads a log and writes its rows. */
-  static LogResult run(LogFile log, ArchiveFolder folder, String attempt) throws IOException {
+  static LogResult run(LogFile log, ArchiveFolder folder, LogOpener opener, String attempt)
+      throws IOException {
     Path path = Path.of(log.path());
     MatchData match;
     String why;
     try {
-      match = MatchReader.read(path);
+      match = MatchReader.read(path, opener);
       why = null;
     } catch (IOException e) {
       match = null;

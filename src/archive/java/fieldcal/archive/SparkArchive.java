@@ -63,7 +63,7 @@ public final class SparkArchive implements ArchiveEngine {
       }
     }
     if (!open.isEmpty()) {
-      engine.read(open, folder, progress);
+      engine.read(open, folder, request.opener(), progress);
     }
     for (LogFile log : logs) {
       if (log.log() == null) {

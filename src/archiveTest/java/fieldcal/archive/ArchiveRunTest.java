@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import fieldcal.app.archive.ArchiveOutcome;
 import fieldcal.app.archive.ArchiveRequest;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.archive.table.ParquetFile;
 import fieldcal.archive.table.Row;
@@ -73,7 +74,7 @@ class ArchiveRunTest {
       throws IOException {
     return new SparkArchive()
         .run(
-            new ArchiveRequest(List.of(paths), out, Optional.of(master), resume),
+            new ArchiveRequest(List.of(paths), out, Optional.of(master), resume, LogOpener.USUAL),
             progress -> read.set(progress.logsDone()));
   }
 

@@ -7,6 +7,8 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.zip.GZIPInputStream;
@@ -112,9 +114,10 @@ final class LogInput implements Closeable {
           raw.count,
           String.format(
               Locale.ROOT,
-              "unpacks to more than %.0f times its size, which no recording does; if it is one,"
-                  + " unpack it with gunzip and read the .log",
-              largestRatio));
+              "unpacks to more than %s times its size, which no recording does; if it is one, raise"
+                  + " that limit (--unpack-limit), or unpack it with gunzip and read the .log",
+              new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT))
+                  .format(largestRatio)));
     }
   }
 

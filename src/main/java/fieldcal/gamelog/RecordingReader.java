@@ -73,7 +73,7 @@ public final class RecordingReader implements Closeable {
    * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
    */
   public static RecordingReader open(Path file) throws GameLogException {
-    return open(file, Optional.empty());
+    return open(file, Optional.empty(), GameLogReader.LARGEST_RATIO);
   }
 
   /**
@@ -85,11 +85,22 @@ public final class RecordingReader implements Closeable {
    * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
    */
   public static RecordingReader open(Path file, Epoch epoch) throws GameLogException {
-    return open(file, Optional.of(epoch));
+    return open(file, Optional.of(epoch), GameLogReader.LARGEST_RATIO);
   }
 
-  private static RecordingReader open(Path file, Optional<Epoch> epoch) throws GameLogException {
-    GameLogReader log = GameLogReader.open(file);
+  /**
+   * Opens a recording with another limit of packing.
+   *
+   * @param file a {@code .log} or {@code .log.gz}
+   * @param epoch from which its times count; empty for the full second of its first message
+   * @param largestRatio how many times a packed log's size it may unpack to; {@link Double#POSITIVE_INFINITY}: no limit
+   * @return a reader at the recording's start
+   * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
+   * @throws IllegalArgumentException if the limit is below 1 or NaN
+   */
+  public static RecordingReader open(Path file, Optional<Epoch> epoch, double largestRatio)
+      throws GameLogException {
+    GameLogReader log = GameLogReader.open(file, largestRatio);
     boolean hasMessages = log.next();
     Epoch first = Epoch.atSecondOf(hasMessages ? log.receivedNanos() : 0);
     return new RecordingReader(log, epoch.orElse(first), hasMessages);

@@ -2,6 +2,7 @@ package fieldcal.app.calibrate;
 
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingFacts;
 import fieldcal.app.report.CalibrationReportWriter;
 import fieldcal.app.wording.PublishWords;
@@ -30,6 +31,7 @@ import java.util.stream.Stream;
 /** Recordings in, calibration and its files out. */
 public final class CalibrationSession {
   private final FitSettings settings;
+  private final LogOpener opener;
 
   /**
    * A session.
@@ -37,7 +39,18 @@ public final class CalibrationSession {
    * @param settings of the fits
    */
   public CalibrationSession(FitSettings settings) {
+    this(settings, LogOpener.USUAL);
+  }
+
+  /**
+   * A session with a limit of its own.
+   *
+   * @param settings of the fits
+   * @param opener opens the recordings
+   */
+  public CalibrationSession(FitSettings settings, LogOpener opener) {
     this.settings = settings;
+    this.opener = opener;
   }
 
   /** Told how far the work is. */
@@ -75,7 +88,8 @@ public final class CalibrationSession {
    * @throws IOException when a recording cannot be read; one line for the operator
    */
   public CalibrationOutcome run(CalibrationRequest request, Progress progress) throws IOException {
-    return calibrate(new KickCollector(progress).collect(request.logs()), request, progress);
+    return calibrate(
+        new KickCollector(progress, opener).collect(request.logs()), request, progress);
   }
 
   /**

@@ -3,6 +3,7 @@ package fieldcal.app.calibrate;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingChoice;
 import fieldcal.app.recording.RecordingFacts;
 import java.io.IOException;
@@ -73,11 +74,12 @@ public final class RecordingFolder {
    * Chooses which recordings of a folder are calibrated together.
    *
    * @param folder to look into
+   * @param opener opens the recordings
    * @return the choice
    * @throws IOException when a recording or the decisions cannot be read
    */
-  public static RecordingChoice choice(Path folder) throws IOException {
-    return RecordingChoice.of(RecordingFacts.of(logs(folder)), decisions(folder));
+  public static RecordingChoice choice(Path folder, LogOpener opener) throws IOException {
+    return RecordingChoice.of(RecordingFacts.of(logs(folder), opener), decisions(folder));
   }
 
   /**

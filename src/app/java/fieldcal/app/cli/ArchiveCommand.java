@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -27,6 +28,8 @@ import picocli.CommandLine.Spec;
             + " this machine or on a cluster.")
 final class ArchiveCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "1..*",
@@ -69,7 +72,10 @@ final class ArchiveCommand implements Callable<Integer> {
     ArchiveOutcome outcome;
     try (ArchiveDisplay display = new ArchiveDisplay()) {
       outcome =
-          engine.run(new ArchiveRequest(paths, out, Optional.ofNullable(master), resume), display);
+          engine.run(
+              new ArchiveRequest(
+                  paths, out, Optional.ofNullable(master), resume, logOptions.opener()),
+              display);
     }
     print(outcome);
     return 0;

@@ -22,6 +22,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -39,6 +40,8 @@ final class CalibrateCommand implements Callable<Integer> {
   private static final Epoch UNIX = new Epoch(0);
 
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "1..*",
@@ -129,7 +132,7 @@ final class CalibrateCommand implements Callable<Integer> {
     OutputPlaces.check(out, json);
     OutputPlaces.checkDirectory("--csv", csv);
     OutputPlaces.checkFile("--mcap", mcap);
-    LogArguments arguments = LogArguments.of(logs);
+    LogArguments arguments = LogArguments.of(logs, logOptions.opener());
     HandSelection byHand = SelectionFile.readOrFormer(selection, arguments.decisions(out));
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
@@ -138,7 +141,8 @@ final class CalibrateCommand implements Callable<Integer> {
     List<CommandFile.Command> told = arguments.commands(commands);
     CalibrationRequest request =
         new CalibrationRequest(arguments.logs(), forced, start, extended, byHand, told);
-    CalibrationSession session = new CalibrationSession(FitSettings.defaults().withSeed(seed));
+    CalibrationSession session =
+        new CalibrationSession(FitSettings.defaults().withSeed(seed), logOptions.opener());
     CalibrationOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
       outcome = session.run(request, progress);
@@ -153,7 +157,7 @@ final class CalibrateCommand implements Callable<Integer> {
       new KickTables(outcome).write(csv);
     }
     if (mcap != null) {
-      new KickReplay(outcome).write(mcap);
+      new KickReplay(outcome, logOptions.opener()).write(mcap);
     }
     CalibrationText text = new CalibrationText(spec.commandLine().getOut());
     text.print(outcome, out);

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -22,6 +23,8 @@ import picocli.CommandLine.Spec;
             + " kickers and robots do otherwise, and what that costs an AI that was tuned on it.")
 final class CompareCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "1..*",
@@ -77,7 +80,7 @@ final class CompareCommand implements Callable<Integer> {
     try (WorkProgress first = new WorkProgress();
         WorkProgress second = new WorkProgress()) {
       outcome =
-          new CompareSession(FitSettings.defaults().withSeed(seed))
+          new CompareSession(FitSettings.defaults().withSeed(seed), logOptions.opener())
               .run(real, told, sim, simTold, List.of(first, second));
     }
     if (out != null) {

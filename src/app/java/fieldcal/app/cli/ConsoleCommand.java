@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -33,6 +34,8 @@ final class ConsoleCommand implements Callable<Integer> {
   private static final int TOKEN_BYTES = 12;
 
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "0..1",
@@ -121,7 +124,7 @@ final class ConsoleCommand implements Callable<Integer> {
       known = Optional.of(HexFormat.of().formatHex(random));
     }
     try {
-      return new ConsoleSettings(directory, address, port, known, start, seed);
+      return new ConsoleSettings(directory, address, port, known, start, seed, logOptions.opener());
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage());
     }

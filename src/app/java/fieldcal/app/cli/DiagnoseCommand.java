@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -27,6 +28,8 @@ import picocli.CommandLine.Spec;
             + " is, and how much better a model with them predicts.")
 final class DiagnoseCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "1..*",
@@ -83,11 +86,11 @@ final class DiagnoseCommand implements Callable<Integer> {
           spec.commandLine(), "--max-causes must be 0 or more, not " + maxCauses);
     }
     OutputPlaces.check(out, json);
-    LogArguments arguments = LogArguments.of(logs);
+    LogArguments arguments = LogArguments.of(logs, logOptions.opener());
     HandSelection byHand = SelectionFile.readOrFormer(selection, arguments.decisions(out));
     List<CommandFile.Command> told = arguments.commands(commands);
     DiagnosisSession session =
-        new DiagnosisSession(FitSettings.defaults().withSeed(seed), maxCauses);
+        new DiagnosisSession(FitSettings.defaults().withSeed(seed), maxCauses, logOptions.opener());
     DiagnosisOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
       outcome = session.run(arguments.logs(), byHand, told, progress);

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -20,6 +21,8 @@ import picocli.CommandLine.Spec;
 final class InfoCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
+  @Mixin private LogOptions logOptions;
+
   @Parameters(paramLabel = "LOG", description = "an SSL game log, .log or .log.gz")
   private Path log;
 
@@ -32,7 +35,7 @@ final class InfoCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     RecordingInfo info;
     try (TerminalProgress progress = TerminalProgress.ofBytes("reading")) {
-      info = RecordingInfo.of(log, progress);
+      info = RecordingInfo.of(log, logOptions.opener(), progress);
     }
     PrintWriter out = spec.commandLine().getOut();
     if (json) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -21,6 +22,8 @@ import picocli.CommandLine.Spec;
             + " of matches, and shows where one limit for all speeds and directions is wrong.")
 final class LimitsCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "1..*",
@@ -40,7 +43,8 @@ final class LimitsCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     OutputPlaces.check(out, json);
-    LimitsSession session = new LimitsSession(Runtime.getRuntime().availableProcessors());
+    LimitsSession session =
+        new LimitsSession(Runtime.getRuntime().availableProcessors(), logOptions.opener());
     LimitsOutcome outcome;
     try (TerminalProgress bar = TerminalProgress.ofBytes("reading")) {
       outcome = session.run(logs, bar::at);

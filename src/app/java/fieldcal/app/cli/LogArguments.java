@@ -3,6 +3,7 @@ package fieldcal.app.cli;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.RecordingFolder;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingChoice;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -20,7 +21,7 @@ import java.util.List;
  */
 record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
 
-  static LogArguments of(List<Path> named) throws IOException {
+  static LogArguments of(List<Path> named, LogOpener opener) throws IOException {
     List<Path> logs = new ArrayList<>();
     List<String> leftOut = new ArrayList<>();
     List<Path> folders = new ArrayList<>();
@@ -30,7 +31,7 @@ record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
         continue;
       }
       folders.add(path);
-      RecordingChoice choice = RecordingFolder.choice(path);
+      RecordingChoice choice = RecordingFolder.choice(path, opener);
       if (choice.entries().isEmpty()) {
         throw new InputException(path + ": there is no recording (*.log, *.log.gz) in this folder");
       }

@@ -29,6 +29,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -47,6 +48,8 @@ final class MonitorCommand implements Callable<Integer> {
   private static final long PATIENCE = 5;
 
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @ArgGroup(multiplicity = "1")
   private Source source;
@@ -213,7 +216,7 @@ final class MonitorCommand implements Callable<Integer> {
       throw new ParameterException(
           spec.commandLine(), "--speed must be a positive number, but is " + speed);
     }
-    return new ReplayFeed(source.replay.log, speed);
+    return new ReplayFeed(source.replay.log, speed, logOptions.opener());
   }
 
   /** Ctrl-C stops the session, and the machine waits for its summary. */

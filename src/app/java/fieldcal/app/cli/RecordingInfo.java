@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.recording.LogOpener;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.gamelog.CameraStatistics;
@@ -31,8 +32,9 @@ record RecordingInfo(
     Optional<RefereeStatistics> referee) {
 
   /** Reads the whole log. */
-  static RecordingInfo of(Path file, TerminalProgress progress) throws IOException {
-    try (RecordingReader reader = RecordingReader.open(file)) {
+  static RecordingInfo of(Path file, LogOpener opener, TerminalProgress progress)
+      throws IOException {
+    try (RecordingReader reader = opener.recording(file)) {
       RecordingStatistics statistics = new RecordingStatistics();
       RecordingSummary summary = read(reader, statistics, progress);
       return new RecordingInfo(file, summary, statistics.cameras(), statistics.referee());

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -30,6 +31,8 @@ import picocli.CommandLine.Spec;
     })
 final class TwinCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
+
+  @Mixin private LogOptions logOptions;
 
   @Parameters(
       arity = "1..*",
@@ -70,7 +73,8 @@ final class TwinCommand implements Callable<Integer> {
     TwinOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
       outcome =
-          new TwinSession(FitSettings.defaults().withSeed(seed)).run(logs, told, out, progress);
+          new TwinSession(FitSettings.defaults().withSeed(seed), logOptions.opener())
+              .run(logs, told, out, progress);
     }
     new TwinText(spec.commandLine().getOut()).print(outcome, out);
     return 0;

@@ -4,6 +4,7 @@ import fieldcal.app.calibrate.CommandFile.Command;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.limits.LimitsSession;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.statistics.FieldRecording;
 import fieldcal.calibration.HandSelection;
 import fieldcal.diagnosis.DiagnosisProblem;
@@ -16,14 +17,17 @@ import java.util.List;
 /** Recordings of a field and of a simulator in, their comparison and its files out. */
 public final class CompareSession {
   private final FitSettings settings;
+  private final LogOpener opener;
 
   /**
    * A session.
    *
    * @param settings of the fits; their seed is also that of the diagnoses
+   * @param opener opens the recordings
    */
-  public CompareSession(FitSettings settings) {
+  public CompareSession(FitSettings settings, LogOpener opener) {
     this.settings = settings;
+    this.opener = opener;
   }
 
   /**
@@ -61,12 +65,12 @@ public final class CompareSession {
   private Side side(List<Path> logs, List<Command> commands, DiagnosisSession.Progress progress)
       throws IOException {
     DiagnosisOutcome diagnosis =
-        new DiagnosisSession(settings, DiagnosisProblem.DEFAULT_MAX_CAUSES)
+        new DiagnosisSession(settings, DiagnosisProblem.DEFAULT_MAX_CAUSES, opener)
             .run(logs, HandSelection.none(), commands, progress);
     return new Side(
         diagnosis,
-        FieldRecording.of(diagnosis.calibration()),
-        new LimitsSession(1).run(logs, (read, total) -> {}));
+        FieldRecording.of(diagnosis.calibration(), opener),
+        new LimitsSession(1, opener).run(logs, (read, total) -> {}));
   }
 
   /**

@@ -1,5 +1,6 @@
 package fieldcal.app.console;
 
+import fieldcal.app.recording.LogOpener;
 import fieldcal.vision.BallModels;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -16,6 +17,7 @@ import java.util.Optional;
  * @param token that visitors must know; without one nobody is asked, which is refused on addresses that others reach
  * @param initial published model to start from and to compare with; without it, what the recordings publish
  * @param seed of the random search
+ * @param opener opens recordings
  */
 public record ConsoleSettings(
     Path directory,
@@ -23,7 +25,8 @@ public record ConsoleSettings(
     int port,
     Optional<String> token,
     Optional<BallModels> initial,
-    long seed) {
+    long seed,
+    LogOpener opener) {
   /** The address of this machine that no other reaches. */
   public static final String LOOPBACK = "127.0.0.1";
 
@@ -40,6 +43,7 @@ public record ConsoleSettings(
     Objects.requireNonNull(address, "address");
     Objects.requireNonNull(token, "token");
     Objects.requireNonNull(initial, "initial");
+    Objects.requireNonNull(opener, "opener");
     if (port < 0 || port > 65535) {
       throw new IllegalArgumentException("port must be 0 to 65535, got " + port);
     }
@@ -62,7 +66,7 @@ public record ConsoleSettings(
    */
   public static ConsoleSettings local(Path directory, int port) {
     return new ConsoleSettings(
-        directory, LOOPBACK, port, Optional.empty(), Optional.empty(), 20260101);
+        directory, LOOPBACK, port, Optional.empty(), Optional.empty(), 20260101, LogOpener.USUAL);
   }
 
   /**

@@ -37,7 +37,7 @@ final class Desks {
     history = new History(directory.path());
     publish = new PublishDesk(directory, kicks, notes, vision, history, clock, this::tellState);
     export = new ExportDesk(directory, kicks, diagnosis, publish, history, clock, this::tellState);
-    match = new MatchDesk(directory, kicks, events, this::tellState);
+    match = new MatchDesk(directory, settings.opener(), kicks, events, this::tellState);
     play = new PlayDesk(directory, kicks, events, this::tellState);
     record = new RecordDesk(directory, kicks, clock, events, this::tellState);
     json =

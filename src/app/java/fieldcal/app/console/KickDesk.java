@@ -9,6 +9,7 @@ import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingChoice;
 import fieldcal.app.recording.RecordingFacts;
 import fieldcal.calibration.CalibratedKick;
@@ -17,7 +18,6 @@ import fieldcal.calibration.Sample;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
 import fieldcal.gamelog.GameLogException;
-import fieldcal.gamelog.GameLogReader;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -53,6 +53,7 @@ final class KickDesk {
   private final Work work;
   private final Runnable changed;
   private final Optional<BallModels> initial;
+  private final LogOpener opener;
   private final CalibrationSession session;
   private final SelectionHistory history = new SelectionHistory();
 
@@ -123,7 +124,8 @@ final class KickDesk {
     this.work = work;
     this.changed = changed;
     initial = settings.initial();
-    session = new CalibrationSession(FitSettings.defaults().withSeed(settings.seed()));
+    opener = settings.opener();
+    session = new CalibrationSession(FitSettings.defaults().withSeed(settings.seed()), opener);
   }
 
   /**
@@ -187,8 +189,7 @@ final class KickDesk {
       Map<Path, String> broken = new TreeMap<>();
       RecordingChoice chosen =
           RecordingChoice.of(
-              RecordingFacts.of(readable(directory.logs(), broken)),
-              RecordingFolder.decisions(directory.path()));
+              readable(directory.logs(), broken), RecordingFolder.decisions(directory.path()));
       List<Path> found = used(chosen);
       HandSelection selection = decided();
       if (found.isEmpty()) {
@@ -197,7 +198,7 @@ final class KickDesk {
       }
       progress.reading(found);
       CollectedKicks data =
-          new KickCollector(progress).collect(found).withProblems(problems(broken));
+          new KickCollector(progress, opener).collect(found).withProblems(problems(broken));
       CalibrationRequest request = request(found, selection);
       CalibrationOutcome calibrated = session.calibrate(data, request, progress);
       install(chosen, broken, Optional.of(calibrated), selection);
@@ -244,18 +245,18 @@ final class KickDesk {
   }
 
   /**
-   * Recordings that can be opened. One that a full disk cut off before its first byte must not take all others from the operator.
+   * Recordings that can be read. One that a full disk cut off before its first byte, or that is no recording, must not take all others from the operator.
    *
    * @param broken is told of the others, and why they cannot be read
    * @throws GameLogException when none can be read
    */
-  private static List<Path> readable(List<Path> logs, Map<Path, String> broken) throws IOException {
-    List<Path> good = new ArrayList<>();
+  private List<RecordingFacts> readable(List<Path> logs, Map<Path, String> broken)
+      throws IOException {
+    List<RecordingFacts> good = new ArrayList<>();
     GameLogException last = null;
     for (Path log : logs) {
       try {
-        GameLogReader.open(log).close();
-        good.add(log);
+        good.add(RecordingFacts.of(log, opener));
       } catch (GameLogException e) {
         broken.put(log, e.getMessage());
         last = e;

@@ -68,7 +68,8 @@ final class LiveSession {
     Optional<String> why = Optional.empty();
     try {
       goesOn.run();
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | Error e) {
+      // Whatever it was: it is over, and another one may begin.
       why = Optional.of(Failures.words(e));
     }
     synchronized (this) {

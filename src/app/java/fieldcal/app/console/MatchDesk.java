@@ -10,6 +10,7 @@ import fieldcal.app.monitor.MonitorSession;
 import fieldcal.app.monitor.NetworkFeed;
 import fieldcal.app.monitor.ReplayFeed;
 import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -25,14 +26,21 @@ final class MatchDesk {
   private static final long PATIENCE_MS = 3000;
 
   private final SessionDirectory directory;
+  private final LogOpener opener;
   private final KickDesk kicks;
   private final EventHub events;
   private final LiveSession live;
   private volatile MonitorSession session;
   private volatile Optional<ObjectNode> last = Optional.empty();
 
-  MatchDesk(SessionDirectory directory, KickDesk kicks, EventHub events, Runnable changed) {
+  MatchDesk(
+      SessionDirectory directory,
+      LogOpener opener,
+      KickDesk kicks,
+      EventHub events,
+      Runnable changed) {
     this.directory = directory;
+    this.opener = opener;
     this.kicks = kicks;
     this.events = events;
     live = new LiveSession("match", changed);
@@ -101,7 +109,7 @@ final class MatchDesk {
     if (log == null) {
       throw ApiException.notFound("the session has no such recording");
     }
-    return new ReplayFeed(log, speed);
+    return new ReplayFeed(log, speed, opener);
   }
 
   /** Ends the watching; the numbers stay. */

@@ -142,26 +142,26 @@ final class Work {
           job = waiting.poll();
           current = job;
         }
-        listener.changed();
-        run(job);
+        guarded(job, listener::changed);
+        guarded(job, () -> job.task.run(job.progress));
         synchronized (this) {
           current = null;
         }
-        listener.changed();
+        guarded(job, listener::changed);
       }
     } catch (InterruptedException e) {
       // Closed.
     }
   }
 
-  private static void run(Job job) {
+  private static void guarded(Job job, Runnable step) {
     try {
-      job.task.run(job.progress);
+      step.run();
     } catch (CancellationException e) {
       // Wanted.
     } catch (RuntimeException | Error e) {
-      // A task tells its errors itself; whatever it lets out must not end the thread that the next
-      // one needs.
+      // A task tells its errors itself; whatever it or the listener lets out must not end the
+      // thread that the next one needs.
       LOG.error("defect in “{}”", job.progress.title, e);
     }
   }

@@ -6,6 +6,7 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.report.diagnosis.DiagnosisReport;
 import fieldcal.app.report.diagnosis.DiagnosisReportBuilder;
 import fieldcal.app.report.diagnosis.DiagnosisReportWriter;
@@ -33,6 +34,7 @@ public final class DiagnosisSession {
 
   private final FitSettings settings;
   private final int maxCauses;
+  private final LogOpener opener;
 
   /**
    * A session.
@@ -41,8 +43,20 @@ public final class DiagnosisSession {
    * @param maxCauses how many causes may be named, 0 or more
    */
   public DiagnosisSession(FitSettings settings, int maxCauses) {
+    this(settings, maxCauses, LogOpener.USUAL);
+  }
+
+  /**
+   * A session with a limit of its own.
+   *
+   * @param settings of the fits; their seed is also the diagnosis's
+   * @param maxCauses how many causes may be named, 0 or more
+   * @param opener opens the recordings
+   */
+  public DiagnosisSession(FitSettings settings, int maxCauses, LogOpener opener) {
     this.settings = settings;
     this.maxCauses = maxCauses;
+    this.opener = opener;
   }
 
   /** Told how far the work is. */
@@ -73,7 +87,7 @@ public final class DiagnosisSession {
       Progress progress)
       throws IOException {
     CalibrationOutcome calibration =
-        new CalibrationSession(settings)
+        new CalibrationSession(settings, opener)
             .run(CalibrationRequest.of(logs, selection, commands), progress);
     return diagnose(calibration, progress::diagnosing);
   }

@@ -10,18 +10,12 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
-import java.util.List;
 
 /**
  * Writes files so that a crash or a full disk leaves either the old file or the new one. A symbolic link stays, and what it leads to is replaced; a device, a pipe or another thing that is no file is written to
  * as it is.
  */
 public final class WholeFile {
-  /** Linux and macOS: /dev/stdout and the like lead to whatever the shell has opened, also when that is a file. */
-  private static final List<Path> STREAMS =
-      List.of(Path.of("/dev/stdout"), Path.of("/dev/stderr"), Path.of("/dev/fd"), Path.of("/proc"));
-
   private WholeFile() {}
 
   /**
@@ -43,17 +37,8 @@ public final class WholeFile {
     return link.toAbsolutePath().resolveSibling(Files.readSymbolicLink(link)).normalize();
   }
 
-  /** Whether a name stands for something that takes bytes one after the other: a pipe, a device, or what this program was given as its output. */
-  private static boolean isStream(Path file) {
-    boolean descriptor = STREAMS.stream().anyMatch(file.toAbsolutePath().normalize()::startsWith);
-    return descriptor
-        || Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file);
-  }
-
   private static void append(Path stream, Content content) throws IOException {
-    try (OutputStream to =
-        new BufferedOutputStream(
-            Files.newOutputStream(stream, StandardOpenOption.WRITE, StandardOpenOption.APPEND))) {
+    try (OutputStream to = new BufferedOutputStream(NamedOutput.open(stream))) {
       content.writeTo(to);
     } catch (FileSystemException e) {
       throw e;
@@ -120,7 +105,7 @@ public final class WholeFile {
    * @throws IOException when it cannot be written or made; the old file is as it was
    */
   public static void streamBytes(Path file, Content content) throws IOException {
-    if (isStream(file)) {
+    if (NamedOutput.isStream(file)) {
       append(file, content);
       return;
     }

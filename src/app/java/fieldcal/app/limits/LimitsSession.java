@@ -2,7 +2,7 @@ package fieldcal.app.limits;
 
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.recording.DataProblem;
-import fieldcal.gamelog.RecordingReader;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.movement.MovementStatistics;
 import fieldcal.vision.Team;
 import java.io.IOException;
@@ -35,18 +35,21 @@ public final class LimitsSession {
   }
 
   private final int threads;
+  private final LogOpener opener;
 
   /**
    * A session.
    *
    * @param threads how many recordings are read at the same time; the result does not depend on it
+   * @param opener opens the recordings
    * @throws IllegalArgumentException when less than 1
    */
-  public LimitsSession(int threads) {
+  public LimitsSession(int threads, LogOpener opener) {
     if (threads < 1) {
       throw new IllegalArgumentException("at least one thread must read, not " + threads);
     }
     this.threads = threads;
+    this.opener = opener;
   }
 
   /**
@@ -62,7 +65,7 @@ public final class LimitsSession {
     List<Path> different = different(logs, problems);
     for (Path log : different) {
       // What cannot be read at all is told at once, not after minutes of reading the others.
-      RecordingReader.open(log).close();
+      opener.recording(log).close();
     }
     List<RecordedMovement> read = readAll(different, progress);
     MovementStatistics all = new MovementStatistics();
@@ -134,7 +137,8 @@ public final class LimitsSession {
         int index = i;
         running.add(
             pool.submit(
-                () -> RecordedMovement.read(logs.get(index), bytes -> sum.at(index, bytes))));
+                () ->
+                    RecordedMovement.read(logs.get(index), opener, bytes -> sum.at(index, bytes))));
       }
       List<RecordedMovement> done = new ArrayList<>();
       for (Future<RecordedMovement> one : running) {

@@ -1,6 +1,7 @@
 package fieldcal.app.limits;
 
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingListener;
@@ -36,9 +37,10 @@ record RecordedMovement(
     List<DataProblem> problems) {
 
   /** Reads a recording to its end; {@code bytesRead} is told how far it is. */
-  static RecordedMovement read(Path log, LongConsumer bytesRead) throws IOException {
+  static RecordedMovement read(Path log, LogOpener opener, LongConsumer bytesRead)
+      throws IOException {
     MovementObserver observer = new MovementObserver();
-    try (RecordingReader reader = RecordingReader.open(log)) {
+    try (RecordingReader reader = opener.recording(log)) {
       Map<Team, String> names = new EnumMap<>(Team.class);
       RecordingSummary summary = reader.read(new Feed(observer, names, bytesRead));
       observer.finish();

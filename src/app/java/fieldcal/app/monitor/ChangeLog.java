@@ -3,6 +3,7 @@ package fieldcal.app.monitor;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.files.NamedOutput;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
@@ -18,9 +19,9 @@ import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
@@ -50,9 +51,8 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
    * @throws IOException when it cannot be written
    */
   public ChangeLog(Path file, String title) throws IOException {
-    Path directory = file.toAbsolutePath().getParent();
-    Files.createDirectories(directory);
-    out = new BufferedWriter(Files.newBufferedWriter(file, StandardCharsets.UTF_8));
+    out =
+        new BufferedWriter(new OutputStreamWriter(NamedOutput.open(file), StandardCharsets.UTF_8));
     write(event("start", Double.NaN).put("schema", SCHEMA).put("source", title));
   }
 

@@ -1,5 +1,6 @@
 package fieldcal.app.monitor;
 
+import fieldcal.app.recording.LogOpener;
 import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
@@ -47,16 +48,17 @@ public final class ReplayFeed implements MatchFeed {
    *
    * @param log a {@code .log} or {@code .log.gz}
    * @param speed how many times faster than it happened, or {@link #UNLIMITED}
+   * @param opener opens it
    * @throws IOException when it cannot be read
    * @throws IllegalArgumentException when the speed is negative or not finite
    */
-  public ReplayFeed(Path log, double speed) throws IOException {
+  public ReplayFeed(Path log, double speed, LogOpener opener) throws IOException {
     if (!(speed >= 0) || Double.isInfinite(speed)) {
       throw new IllegalArgumentException("speed must not be negative: " + speed);
     }
     this.log = log;
     this.speed = speed;
-    reader = RecordingReader.open(log);
+    reader = opener.recording(log);
   }
 
   @Override

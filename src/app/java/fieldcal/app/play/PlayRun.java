@@ -6,6 +6,7 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingChoice;
 import fieldcal.app.recording.RecordingFacts;
 import fieldcal.calibration.HandSelection;
@@ -101,8 +102,8 @@ public final class PlayRun {
 
   /** The sessions of the same field as one of them: a rehearsal and the real field are not calibrated together. */
   private static List<Path> alike(Path directory, Path session) throws IOException {
-    RecordingFacts its = RecordingFacts.of(session);
-    return RecordingChoice.alike(RecordingFacts.of(logs(directory)), its).stream()
+    RecordingFacts its = RecordingFacts.of(session, LogOpener.USUAL);
+    return RecordingChoice.alike(RecordingFacts.of(logs(directory), LogOpener.USUAL), its).stream()
         .map(RecordingFacts::log)
         .toList();
   }

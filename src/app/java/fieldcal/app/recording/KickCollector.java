@@ -58,6 +58,7 @@ public final class KickCollector {
   }
 
   private final Progress progress;
+  private final LogOpener opener;
   private final RecordingListener beside;
   private final List<Kick> kicks = new ArrayList<>();
   private final Map<Integer, String> sources = new HashMap<>();
@@ -82,17 +83,29 @@ public final class KickCollector {
    * @param progress told how far the reading is
    */
   public KickCollector(Progress progress) {
-    this(progress, new RecordingListener() {});
+    this(progress, LogOpener.USUAL);
+  }
+
+  /**
+   * A collector with a limit of its own.
+   *
+   * @param progress told how far the reading is
+   * @param opener opens the recordings
+   */
+  public KickCollector(Progress progress, LogOpener opener) {
+    this(progress, opener, new RecordingListener() {});
   }
 
   /**
    * A collector that lets somebody else read along, so that a recording is read once for several purposes.
    *
    * @param progress told how far the reading is
+   * @param opener opens the recordings
    * @param beside is told all that the recordings hold, but no progress
    */
-  public KickCollector(Progress progress, RecordingListener beside) {
+  public KickCollector(Progress progress, LogOpener opener, RecordingListener beside) {
     this.progress = progress;
+    this.opener = opener;
     this.beside = beside;
   }
 
@@ -117,9 +130,9 @@ public final class KickCollector {
                 "counting the same kicks twice would only make the errors too small"));
         continue;
       }
-      recordings.add(RecordingFacts.of(log));
+      recordings.add(RecordingFacts.of(log, opener));
       try (RecordingReader recording =
-          epoch == null ? RecordingReader.open(log) : RecordingReader.open(log, epoch)) {
+          epoch == null ? opener.recording(log) : opener.recording(log, epoch)) {
         epoch = recording.epoch();
         OneRecording one = new OneRecording(log);
         RecordingSummary summary = recording.read(one);

@@ -44,15 +44,12 @@ public record RecordingFacts(
    * Looks at a recording.
    *
    * @param log a {@code .log} or {@code .log.gz}
+   * @param opener opens it
    * @return what it is
    * @throws IOException when it cannot be read; the message names file and place
    */
-  public static RecordingFacts of(Path log) throws IOException {
-    if (!Files.isRegularFile(log)) {
-      // A pipe can be read once only, by who needs its frames.
-      return new RecordingFacts(log, RecordingOrigin.FIELD, 0, Optional.empty(), 0);
-    }
-    try (GameLogReader reader = GameLogReader.open(log)) {
+  public static RecordingFacts of(Path log, LogOpener opener) throws IOException {
+    try (GameLogReader reader = opener.messages(log)) {
       return new Scan(reader, hasTruth(log)).run(log);
     }
   }
@@ -61,13 +58,14 @@ public record RecordingFacts(
    * Of several recordings.
    *
    * @param logs in order
+   * @param opener opens them
    * @return the facts of each
    * @throws IOException when one cannot be read; the message names file and place
    */
-  public static List<RecordingFacts> of(List<Path> logs) throws IOException {
+  public static List<RecordingFacts> of(List<Path> logs, LogOpener opener) throws IOException {
     List<RecordingFacts> all = new ArrayList<>();
     for (Path log : logs) {
-      all.add(of(log));
+      all.add(of(log, opener));
     }
     return List.copyOf(all);
   }

@@ -6,6 +6,7 @@ import com.google.protobuf.InvalidProtocolBufferException;
 import com.google.protobuf.Timestamp;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.files.WholeFile;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.calibration.CalibratedKick;
@@ -45,6 +46,7 @@ public final class KickReplay {
   private static final double NANOS = 1e9;
 
   private final CalibrationOutcome outcome;
+  private final LogOpener opener;
   private final Epoch epoch;
 
   /** One message that belongs to a kick. */
@@ -57,9 +59,11 @@ public final class KickReplay {
    * The replay of a calibration.
    *
    * @param outcome the calibration
+   * @param opener opens its game logs
    */
-  public KickReplay(CalibrationOutcome outcome) {
+  public KickReplay(CalibrationOutcome outcome, LogOpener opener) {
     this.outcome = outcome;
+    this.opener = opener;
     epoch = outcome.data().epoch();
   }
 
@@ -129,7 +133,7 @@ public final class KickReplay {
     List<Timed> pending = new ArrayList<>();
     int done = 0;
     byte[] geometry = null;
-    try (GameLogReader reader = GameLogReader.open(log)) {
+    try (GameLogReader reader = opener.messages(log)) {
       while (reader.next()) {
         if (reader.type() != MessageType.SSL_VISION_2014) {
           continue;

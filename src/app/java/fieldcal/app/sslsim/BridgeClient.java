@@ -1,23 +1,13 @@
 package fieldcal.app.sslsim;
 
-import com.google.protobuf.InvalidProtocolBufferException;
 import fieldcal.proto.RobotCommand;
 import fieldcal.proto.RobotControl;
-import fieldcal.proto.RobotControlResponse;
-import fieldcal.proto.SimulatorError;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.PortUnreachableException;
-import java.net.UnknownHostException;
-import java.nio.ByteBuffer;
-import java.nio.channels.DatagramChannel;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.EnumMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,13 +22,9 @@ final class BridgeClient implements RobotLink {
   /** A bridge that has not answered for so long is silent, s: 30 commands. */
   static final double SILENT = 0.3;
 
-  private static final int LARGEST = 65_536;
-  private static final int MOST_COMPLAINTS = 20;
-
-  private final Map<Team, DatagramChannel> channels = new EnumMap<>(Team.class);
+  private final Map<Team, CommandChannel> channels = new EnumMap<>(Team.class);
   private final Map<Team, Long> answered = new EnumMap<>(Team.class);
-  private final Map<String, Integer> complaints = new LinkedHashMap<>();
-  private final ByteBuffer buffer = ByteBuffer.allocate(LARGEST);
+  private final Complaints complaints = new Complaints("bridge");
   private final LongSupplier nanoTime;
   private final String name;
   private int silences;
@@ -55,29 +41,18 @@ final class BridgeClient implements RobotLink {
           "the bridge's port must lie in [1, 65535], but is " + port);
     }
     name = host + ":" + port;
-    InetAddress address;
-    try {
-      address = InetAddress.getByName(host);
-    } catch (UnknownHostException e) {
-      throw new IOException("'" + host + "' is not a known host", e);
-    }
+    InetAddress address = CommandChannel.resolved(host);
     for (Team team : both ? Team.values() : new Team[] {first.team()}) {
-      DatagramChannel channel = DatagramChannel.open();
-      channel.configureBlocking(false);
-      channel.connect(new InetSocketAddress(address, port + (both && team != Team.BLUE ? 1 : 0)));
-      channels.put(team, channel);
+      int offset = both && team != Team.BLUE ? 1 : 0;
+      channels.put(team, new CommandChannel(address, port + offset));
     }
   }
 
   @Override
   public void robots(Team team, List<RobotCommand> commands) throws IOException {
     RobotControl message = RobotControl.newBuilder().addAllRobotCommands(commands).build();
-    try {
-      channels.get(team).write(ByteBuffer.wrap(message.toByteArray()));
-    } catch (PortUnreachableException e) {
-      // Nobody listens there yet: then nobody answers either.
-      return;
-    }
+    // Where nobody listens yet nobody answers either.
+    channels.get(team).send(message.toByteArray());
   }
 
   /** Somebody at the field does: the play says where. */
@@ -88,13 +63,14 @@ final class BridgeClient implements RobotLink {
 
   @Override
   public void listen() throws IOException {
-    for (Map.Entry<Team, DatagramChannel> entry : channels.entrySet()) {
-      byte[] answer = receive(entry.getValue());
-      while (answer != null) {
-        answered.put(entry.getKey(), nanoTime.getAsLong());
-        note(answer);
-        answer = receive(entry.getValue());
-      }
+    for (Map.Entry<Team, CommandChannel> entry : channels.entrySet()) {
+      entry
+          .getValue()
+          .answers(
+              answer -> {
+                answered.put(entry.getKey(), nanoTime.getAsLong());
+                complaints.add(SimulatorClient.errors(answer, false));
+              });
     }
     boolean now = !heard();
     silences += now && !silent ? 1 : 0;
@@ -106,30 +82,6 @@ final class BridgeClient implements RobotLink {
     long now = nanoTime.getAsLong();
     return channels.keySet().stream()
         .allMatch(t -> answered.containsKey(t) && now - answered.get(t) < SILENT * 1e9);
-  }
-
-  private byte[] receive(DatagramChannel channel) throws IOException {
-    buffer.clear();
-    try {
-      return channel.read(buffer) > 0 ? Arrays.copyOf(buffer.array(), buffer.position()) : null;
-    } catch (PortUnreachableException e) {
-      return null;
-    }
-  }
-
-  private void note(byte[] answer) {
-    List<SimulatorError> errors;
-    try {
-      errors = RobotControlResponse.parseFrom(answer).getErrorsList();
-    } catch (InvalidProtocolBufferException e) {
-      errors = List.of(SimulatorError.newBuilder().setMessage("an answer cannot be read").build());
-    }
-    for (SimulatorError error : errors) {
-      String text = Complaint.shortened(error.getMessage());
-      if (complaints.containsKey(text) || complaints.size() < MOST_COMPLAINTS) {
-        complaints.merge(text, 1, Integer::sum);
-      }
-    }
   }
 
   @Override
@@ -148,19 +100,18 @@ final class BridgeClient implements RobotLink {
     } else if (silences > 0) {
       notes.add("the bridge fell silent " + (silences == 1 ? "once" : silences + " times"));
     }
-    complaints.forEach(
-        (text, n) -> notes.add("bridge: " + text + (n > 1 ? ", " + n + " times" : "")));
+    notes.addAll(complaints.counted());
     return notes;
   }
 
   @Override
   public List<String> complaints() {
-    return complaints.keySet().stream().map(text -> "bridge: " + text).toList();
+    return complaints.all();
   }
 
   @Override
   public void close() throws IOException {
-    for (DatagramChannel channel : channels.values()) {
+    for (CommandChannel channel : channels.values()) {
       channel.close();
     }
   }

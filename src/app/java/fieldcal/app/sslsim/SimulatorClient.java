@@ -14,37 +14,22 @@ import fieldcal.proto.TeleportBall;
 import fieldcal.vision.Team;
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.PortUnreachableException;
-import java.net.UnknownHostException;
-import java.nio.ByteBuffer;
-import java.nio.channels.DatagramChannel;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Talks to a simulator: robot control for both teams, teleporting; its complaints are counted. Never waits for an answer. Not thread-safe. */
 final class SimulatorClient implements RobotLink {
-  private static final int LARGEST = 65_536;
-  private static final int MOST_COMPLAINTS = 20;
-
-  /** Answers that are read at once: each command has one, and who sends more must not keep the play from going on. */
-  private static final int MOST_ANSWERS = 1000;
-
   /** Two seconds of commands. Simulators answer each. */
   private static final int ENOUGH_TO_ANSWER = 200;
 
   /** Turns per minute that hold a ball in all simulators. */
   private static final float DRIBBLER = 3000;
 
-  private final DatagramChannel control;
-  private final DatagramChannel blue;
-  private final DatagramChannel yellow;
-  private final ByteBuffer buffer = ByteBuffer.allocate(LARGEST);
-  private final Map<String, Integer> complaints = new LinkedHashMap<>();
+  private final CommandChannel control;
+  private final CommandChannel blue;
+  private final CommandChannel yellow;
+  private final Complaints complaints = new Complaints("simulator");
   private final String silence;
   private int sent;
   private int unreachable;
@@ -52,24 +37,12 @@ final class SimulatorClient implements RobotLink {
   private boolean silent;
 
   SimulatorClient(String host, SimulatorPorts ports) throws IOException {
-    InetAddress address;
-    try {
-      address = InetAddress.getByName(host);
-    } catch (UnknownHostException e) {
-      throw new IOException("'" + host + "' is not a known host", e);
-    }
+    InetAddress address = CommandChannel.resolved(host);
     String name = host + ", ports " + ports.control() + " to " + ports.yellow();
     silence = "no simulator answers at " + name + ": check the host and --port";
-    control = open(address, ports.control());
-    blue = open(address, ports.blue());
-    yellow = open(address, ports.yellow());
-  }
-
-  private static DatagramChannel open(InetAddress address, int port) throws IOException {
-    DatagramChannel channel = DatagramChannel.open();
-    channel.configureBlocking(false);
-    channel.connect(new InetSocketAddress(address, port));
-    return channel;
+    control = new CommandChannel(address, ports.control());
+    blue = new CommandChannel(address, ports.blue());
+    yellow = new CommandChannel(address, ports.yellow());
   }
 
   /** One robot's command: velocity in its own frame. */
@@ -119,11 +92,9 @@ final class SimulatorClient implements RobotLink {
     send(control, message.toByteArray());
   }
 
-  private void send(DatagramChannel channel, byte[] message) throws IOException {
+  private void send(CommandChannel channel, byte[] message) throws IOException {
     sent++;
-    try {
-      channel.write(ByteBuffer.wrap(message));
-    } catch (PortUnreachableException e) {
+    if (!channel.send(message)) {
       // It may be starting; vision tells when it is there.
       unreachable++;
     }
@@ -131,23 +102,14 @@ final class SimulatorClient implements RobotLink {
 
   @Override
   public void listen() throws IOException {
-    for (DatagramChannel channel : List.of(control, blue, yellow)) {
-      byte[] answer = receive(channel);
-      for (int i = 0; answer != null && i < MOST_ANSWERS; i++) {
-        answers++;
-        note(errors(answer, channel == control));
-        answer = receive(channel);
-      }
-    }
-  }
-
-  private byte[] receive(DatagramChannel channel) throws IOException {
-    buffer.clear();
-    try {
-      return channel.read(buffer) > 0 ? Arrays.copyOf(buffer.array(), buffer.position()) : null;
-    } catch (PortUnreachableException e) {
-      unreachable++;
-      return null;
+    for (CommandChannel channel : List.of(control, blue, yellow)) {
+      boolean reachable =
+          channel.answers(
+              answer -> {
+                answers++;
+                complaints.add(errors(answer, channel == control));
+              });
+      unreachable += reachable ? 0 : 1;
     }
   }
 
@@ -158,16 +120,6 @@ final class SimulatorClient implements RobotLink {
           : RobotControlResponse.parseFrom(answer).getErrorsList();
     } catch (InvalidProtocolBufferException e) {
       return List.of(SimulatorError.newBuilder().setMessage("an answer cannot be read").build());
-    }
-  }
-
-  private void note(List<SimulatorError> errors) {
-    for (SimulatorError error : errors) {
-      String code = error.getCode().isEmpty() ? "" : " (" + error.getCode() + ")";
-      String text = Complaint.shortened(error.getMessage() + code);
-      if (complaints.containsKey(text) || complaints.size() < MOST_COMPLAINTS) {
-        complaints.merge(text, 1, Integer::sum);
-      }
     }
   }
 
@@ -183,8 +135,7 @@ final class SimulatorClient implements RobotLink {
     if (answers == 0 && isSilent()) {
       notes.add(silence);
     }
-    complaints.forEach(
-        (text, n) -> notes.add("simulator: " + text + (n > 1 ? ", " + n + " times" : "")));
+    notes.addAll(complaints.counted());
     return notes;
   }
 
@@ -199,7 +150,7 @@ final class SimulatorClient implements RobotLink {
     if (isSilent()) {
       all.add(silence);
     }
-    complaints.keySet().forEach(text -> all.add("simulator: " + text));
+    all.addAll(complaints.all());
     return all;
   }
 

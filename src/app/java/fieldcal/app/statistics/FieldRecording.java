@@ -1,6 +1,7 @@
 package fieldcal.app.statistics;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.kick.Kick;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -24,13 +25,15 @@ public record FieldRecording(CalibrationOutcome calibration, List<RecordedFrames
    * Reads the frames of what was calibrated.
    *
    * @param calibration of some recordings
+   * @param opener opens them
    * @return with their frames
    * @throws IOException when a recording cannot be read
    */
-  public static FieldRecording of(CalibrationOutcome calibration) throws IOException {
+  public static FieldRecording of(CalibrationOutcome calibration, LogOpener opener)
+      throws IOException {
     List<RecordedFrames> frames = new ArrayList<>();
     for (Path log : calibration.logs().stream().distinct().toList()) {
-      frames.add(RecordedFrames.read(log, calibration.data().epoch()));
+      frames.add(RecordedFrames.read(log, calibration.data().epoch(), opener));
     }
     return new FieldRecording(calibration, frames);
   }

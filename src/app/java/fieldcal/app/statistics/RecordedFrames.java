@@ -1,5 +1,6 @@
 package fieldcal.app.statistics;
 
+import fieldcal.app.recording.LogOpener;
 import fieldcal.gamelog.CameraStatistics;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.RecordingListener;
@@ -49,14 +50,15 @@ public record RecordedFrames(
    *
    * @param log from where
    * @param epoch from which its times are to count
+   * @param opener opens it
    * @return its frames
    * @throws IOException when it cannot be read; one line for the operator
    */
-  public static RecordedFrames read(Path log, Epoch epoch) throws IOException {
+  public static RecordedFrames read(Path log, Epoch epoch, LogOpener opener) throws IOException {
     Map<Integer, List<VisionFrame>> frames = new TreeMap<>();
     RecordingStatistics statistics = new RecordingStatistics();
     List<double[]> spans = new ArrayList<>();
-    try (RecordingReader reader = RecordingReader.open(log, epoch)) {
+    try (RecordingReader reader = opener.recording(log, epoch)) {
       RecordingSummary summary =
           reader.read(
               new RecordingListener() {

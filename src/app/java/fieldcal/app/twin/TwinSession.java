@@ -9,6 +9,7 @@ import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.limits.LimitsOutcome;
 import fieldcal.app.limits.LimitsSession;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.statistics.FieldRecording;
 import fieldcal.app.statistics.RecordedFrames;
 import fieldcal.calibration.HandSelection;
@@ -27,14 +28,17 @@ public final class TwinSession {
   private static final String SETTINGS = "twin.json";
 
   private final FitSettings settings;
+  private final LogOpener opener;
 
   /**
    * A session.
    *
    * @param settings of the fits; their seed is also that of the diagnosis and of the twin's recordings
+   * @param opener opens the recordings
    */
-  public TwinSession(FitSettings settings) {
+  public TwinSession(FitSettings settings, LogOpener opener) {
     this.settings = settings;
+    this.opener = opener;
   }
 
   /**
@@ -51,11 +55,11 @@ public final class TwinSession {
       List<Path> logs, List<Command> commands, Path directory, DiagnosisSession.Progress progress)
       throws IOException {
     DiagnosisOutcome diagnosis =
-        new DiagnosisSession(settings, DiagnosisProblem.DEFAULT_MAX_CAUSES)
+        new DiagnosisSession(settings, DiagnosisProblem.DEFAULT_MAX_CAUSES, opener)
             .run(logs, HandSelection.none(), commands, progress);
     progress.diagnosing("measuring cameras and robots");
-    FieldRecording field = FieldRecording.of(diagnosis.calibration());
-    LimitsOutcome limits = new LimitsSession(1).run(logs, (read, total) -> {});
+    FieldRecording field = FieldRecording.of(diagnosis.calibration(), opener);
+    LimitsOutcome limits = new LimitsSession(1, opener).run(logs, (read, total) -> {});
     Twin twin = new TwinBuilder(diagnosis, field, limits).build();
     Files.createDirectories(directory);
     TwinFile.write(twin, directory.resolve(SETTINGS));
@@ -66,7 +70,7 @@ public final class TwinSession {
             .run(
                 CalibrationRequest.of(recordings, HandSelection.none(), List.of()),
                 CalibrationSession.Progress.UNSEEN);
-    TwinCheck check = TwinCheck.of(field, FieldRecording.of(again));
+    TwinCheck check = TwinCheck.of(field, FieldRecording.of(again, LogOpener.USUAL));
     TwinOutcome outcome = new TwinOutcome(twin, diagnosis, recordings, again, check);
     TwinCheckJson.write(outcome, directory.resolve("twin_check.json"));
     TwinPage.write(outcome, directory.resolve("twin.html"));

@@ -3,6 +3,7 @@ package fieldcal.archive.match;
 import fieldcal.app.limits.PlayPhases;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.calibration.Calibration;
@@ -35,13 +36,14 @@ public final class MatchReader {
    * Reads a log.
    *
    * @param log a {@code .log} or {@code .log.gz}
+   * @param opener opens it
    * @return what it holds
    * @throws IOException when it cannot be read at all; the message names file and place
    */
-  public static MatchData read(Path log) throws IOException {
+  public static MatchData read(Path log, LogOpener opener) throws IOException {
     Watch watch = new Watch();
     KickCollector.Progress unseen = (file, bytesRead, totalBytes) -> {};
-    CollectedKicks data = new KickCollector(unseen, watch).collect(List.of(log));
+    CollectedKicks data = new KickCollector(unseen, opener, watch).collect(List.of(log));
     watch.movement.finish();
     return new MatchData(
         log,

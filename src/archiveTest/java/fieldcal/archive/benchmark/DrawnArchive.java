@@ -1,5 +1,6 @@
 package fieldcal.archive.benchmark;
 
+import fieldcal.app.recording.LogOpener;
 import fieldcal.app.recording.RecordingFacts;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.camera.CameraCalibration;
@@ -147,7 +148,8 @@ record DrawnArchive(Path folder, List<Match> matches, List<String> broken) {
             .withSeed(1000 + venue)
             .withScenario(ScenarioSettings.of(ScenarioKind.FLAT, 1)),
         share -> {});
-    List<CameraCalibration> cameras = RecordingFacts.of(trial).geometry().orElseThrow().cameras();
+    List<CameraCalibration> cameras =
+        RecordingFacts.of(trial, LogOpener.USUAL).geometry().orElseThrow().cameras();
     for (Path file : List.of(files.log(), files.truth(), files.commands())) {
       Files.delete(file);
     }

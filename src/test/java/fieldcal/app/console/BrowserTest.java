@@ -2,6 +2,7 @@ package fieldcal.app.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.recording.LogOpener;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
@@ -385,7 +386,13 @@ class BrowserTest {
     String token = "a-token-of-the-field";
     ConsoleSettings settings =
         new ConsoleSettings(
-            session, "127.0.0.1", 0, Optional.of(token), Optional.empty(), 20260101);
+            session,
+            "127.0.0.1",
+            0,
+            Optional.of(token),
+            Optional.empty(),
+            20260101,
+            LogOpener.USUAL);
     try (RunningConsole console = RunningConsole.start(settings)) {
       browser.open("http://" + console.host() + "/");
       browser.type("#token", "not-this-one");

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.recording.LogOpener;
 import java.io.IOException;
 import java.net.Socket;
 import java.net.URI;
@@ -50,7 +51,7 @@ final class RunningConsole implements AutoCloseable {
 
   static ConsoleSettings withToken(Path directory, String address, String token) {
     return new ConsoleSettings(
-        directory, address, 0, Optional.of(token), Optional.empty(), 20260101);
+        directory, address, 0, Optional.of(token), Optional.empty(), 20260101, LogOpener.USUAL);
   }
 
   /**

@@ -6,6 +6,8 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.cli.Main;
 import fieldcal.app.console.RunningConsole.Answer;
+import fieldcal.gamelog.GameLogWriter;
+import fieldcal.gamelog.MessageType;
 import fieldcal.proto.SSL_GeometryModels;
 import fieldcal.proto.SSL_WrapperPacket;
 import fieldcal.vision.BallModels;
@@ -321,16 +323,24 @@ class SessionTest {
   @Test
   void filesThatCannotBeUsedAreNamed() throws IOException {
     Files.writeString(session.resolve("notes.log"), "these are notes, no recording");
+    Path bomb = session.resolve("zeros.log.gz");
+    try (GameLogWriter zeros = GameLogWriter.create(bomb)) {
+      for (int i = 0; i < 20; i++) {
+        zeros.write(i, MessageType.BLANK, new byte[1_000_000]);
+      }
+    }
     Files.createFile(session.resolve("session-flat.commands.csv"));
     try (RunningConsole console = RunningConsole.start(session)) {
       JsonNode state = console.settled();
       assertThat(state.at("/leftOut/0").asText()).contains("notes.log");
+      assertThat(state.at("/leftOut/1").asText()).contains("zeros.log.gz").contains("unpacks to");
       assertThat(state.path("unread")).isEmpty();
       assertThat(kicks(state)).hasSizeGreaterThanOrEqualTo(5);
       assertThat(console.get("/files/report.html").body())
           .contains("notes.log")
           .contains("cannot be read");
     }
+    Files.delete(bomb);
     Files.delete(session.resolve("practice.log.gz"));
     try (RunningConsole console = RunningConsole.start(session)) {
       assertThat(console.settled().path("failure").asText()).contains("notes.log");

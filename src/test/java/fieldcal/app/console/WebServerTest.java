@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.console.RunningConsole.Answer;
+import fieldcal.app.recording.LogOpener;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
@@ -366,7 +367,8 @@ class WebServerTest {
                     0,
                     java.util.Optional.empty(),
                     java.util.Optional.empty(),
-                    1))
+                    1,
+                    LogOpener.USUAL))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("token");
     assertThatThrownBy(() -> RunningConsole.withToken(session, "0.0.0.0", "short"))

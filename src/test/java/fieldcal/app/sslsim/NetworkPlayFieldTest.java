@@ -188,7 +188,9 @@ class NetworkPlayFieldTest {
           assertThat(outcome.complete()).isFalse();
           assertThat(outcome.last().state().waiting().orElseThrow()).contains(missing + " is not");
         });
-    assertThat(toldMeanwhile).containsOnly("simulator: there is no robot blue 9 (NO_ROBOT)");
+    // A busy machine may let vision fall silent, too.
+    assertThat(toldMeanwhile.stream().filter(told -> !told.startsWith("vision")))
+        .containsOnly("simulator: there is no robot blue 9 (NO_ROBOT)");
   }
 
   /** Every parameter is the same, as far as kicks can tell that do not roll in the same detections. */

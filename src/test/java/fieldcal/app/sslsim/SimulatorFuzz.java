@@ -75,7 +75,7 @@ public final class SimulatorFuzz {
     return answer -> {
       for (boolean ofControl : new boolean[] {true, false}) {
         for (SimulatorError error : SimulatorClient.errors(answer, ofControl)) {
-          Complaint.shortened(error.getMessage() + error.getCode());
+          Complaints.text(error);
         }
       }
     };

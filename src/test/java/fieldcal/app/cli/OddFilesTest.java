@@ -1,0 +1,129 @@
+package fieldcal.app.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.File;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Commands, each as a program of its own, whose input or output is no plain file. */
+class OddFilesTest {
+  private static final Path LOG =
+      Path.of(System.getProperty("fieldcal.projectDir", "."))
+          .resolve("test-data/erforce-flat.log.gz");
+
+  private static final long LONGEST_S = 120;
+
+  @TempDir static Path folder;
+
+  private static Path pipe;
+
+  private record Ended(int status, String out, String err) {}
+
+  @BeforeAll
+  static void makeAPipe() throws Exception {
+    assumeTrue(Files.exists(Path.of("/dev/full")), "no /dev/full here");
+    pipe = folder.resolve("pipe.log");
+    assumeTrue(
+        new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0, "no mkfifo here");
+  }
+
+  /** Runs a command whose standard output is a given file. */
+  private static Ended run(File out, String... args) throws Exception {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp"));
+    command.add(System.getProperty("java.class.path"));
+    command.add("fieldcal.app.cli.Main");
+    command.addAll(List.of(args));
+    Path err = folder.resolve("err.txt");
+    Process process =
+        new ProcessBuilder(command).redirectOutput(out).redirectError(err.toFile()).start();
+    try {
+      assertThat(process.waitFor(LONGEST_S, TimeUnit.SECONDS)).as("%s ends", command).isTrue();
+    } finally {
+      process.destroyForcibly();
+    }
+    String said = out.isFile() ? Files.readString(out.toPath()) : "";
+    return new Ended(process.exitValue(), said, Files.readString(err));
+  }
+
+  private static Ended run(String... args) throws Exception {
+    return run(folder.resolve("out.txt").toFile(), args);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"info", "calibrate", "limits", "monitor --log"})
+  void aRecordingThatIsAPipeIsRefusedWithoutWaiting(String command) throws Exception {
+    Ended ended = run((command + " " + pipe).split(" "));
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err())
+        .isEqualTo(
+            "fieldcal: " + pipe + " (byte 0): is a pipe or a device; save it as a file first\n");
+  }
+
+  @Test
+  void aRecordingThatIsAnEndlessDeviceIsRefused() throws Exception {
+    Ended ended = run("calibrate", "/dev/zero");
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err()).contains("/dev/zero").contains("is a pipe or a device");
+  }
+
+  @Test
+  void jsonGoesToStandardOutputAlsoWhereThatIsAFile() throws Exception {
+    Ended ended = run("calibrate", LOG.toString(), "--json", "/dev/stdout");
+    assertThat(ended.status()).as(ended.err()).isZero();
+    int begin = ended.out().indexOf('{');
+    assertThat(new ObjectMapper().readTree(ended.out().substring(begin)).path("schema").asText())
+        .isEqualTo("fieldcal.calibration/1");
+    assertThat(ended.out().substring(begin)).contains("\n}");
+  }
+
+  @Test
+  void whatAMonitorWritesAndPrintsDoesNotOverwriteEachOther() throws Exception {
+    Ended ended = run("monitor", "--log", LOG.toString(), "--json", "/dev/stdout");
+    assertThat(ended.status()).as(ended.err()).isZero();
+    List<String> json = ended.out().lines().filter(line -> line.startsWith("{")).toList();
+    assertThat(json.get(0)).contains("\"event\":\"start\"");
+    assertThat(json.get(json.size() - 1)).contains("\"event\":\"summary\"");
+    for (String line : json) {
+      new ObjectMapper().readTree(line);
+    }
+  }
+
+  @Test
+  void aFullDeviceBehindTheOutputIsAnError() throws Exception {
+    Ended ended = run(new File("/dev/full"), "info", LOG.toString());
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err()).isEqualTo("fieldcal: standard output: cannot be written\n");
+  }
+
+  @Test
+  void aFullDeviceForTheResultIsAnErrorThatNamesIt() throws Exception {
+    Ended ended = run("calibrate", LOG.toString(), "--json", "/dev/full");
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err()).startsWith("fieldcal: /dev/full: ");
+    assertThat(Files.isRegularFile(Path.of("/dev/full"))).isFalse();
+  }
+
+  @Test
+  void resultsBehindALinkReplaceItsTarget() throws Exception {
+    Path target = Files.createDirectory(folder.resolve("elsewhere")).resolve("result.json");
+    Files.writeString(target, "old", StandardCharsets.UTF_8);
+    Path link = Files.createSymbolicLink(folder.resolve("link.json"), target);
+    assertThat(run("calibrate", LOG.toString(), "--json", link.toString()).status()).isZero();
+    assertThat(link).isSymbolicLink();
+    assertThat(Files.readString(target)).contains("fieldcal.calibration/1");
+  }
+}
