@@ -173,7 +173,8 @@ final class Atlas {
                 q ->
                     new AtlasView.Quantity(
                         q.name(),
-                        q.robot(),
+                        q.robot() == null ? -1 : q.robot(),
+                        q.direction() == null ? Double.NaN : q.direction(),
                         q.value(),
                         q.error(),
                         q.samples(),

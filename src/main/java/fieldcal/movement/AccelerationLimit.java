@@ -1,29 +1,31 @@
 package fieldcal.movement;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 
 /**
- * The limit of acceleration or of braking, and whether it depends on speed or direction.
+ * The limit of acceleration or of braking, driven or turned, and whether it depends on speed or direction.
  *
  * <p>An effect is named when, with it, clearly more manoeuvres lie at the limit than at the best uniform limit, its coefficient is clearly not zero, and large enough to matter. With a coefficient that is not
  * there, one finds some 1 % more by chance; the margins are wide enough for the eight tests that two teams need.
  */
 final class AccelerationLimit {
   /** So many manoeuvres are needed for a limit … */
-  private static final int FEWEST = 15;
+  static final int FEWEST = 15;
 
   /** … and so many for telling effects. */
   private static final int FEWEST_FOR_EFFECTS = 60;
 
-  /** A higher mode counts as the limit when it holds at least this part of the largest one's mass … */
-  private static final double SECOND_MODE = 0.12;
-
-  /** … and at least so many manoeuvres. */
-  private static final double SECOND_MODE_MASS = 8;
-
   /** With the effect so many times more manoeuvres must lie at the limit. */
   private static final double GAIN = 1.1;
+
+  /** An envelope, which has 36 numbers of its own, replaces the named effects when so many times more manoeuvres lie at it: by chance up to 1.05 in simulated matches of three minutes … */
+  private static final double ENVELOPE_GAIN = 1.2;
+
+  /** … or when its shape departs from theirs by so many standard errors, rms over the directions: by chance, and by what their errors do not hold, up to 1.6. */
+  private static final double DEPARTS = 3;
 
   /** Standard errors from zero. */
   private static final double SIGNIFICANT = 5;
@@ -38,63 +40,127 @@ final class AccelerationLimit {
    * What the method is off by beside noise, in parts of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
    * margin). It goes into the standard error.
    */
-  private static final double SYSTEMATIC = 0.006;
+  static final double SYSTEMATIC = 0.006;
 
   /** The same for a limit that few manoeuvres reach: pieces that were cut wrongly made small heaps up to 3 % above the limit of two of these teams. */
   private static final double SYSTEMATIC_OF_FEW = 0.015;
+
+  /**
+   * What a mode is off by, in mean errors of its manoeuvres: pieces that were cut wrongly are mostly too weak, so that what is measured leans towards less. Turns of 0.1 s with errors of 8 % came out 6 % too small in simulated matches; it is nothing where
+   * manoeuvres are measured well.
+   */
+  private static final double LEANING = 0.3;
 
   /**
    * What a coefficient is off by beside noise: pieces of constant acceleration over one that falls with speed, cells of the table. Up to 0.01 in simulated matches of ten minutes.
    */
   private static final double SYSTEMATIC_COEFFICIENT = 0.01;
 
-  private static final double[] QUANTILES = {0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.92, 0.97};
+  /** A robot that is torque limited still accelerates a little at its highest speed. */
+  private static final double LEAST_TORQUE = 0.05;
+
   private static final double[] COEFFICIENTS = {0, 0.3, 0.6};
   private static final double[] NARROWING = {0.3, 0.15, 0.07};
 
   private final ManoeuvreTable.Columns data;
   private final long samples;
-  private final String seenIn;
+  private final Kind kind;
   private final int robots;
+  private final double velocity;
   private final boolean uniformSoFar;
   private final List<MovementEffect> named = new ArrayList<>();
   private SaturationFit.Mode uniform;
   private SaturationFit.Mode mode;
+  private Envelope envelope;
 
-  /** Looks at manoeuvres of one kind; torque is only asked for when the robots accelerate. */
-  AccelerationLimit(ManoeuvreTable table, double velocity, int robots, boolean accelerating) {
-    this(table.columns(), table.samples(), velocity, robots, accelerating, true);
+  /** What is limited, and on what that may depend. */
+  enum Kind {
+    /** Speeding up. */
+    ACCELERATION("acceleration", MovementEffect.TORQUE_LIMITED, MovementEffect.DIRECTIONAL),
+    /** Slowing down, as a size; what the motors lose by speed, brakes as well. */
+    BRAKING("braking", MovementEffect.DIRECTIONAL),
+    /** Turning faster. */
+    TURNING("turning"),
+    /** Turning slower. */
+    TURN_BRAKING("braking of turns");
+
+    private final String label;
+    private final List<MovementEffect> effects;
+
+    Kind(String label, MovementEffect... effects) {
+      this.label = label;
+      this.effects = List.of(effects);
+    }
+
+    private boolean hasDirection() {
+      return effects.contains(MovementEffect.DIRECTIONAL);
+    }
+  }
+
+  /**
+   * Looks at manoeuvres of one kind.
+   *
+   * @param velocity the team's limit, m/s; NaN when unknown or without meaning
+   * @param robots how many were seen to manoeuvre
+   */
+  AccelerationLimit(ManoeuvreTable table, Kind kind, double velocity, int robots) {
+    this(table.columns(), table.samples(), kind, velocity, robots, true);
   }
 
   private AccelerationLimit(
       ManoeuvreTable.Columns columns,
       long samples,
+      Kind kind,
       double velocity,
       int robots,
-      boolean accelerating,
       boolean uniformSoFar) {
     data = columns;
     this.robots = robots;
+    this.velocity = velocity;
     this.uniformSoFar = uniformSoFar;
     this.samples = samples;
-    seenIn = accelerating ? "acceleration" : "braking";
+    this.kind = kind;
     if (samples < FEWEST) {
       return;
     }
-    uniform = highest();
+    uniform = SaturationFit.highest(data);
     mode = uniform;
     if (uniform == null || samples < FEWEST_FOR_EFFECTS) {
       return;
     }
+    select(candidates());
+    if (uniformSoFar && kind.hasDirection()) {
+      boolean fast = named.contains(MovementEffect.TORQUE_LIMITED);
+      EnvelopeFit byDirection = envelopeFit(coefficient(MovementEffect.TORQUE_LIMITED));
+      EnvelopeFit alone = fast ? envelopeFit(0) : null;
+      if (alone != null && !(byDirection != null && byDirection.mass() > GAIN * alone.mass())) {
+        // A dependence on direction of another shape explains it without one on speed.
+        select(List.of(List.of(MovementEffect.DIRECTIONAL)));
+        byDirection = alone;
+      }
+      envelope = envelope(byDirection);
+    }
+  }
+
+  private List<List<MovementEffect>> candidates() {
     List<List<MovementEffect>> candidates = new ArrayList<>();
-    candidates.add(List.of(MovementEffect.DIRECTIONAL));
-    if (accelerating && velocity > 0) {
+    if (kind.hasDirection()) {
+      candidates.add(List.of(MovementEffect.DIRECTIONAL));
+    }
+    if (kind.effects.contains(MovementEffect.TORQUE_LIMITED) && velocity > 0) {
       candidates.add(List.of(MovementEffect.TORQUE_LIMITED));
       candidates.add(List.of(MovementEffect.TORQUE_LIMITED, MovementEffect.DIRECTIONAL));
     }
-    double most = largest().mass();
+    return candidates;
+  }
+
+  /** Names the effects with which most manoeuvres lie at the limit, or none. */
+  private void select(List<List<MovementEffect>> candidates) {
+    mode = uniform;
+    named.clear();
+    double most = SaturationFit.largest(data).mass();
     for (List<MovementEffect> effects : candidates) {
-      SaturationFit.Mode with = withEffects(effects, velocity);
+      SaturationFit.Mode with = withEffects(effects);
       if (with != null && with.mass() > GAIN * most && believable(with)) {
         most = with.mass();
         mode = with;
@@ -109,16 +175,25 @@ final class AccelerationLimit {
    */
   static AccelerationLimit braking(
       ManoeuvreTable table, double velocity, int robots, AccelerationLimit acceleration) {
-    AccelerationLimit own = new AccelerationLimit(table, velocity, robots, false);
+    AccelerationLimit own = new AccelerationLimit(table, Kind.BRAKING, velocity, robots);
     int known = acceleration.named.indexOf(MovementEffect.DIRECTIONAL);
-    if (known < 0 || !own.named.isEmpty()) {
+    if (known < 0 || !own.named.isEmpty() || own.shaped()) {
       return own;
     }
+    ManoeuvreTable.Columns columns = table.columns();
     double coefficient = acceleration.coefficient(known);
-    ManoeuvreTable.Columns columns = table.columns().alongFront(coefficient);
+    double[] factor = columns.sine2();
+    for (int i = 0; i < factor.length; i++) {
+      factor[i] = 1 - coefficient * factor[i];
+    }
     AccelerationLimit shared =
-        new AccelerationLimit(columns, table.samples(), velocity, robots, false, false);
-    return shared.mode == null ? own : shared;
+        new AccelerationLimit(
+            columns.without(factor), table.samples(), Kind.BRAKING, velocity, robots, false);
+    if (shared.mode == null) {
+      return own;
+    }
+    shared.envelope = own.envelope;
+    return shared;
   }
 
   private static boolean believable(SaturationFit.Mode with) {
@@ -134,68 +209,15 @@ final class AccelerationLimit {
     return true;
   }
 
-  private List<SaturationFit.Mode> uniformModes() {
-    SaturationFit fit = new SaturationFit(data);
-    List<SaturationFit.Mode> modes = new ArrayList<>();
-    for (double share : QUANTILES) {
-      SaturationFit.Mode found = fit.climb(new double[] {quantile(share)});
-      if (found != null) {
-        modes.add(found);
-      }
-    }
-    return modes;
-  }
-
-  private SaturationFit.Mode largest() {
-    SaturationFit.Mode best = null;
-    for (SaturationFit.Mode m : uniformModes()) {
-      if (best == null || m.mass() > best.mass()) {
-        best = m;
-      }
-    }
-    return best;
-  }
-
-  /** The highest mode that holds a fair part of what the largest does. */
-  private SaturationFit.Mode highest() {
-    SaturationFit.Mode most = largest();
-    SaturationFit.Mode high = most;
-    for (SaturationFit.Mode m : uniformModes()) {
-      boolean fair =
-          m.mass() > SECOND_MODE * most.mass()
-              && m.mass() > SECOND_MODE_MASS
-              && m.errors()[0] < 0.1 * m.beta()[0];
-      if (fair && m.beta()[0] > high.beta()[0]) {
-        high = m;
-      }
-    }
-    return high;
-  }
-
-  private SaturationFit.Mode withEffects(List<MovementEffect> effects, double velocity) {
+  private SaturationFit.Mode withEffects(List<MovementEffect> effects) {
     double[][] columns = new double[effects.size()][];
     for (int k = 0; k < columns.length; k++) {
-      columns[k] = column(effects.get(k), velocity);
+      columns[k] = column(effects.get(k));
     }
-    SaturationFit fit = new SaturationFit(data, columns);
-    SaturationFit.Mode best = null;
-    for (double share : QUANTILES) {
-      for (double coefficient : COEFFICIENTS) {
-        double[] start = new double[1 + columns.length];
-        start[0] = quantile(share);
-        for (int k = 1; k < start.length; k++) {
-          start[k] = -coefficient * start[0];
-        }
-        SaturationFit.Mode found = fit.climb(start, NARROWING);
-        if (found != null && (best == null || found.mass() > best.mass())) {
-          best = found;
-        }
-      }
-    }
-    return best;
+    return new SaturationFit(data, columns).climbFromEverywhere(COEFFICIENTS, NARROWING);
   }
 
-  private double[] column(MovementEffect effect, double velocity) {
+  private double[] column(MovementEffect effect) {
     if (effect == MovementEffect.DIRECTIONAL) {
       return data.sine2();
     }
@@ -206,21 +228,87 @@ final class AccelerationLimit {
     return share;
   }
 
-  private double quantile(double share) {
-    double wanted = share * samples;
-    double below = 0;
-    for (int i = 0; i < data.count().length; i++) {
-      below += data.count()[i];
-      if (below >= wanted) {
-        return data.acceleration()[i];
-      }
+  /** The limit by direction, with a loss by speed taken out. */
+  private EnvelopeFit envelopeFit(double torque) {
+    double[] factor = data.speed().clone();
+    for (int i = 0; i < factor.length; i++) {
+      factor[i] = slowed(torque, factor[i]);
     }
-    return data.acceleration()[data.count().length - 1];
+    return EnvelopeFit.of(data.without(factor), this::named);
+  }
+
+  /** The part of the limit that is left at a speed. */
+  private double slowed(double torque, double speed) {
+    return torque == 0 ? 1 : Math.max(LEAST_TORQUE, 1 - torque * speed / velocity);
+  }
+
+  /** The limit in a direction, from standstill, as the named effects have it. */
+  private double named(double phi) {
+    double sine = Math.sin(phi);
+    return mode.beta()[0] * (1 - coefficient(MovementEffect.DIRECTIONAL) * sine * sine);
+  }
+
+  private Envelope envelope(EnvelopeFit fit) {
+    if (fit == null) {
+      return new Envelope(kind.label, List.of(), Double.NaN, Double.NaN, false);
+    }
+    double without = fit.shareAt(this::named);
+    double with = fit.mass() / fit.total();
+    List<Envelope.Point> points = fit.points();
+    boolean proven = with > ENVELOPE_GAIN * without || departs(points);
+    boolean better = with > without && proven && differs(points);
+    return new Envelope(kind.label, points, without, with, better);
+  }
+
+  /** Whether the shape of an envelope is clearly another than that of the named effects, somewhere by so much that it matters. Those may be larger by any factor, where robots plan with less than they have; never smaller. */
+  private boolean departs(List<Envelope.Point> points) {
+    double product = 0;
+    double square = 0;
+    for (Envelope.Point p : points) {
+      double weight = 1 / (p.standardError() * p.standardError());
+      product += weight * p.value() * named(p.angle());
+      square += weight * named(p.angle()) * named(p.angle());
+    }
+    double scale = Math.min(1, product / square);
+    double squares = 0;
+    double most = 0;
+    for (Envelope.Point p : points) {
+      double off = p.value() - scale * named(p.angle());
+      squares += off * off / (p.standardError() * p.standardError());
+      most = Math.max(most, Math.abs(off) / p.value());
+    }
+    return most > SMALLEST && squares > DEPARTS * DEPARTS * points.size();
+  }
+
+  /** Whether the strongest and the weakest direction differ, clearly and so much that it matters. */
+  private static boolean differs(List<Envelope.Point> points) {
+    Comparator<Envelope.Point> bySize = Comparator.comparingDouble(Envelope.Point::value);
+    if (points.isEmpty()) {
+      return false;
+    }
+    Envelope.Point most = points.stream().max(bySize).get();
+    Envelope.Point least = points.stream().min(bySize).get();
+    double error = Math.hypot(most.standardError(), least.standardError());
+    double difference = most.value() - least.value();
+    return difference > SMALLEST * most.value() && difference > SIGNIFICANT * error;
+  }
+
+  private boolean shaped() {
+    return envelope != null && envelope.shaped();
+  }
+
+  /** The limit by direction; empty when there are too few manoeuvres. */
+  Optional<Envelope> byDirection() {
+    return Optional.ofNullable(envelope);
   }
 
   LimitEstimate estimate() {
     if (mode == null) {
       return LimitEstimate.undetermined(samples, "needs " + FEWEST + " manoeuvres");
+    }
+    if (shaped()) {
+      Envelope.Point most = envelope.strongest().orElseThrow();
+      return estimate(most.value(), most.standardError(), envelope.shareWith());
     }
     // Where it depends on speed or direction, these are known to cells only, which would blur the
     // edge.
@@ -229,7 +317,8 @@ final class AccelerationLimit {
             ? UpperEdge.of(data.acceleration(), data.error(), data.count())
             : null;
     if (edge == null) {
-      double error = Math.hypot(mode.errors()[0], SYSTEMATIC * mode.beta()[0]);
+      double systematic = Math.hypot(SYSTEMATIC * mode.beta()[0], LEANING * mode.noise());
+      double error = Math.hypot(mode.errors()[0], systematic);
       return estimate(mode.beta()[0], error, mode.share());
     }
     double differ = edge.scatter() / Math.sqrt(Math.max(1, robots));
@@ -249,6 +338,31 @@ final class AccelerationLimit {
     return -mode.beta()[effect + 1] / mode.beta()[0];
   }
 
+  /** 0 when it is not named. */
+  private double coefficient(MovementEffect effect) {
+    int known = named.indexOf(effect);
+    return known < 0 ? 0 : coefficient(known);
+  }
+
+  /** The factors by which speed and direction reduce the limit of each row of a table of the same kind; 1 where nothing is known to. */
+  double[] reduction(ManoeuvreTable.Columns rows) {
+    double torque = coefficient(MovementEffect.TORQUE_LIMITED);
+    double[] factor = new double[rows.count().length];
+    for (int i = 0; i < factor.length; i++) {
+      double phi = rows.direction()[i];
+      double there;
+      if (shaped()) {
+        double largest = envelope.strongest().orElseThrow().value();
+        there = Double.isNaN(phi) ? phi : envelope.at(phi).orElse(Double.NaN) / largest;
+      } else {
+        boolean anywhere = coefficient(MovementEffect.DIRECTIONAL) == 0;
+        there = anywhere ? 1 : named(phi) / mode.beta()[0];
+      }
+      factor[i] = there * slowed(torque, rows.speed()[i]);
+    }
+    return factor;
+  }
+
   List<LimitDeviation> deviations() {
     List<LimitDeviation> list = new ArrayList<>();
     for (int k = 0; k < named.size(); k++) {
@@ -257,7 +371,7 @@ final class AccelerationLimit {
               named.get(k),
               coefficient(k),
               Math.hypot(mode.errors()[k + 1] / mode.beta()[0], SYSTEMATIC_COEFFICIENT),
-              seenIn,
+              kind.label,
               uniform.share(),
               mode.share()));
     }

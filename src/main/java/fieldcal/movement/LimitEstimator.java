@@ -16,14 +16,25 @@ public final class LimitEstimator {
    * @return limits with standard errors or the reason why there are none, beside the league's
    */
   public static TeamLimits estimate(Team team, TeamStatistics statistics) {
-    VelocityLimit speeds = new VelocityLimit(statistics);
+    VelocityLimit speeds = new VelocityLimit(statistics.speeds());
     LimitEstimate velocity = speeds.estimate();
+    ManoeuvreTables faster = statistics.acceleratingManoeuvres();
+    ManoeuvreTables slower = statistics.brakingManoeuvres();
     AccelerationLimit acceleration =
         new AccelerationLimit(
-            statistics.acceleratingManoeuvres(), velocity.value(), statistics.robots(), true);
+            faster.all(),
+            AccelerationLimit.Kind.ACCELERATION,
+            velocity.value(),
+            statistics.robots());
     AccelerationLimit braking =
         AccelerationLimit.braking(
-            statistics.brakingManoeuvres(), velocity.value(), statistics.robots(), acceleration);
+            slower.all(), velocity.value(), statistics.robots(), acceleration);
+    List<Envelope> envelopes = new ArrayList<>();
+    acceleration.byDirection().ifPresent(envelopes::add);
+    braking.byDirection().ifPresent(envelopes::add);
+    List<RobotDifference> robots =
+        new ArrayList<>(RobotComparison.of(faster, acceleration, "acceleration"));
+    robots.addAll(RobotComparison.of(slower, braking, "braking"));
     List<LimitDeviation> deviations = new ArrayList<>(acceleration.deviations());
     deviations.addAll(braking.deviations());
     LeagueStatistics league = statistics.league();
@@ -37,6 +48,9 @@ public final class LimitEstimator {
         league.brakingLimit(),
         deviations,
         speeds.caps(velocity),
+        TurnLimits.of(statistics),
+        envelopes,
+        robots,
         statistics.manoeuvres());
   }
 }

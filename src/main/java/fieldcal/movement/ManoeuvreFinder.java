@@ -16,38 +16,38 @@ final class ManoeuvreFinder {
   /** A fit much worse than the noise is no piece of constant acceleration. */
   private static final double WORST = 2.5;
 
-  /** The noise that is believed before any is measured, m. */
-  private static final double USUAL_NOISE = 0.0025;
-
   /** Fits after which the noise is believed. */
   private static final int MIN_FITS_FOR_NOISE = 20;
 
-  /** Corners of weaker manoeuvres show nothing of their rounding, m/s². */
-  private static final double PLAIN = 1;
-
   /** A robot that turns by more meanwhile has no one front, rad. */
-  private static final double DIFFERENT_FRONT = 1;
+  private static final double DIFFERENT_FRONT = 0.3;
 
+  private final PathKind kind;
   private final Consumer<Manoeuvre> sink;
-  private final Pieces pieces = new Pieces();
-  private final RampFit ramp = new RampFit();
-  private final Histogram noise = new Histogram(0.01, 1200);
+  private final Pieces pieces;
+  private final RampFit ramp;
+  private final Histogram noise = new Histogram(0.01, 1500);
 
   /** Of each team: corners at the beginning and the end of speeding up, and of slowing down. */
   private final Rounding[][][] roundings = new Rounding[Team.values().length][2][2];
 
-  private double variance = USUAL_NOISE * USUAL_NOISE;
+  private double variance;
 
-  ManoeuvreFinder(Consumer<Manoeuvre> sink) {
+  /** Finds manoeuvres of paths of one kind; those of an angle have it as x, and nothing in y. */
+  ManoeuvreFinder(PathKind kind, Consumer<Manoeuvre> sink) {
+    this.kind = kind;
     this.sink = sink;
+    pieces = new Pieces(kind.dimensions());
+    ramp = new RampFit(kind.dimensions());
+    variance = kind.usualNoise() * kind.usualNoise();
     for (Rounding[][] team : roundings) {
-      for (Rounding[] kind : team) {
-        Arrays.setAll(kind, i -> new Rounding());
+      for (Rounding[] corners : team) {
+        Arrays.setAll(corners, i -> new Rounding());
       }
     }
   }
 
-  /** Standard deviation of one coordinate of a detection, m. */
+  /** Standard deviation of one coordinate of a detection, m or rad. */
   double noise() {
     return Math.sqrt(variance);
   }
@@ -62,6 +62,9 @@ final class ManoeuvreFinder {
    * @return relative time at which the first piece begins that is not finished; the stretch's end when all of it is one piece, whose beginning nobody saw
    */
   double find(RobotId robot, Stretch stretch) {
+    if (stretch.extent() < kind.leastExtent()) {
+      return stretch.span();
+    }
     pieces.cut(stretch, variance);
     if (pieces.count() < 2) {
       return stretch.span();
@@ -82,15 +85,13 @@ final class ManoeuvreFinder {
     boolean speedsUp = speedsUp(stretch, first, second);
     Rounding[] corners = roundings[robot.team().ordinal()][speedsUp ? 0 : 1];
     if (!ramp.fit(stretch, from, to, first, second, corners[0], corners[1], variance)) {
-
       return;
     }
     learn();
     if (ramp.variance() > WORST * variance) {
-
       return;
     }
-    if (Math.hypot(ramp.ax(), ramp.ay()) > PLAIN) {
+    if (Math.hypot(ramp.ax(), ramp.ay()) > kind.plain()) {
       ramp.learn(0, variance, corners[0]);
       ramp.learn(1, variance, corners[1]);
     }
@@ -132,10 +133,11 @@ final class ManoeuvreFinder {
     if (ramp.freedom() < 30) {
       return;
     }
-    // In logarithms, so that bins of one per cent hold every noise from 0.02 mm on.
-    noise.add(Math.log(Math.max(1e-10, ramp.variance()) / 1e-10));
+    // In logarithms, so that bins of one per cent hold every noise up to 1800 times the least.
+    double least = kind.leastNoise() * kind.leastNoise();
+    noise.add(Math.log(Math.max(least, ramp.variance()) / least));
     if (noiseKnown()) {
-      variance = 1e-10 * Math.exp(noise.percentile(0.5));
+      variance = least * Math.exp(noise.percentile(0.5));
     }
   }
 

@@ -1,18 +1,14 @@
 package fieldcal.movement;
 
+import java.util.Arrays;
 import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Manoeuvres of one kind, counted in cells of acceleration, its relative error, speed, and direction against the robot's front. Cells are fine enough that nothing is lost for the limit, and integers, so
+ * Manoeuvres of one kind, driven or turned, counted in cells of acceleration, its relative error, speed, and direction against the robot's front. Cells are fine enough that nothing is lost for the limit, and integers, so
  * that tables merge exactly and in any order. Only cells that hold something take room.
  */
 final class ManoeuvreTable {
-  /** Less is a correction, not a manoeuvre, m/s². */
-  static final double WEAKEST = 0.3;
-
-  private static final double STRONGEST = 25;
-
   /** Half a per cent: bins add 0.15 % to the scatter of a manoeuvre. */
   private static final double LOG_STEP = 0.005;
 
@@ -28,45 +24,80 @@ final class ManoeuvreTable {
   private static final int ERROR_CLASSES =
       1 + (int) Math.ceil(Math.log(WORST_ERROR / BEST_ERROR) / ERROR_STEP);
 
-  private static final double SPEED_STEP = 0.125;
   private static final int SPEEDS = 64;
-  private static final int DIRECTIONS = 10;
 
+  /** Classes of 5° of the direction against the front; one more for those of unknown direction. */
+  private static final int DIRECTIONS = 72;
+
+  private static final double DIRECTION_STEP = 2 * Math.PI / DIRECTIONS;
+
+  private final Scale scale;
   private final TreeMap<Integer, Integer> cells = new TreeMap<>();
   private long samples;
 
+  /**
+   * What is counted.
+   *
+   * @param weakest less is a correction, not a manoeuvre
+   * @param strongest nothing is stronger
+   * @param speedStep width of a class of speeds
+   */
+  record Scale(double weakest, double strongest, double speedStep) {
+    /** Of driving, m/s² and m/s. */
+    static final Scale DRIVING = new Scale(0.3, 25, 0.125);
+
+    /** Of turning, rad/s² and rad/s. */
+    static final Scale TURNING = new Scale(3, 500, 1);
+
+    private int classes() {
+      return 1 + (int) (Math.log(strongest / weakest) / LOG_STEP);
+    }
+  }
+
+  ManoeuvreTable(Scale scale) {
+    this.scale = scale;
+  }
+
   /** What the limit search reads: one row per cell that holds something. */
   record Columns(
-      double[] acceleration, double[] error, double[] speed, double[] sine2, double[] count) {
+      double[] acceleration, double[] error, double[] speed, double[] direction, double[] count) {
 
-    /** What the accelerations would be along the front, if they are smaller aside by a known coefficient; NaN where the direction is unknown. */
-    Columns alongFront(double coefficient) {
+    /** Squared sine of the direction. */
+    double[] sine2() {
+      return Arrays.stream(direction).map(phi -> Math.sin(phi) * Math.sin(phi)).toArray();
+    }
+
+    /** What the accelerations would be without factors that are known; NaN where a factor is. */
+    Columns without(double[] factor) {
       double[] a = acceleration.clone();
       double[] e = error.clone();
       for (int i = 0; i < a.length; i++) {
-        double part = 1 - coefficient * sine2[i];
-        a[i] /= part;
-        e[i] /= part;
+        a[i] /= factor[i];
+        e[i] /= factor[i];
       }
-      return new Columns(a, e, speed, sine2, count);
+      return new Columns(a, e, speed, direction, count);
     }
   }
 
   /**
    * Counts a manoeuvre.
    *
-   * @param sine2 squared sine of the angle between acceleration and front; NaN when unknown
+   * @param direction of the acceleration against the front, rad, positive to the left; NaN when unknown
    * @return false when it is too weak or too uncertain to say anything
    */
-  boolean add(double acceleration, double error, double speed, double sine2) {
+  boolean add(double acceleration, double error, double speed, double direction) {
     double relative = error / acceleration;
-    if (!(acceleration >= WEAKEST && acceleration < STRONGEST) || !(relative <= WORST_ERROR)) {
+    boolean manoeuvre = acceleration >= scale.weakest() && acceleration < scale.strongest();
+    if (!manoeuvre || !(relative <= WORST_ERROR)) {
       return false;
     }
-    int a = (int) (Math.log(acceleration / WEAKEST) / LOG_STEP);
+    int a = (int) (Math.log(acceleration / scale.weakest()) / LOG_STEP);
     int e = (int) Math.max(0, Math.ceil(Math.log(relative / BEST_ERROR) / ERROR_STEP));
-    int v = (int) Math.min(SPEEDS - 1, speed / SPEED_STEP);
-    int s = sine2 >= 0 ? (int) Math.min(DIRECTIONS - 1, sine2 * DIRECTIONS) : DIRECTIONS;
+    int v = (int) Math.min(SPEEDS - 1, speed / scale.speedStep());
+    int s =
+        Double.isFinite(direction)
+            ? Math.floorMod((int) Math.floor(direction / DIRECTION_STEP), DIRECTIONS)
+            : DIRECTIONS;
     int key = ((a * ERROR_CLASSES + e) * SPEEDS + v) * (DIRECTIONS + 1) + s;
     cells.merge(key, 1, Integer::sum);
     samples++;
@@ -90,8 +121,7 @@ final class ManoeuvreTable {
 
   /** Adds what {@link #cells} told; false when there is no such cell. */
   boolean addCell(int cell, long count) {
-    int strongest = (int) (Math.log(STRONGEST / WEAKEST) / LOG_STEP);
-    int all = (strongest + 1) * ERROR_CLASSES * SPEEDS * (DIRECTIONS + 1);
+    int all = scale.classes() * ERROR_CLASSES * SPEEDS * (DIRECTIONS + 1);
     if (cell < 0 || cell >= all || count < 0 || count > Integer.MAX_VALUE) {
       return false;
     }
@@ -123,10 +153,10 @@ final class ManoeuvreTable {
       key /= SPEEDS;
       int e = key % ERROR_CLASSES;
       int a = key / ERROR_CLASSES;
-      c.acceleration[i] = WEAKEST * Math.exp((a + 0.5) * LOG_STEP);
+      c.acceleration[i] = scale.weakest() * Math.exp((a + 0.5) * LOG_STEP);
       c.error[i] = BEST_ERROR * Math.exp((e - 0.5) * ERROR_STEP) * c.acceleration[i];
-      c.speed[i] = (v + 0.5) * SPEED_STEP;
-      c.sine2[i] = s == DIRECTIONS ? Double.NaN : (s + 0.5) / DIRECTIONS;
+      c.speed[i] = (v + 0.5) * scale.speedStep();
+      c.direction[i] = s == DIRECTIONS ? Double.NaN : (s + 0.5) * DIRECTION_STEP;
       c.count[i] = cell.getValue();
       i++;
     }

@@ -9,13 +9,12 @@ import java.util.Optional;
  * {@link MovementStatistics} as plain cells and back, so that they can be stored, added up by anybody, and estimated from again. Integers all the way: what was taken apart and put together
  * again, of however many matches and in whatever order, is what {@link MovementStatistics#merge} would give.
  *
- * <p>Each cell is of one histogram: {@code accelerating} and {@code braking} (x: acceleration, m/s²; y: speed, m/s; the number of the cell also holds error and direction), {@code top_speeds}, {@code
- * sure_speeds}, {@code cruising} of one robot, {@code league_velocity} (x: m/s), {@code league_acceleration}, {@code league_braking} (x: m/s²), {@code own_frame} (x to the front and y to the left,
- * m/s²), {@code against_speed} (x: m/s, y: m/s²), {@code robots} (x: number), {@code manoeuvres} (one cell), {@code standing} (x and y: deviation, mm) and {@code standing_squares} (x: mm²), which
- * are of no team.
+ * <p>Each cell is of one histogram. Of one robot are {@code accelerating} and {@code braking} (x: acceleration, m/s²; y: speed, m/s; the number of the cell also holds error and direction), {@code turning_faster} and {@code
+ * turning_slower} (the same in rad/s² and rad/s), {@code cruising} (x: m/s) and {@code turning_steadily} (x: rad/s). Of a team are {@code top_speeds}, {@code sure_speeds} (x: m/s), {@code top_turn_speeds}, {@code sure_turn_speeds} (x:
+ * rad/s), {@code league_velocity} (x: m/s), {@code league_acceleration}, {@code league_braking} (x: m/s²), {@code own_frame} (x to the front and y to the left, m/s²), {@code against_speed} (x: m/s, y: m/s²), {@code robots} (x: number),
+ * {@code manoeuvres} (one cell). Of no team are {@code standing} (x and y: deviation, mm) and {@code standing_squares} (x: mm²).
  */
 public final class MovementCells {
-  private static final String CRUISING = "cruising";
   private static final String ROBOTS = "robots";
   private static final String MANOEUVRES = "manoeuvres";
 
@@ -67,17 +66,21 @@ public final class MovementCells {
     for (Team team : Team.values()) {
       TeamStatistics one = statistics.of(team);
       Optional<Team> whose = Optional.of(team);
-      one.acceleratingManoeuvres().cells(sink(visitor, whose, "accelerating"));
-      one.brakingManoeuvres().cells(sink(visitor, whose, "braking"));
+      tables(one)
+          .forEach(
+              (name, robots) ->
+                  robots
+                      .robots()
+                      .forEach((robot, table) -> table.cells(sink(visitor, whose, name, robot))));
       grids(one).forEach((name, grid) -> grid.cells(sink(visitor, whose, name)));
       histograms(one).forEach((name, counted) -> counted.cells(sink(visitor, whose, name)));
-      one.cruising()
+      speeds(one)
           .forEach(
-              (robot, speeds) ->
-                  speeds.cells(
-                      (number, x, y, count) ->
-                          visitor.visit(
-                              new Cell(whose, CRUISING, Optional.of(robot), number, x, y, count))));
+              (name, table) ->
+                  table
+                      .cruising()
+                      .forEach(
+                          (robot, counted) -> counted.cells(sink(visitor, whose, name, robot))));
       one.robotCells(sink(visitor, whose, ROBOTS));
       if (one.manoeuvres() > 0) {
         sink(visitor, whose, MANOEUVRES).cell(0, Double.NaN, Double.NaN, one.manoeuvres());
@@ -92,6 +95,28 @@ public final class MovementCells {
         visitor.visit(new Cell(team, histogram, Optional.empty(), number, x, y, count));
   }
 
+  private static Sink sink(Visitor visitor, Optional<Team> team, String histogram, int robot) {
+    return (number, x, y, count) ->
+        visitor.visit(new Cell(team, histogram, Optional.of(robot), number, x, y, count));
+  }
+
+  private static Map<String, ManoeuvreTables> tables(TeamStatistics team) {
+    Map<String, ManoeuvreTables> tables = new LinkedHashMap<>();
+    tables.put("accelerating", team.acceleratingManoeuvres());
+    tables.put("braking", team.brakingManoeuvres());
+    tables.put("turning_faster", team.turningFaster());
+    tables.put("turning_slower", team.turningSlower());
+    return tables;
+  }
+
+  /** Tables of speeds, by the name of their speeds at constant velocity. */
+  private static Map<String, SpeedTable> speeds(TeamStatistics team) {
+    Map<String, SpeedTable> speeds = new LinkedHashMap<>();
+    speeds.put("cruising", team.speeds());
+    speeds.put("turning_steadily", team.turnSpeeds());
+    return speeds;
+  }
+
   private static Map<String, Grid> grids(TeamStatistics team) {
     Map<String, Grid> grids = new LinkedHashMap<>();
     grids.put("own_frame", team.ownFrame());
@@ -101,8 +126,10 @@ public final class MovementCells {
 
   private static Map<String, Histogram> histograms(TeamStatistics team) {
     Map<String, Histogram> histograms = new LinkedHashMap<>();
-    histograms.put("top_speeds", team.topSpeeds());
-    histograms.put("sure_speeds", team.sureSpeeds());
+    histograms.put("top_speeds", team.speeds().tops());
+    histograms.put("sure_speeds", team.speeds().sure());
+    histograms.put("top_turn_speeds", team.turnSpeeds().tops());
+    histograms.put("sure_turn_speeds", team.turnSpeeds().sure());
     histograms.put("league_velocity", team.league().velocity());
     histograms.put("league_acceleration", team.league().acceleration());
     histograms.put("league_braking", team.league().braking());
@@ -127,11 +154,15 @@ public final class MovementCells {
       };
     }
     TeamStatistics team = statistics.of(cell.team().get());
+    if (cell.robot().isPresent()) {
+      int robot = cell.robot().get();
+      ManoeuvreTables tables = tables(team).get(cell.histogram());
+      SpeedTable speeds = speeds(team).get(cell.histogram());
+      return tables != null
+          ? tables.of(robot).addCell(number, count)
+          : speeds != null && speeds.cruisingOf(robot).addCell(number, count);
+    }
     return switch (cell.histogram()) {
-      case "accelerating" -> team.acceleratingManoeuvres().addCell(number, count);
-      case "braking" -> team.brakingManoeuvres().addCell(number, count);
-      case CRUISING ->
-          cell.robot().isPresent() && team.cruisingOf(cell.robot().get()).addCell(number, count);
       case ROBOTS -> team.addRobot(number);
       case MANOEUVRES -> team.addManoeuvres(count);
       default -> {

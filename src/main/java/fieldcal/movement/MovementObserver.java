@@ -19,8 +19,11 @@ public final class MovementObserver {
   private static final int MOST_ROBOTS = 64;
 
   private final MovementStatistics statistics = new MovementStatistics();
-  private final ManoeuvreFinder finder =
-      new ManoeuvreFinder(m -> statistics.of(m.robot().team()).add(m));
+  private final ManoeuvreFinder driving =
+      new ManoeuvreFinder(PathKind.POSITION, m -> statistics.of(m.robot().team()).add(m));
+  private final ManoeuvreFinder turning =
+      new ManoeuvreFinder(
+          PathKind.ORIENTATION, m -> statistics.of(m.robot().team()).add(Turn.of(m)));
   private final Map<RobotId, Watched> robots = new HashMap<>();
   private final Map<Integer, CameraState> cameras = new HashMap<>();
   private PlayPhase phase = PlayPhase.UNKNOWN;
@@ -122,7 +125,7 @@ public final class MovementObserver {
   private Watched watched(RobotId id) {
     Watched known = robots.get(id);
     if (known == null && robots.size() < MOST_ROBOTS) {
-      known = new Watched(new RobotTrack(id, finder));
+      known = new Watched(new RobotTrack(id, driving, turning));
       robots.put(id, known);
     }
     return known;
@@ -159,7 +162,7 @@ public final class MovementObserver {
    * @return m; 2.5 mm before anything was fitted
    */
   public double noise() {
-    return finder.noise();
+    return driving.noise();
   }
 
   /**
@@ -168,7 +171,7 @@ public final class MovementObserver {
    * @return false when it is only what is usual
    */
   public boolean noiseKnown() {
-    return finder.noiseKnown();
+    return driving.noiseKnown();
   }
 
   /**

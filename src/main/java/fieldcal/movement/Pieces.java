@@ -19,9 +19,10 @@ final class Pieces {
   private static final int SHORTEST = 2;
 
   /**
-   * Price of one more piece in units of the noise's variance. Six numbers of a parabola in the plane take 6 on average out of noise alone, and 99.99 % of the time less than 28.
+   * Price of one more piece in units of the noise's variance, for one and for two dimensions. Six numbers of a parabola in the plane take 6 on average out of noise alone, and 99.99 % of the time less than 28; three numbers
+   * less than 21 (χ²).
    */
-  private static final double PRICE = 28;
+  private static final double[] PRICES = {21, 28};
 
   // Sums over the detections of a camera before each cell edge: n, t, t², t³, t⁴, x, xt, xt², x²,
   // y, yt, yt², y².
@@ -31,8 +32,14 @@ final class Pieces {
   private final double[] best = new double[MAX_CELLS + 1];
   private final int[] from = new int[MAX_CELLS + 1];
   private final double[] knots = new double[MAX_CELLS + 1];
+  private final double price;
   private int count;
   private int cameras;
+
+  /** Cuts paths of one or two dimensions; of what has one, y must be 0. */
+  Pieces(int dimensions) {
+    price = PRICES[dimensions - 1];
+  }
 
   /** Number of pieces; piece i lasts from {@code knot(i)} to {@code knot(i + 1)}. */
   int count() {
@@ -60,7 +67,7 @@ final class Pieces {
         if (tooShort || best[start] >= best[to]) {
           continue;
         }
-        double total = best[start] + PRICE + residual(start, to) / variance;
+        double total = best[start] + price + residual(start, to) / variance;
         if (total < best[to]) {
           best[to] = total;
           from[to] = start;

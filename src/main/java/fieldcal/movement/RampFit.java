@@ -67,11 +67,24 @@ final class RampFit {
   private final double[][] information = new double[CURVED][CURVED];
   private final double[][] root = new double[CURVED][CURVED];
   private final double[] gradient = new double[CURVED];
+
+  /** 2 for a path in the plane, 1 for one of an angle, which is given as x with y = 0. */
+  private final int dimensions;
+
   private double width1;
   private double width2;
   private int samples;
   private int freedom;
   private double rss;
+
+  /**
+   * A fit of paths.
+   *
+   * @param dimensions 1 or 2; of what has one, y must be 0
+   */
+  RampFit(int dimensions) {
+    this.dimensions = dimensions;
+  }
 
   /**
    * Fits the detections of [from, to] with knots near τ1 and τ2.
@@ -209,10 +222,10 @@ final class RampFit {
     add(s, first, knot1, Q1);
     add(s, knot1, knot2, Q2);
     add(s, knot2, last, ALL);
-    freedom = 2 * samples - 2 * LINEAR - CURVED;
+    freedom = dimensions * (samples - LINEAR) - CURVED;
     for (int c = 0; c < s.cameras(); c++) {
       if (cameraCounts[c] > 0) {
-        freedom -= 2;
+        freedom -= dimensions;
         double[] sums = cameraSums[c];
         for (int j = 0; j < ALL; j++) {
           for (int k = 0; k <= j; k++) {

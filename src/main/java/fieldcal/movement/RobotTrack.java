@@ -28,22 +28,9 @@ final class RobotTrack {
   /** Detections refused in a row after which the robot is believed to be elsewhere. */
   private static final int PERSISTENT = 6;
 
-  /** New path after which it is cut again, s; each robot a little else, so that not all of them are due with the same frame. */
-  private static final double BLOCK = 1.5;
-
-  private static final double BLOCK_STEP = 0.03;
-
-  /** A piece that has not ended after so long is driven at constant speed, or not at all, and is not waited for, s. */
-  private static final double LONGEST = 4;
-
-  /** So much of a neighbour is enough to find the knot, s. */
-  private static final double FLANK = 0.3;
-
   private final RobotId id;
-  private final double block;
-  private final ManoeuvreFinder finder;
-  private final Stretch stretch = new Stretch();
-  private double due;
+  private final PathBlocks path;
+  private final TurnTrack turning;
   private double time = Double.NEGATIVE_INFINITY;
   private double x;
   private double y;
@@ -53,10 +40,10 @@ final class RobotTrack {
   private int refusedInARow;
   private long refused;
 
-  RobotTrack(RobotId id, ManoeuvreFinder finder) {
+  RobotTrack(RobotId id, ManoeuvreFinder driving, ManoeuvreFinder turning) {
     this.id = id;
-    this.finder = finder;
-    block = BLOCK + BLOCK_STEP * (id.number() % 16) + 0.5 * BLOCK_STEP * id.team().ordinal();
+    path = new PathBlocks(id, driving);
+    this.turning = new TurnTrack(id, turning);
   }
 
   RobotId id() {
@@ -106,10 +93,8 @@ final class RobotTrack {
       }
     }
     refusedInARow = 0;
-    stretch.add(at, robot.x(), robot.y(), robot.orientation(), camera);
-    if (stretch.span() >= due || stretch.full()) {
-      analyse();
-    }
+    path.add(at, robot.x(), robot.y(), robot.orientation(), camera);
+    turning.accept(at, camera, robot.orientation());
     return true;
   }
 
@@ -120,7 +105,6 @@ final class RobotTrack {
     vx = 0;
     vy = 0;
     followed = 1;
-    due = block;
   }
 
   /** An alpha-beta filter: good enough to say where the robot cannot be. Its gains are those of a line fit until they reach those of a memory of some 0.1 s. */
@@ -140,20 +124,10 @@ final class RobotTrack {
     time += dt;
   }
 
-  private void analyse() {
-    // What is not finished comes again, with a piece of what was before it.
-    double keep = finder.find(id, stretch) - FLANK;
-    boolean tooLong = stretch.full() || stretch.span() - keep > LONGEST;
-    stretch.forgetBefore(tooLong ? stretch.span() - FLANK : keep);
-    due = stretch.span() + block;
-  }
-
   /** The path breaks off here. */
   void end() {
-    if (stretch.size() > 0) {
-      finder.find(id, stretch);
-    }
-    stretch.clear();
+    path.end();
+    turning.end();
     time = Double.NEGATIVE_INFINITY;
     refusedInARow = 0;
   }

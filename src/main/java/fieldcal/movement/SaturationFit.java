@@ -1,6 +1,8 @@
 package fieldcal.movement;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.DecompositionSolver;
 import org.apache.commons.math3.linear.LUDecomposition;
@@ -20,6 +22,14 @@ final class SaturationFit {
   /** The kernel in parts of the limit: robots of a team differ by so much. */
   private static final double SPREAD = 0.03;
 
+  /** A higher mode counts as the limit when it holds at least this part of the largest one's mass … */
+  private static final double SECOND_MODE = 0.12;
+
+  /** … and at least so many manoeuvres. */
+  private static final double SECOND_MODE_MASS = 8;
+
+  private static final double[] QUANTILES = {0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.92, 0.97};
+
   private static final int ITERATIONS = 80;
   private static final double SETTLED = 1e-6;
 
@@ -34,8 +44,9 @@ final class SaturationFit {
    * @param errors standard errors of beta
    * @param mass how much lies there, in manoeuvres
    * @param share of all manoeuvres
+   * @param noise mean standard error of the manoeuvres that lie there
    */
-  record Mode(double[] beta, double[] errors, double mass, double share) {}
+  record Mode(double[] beta, double[] errors, double mass, double share, double noise) {}
 
   /** Looks for modes of the accelerations; without further columns for a uniform limit. A row with NaN in a column does not count. */
   SaturationFit(ManoeuvreTable.Columns data, double[]... further) {
@@ -45,6 +56,79 @@ final class SaturationFit {
     Arrays.fill(columns[0], 1);
     System.arraycopy(further, 0, columns, 1, further.length);
     total = Arrays.stream(data.count()).sum();
+  }
+
+  /** Modes of a uniform limit; the same one may be found several times. */
+  private static List<Mode> uniform(ManoeuvreTable.Columns data) {
+    SaturationFit fit = new SaturationFit(data);
+    List<Mode> modes = new ArrayList<>();
+    for (double share : QUANTILES) {
+      Mode found = fit.climb(new double[] {fit.quantile(share)});
+      if (found != null) {
+        modes.add(found);
+      }
+    }
+    return modes;
+  }
+
+  /** The uniform limit at which most manoeuvres lie; null when there is none. */
+  static Mode largest(ManoeuvreTable.Columns data) {
+    Mode best = null;
+    for (Mode m : uniform(data)) {
+      if (best == null || m.mass() > best.mass()) {
+        best = m;
+      }
+    }
+    return best;
+  }
+
+  /** The highest uniform limit at which a fair part of what the {@linkplain #largest} holds lies; null when there is none. */
+  static Mode highest(ManoeuvreTable.Columns data) {
+    Mode most = largest(data);
+    Mode high = most;
+    for (Mode m : uniform(data)) {
+      boolean fair =
+          m.mass() > SECOND_MODE * most.mass()
+              && m.mass() > SECOND_MODE_MASS
+              && m.errors()[0] < 0.1 * m.beta()[0];
+      if (fair && m.beta()[0] > high.beta()[0]) {
+        high = m;
+      }
+    }
+    return high;
+  }
+
+  /** The acceleration below which that share of the manoeuvres lies, if the rows are in their order. */
+  private double quantile(double share) {
+    double wanted = share * total;
+    double below = 0;
+    for (int i = 0; i < data.count().length; i++) {
+      below += data.count()[i];
+      if (below >= wanted) {
+        return data.acceleration()[i];
+      }
+    }
+    return data.acceleration()[data.count().length - 1];
+  }
+
+  /** Climbs to the largest mode of a limit that depends on columns, from many starts; null when there is none. */
+  Mode climbFromEverywhere(double[] coefficients, double... spreads) {
+    int p = columns.length;
+    Mode best = null;
+    for (double share : QUANTILES) {
+      for (double coefficient : coefficients) {
+        double[] start = new double[p];
+        start[0] = quantile(share);
+        for (int k = 1; k < p; k++) {
+          start[k] = -coefficient * start[0];
+        }
+        Mode found = climb(start, spreads);
+        if (found != null && (best == null || found.mass() > best.mass())) {
+          best = found;
+        }
+      }
+    }
+    return best;
   }
 
   /** Climbs from a start to the mode; the kernel is made narrower step by step, down to its proper width. Null when there is none. */
@@ -131,6 +215,7 @@ final class SaturationFit {
     double[][] a = new double[p][p];
     double[][] b = new double[p][p];
     double mass = 0;
+    double noise = 0;
     for (int i = 0; i < data.count().length; i++) {
       double r = residual(i, beta);
       double h2 = width2(i, beta[0], SPREAD);
@@ -140,6 +225,7 @@ final class SaturationFit {
       }
       double n = data.count()[i];
       mass += n * kernel;
+      noise += n * kernel * data.error()[i];
       double w = kernel / h2;
       for (int j = 0; j < p; j++) {
         for (int k = 0; k < p; k++) {
@@ -160,6 +246,6 @@ final class SaturationFit {
         errors[k] = Math.sqrt(covariance.getEntry(k, k));
       }
     }
-    return new Mode(beta, errors, mass, mass / total);
+    return new Mode(beta, errors, mass, mass / total, noise / mass);
   }
 }

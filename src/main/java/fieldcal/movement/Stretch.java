@@ -51,6 +51,17 @@ final class Stretch {
     return size == 0 ? 0 : t[size - 1] - t[0];
   }
 
+  /** From the least x to the largest. */
+  double extent() {
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < size; i++) {
+      low = Math.min(low, x[i]);
+      high = Math.max(high, x[i]);
+    }
+    return high - low;
+  }
+
   void clear() {
     size = 0;
     cameras = 0;

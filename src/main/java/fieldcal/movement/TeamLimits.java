@@ -9,13 +9,16 @@ import java.util.Objects;
  *
  * @param team which
  * @param velocity m/s
- * @param acceleration m/s²; with a named effect that at standstill and along the front
- * @param braking m/s², positive; with a named effect that along the front
+ * @param acceleration m/s²; with a named effect that at standstill and along the front, with an envelope of another shape that of the strongest direction
+ * @param braking m/s², positive; with a named effect that along the front, with an envelope of another shape that of the strongest direction
  * @param leagueVelocity the league's estimate, m/s
  * @param leagueAcceleration the league's estimate, m/s²
  * @param leagueBraking the league's estimate, m/s², positive
  * @param deviations what uniform limits get wrong
  * @param speedCaps robots with a lower limit of their own
+ * @param turning how fast they turn
+ * @param envelopes the limits of acceleration and of braking by direction in the robot's own frame; empty with too few manoeuvres
+ * @param robots that accelerate or brake clearly otherwise than their team mates
  * @param manoeuvres pieces of constant acceleration that were fitted
  */
 public record TeamLimits(
@@ -28,6 +31,9 @@ public record TeamLimits(
     LimitEstimate leagueBraking,
     List<LimitDeviation> deviations,
     List<SpeedCap> speedCaps,
+    TurnLimits turning,
+    List<Envelope> envelopes,
+    List<RobotDifference> robots,
     long manoeuvres) {
 
   /**
@@ -45,5 +51,8 @@ public record TeamLimits(
     Objects.requireNonNull(leagueBraking, "leagueBraking");
     deviations = List.copyOf(deviations);
     speedCaps = List.copyOf(speedCaps);
+    Objects.requireNonNull(turning, "turning");
+    envelopes = List.copyOf(envelopes);
+    robots = List.copyOf(robots);
   }
 }

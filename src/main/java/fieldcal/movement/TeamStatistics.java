@@ -1,27 +1,11 @@
 package fieldcal.movement;
 
-import java.util.Map;
-import java.util.TreeMap;
+import fieldcal.vision.RobotId;
 
 /** All that is counted of one team's robots: manoeuvres, speeds, pictures, and the league's histograms. Exactly mergeable; bounded. Mutable, for one thread. */
 public final class TeamStatistics {
-  private static final double SPEED_BIN = 0.01;
-  private static final int SPEED_BINS = 800;
-
-  /** Driving at constant speed: hardly any acceleration, m/s² … */
-  private static final double CRUISING = 0.4;
-
-  /** … that changes the speed by a small part, … */
-  private static final double CRUISING_CHANGE = 0.05;
-
-  /** … for so long, s. */
-  private static final double CRUISING_TIME = 0.15;
-
-  /** Speeds that are less certain do not count, m/s. */
-  private static final double UNCERTAIN = 0.04;
-
-  /** So many standard errors below what was measured, a speed was certainly reached, even by the luckiest of a thousand manoeuvres. */
-  private static final double SURE = 3;
+  /** Turns that change the rate of turning by less do not count, rad/s: a robot that faces a ball which passes it at 2 m/s, 1 m away, turns so fast without any hurry. */
+  public static final double LEAST_TURN = 2;
 
   /** Which part of a change of velocity must go into the speed, for a manoeuvre to be accelerating or braking and not a turn. */
   private static final double MOSTLY = 0.5;
@@ -29,12 +13,13 @@ public final class TeamStatistics {
   /** Numbers of robots that are kept apart: those of the rules. */
   private static final int ROBOTS = 16;
 
-  private final ManoeuvreTable accelerating = new ManoeuvreTable();
-  private final ManoeuvreTable braking = new ManoeuvreTable();
-  private final Histogram topSpeeds = new Histogram(SPEED_BIN, SPEED_BINS);
-  private final Histogram sureSpeeds = new Histogram(SPEED_BIN, SPEED_BINS);
+  private final ManoeuvreTables accelerating = new ManoeuvreTables(ManoeuvreTable.Scale.DRIVING);
+  private final ManoeuvreTables braking = new ManoeuvreTables(ManoeuvreTable.Scale.DRIVING);
+  private final SpeedTable speeds = new SpeedTable(SpeedTable.Scale.DRIVING);
+  private final ManoeuvreTables turningFaster = new ManoeuvreTables(ManoeuvreTable.Scale.TURNING);
+  private final ManoeuvreTables turningSlower = new ManoeuvreTables(ManoeuvreTable.Scale.TURNING);
+  private final SpeedTable turnSpeeds = new SpeedTable(SpeedTable.Scale.TURNING);
   private int robots;
-  private final Map<Integer, Histogram> cruising = new TreeMap<>();
   private final Grid ownFrame = Grid.centred(0.25, 80);
   private final Grid againstSpeed = new Grid(0, 0.1, 60, -10, 0.25, 80);
   private final LeagueStatistics league = new LeagueStatistics();
@@ -51,40 +36,42 @@ public final class TeamStatistics {
     double change = a * m.duration();
     double share = (last - first) / change;
     double direction = Math.atan2(m.ay(), m.ax()) - m.orientation();
-    double sine = Math.sin(direction);
+    int robot = number(m.robot());
+    robots |= 1 << robot;
     if (share > MOSTLY) {
-      accelerating.add(a, m.accelerationError(), m.speed(), sine * sine);
+      accelerating.of(robot).add(a, m.accelerationError(), m.speed(), direction);
     } else if (share < -MOSTLY) {
-      braking.add(a, m.accelerationError(), m.speed(), sine * sine);
+      braking.of(robot).add(a, m.accelerationError(), m.speed(), direction);
     }
-    double endError = Math.hypot(m.velocityError(), 0.5 * m.duration() * m.accelerationError());
-    robots |= 1 << Math.min(m.robot().number(), ROBOTS);
-    if (endError < UNCERTAIN) {
-      // Where corners are round, the speeds of the sharp ones are never reached.
-      double inside = Math.min(m.corner(), 0.5 * m.duration());
-      double top = Math.max(m.speedAfter(inside), m.speedAfter(m.duration() - inside));
-      topSpeeds.add(top);
-      sureSpeeds.add(Math.max(0, top - SURE * endError));
-    }
-    boolean cruises =
-        a < CRUISING
-            && change < CRUISING_CHANGE * m.speed()
-            && m.duration() > CRUISING_TIME
-            && m.velocityError() < UNCERTAIN;
-    if (cruises) {
-      cruising
-          .computeIfAbsent(Math.min(m.robot().number(), ROBOTS), robot -> speeds())
-          .add(m.speed());
-    }
+    // Where corners are round, the speeds of the sharp ones are never reached.
+    double inside = Math.min(m.corner(), 0.5 * m.duration());
+    double top = Math.max(m.speedAfter(inside), m.speedAfter(m.duration() - inside));
+    speeds.add(robot, m.duration(), a, m.accelerationError(), m.speed(), m.velocityError(), top);
     draw(m, a, direction);
   }
 
-  private static Histogram speeds() {
-    return new Histogram(SPEED_BIN, SPEED_BINS);
+  private static int number(RobotId robot) {
+    return Math.min(robot.number(), ROBOTS);
+  }
+
+  void add(Turn t) {
+    int robot = number(t.robot());
+    double a = Math.abs(t.angularAcceleration());
+    double speed = t.rateAfter(0.5 * t.duration());
+    // Where it changes its sense of rotation it does both, one after the other, with the same
+    // motors.
+    if (t.growth() > LEAST_TURN) {
+      turningFaster.of(robot).add(a, t.accelerationError(), speed, Double.NaN);
+    } else if (t.growth() < -LEAST_TURN) {
+      turningSlower.of(robot).add(a, t.accelerationError(), speed, Double.NaN);
+    }
+    double inside = Math.min(t.corner(), 0.5 * t.duration());
+    double top = Math.max(t.rateAfter(inside), t.rateAfter(t.duration() - inside));
+    turnSpeeds.add(robot, t.duration(), a, t.accelerationError(), speed, t.velocityError(), top);
   }
 
   private void draw(Manoeuvre m, double a, double direction) {
-    if (a > ManoeuvreTable.WEAKEST && m.accelerationError() < 0.5) {
+    if (a > ManoeuvreTable.Scale.DRIVING.weakest() && m.accelerationError() < 0.5) {
       ownFrame.add(a * Math.cos(direction), a * Math.sin(direction), m.detections());
     }
     if (m.accelerationError() < 0.5) {
@@ -99,11 +86,11 @@ public final class TeamStatistics {
   void merge(TeamStatistics other) {
     accelerating.merge(other.accelerating);
     braking.merge(other.braking);
-    topSpeeds.merge(other.topSpeeds);
-    sureSpeeds.merge(other.sureSpeeds);
+    speeds.merge(other.speeds);
+    turningFaster.merge(other.turningFaster);
+    turningSlower.merge(other.turningSlower);
+    turnSpeeds.merge(other.turnSpeeds);
     robots |= other.robots;
-    other.cruising.forEach(
-        (robot, speeds) -> cruising.computeIfAbsent(robot, key -> speeds()).merge(speeds));
     ownFrame.merge(other.ownFrame);
     againstSpeed.merge(other.againstSpeed);
     league.merge(other.league);
@@ -113,32 +100,41 @@ public final class TeamStatistics {
   void clear() {
     accelerating.clear();
     braking.clear();
-    topSpeeds.clear();
-    sureSpeeds.clear();
+    speeds.clear();
+    turningFaster.clear();
+    turningSlower.clear();
+    turnSpeeds.clear();
     robots = 0;
-    cruising.clear();
     ownFrame.clear();
     againstSpeed.clear();
     league.clear();
     manoeuvres = 0;
   }
 
-  ManoeuvreTable acceleratingManoeuvres() {
+  ManoeuvreTables acceleratingManoeuvres() {
     return accelerating;
   }
 
-  ManoeuvreTable brakingManoeuvres() {
+  ManoeuvreTables brakingManoeuvres() {
     return braking;
   }
 
-  /** The higher speed of both ends of each manoeuvre whose speeds are well known. */
-  Histogram topSpeeds() {
-    return topSpeeds;
+  SpeedTable speeds() {
+    return speeds;
   }
 
-  /** Of the same manoeuvres, a speed that each certainly had. */
-  Histogram sureSpeeds() {
-    return sureSpeeds;
+  /** Turns that became faster by at least {@link #LEAST_TURN}. */
+  ManoeuvreTables turningFaster() {
+    return turningFaster;
+  }
+
+  /** Turns that became slower by at least {@link #LEAST_TURN}. */
+  ManoeuvreTables turningSlower() {
+    return turningSlower;
+  }
+
+  SpeedTable turnSpeeds() {
+    return turnSpeeds;
   }
 
   /** How many robots were seen to manoeuvre. */
@@ -167,16 +163,6 @@ public final class TeamStatistics {
   boolean addManoeuvres(long count) {
     manoeuvres += Math.max(0, count);
     return count >= 0;
-  }
-
-  /** Made when it is not there. */
-  Histogram cruisingOf(int robot) {
-    return cruising.computeIfAbsent(robot, key -> speeds());
-  }
-
-  /** Speeds of manoeuvres at constant velocity, by the robot's number. */
-  Map<Integer, Histogram> cruising() {
-    return cruising;
   }
 
   /**

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The limit of velocity: the highest speed at which robots cruise again and again. When they also drive clearly faster, without ever cruising there, the limit was not reached, and the most they did is a
+ * The limit of velocity, driven or turned: the highest speed at which robots cruise again and again. When they also drive clearly faster, without ever cruising there, the limit was not reached, and the most they did is a
  * lower bound.
  */
 final class VelocityLimit {
@@ -34,27 +34,24 @@ final class VelocityLimit {
 
   private static final long FEWEST_FOR_BOUND = 40;
 
-  /** Slower cruising is creeping, m/s. */
-  private static final double SLOWEST = 0.3;
-
   /** A robot's own cap lies below this part of the team's limit … */
   private static final double CAPPED = 0.93;
 
   /** … and holds so many of its manoeuvres. */
   private static final long CAP_SAMPLES = 10;
 
-  private final TeamStatistics team;
+  private final SpeedTable speeds;
 
-  VelocityLimit(TeamStatistics team) {
-    this.team = team;
+  VelocityLimit(SpeedTable speeds) {
+    this.speeds = speeds;
   }
 
   /** A speed, its error, and how many manoeuvres are there. */
   private record Plateau(double speed, double error, long samples) {}
 
   LimitEstimate estimate() {
-    Histogram tops = team.topSpeeds();
-    Histogram all = all();
+    Histogram tops = speeds.tops();
+    Histogram all = speeds.cruisingOfAll();
     Plateau plateau = highest(all, FEWEST);
     if (plateau != null) {
       long beyond = above(tops, BEYOND * plateau.speed());
@@ -67,7 +64,7 @@ final class VelocityLimit {
       return LimitEstimate.undetermined(
           tops.samples(), "needs " + FEWEST_FOR_BOUND + " manoeuvres");
     }
-    Histogram sure = team.sureSpeeds();
+    Histogram sure = speeds.sure();
     return new LimitEstimate(
         exceededBy(sure, BOUND),
         2 * sure.width(),
@@ -76,16 +73,10 @@ final class VelocityLimit {
         "the robots never cruised at a highest speed; this is the most they did");
   }
 
-  private Histogram all() {
-    Histogram all = new Histogram(team.topSpeeds().width(), team.topSpeeds().bins());
-    team.cruising().values().forEach(all::merge);
-    return all;
-  }
-
   /** Robots that never exceed a speed of their own. */
   List<SpeedCap> caps(LimitEstimate limit) {
     List<SpeedCap> caps = new ArrayList<>();
-    for (Map.Entry<Integer, Histogram> robot : team.cruising().entrySet()) {
+    for (Map.Entry<Integer, Histogram> robot : speeds.cruising().entrySet()) {
       Plateau own = highest(robot.getValue(), CAP_SAMPLES);
       if (limit.known()
           && own != null
@@ -97,16 +88,17 @@ final class VelocityLimit {
     return caps;
   }
 
-  private static Plateau highest(Histogram speeds, long fewest) {
-    long moving = above(speeds, SLOWEST);
+  private Plateau highest(Histogram histogram, long fewest) {
+    double slowest = speeds.scale().slowest();
+    long moving = above(histogram, slowest);
     double needed = Math.max(fewest, SHARE * moving);
-    for (int bin = speeds.bins() - 1; bin * speeds.width() > SLOWEST; bin--) {
-      double centre = (bin + 0.5) * speeds.width();
-      if (speeds.count(bin) > 0 && within(speeds, centre).samples() >= needed) {
+    for (int bin = histogram.bins() - 1; bin * histogram.width() > slowest; bin--) {
+      double centre = (bin + 0.5) * histogram.width();
+      if (histogram.count(bin) > 0 && within(histogram, centre).samples() >= needed) {
         // Down to where most are: the mean of a window, centred anew.
-        Plateau plateau = within(speeds, centre);
+        Plateau plateau = within(histogram, centre);
         for (int i = 0; i < 5; i++) {
-          plateau = within(speeds, plateau.speed());
+          plateau = within(histogram, plateau.speed());
         }
         return plateau;
       }

@@ -18,6 +18,7 @@ import java.util.Objects;
  * @param minutes length of a match, without breaks it adds
  * @param yellow limits of yellow robots
  * @param blue limits of blue robots
+ * @param manner what the robots of both teams of a match are like beyond that
  */
 public record ScenarioSettings(
     ScenarioKind kind,
@@ -31,7 +32,8 @@ public record ScenarioSettings(
     int teamSize,
     double minutes,
     RobotLimits yellow,
-    RobotLimits blue) {
+    RobotLimits blue,
+    TeamManner manner) {
 
   /**
    * Checks the ranges. {@inheritDoc}
@@ -42,6 +44,7 @@ public record ScenarioSettings(
     Objects.requireNonNull(kind, "kind");
     Objects.requireNonNull(yellow, "yellow");
     Objects.requireNonNull(blue, "blue");
+    Objects.requireNonNull(manner, "manner");
     range("kicks", kicks, 0, 100_000);
     range("flatSpeedMin", flatSpeedMin, 0.3, 10);
     range("flatSpeedMax", flatSpeedMax, flatSpeedMin, 10);
@@ -80,7 +83,8 @@ public record ScenarioSettings(
         6,
         2,
         RobotLimits.DEFAULT,
-        RobotLimits.DEFAULT);
+        RobotLimits.DEFAULT,
+        TeamManner.USUAL);
   }
 
   /**
@@ -92,7 +96,8 @@ public record ScenarioSettings(
    */
   public ScenarioSettings withSpeeds(double min, double max) {
     return new ScenarioSettings(
-        kind, kicks, min, max, min, max, elevation, reception, teamSize, minutes, yellow, blue);
+        kind, kicks, min, max, min, max, elevation, reception, teamSize, minutes, yellow, blue,
+        manner);
   }
 
   /**
@@ -114,7 +119,8 @@ public record ScenarioSettings(
         teamSize,
         minutes,
         yellow,
-        blue);
+        blue,
+        manner);
   }
 
   /**
@@ -137,7 +143,8 @@ public record ScenarioSettings(
         size,
         length,
         yellow,
-        blue);
+        blue,
+        manner);
   }
 
   /**
@@ -160,6 +167,30 @@ public record ScenarioSettings(
         teamSize,
         minutes,
         yellowLimits,
-        blueLimits);
+        blueLimits,
+        manner);
+  }
+
+  /**
+   * Robots with another manner.
+   *
+   * @param next what they are like
+   * @return the changed settings
+   */
+  public ScenarioSettings withManner(TeamManner next) {
+    return new ScenarioSettings(
+        kind,
+        kicks,
+        flatSpeedMin,
+        flatSpeedMax,
+        chipSpeedMin,
+        chipSpeedMax,
+        elevation,
+        reception,
+        teamSize,
+        minutes,
+        yellow,
+        blue,
+        next);
   }
 }

@@ -15,14 +15,15 @@ class AccelerationLimitTest {
   /** Manoeuvres of a team: a share of them at its limit, the others anywhere below. */
   private static ManoeuvreTable table(
       double limit, double torque, double directional, double share, int n, Random random) {
-    ManoeuvreTable table = new ManoeuvreTable();
+    ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.DRIVING);
     for (int i = 0; i < n; i++) {
       double speed = SPEED * random.nextDouble();
-      double sine = Math.sin(2 * Math.PI * random.nextDouble());
+      double direction = 2 * Math.PI * random.nextDouble();
+      double sine = Math.sin(direction);
       double most = limit * (1 - torque * speed / SPEED) * (1 - directional * sine * sine);
       double a = random.nextDouble() < share ? most : most * random.nextDouble();
       double error = a * 0.1 * random.nextDouble();
-      table.add(a + error * random.nextGaussian(), error, speed, sine * sine);
+      table.add(a + error * random.nextGaussian(), error, speed, direction);
     }
     return table;
   }
@@ -33,7 +34,8 @@ class AccelerationLimitTest {
     Random random = new Random(seed);
     double limit = 1.5 + 6 * random.nextDouble();
     AccelerationLimit found =
-        new AccelerationLimit(table(limit, 0, 0, 0.6, 800, random), SPEED, 6, true);
+        new AccelerationLimit(
+            table(limit, 0, 0, 0.6, 800, random), AccelerationLimit.Kind.ACCELERATION, SPEED, 6);
     assertThat(found.deviations()).isEmpty();
     LimitEstimate e = found.estimate();
     assertThat(e.reached()).isTrue();
@@ -48,7 +50,11 @@ class AccelerationLimitTest {
     int trials = 100;
     for (int seed = 0; seed < trials; seed++) {
       LimitEstimate e =
-          new AccelerationLimit(table(4, 0, 0, 0.7, 400, new Random(seed)), SPEED, 6, false)
+          new AccelerationLimit(
+                  table(4, 0, 0, 0.7, 400, new Random(seed)),
+                  AccelerationLimit.Kind.BRAKING,
+                  SPEED,
+                  6)
               .estimate();
       covered += Math.abs(e.value() - 4) < 2 * e.standardError() ? 1 : 0;
     }
@@ -60,14 +66,15 @@ class AccelerationLimitTest {
   @ValueSource(doubles = {0.8, 0.85, 0.9, 0.94})
   void theLimitIsFoundBesideAPlanBelowIt(double planned) {
     Random random = new Random(11);
-    ManoeuvreTable table = new ManoeuvreTable();
+    ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.DRIVING);
     for (int i = 0; i < 800; i++) {
       double drawn = random.nextDouble();
       double a = 5 * (drawn < 0.2 ? 1 : drawn < 0.7 ? planned : random.nextDouble() * planned);
       double error = a * (0.005 + 0.015 * random.nextDouble());
       table.add(a + error * random.nextGaussian(), error, 1.5, 0);
     }
-    LimitEstimate e = new AccelerationLimit(table, SPEED, 6, false).estimate();
+    LimitEstimate e =
+        new AccelerationLimit(table, AccelerationLimit.Kind.BRAKING, SPEED, 6).estimate();
     assertThat(e.value()).isEqualTo(5, within(0.03));
     assertThat(e.reached()).isTrue();
     assertThat(Math.abs(e.value() - 5)).isLessThan(3 * e.standardError());
@@ -76,14 +83,15 @@ class AccelerationLimitTest {
   @Test
   void aLimitThatFewReachIsALowerBoundThatIsNotFalse() {
     Random random = new Random(12);
-    ManoeuvreTable table = new ManoeuvreTable();
+    ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.DRIVING);
     for (int i = 0; i < 800; i++) {
       double drawn = random.nextDouble();
       double a = 5 * (drawn < 0.07 ? 1 : drawn < 0.7 ? 0.85 : random.nextDouble() * 0.85);
       double error = a * (0.005 + 0.015 * random.nextDouble());
       table.add(a + error * random.nextGaussian(), error, 1.5, 0);
     }
-    LimitEstimate e = new AccelerationLimit(table, SPEED, 6, false).estimate();
+    LimitEstimate e =
+        new AccelerationLimit(table, AccelerationLimit.Kind.BRAKING, SPEED, 6).estimate();
     assertThat(e.reached()).isFalse();
     assertThat(e.value()).isEqualTo(5, within(0.1));
     assertThat(e.value() - 2 * e.standardError()).isLessThan(5);
@@ -93,7 +101,11 @@ class AccelerationLimitTest {
   @ValueSource(doubles = {0.15, 0.3, 0.6})
   void torqueIsNamedAndSized(double coefficient) {
     AccelerationLimit found =
-        new AccelerationLimit(table(4, coefficient, 0, 0.6, 800, new Random(7)), SPEED, 6, true);
+        new AccelerationLimit(
+            table(4, coefficient, 0, 0.6, 800, new Random(7)),
+            AccelerationLimit.Kind.ACCELERATION,
+            SPEED,
+            6);
     assertThat(found.deviations()).hasSize(1);
     LimitDeviation d = found.deviations().get(0);
     assertThat(d.effect()).isEqualTo(MovementEffect.TORQUE_LIMITED);
@@ -106,7 +118,11 @@ class AccelerationLimitTest {
   @ValueSource(doubles = {0.15, 0.3, 0.6})
   void directionIsNamedAndSized(double coefficient) {
     AccelerationLimit found =
-        new AccelerationLimit(table(4, 0, coefficient, 0.6, 800, new Random(8)), SPEED, 6, false);
+        new AccelerationLimit(
+            table(4, 0, coefficient, 0.6, 800, new Random(8)),
+            AccelerationLimit.Kind.BRAKING,
+            SPEED,
+            6);
     assertThat(found.deviations()).hasSize(1);
     LimitDeviation d = found.deviations().get(0);
     assertThat(d.effect()).isEqualTo(MovementEffect.DIRECTIONAL);
@@ -118,7 +134,11 @@ class AccelerationLimitTest {
   @Test
   void bothTogetherMultiply() {
     AccelerationLimit found =
-        new AccelerationLimit(table(4, 0.4, 0.4, 0.6, 1500, new Random(9)), SPEED, 6, true);
+        new AccelerationLimit(
+            table(4, 0.4, 0.4, 0.6, 1500, new Random(9)),
+            AccelerationLimit.Kind.ACCELERATION,
+            SPEED,
+            6);
     assertThat(found.deviations()).hasSize(2);
     assertThat(found.deviations().get(0).coefficient()).isEqualTo(0.4, within(0.03));
     assertThat(found.deviations().get(1).coefficient()).isEqualTo(0.4, within(0.03));
@@ -128,7 +148,8 @@ class AccelerationLimitTest {
   @Test
   void tooFewManoeuvresSayNothing() {
     AccelerationLimit found =
-        new AccelerationLimit(table(4, 0, 0, 0.6, 8, new Random(1)), SPEED, 6, true);
+        new AccelerationLimit(
+            table(4, 0, 0, 0.6, 8, new Random(1)), AccelerationLimit.Kind.ACCELERATION, SPEED, 6);
     assertThat(found.estimate().known()).isFalse();
     assertThat(found.estimate().note()).contains("15");
     assertThat(found.deviations()).isEmpty();
@@ -136,7 +157,7 @@ class AccelerationLimitTest {
 
   @Test
   void weakAndUncertainManoeuvresAreRefused() {
-    ManoeuvreTable table = new ManoeuvreTable();
+    ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.DRIVING);
     assertThat(table.add(0.1, 0.001, 1, 0)).isFalse();
     assertThat(table.add(2, 1, 1, 0)).isFalse();
     assertThat(table.add(Double.NaN, 0.1, 1, 0)).isFalse();

@@ -4,6 +4,7 @@ import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.TeamManner;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.vision.RobotDetection;
@@ -26,13 +27,25 @@ final class MatchFrames {
 
   static MatchFrames of(
       int teamSize, double minutes, long seed, double noise, RobotLimits yellow, RobotLimits blue) {
+    return of(teamSize, minutes, seed, noise, yellow, blue, TeamManner.USUAL);
+  }
+
+  static MatchFrames of(
+      int teamSize,
+      double minutes,
+      long seed,
+      double noise,
+      RobotLimits yellow,
+      RobotLimits blue,
+      TeamManner manner) {
     SimulationSettings s =
         SimulationSettings.DEFAULT
             .withSeed(seed)
             .withScenario(
                 ScenarioSettings.of(ScenarioKind.MATCH, 0)
                     .withMatch(teamSize, minutes)
-                    .withLimits(yellow, blue));
+                    .withLimits(yellow, blue)
+                    .withManner(manner));
     // Cameras disagree by 23 mm, as they do.
     s =
         s.withCameras(

@@ -3,8 +3,11 @@ package fieldcal.movement;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.simulation.TeamManner;
+import fieldcal.simulation.robot.DirectionShape;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.vision.Team;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -62,5 +65,69 @@ class MatchLimitsTest {
     near(found.acceleration(), 3.5);
     near(found.braking(), 5);
     near(found.velocity(), 3);
+  }
+
+  /** The benchmark {@code movement} has 36 teams; here are two, whose robots turn to where they drive. */
+  @Test
+  void turnsAndShapesOfTheirOwn() {
+    RobotLimits yellow =
+        RobotLimits.uniform(2.5, 3, 4)
+            .withDirectionality(0.5)
+            .withShape(DirectionShape.SINE)
+            .withTurning(6, 30);
+    RobotLimits blue =
+        RobotLimits.uniform(3, 3.5, 5)
+            .withDirectionality(0.4)
+            .withShape(DirectionShape.FOUR_LOBES)
+            .withTurning(12, 40);
+    TeamManner manner = TeamManner.USUAL.withFacing(TeamManner.Facing.TARGET).withWeakRobot(3, 0.8);
+    MovementObserver observer = MatchFrames.of(6, 3, 10, 0.0025, yellow, blue, manner).observe();
+    for (Team team : Team.values()) {
+      RobotLimits truth = team == Team.YELLOW ? yellow : blue;
+      TeamLimits found = observer.limits(team);
+      turning(found.turning(), truth);
+      near(found.acceleration(), truth.acceleration());
+      Envelope envelope = found.envelopes().get(0);
+      assertThat(envelope.seenIn()).isEqualTo("acceleration");
+      assertThat(envelope.shaped()).isTrue();
+      assertThat(envelope.points()).hasSizeGreaterThan(8);
+      for (Envelope.Point p : envelope.points()) {
+        double there = truth.acceleration() * truth.directionFactor(p.angle());
+        assertThat(p.value()).as(team + " " + p).isEqualTo(there, within(0.05 * there));
+      }
+      assertThat(found.robots()).isNotEmpty();
+      for (RobotDifference different : found.robots()) {
+        assertThat(different.robot()).isEqualTo(3);
+        assertThat(different.ratio()).isEqualTo(0.8, within(0.03));
+      }
+    }
+  }
+
+  /** The goal of issue 19: 5 % or 0.2, whichever is wider, where the robots come to their limit. */
+  private static void turning(TurnLimits found, RobotLimits truth) {
+    double change = truth.angularAcceleration();
+    assertThat(found.acceleration().reached()).isTrue();
+    assertThat(found.acceleration().value())
+        .isEqualTo(change, within(Math.max(0.2, 0.05 * change)));
+    // They plan to end a turn with 80 % of it, and use all of it when that was too late.
+    assertThat(found.braking().value())
+        .isBetween(0.95 * RobotLimits.PLANNED_TURN_BRAKING * change, 1.05 * change);
+    if (found.velocity().reached()) {
+      assertThat(found.velocity().value())
+          .isEqualTo(
+              truth.angularVelocity(), within(Math.max(0.2, 0.05 * truth.angularVelocity())));
+    } else {
+      assertThat(found.velocity().value()).isLessThan(truth.angularVelocity());
+    }
+  }
+
+  @Test
+  void robotsThatAreAlikeDoNotDiffer() {
+    RobotLimits same = RobotLimits.uniform(2.5, 3, 4);
+    MovementObserver observer = MatchFrames.of(6, 2, 5, 0.0025, same, same).observe();
+    for (Team team : Team.values()) {
+      assertThat(observer.limits(team).robots()).isEmpty();
+      assertThat(observer.limits(team).envelopes()).noneMatch(Envelope::shaped);
+    }
   }
 }

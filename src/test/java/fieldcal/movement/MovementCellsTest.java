@@ -37,6 +37,19 @@ class MovementCellsTest {
                   0.01,
                   2 * Math.PI * random.nextDouble(),
                   30));
+      double rate = 10 * random.nextDouble();
+      statistics
+          .of(team)
+          .add(
+              new Turn(
+                  new RobotId(team, random.nextInt(6)),
+                  0,
+                  0.3,
+                  rate,
+                  i % 2 == 0 ? 0.1 : 40 * random.nextGaussian(),
+                  1,
+                  0.1,
+                  0.01));
       statistics.of(team).league().add(random.nextDouble(), 0, 12 * random.nextDouble(), 0, 0.013);
       statistics.standing().add(random.nextGaussian(), 20 * random.nextGaussian(), 1);
       statistics.standingSquares().add(200 * random.nextDouble());

@@ -92,7 +92,7 @@ class RampFitTest {
 
   private static List<Manoeuvre> manoeuvres(Stretch... stretches) {
     List<Manoeuvre> found = new ArrayList<>();
-    ManoeuvreFinder finder = new ManoeuvreFinder(found::add);
+    ManoeuvreFinder finder = new ManoeuvreFinder(PathKind.POSITION, found::add);
     for (Stretch stretch : stretches) {
       finder.find(new RobotId(Team.BLUE, 3), stretch);
     }

@@ -96,8 +96,8 @@ class TeamStatisticsTest {
     team.add(
         new Manoeuvre(
             new RobotId(Team.YELLOW, 1), 0, 0.3, 2, -0.3, 0, 2, 0.05, 0.01, 0.01, 0.4, 20));
-    assertThat(team.acceleratingManoeuvres().samples()).isEqualTo(1);
-    assertThat(team.brakingManoeuvres().samples()).isEqualTo(1);
+    assertThat(team.acceleratingManoeuvres().all().samples()).isEqualTo(1);
+    assertThat(team.brakingManoeuvres().all().samples()).isEqualTo(1);
     assertThat(team.manoeuvres()).isEqualTo(3);
   }
 

@@ -3,8 +3,10 @@ package fieldcal.app.cli;
 import fieldcal.app.limits.LimitWords;
 import fieldcal.app.limits.LimitsOutcome;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
+import fieldcal.movement.RobotDifference;
 import fieldcal.movement.SpeedCap;
 import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
@@ -21,7 +23,7 @@ final class LimitsText {
   }
 
   void print(LimitsOutcome outcome, Path directory) {
-    line("%-8s %-14s %-18s %10s   %s", "", "", "limit", "manoeuvres", "league's estimate");
+    line("%-8s %-16s %-16s %10s   %s", "", "", "limit", "manoeuvres", "league's estimate");
     for (Team team : Team.values()) {
       team(outcome.limits(team));
     }
@@ -50,24 +52,33 @@ final class LimitsText {
     row(limits.team().label(), "velocity", limits.velocity(), limits.leagueVelocity(), "m/s");
     row("", "acceleration", limits.acceleration(), limits.leagueAcceleration(), "m/s²");
     row("", "braking", limits.braking(), limits.leagueBraking(), "m/s²");
+    turning("turning, rad/s", limits.turning().velocity());
+    turning("  faster, rad/s²", limits.turning().acceleration());
+    turning("  slower, rad/s²", limits.turning().braking());
+  }
+
+  private void turning(String name, LimitEstimate own) {
+    line("%-8s %-16s %-16s %10d   %s", "", name, value(own), own.samples(), own.note());
+  }
+
+  private static String value(LimitEstimate own) {
+    return own.known()
+        ? String.format(
+            Locale.ROOT,
+            "%s%.3f ± %.3f",
+            own.reached() ? "" : "≥ ",
+            own.value(),
+            own.standardError())
+        : "–";
   }
 
   private void row(String team, String name, LimitEstimate own, LimitEstimate league, String unit) {
-    String value =
-        own.known()
-            ? String.format(
-                Locale.ROOT,
-                "%s%.3f ± %.3f",
-                own.reached() ? "" : "≥ ",
-                own.value(),
-                own.standardError())
-            : "–";
     String theirs =
         league.known()
             ? String.format(Locale.ROOT, "%.2f %s", league.value(), unit)
             : "– (" + league.note() + ")";
     String note = own.note().isEmpty() ? "" : "   " + own.note();
-    line("%-8s %-14s %-18s %10d   %s%s", team, name, value, own.samples(), theirs, note);
+    line("%-8s %-16s %-16s %10d   %s%s", team, name, value(own), own.samples(), theirs, note);
   }
 
   private void verdict(String team, TeamLimits limits) {
@@ -88,8 +99,16 @@ final class LimitsText {
           100 * d.shareAfter(),
           100 * d.shareBefore());
     }
-    if (limits.deviations().isEmpty()) {
+    for (Envelope e : limits.envelopes()) {
+      if (!e.points().isEmpty()) {
+        line("%s: %s%s.", team, LimitWords.sentence(e), e.shaped() ? " (a shape of its own)" : "");
+      }
+    }
+    if (limits.deviations().isEmpty() && limits.envelopes().stream().noneMatch(Envelope::shaped)) {
       line("%s: one limit for all speeds and directions describes it.", team);
+    }
+    for (RobotDifference r : limits.robots()) {
+      line("%s: %s.", team, LimitWords.sentence(r));
     }
     for (SpeedCap cap : limits.speedCaps()) {
       line(

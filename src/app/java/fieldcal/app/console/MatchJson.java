@@ -3,6 +3,7 @@ package fieldcal.app.console;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.limits.LimitWords;
 import fieldcal.app.monitor.MatchStatus;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.gamelog.RefereeState;
@@ -14,6 +15,7 @@ import fieldcal.live.MedianPoint;
 import fieldcal.live.MovementSnapshot;
 import fieldcal.live.ParameterEstimate;
 import fieldcal.live.SampleTree;
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
@@ -129,18 +131,29 @@ final class MatchJson {
         node.set("braking", limit(shown.braking(), shown.leagueBraking()));
         ArrayNode deviations = node.putArray("deviations");
         shown.deviations().forEach(d -> deviations.add(d.effect().sentence()));
+        node.set("turning", limit(shown.turning().velocity()));
+        node.set("turningFaster", limit(shown.turning().acceleration()));
+        node.set("turningSlower", limit(shown.turning().braking()));
+        shown.envelopes().stream()
+            .filter(Envelope::shaped)
+            .forEach(e -> deviations.add(LimitWords.sentence(e)));
+        shown.robots().forEach(r -> deviations.add(LimitWords.sentence(r)));
       }
     }
     return teams;
   }
 
   private static ObjectNode limit(LimitEstimate own, LimitEstimate league) {
+    ObjectNode node = limit(own);
+    put(node, "league", league.value());
+    return node;
+  }
+
+  private static ObjectNode limit(LimitEstimate own) {
     ObjectNode node = NODES.objectNode();
     put(node, "value", own.value());
     put(node, "error", own.standardError());
-    node.put("reached", own.reached());
-    put(node, "league", league.value());
-    return node;
+    return node.put("reached", own.reached());
   }
 
   private static ObjectNode camera(CameraHealth c) {

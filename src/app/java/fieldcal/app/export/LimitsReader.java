@@ -40,6 +40,13 @@ final class LimitsReader {
               file + ", teams." + team.label() + "." + name + ": must be a number or null");
         }
       }
+      for (String name : NAMES) {
+        // A lower bound would only make simulated robots slower than they are.
+        JsonNode turning = node.path("angular");
+        if (turning.path(name).isNumber() && turning.path("reached").path(name).asBoolean(false)) {
+          values.put("angular_" + name, turning.path(name).asDouble());
+        }
+      }
       Map<String, Double> effects = new LinkedHashMap<>();
       for (JsonNode effect : node.path("effects")) {
         effects.put(

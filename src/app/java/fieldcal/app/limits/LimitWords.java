@@ -1,13 +1,60 @@
 package fieldcal.app.limits;
 
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
+import fieldcal.movement.RobotDifference;
 import fieldcal.movement.TeamLimits;
 import java.util.Locale;
 
 /** What one limit for all speeds and directions gets wrong, in words and sizes an operator knows. */
 public final class LimitWords {
   private LimitWords() {}
+
+  /**
+   * How a limit depends on the direction.
+   *
+   * @param envelope with at least one known direction
+   * @return for example {@code acceleration by direction: 3.51 ± 0.04 m/s² at 0°, 1.52 ± 0.02 at 90°; known in 31 of 36 directions}
+   * @throws java.util.NoSuchElementException when no direction is known
+   */
+  public static String sentence(Envelope envelope) {
+    Envelope.Point most = envelope.strongest().orElseThrow();
+    Envelope.Point least = envelope.weakest().orElseThrow();
+    return String.format(
+        Locale.ROOT,
+        "%s by direction: %.2f ± %.2f m/s² at %.0f°, %.2f ± %.2f at %.0f°; known in %d of %d"
+            + " directions",
+        envelope.seenIn(),
+        most.value(),
+        most.standardError(),
+        Math.toDegrees(most.angle()),
+        least.value(),
+        least.standardError(),
+        Math.toDegrees(least.angle()),
+        envelope.points().size(),
+        Envelope.DIRECTIONS);
+  }
+
+  /**
+   * How a robot differs from its team mates.
+   *
+   * @param different of a team
+   * @return for example {@code robot 3 is weaker: acceleration 2.25 ± 0.02 m/s², 75 % of its team mates' 3.00 (51 manoeuvres)}
+   */
+  public static String sentence(RobotDifference different) {
+    return String.format(
+        Locale.ROOT,
+        "robot %d is %s: %s %.2f ± %.2f m/s², %.0f %% of its team mates' %.2f (%d manoeuvres)",
+        different.robot(),
+        different.ratio() < 1 ? "weaker" : "stronger",
+        different.quantity(),
+        different.value(),
+        different.standardError(),
+        100 * different.ratio(),
+        different.ofOthers(),
+        different.manoeuvres());
+  }
 
   /**
    * What a team's robots do otherwise, and how much that is.

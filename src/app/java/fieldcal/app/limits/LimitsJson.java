@@ -4,11 +4,14 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.MovementStatistics;
+import fieldcal.movement.RobotDifference;
 import fieldcal.movement.SpeedCap;
 import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 
 /** Builds {@code limits.json}. SI units; of what is not known the contract's fields are null; never NaN. */
@@ -52,8 +55,20 @@ final class LimitsJson {
     node.set(
         "league",
         estimates(limits.leagueVelocity(), limits.leagueAcceleration(), limits.leagueBraking()));
+    TurnLimits turning = limits.turning();
+    node.set("angular", estimates(turning.velocity(), turning.acceleration(), turning.braking()));
     ArrayNode effects = node.putArray("effects");
     limits.deviations().forEach(d -> effects.add(effect(d)));
+    ArrayNode envelopes = node.putArray("envelopes");
+    limits.envelopes().forEach(e -> envelopes.add(envelope(e)));
+    ArrayNode robots = node.putArray("robots");
+    for (RobotDifference r : limits.robots()) {
+      ObjectNode one = robots.addObject().put("robot", r.robot()).put("limit", r.quantity());
+      put(one, "value", r.value());
+      put(one, "standard_error", r.standardError());
+      put(one, "of_others", r.ofOthers());
+      one.put("manoeuvres", r.manoeuvres());
+    }
     ArrayNode caps = node.putArray("speed_caps");
     for (SpeedCap cap : limits.speedCaps()) {
       ObjectNode one = caps.addObject().put("robot", cap.robot());
@@ -99,6 +114,23 @@ final class LimitsJson {
     node.put("seen_in", d.seenIn());
     put(node, "share_at_limit_without", d.shareBefore());
     put(node, "share_at_limit_with", d.shareAfter());
+    return node;
+  }
+
+  private ObjectNode envelope(Envelope e) {
+    ObjectNode node = nodes.objectNode();
+    node.put("seen_in", e.seenIn());
+    node.put("shaped", e.shaped());
+    put(node, "share_at_limit_without", e.shareWithout());
+    put(node, "share_at_limit_with", e.shareWith());
+    ArrayNode points = node.putArray("points");
+    for (Envelope.Point p : e.points()) {
+      ObjectNode one = points.addObject();
+      put(one, "angle", p.angle());
+      put(one, "value", p.value());
+      put(one, "standard_error", p.standardError());
+      put(one, "manoeuvres", p.manoeuvres());
+    }
     return node;
   }
 

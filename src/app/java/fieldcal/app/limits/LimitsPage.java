@@ -4,6 +4,7 @@ import fieldcal.app.report.Problem;
 import fieldcal.app.report.Provenance;
 import fieldcal.app.report.ReportPage;
 import fieldcal.app.report.Rounded;
+import fieldcal.movement.Envelope;
 import fieldcal.movement.Grid;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
@@ -47,6 +48,11 @@ final class LimitsPage {
       Estimate leagueBraking,
       List<EffectView> effects,
       List<CapView> caps,
+      Estimate turnVelocity,
+      Estimate turnAcceleration,
+      Estimate turnBraking,
+      List<EnvelopeView> envelopes,
+      List<RobotView> robots,
       long manoeuvres,
       Picture ownFrame,
       Picture againstSpeed) {}
@@ -88,6 +94,28 @@ final class LimitsPage {
       return new CapView(c.robot(), c.speed(), c.standardError(), c.samples());
     }
   }
+
+  private record EnvelopeView(
+      String seenIn, String sentence, boolean shaped, List<Direction> points) {
+    static EnvelopeView of(Envelope e) {
+      String sentence = e.points().isEmpty() ? "" : LimitWords.sentence(e);
+      return new EnvelopeView(
+          e.seenIn(), sentence, e.shaped(), e.points().stream().map(Direction::of).toList());
+    }
+  }
+
+  /** A direction of an envelope. */
+  private record Direction(
+      @Rounded(4) double angle,
+      @Rounded(4) double value,
+      @Rounded(4) double standardError,
+      @Rounded(1) double manoeuvres) {
+    static Direction of(Envelope.Point p) {
+      return new Direction(p.angle(), p.value(), p.standardError(), p.manoeuvres());
+    }
+  }
+
+  private record RobotView(String sentence) {}
 
   /** The cells that hold something: x, y, count. */
   private record Picture(
@@ -152,6 +180,11 @@ final class LimitsPage {
         Estimate.of(limits.leagueBraking()),
         limits.deviations().stream().map(d -> EffectView.of(limits, d)).toList(),
         limits.speedCaps().stream().map(CapView::of).toList(),
+        Estimate.of(limits.turning().velocity()),
+        Estimate.of(limits.turning().acceleration()),
+        Estimate.of(limits.turning().braking()),
+        limits.envelopes().stream().map(EnvelopeView::of).toList(),
+        limits.robots().stream().map(r -> new RobotView(LimitWords.sentence(r))).toList(),
         limits.manoeuvres(),
         Picture.of(statistics.ownFrame()),
         Picture.of(statistics.againstSpeed()));

@@ -1,6 +1,7 @@
 package fieldcal.app.monitor;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.files.NamedOutput;
@@ -13,8 +14,10 @@ import fieldcal.live.LiveListener;
 import fieldcal.live.LiveSnapshot;
 import fieldcal.live.LiveWarning;
 import fieldcal.live.ParameterEstimate;
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.PlayPhase;
+import fieldcal.movement.RobotDifference;
 import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
 import java.io.BufferedWriter;
@@ -206,15 +209,36 @@ public final class ChangeLog implements LiveListener, AutoCloseable {
                 effects.put(
                     d.effect().id() + "_in_" + d.seenIn().toLowerCase(Locale.ROOT),
                     d.coefficient()));
+    put(node, "angular_velocity_max", limits.turning().velocity());
+    put(node, "angular_acceleration_max", limits.turning().acceleration());
+    put(node, "angular_braking_max", limits.turning().braking());
+    ArrayNode envelopes = node.putArray("envelopes");
+    for (Envelope e : limits.envelopes()) {
+      ObjectNode one = envelopes.addObject().put("seen_in", e.seenIn()).put("shaped", e.shaped());
+      ArrayNode points = one.putArray("points");
+      for (Envelope.Point p : e.points()) {
+        points.addArray().add(p.angle()).add(p.value()).add(p.standardError());
+      }
+    }
+    ArrayNode robots = node.putArray("robots");
+    for (RobotDifference r : limits.robots()) {
+      ObjectNode one = robots.addObject().put("robot", r.robot()).put("limit", r.quantity());
+      number(one, "value", r.value());
+      number(one, "standard_error", r.standardError());
+      number(one, "of_others", r.ofOthers());
+    }
     return node;
   }
 
   private static void put(ObjectNode node, String name, LimitEstimate own, LimitEstimate league) {
+    number(put(node, name, own), "league", league.value());
+  }
+
+  private static ObjectNode put(ObjectNode node, String name, LimitEstimate own) {
     ObjectNode one = node.putObject(name);
     number(one, "value", own.value());
     number(one, "standard_error", own.standardError());
-    one.put("samples", own.samples()).put("reached", own.reached());
-    number(one, "league", league.value());
+    return one.put("samples", own.samples()).put("reached", own.reached());
   }
 
   /** The last line. */

@@ -1,5 +1,6 @@
 package fieldcal.app.monitor;
 
+import fieldcal.app.limits.LimitWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.BallParameter;
 import fieldcal.live.BallSnapshot;
@@ -12,9 +13,12 @@ import fieldcal.live.LiveWarning;
 import fieldcal.live.MovementSnapshot;
 import fieldcal.live.ParameterEstimate;
 import fieldcal.live.SampleTree;
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
+import fieldcal.movement.RobotDifference;
 import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 import java.time.Instant;
 import java.time.ZoneId;
@@ -237,6 +241,23 @@ final class MatchText {
                 d.standardError());
         sentence(lines, named, width);
       }
+      TurnLimits turning = shown.turning();
+      if (turning.velocity().known() || turning.acceleration().known()) {
+        add(
+            lines,
+            "          turning: %s rad/s, faster by %s, slower by %s rad/s²",
+            limit(turning.velocity()),
+            limit(turning.acceleration()),
+            limit(turning.braking()));
+      }
+      for (Envelope e : shown.envelopes()) {
+        if (e.shaped()) {
+          sentence(lines, "          " + LimitWords.sentence(e), width);
+        }
+      }
+      for (RobotDifference r : shown.robots()) {
+        sentence(lines, "          " + LimitWords.sentence(r), width);
+      }
     }
     String since =
         String.format(
@@ -245,6 +266,17 @@ final class MatchText {
             clock(movement.countingSince()),
             movement.breaks() > 0 ? " (last break)" : "");
     lines.add(since);
+  }
+
+  private static String limit(LimitEstimate own) {
+    return own.known()
+        ? String.format(
+            Locale.ROOT,
+            "%s%.1f ± %.1f",
+            own.reached() ? "" : "≥ ",
+            own.value(),
+            own.standardError())
+        : "–";
   }
 
   private static String limit(LimitEstimate own, LimitEstimate league) {

@@ -5,6 +5,7 @@
   const {$, content, draw, forget, figure, badge, swatch, showProvenance, showProblems, start} = Frame;
   const report = JSON.parse($('data').textContent);
   const KINDS = [['velocity', 'Velocity', 'm/s'], ['acceleration', 'Acceleration', 'm/s²'], ['braking', 'Braking', 'm/s²']];
+  const TURNS = [['turnVelocity', 'Turning', 'rad/s'], ['turnAcceleration', 'Turning faster', 'rad/s²'], ['turnBraking', 'Turning slower', 'rad/s²']];
   const boxes = [];
   let theme;
 
@@ -33,10 +34,13 @@
         continue;
       }
       const numbers = KINDS.map(([key, label, unit]) => label.toLowerCase() + (team[key].reached || !known(team[key].value) ? ' ' : ' at least ') + withError(team[key].value, team[key].standardError, unit));
-      const what = team.effects.length === 0 ? 'one limit for all speeds and directions describes it.'
+      const shaped = team.envelopes.filter(e => e.shaped);
+      const what = team.effects.length === 0 ? shaped.length > 0 ? 'the limit depends on the direction in a shape of its own.' : 'one limit for all speeds and directions describes it.'
         : team.effects.map(e => 'it ' + e.sentence + ' (' + e.effect + ', coefficient ' + withError(e.coefficient, e.standardError) + '; seen in ' + e.seenIn + ': '
           + number(100 * e.shareWith, 0) + ' % of the manoeuvres are at the limit with it, ' + number(100 * e.shareWithout, 0) + ' % without)').join('; ') + '.';
       lines.push(el('p', {}, el('b', {}, name), ': ' + numbers.join(', ') + '; ' + what));
+      for (const e of team.envelopes) if (e.sentence) lines.push(el('p', {}, name + ', ' + e.sentence + '.'));
+      for (const robot of team.robots) lines.push(el('p', {}, name + ': ' + robot.sentence + '.'));
       for (const cap of team.caps) lines.push(el('p', {}, name + ' ' + cap.robot + ' never drives faster than ' + withError(cap.speed, cap.standardError, 'm/s') + '.'));
     }
     if (!report.refereeSeen) lines.push(el('ul', {}, el('li', {}, 'No referee was recorded: everything was counted, including breaks.')));
@@ -45,16 +49,16 @@
 
   function showLimits() {
     const head = ['Team', 'Limit', 'Estimate', 'Manoeuvres', 'Seen at it', 'League’s estimate', 'Its samples', ''];
-    const rows = report.teams.flatMap(team => KINDS.map(([key, label, unit], i) => {
+    const rows = report.teams.flatMap(team => [...KINDS, ...TURNS].map(([key, label, unit], i) => {
       const own = team[key];
-      const league = team['league' + label];
+      const league = team['league' + label] || {};
       return el('tr', {},
         el('td', {class: 'team'}, i === 0 ? team.team : ''), el('td', {class: 'text'}, label),
         el('td', {class: 'big'}, (own.reached || !known(own.value) ? '' : '≥ ') + withError(own.value, own.standardError, unit)),
         el('td', {}, String(own.samples)),
         el('td', {}, !known(own.value) ? '–' : own.reached ? badge('good', 'yes') : badge('warn', 'no')),
-        el('td', {class: 'league'}, known(league.value) ? number(league.value, 2) + ' ' + unit : '–'), el('td', {class: 'league'}, String(league.samples)),
-        el('td', {class: 'text wrap'}, own.note || league.note));
+        el('td', {class: 'league'}, known(league.value) ? number(league.value, 2) + ' ' + unit : '–'), el('td', {class: 'league'}, league.samples === undefined ? '–' : String(league.samples)),
+        el('td', {class: 'text wrap'}, own.note || league.note || ''));
     }));
     content('limits').replaceChildren(el('table', {},
       el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 || i === 7 ? 'text' : null}, h)))), el('tbody', {}, rows)),
@@ -108,14 +112,44 @@
     return [...arc, arc[0]];
   }
 
+  /** An envelope with a bar of two standard errors at each direction; open where directions are not known. */
+  function polygon(envelope, colour, type) {
+    const at = (p, value) => [-value * Math.sin(p.angle), value * Math.cos(p.angle)];
+    const step = 2 * Math.PI / 36;
+    const points = [...envelope.points, {...envelope.points[0], angle: envelope.points[0].angle + 2 * Math.PI}];
+    const path = points.flatMap((p, i) => i > 0 && p.angle - points[i - 1].angle > 1.5 * step ? [[null, null], at(p, p.value)] : [at(p, p.value)]);
+    const bars = envelope.points.flatMap(p => [at(p, p.value - 2 * p.standardError), at(p, p.value + 2 * p.standardError), [null, null]]);
+    return [line(path, colour, type), line(bars, colour, 'solid', 2)];
+  }
+
+  /** What the pictures show, direction by direction. */
+  function showDirections() {
+    const cell = (team, kind, k) => {
+      const e = team.envelopes.find(x => x.seenIn === kind);
+      const p = e && e.points.find(x => Math.round(x.angle * 18 / Math.PI) === k);
+      return p ? withError(p.value, p.standardError, 'm/s²') + ' (' + number(p.manoeuvres, 0) + ')' : '–';
+    };
+    const columns = report.teams.flatMap(team => ['acceleration', 'braking'].map(kind => [team, kind]));
+    const rows = Array.from({length: 36}, (_, k) => k).filter(k => columns.some(([team, kind]) => cell(team, kind, k) !== '–'));
+    const table = $('own-frame').querySelector('.table');
+    if (rows.length === 0) { table.replaceChildren(); return; }
+    table.replaceChildren(el('details', {}, el('summary', {}, 'Limits by direction (manoeuvres at the limit)'), el('table', {},
+      el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'Direction'), columns.map(([team, kind]) => el('th', {scope: 'col'}, team.team + ', ' + kind)))),
+      el('tbody', {}, rows.map(k => el('tr', {}, el('td', {}, k * 10 + '°'), columns.map(([team, kind]) => el('td', {}, cell(team, kind, k)))))))),
+      el('p', {class: 'note'}, '0° is the front, 90° the left. Directions in which the robots hardly ever used all they have are missing.'));
+  }
+
   function ownFrame(box, team) {
     const option = base(theme, 'acceleration to the right (m/s²)', 'to the front (m/s²)');
     const span = reach(team.ownFrame, 1, team.acceleration.value, team.braking.value);
     const size = square(box, option, span);
     option.tooltip.formatter = p => Array.isArray(p.value) ? tip(p.value[2] + ' detections', number(p.value[1], 2) + ' m/s² to the front', number(p.value[0], 2) + ' m/s² to the right') : '';
     option.series = [cells(team.ownFrame, size, {x: 2 * span, y: 2 * span}, (x, y, n) => [-y, x, n]), line(outline(0.14 * span), theme.muted, 'solid', 2)];
-    if (known(team.acceleration.value)) option.series.push(line(round(a => limit(team, 'acceleration', 0, a)), theme.good));
-    if (known(team.braking.value)) option.series.push(line(round(a => limit(team, 'braking', 0, a)), theme.bad, 'dashed'));
+    for (const [kind, colour, type] of [['acceleration', theme.good, 'solid'], ['braking', theme.bad, 'dashed']]) {
+      const envelope = team.envelopes.find(e => e.seenIn === kind && e.points.length > 0);
+      if (envelope) option.series.push(...polygon(envelope, colour, type));
+      if (known(team[kind].value) && !(envelope && envelope.shaped)) option.series.push(line(round(a => limit(team, kind, 0, a)), colour, envelope ? 'dotted' : type, envelope ? 1 : 2));
+    }
     draw(box, option);
   }
 
@@ -173,11 +207,12 @@
   }
 
   function showAll() {
-    legend('own-frame', entry('band', theme.accent, 'detections, darker where more'), entry('line', theme.good, 'limit of acceleration'), entry('dashes', theme.bad, 'limit of braking'));
+    legend('own-frame', entry('band', theme.accent, 'detections, darker where more'), entry('line', theme.good, 'limit of acceleration by direction, with two standard errors'), entry('dashes', theme.bad, 'the same of braking'), el('span', {}, 'Dotted: as the named effects have it.'));
     legend('against-speed', entry('band', theme.accent, 'detections, darker where more'), entry('line', theme.good, 'limit of acceleration along the front'), entry('dashes', theme.bad, 'limit of braking'), entry('line', theme.text, 'limit of velocity'));
     legend('noise', entry('line', theme.text, 'one standard deviation: ' + number(report.standingNoiseMm, 2) + ' mm per axis'), entry('dashes', theme.text, 'two'), el('span', {}, 'Driving robots: ' + number(report.noiseMm, 2) + ' mm.'));
     showVerdict();
     showLimits();
+    showDirections();
     for (const picture of boxes) picture();
   }
 

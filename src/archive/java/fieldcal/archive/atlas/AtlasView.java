@@ -103,10 +103,11 @@ public record AtlasView(
       Picture standing,
       @Rounded(5) double standingNoise) {}
 
-  /** A quantity of a team's robots, or of one of them; robot −1 stands for all. */
+  /** A quantity of a team's robots, or of one of them; robot −1 stands for all; a direction, rad, only for limits by direction. */
   public record Quantity(
       String name,
       int robot,
+      @Rounded(4) double direction,
       @Rounded(4) double value,
       @Rounded(4) double error,
       long samples,

@@ -212,9 +212,18 @@ public final class Tables {
             TEXT,
             "quantity",
             "",
-            "velocity_max, acceleration_max, braking_max, the same with league_ before them (the"
-                + " league's estimate), torque_limited, directional, or speed_cap")
-        .maybe(DOUBLE, "value", "m/s, m/s² or none", "missing when it is undetermined")
+            "velocity_max, acceleration_max, braking_max, the same with angular_ before them (of"
+                + " turning) or league_ (the league's estimate), torque_limited, directional,"
+                + " acceleration_by_direction, braking_by_direction, speed_cap, or"
+                + " robot_acceleration and robot_braking of a robot that differs from its team"
+                + " mates")
+        .maybe(
+            DOUBLE,
+            "direction",
+            "rad",
+            "of a limit by direction: from the robot's front to the left; missing for others")
+        .maybe(
+            DOUBLE, "value", "m/s, m/s², rad/s, rad/s² or none", "missing when it is undetermined")
         .maybe(DOUBLE, "standard_error", "as value", "missing when it is unknown")
         .always(LONG, "samples", "", "observations that it rests on")
         .maybe(
@@ -323,7 +332,9 @@ public final class Tables {
         .always(TEXT, "team", "", "name of the team, as the referee says")
         .maybe(INT, "robot", "", "number of the robot; missing for all robots of the team together")
         .always(TEXT, "quantity", "", "as in robots")
-        .maybe(DOUBLE, "value", "m/s, m/s² or none", "missing when it is undetermined")
+        .maybe(DOUBLE, "direction", "rad", "as in robots")
+        .maybe(
+            DOUBLE, "value", "m/s, m/s², rad/s, rad/s² or none", "missing when it is undetermined")
         .maybe(DOUBLE, "standard_error", "as value", "missing when it is unknown")
         .always(LONG, "samples", "", "observations that it rests on")
         .maybe(BOOLEAN, "reached", "", "as in robots")

@@ -7,6 +7,7 @@
   const PARAMETERS = [['acc_slide', 'sliding deceleration', 'm/s²'], ['acc_roll', 'rolling deceleration', 'm/s²'], ['k_switch', 'kSwitch', ''],
     ['damping_xy_first_hop', 'horizontal damping, first impact', ''], ['damping_xy_other_hops', 'horizontal damping, later impacts', ''], ['damping_z', 'vertical damping', '']];
   const LIMITS = [['velocity_max', 'Velocity', 'm/s'], ['acceleration_max', 'Acceleration', 'm/s²'], ['braking_max', 'Braking', 'm/s²']];
+  const TURNS = [['angular_velocity_max', 'Turning', 'rad/s'], ['angular_acceleration_max', 'Turning faster', 'rad/s²'], ['angular_braking_max', 'Turning slower', 'rad/s²']];
   const ALLOWED = 6.5;
   const carpets = atlas.venues.flatMap(venue => venue.carpets.map(carpet => ({...carpet, venue})));
   let theme;
@@ -164,11 +165,11 @@
       }), theme.camera(i).colour, symbols[i % 4]));
       later(() => draw(box, option));
     }
-    table('limits', ['Team←', 'Tournament←', 'Matches', 'Manoeuvres', ...LIMITS.map(l => l[1]), 'Departures from one limit↵', 'Slow robots↵'],
+    table('limits', ['Team←', 'Tournament←', 'Matches', 'Manoeuvres', ...LIMITS.map(l => l[1]), ...TURNS.map(l => l[1]), 'Departures from one limit↵', 'Robots that differ↵'],
       atlas.teams.map(t => [t.team, t.tournament, String(t.matches), String(t.manoeuvres),
-        ...LIMITS.map(([name, , unit]) => { const q = quantity(t, name); return (q.reached === false ? '≥ ' : '') + withError(q.value, q.error, unit); }),
+        ...[...LIMITS, ...TURNS].map(([name, , unit]) => { const q = quantity(t, name); return (q.reached === false ? '≥ ' : '') + withError(q.value, q.error, unit); }),
         t.quantities.filter(q => q.name === 'torque_limited' || q.name === 'directional').map(q => q.name + ' ' + withError(q.value, q.error) + ' (' + q.note + ')').join(', ') || 'none',
-        t.quantities.filter(q => q.robot >= 0).map(q => q.robot + ': ' + withError(q.value, q.error, 'm/s')).join(', ') || 'none']));
+        t.quantities.filter(q => q.robot >= 0).map(q => q.robot + ': ' + (q.name === 'speed_cap' ? 'at most ' + withError(q.value, q.error, 'm/s') : q.name.replace('robot_', '') + ' ' + withError(q.value, q.error, 'm/s²'))).join(', ') || 'none']));
   }
 
   /** Cells as squares, darker where more lies, on a logarithmic scale. */
@@ -197,6 +198,17 @@
 
   const round = radius => Array.from({length: 73}, (_, i) => [radius * Math.sin(i * Math.PI / 36), radius * Math.cos(i * Math.PI / 36)]);
 
+  /** The limit by direction with two standard errors at each; a circle where it is not known by direction. */
+  function byDirection(t, kind, limit, colour, type) {
+    const all = t.quantities.filter(q => q.name === kind + '_by_direction');
+    if (all.length === 0) return known(limit) ? [line(round(limit), colour, type)] : [];
+    const at = (q, value) => [-value * Math.sin(q.direction), value * Math.cos(q.direction)];
+    const gap = (q, i, list) => i > 0 && q.direction - list[i - 1].direction > 0.27;
+    const path = [...all, {...all[0], direction: all[0].direction + 2 * Math.PI}].flatMap((q, i, list) => gap(q, i, list) ? [[null, null], at(q, q.value)] : [at(q, q.value)]);
+    const bars = all.flatMap(q => [at(q, q.value - 2 * q.error), at(q, q.value + 2 * q.error), [null, null]]);
+    return [line(path, colour, type), line(bars, colour)];
+  }
+
   function showPictures() {
     forget(content('pictures'));
     if (atlas.teams.length === 0) {
@@ -209,7 +221,7 @@
     if (t.manoeuvres > 0) {
       const own = figure(content('pictures'), 'acceleration in the robot’s own frame', 'front upwards; solid: limit of acceleration, dashed: of braking', 'chart square');
       later(() => cells(own, t.ownFrame, 'to the right (m/s²)', 'to the front (m/s²)', {turn: true, square: true},
-        [...(known(a) ? [line(round(a), theme.good)] : []), ...(known(b) ? [line(round(b), theme.bad, 'dashed')] : [])]));
+        [...byDirection(t, 'acceleration', a, theme.good, 'solid'), ...byDirection(t, 'braking', b, theme.bad, 'dashed')]));
       const against = figure(content('pictures'), 'change of speed against speed', 'above zero faster, below slower', 'chart square');
       later(() => cells(against, t.againstSpeed, 'speed (m/s)', 'change of speed (m/s²)', {},
         [...(known(a) ? [line([[0, a], [v || 4, a]], theme.good)] : []), ...(known(b) ? [line([[0, -b], [v || 4, -b]], theme.bad, 'dashed')] : []), ...(known(v) ? [line([[v, -b || -4], [v, a || 4]], theme.text)] : [])]));
@@ -220,7 +232,7 @@
         known(t.standingNoise) ? [line(round(1000 * t.standingNoise), theme.text)] : []));
     }
     table('pictures', ['Quantity←', 'Robot', 'Value', 'Observations', 'Seen at it', 'Note↵'],
-      t.quantities.map(q => [q.name, q.robot < 0 ? 'all' : String(q.robot), withError(q.value, q.error), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']));
+      t.quantities.map(q => [q.name + (known(q.direction) ? ' ' + number(q.direction * 180 / Math.PI, 0) + '°' : ''), q.robot < 0 ? 'all' : String(q.robot), withError(q.value, q.error), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']));
   }
 
   function chooseTeam() {

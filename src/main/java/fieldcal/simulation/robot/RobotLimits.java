@@ -1,5 +1,7 @@
 package fieldcal.simulation.robot;
 
+import java.util.Objects;
+
 /**
  * What a robot can do.
  *
@@ -9,7 +11,8 @@ package fieldcal.simulation.robot;
  * @param angularVelocity rad/s
  * @param angularAcceleration rad/s²
  * @param torqueLoss the acceleration falls linearly with speed: × (1 − torqueLoss·|v|/velocity)
- * @param directionality acceleration and braking sideways are smaller: × (1 − directionality·sin²φ), φ from the robot's front
+ * @param directionality acceleration and braking are smaller in the weakest direction: × (1 − directionality)
+ * @param shape how they depend on the direction in between
  */
 public record RobotLimits(
     double velocity,
@@ -18,10 +21,44 @@ public record RobotLimits(
     double angularVelocity,
     double angularAcceleration,
     double torqueLoss,
-    double directionality) {
+    double directionality,
+    DirectionShape shape) {
+
+  /** The part of its angular acceleration with which a robot plans to end a turn. */
+  public static final double PLANNED_TURN_BRAKING = 0.8;
 
   /** A usual robot. */
   public static final RobotLimits DEFAULT = new RobotLimits(3, 3, 3.5, 10, 40, 0, 0);
+
+  /**
+   * Limits with the usual shape.
+   *
+   * @param velocity m/s
+   * @param acceleration m/s²
+   * @param braking m/s², positive
+   * @param angularVelocity rad/s
+   * @param angularAcceleration rad/s²
+   * @param torqueLoss 0 … 0.95
+   * @param directionality 0 … 0.95
+   */
+  public RobotLimits(
+      double velocity,
+      double acceleration,
+      double braking,
+      double angularVelocity,
+      double angularAcceleration,
+      double torqueLoss,
+      double directionality) {
+    this(
+        velocity,
+        acceleration,
+        braking,
+        angularVelocity,
+        angularAcceleration,
+        torqueLoss,
+        directionality,
+        DirectionShape.SINE_SQUARED);
+  }
 
   /**
    * Checks the ranges. {@inheritDoc}
@@ -29,6 +66,7 @@ public record RobotLimits(
    * @throws IllegalArgumentException when a limit is not positive or a share not in [0, 0.95] (or NaN)
    */
   public RobotLimits {
+    Objects.requireNonNull(shape, "shape");
     double[] positive = {velocity, acceleration, braking, angularVelocity, angularAcceleration};
     for (double value : positive) {
       if (!(value > 0 && value < 1000)) {
@@ -67,7 +105,8 @@ public record RobotLimits(
         angularVelocity,
         angularAcceleration,
         coefficient,
-        directionality);
+        directionality,
+        shape);
   }
 
   /**
@@ -84,6 +123,65 @@ public record RobotLimits(
         angularVelocity,
         angularAcceleration,
         torqueLoss,
-        coefficient);
+        coefficient,
+        shape);
+  }
+
+  /**
+   * Another shape.
+   *
+   * @param next how acceleration and braking depend on the direction
+   * @return the changed limits
+   */
+  public RobotLimits withShape(DirectionShape next) {
+    return new RobotLimits(
+        velocity,
+        acceleration,
+        braking,
+        angularVelocity,
+        angularAcceleration,
+        torqueLoss,
+        directionality,
+        next);
+  }
+
+  /**
+   * Other limits of turning.
+   *
+   * @param rate rad/s
+   * @param change rad/s²
+   * @return the changed limits
+   */
+  public RobotLimits withTurning(double rate, double change) {
+    return new RobotLimits(
+        velocity, acceleration, braking, rate, change, torqueLoss, directionality, shape);
+  }
+
+  /**
+   * A stronger or weaker robot.
+   *
+   * @param strength factor of acceleration and braking
+   * @return the changed limits
+   */
+  public RobotLimits times(double strength) {
+    return new RobotLimits(
+        velocity,
+        strength * acceleration,
+        strength * braking,
+        angularVelocity,
+        angularAcceleration,
+        torqueLoss,
+        directionality,
+        shape);
+  }
+
+  /**
+   * The part of acceleration and braking that is there in one direction.
+   *
+   * @param phi against the robot's front, rad
+   * @return 1 − directionality … 1
+   */
+  public double directionFactor(double phi) {
+    return shape.factor(directionality, phi);
   }
 }

@@ -97,7 +97,8 @@ public final class SimulatedRobot {
       double dy = target.y() - y;
       double distance = Math.hypot(dx, dy);
       // Brake a trifle earlier than the limits demand, so that the target is not overshot.
-      double braking = 0.97 * limits.braking() * (1 - limits.directionality());
+      double back = Math.atan2(-dy, -dx) - orientation;
+      double braking = 0.97 * limits.braking() * limits.directionFactor(back);
       double speed =
           Math.min(Math.min(target.maxSpeed(), Math.sqrt(2 * braking * distance)), distance / 0.05);
       wantedX = distance == 0 ? 0 : speed * dx / distance;
@@ -105,7 +106,11 @@ public final class SimulatedRobot {
       double turn = Math.IEEEremainder(target.orientation() - orientation, 2 * Math.PI);
       double rate =
           Math.min(
-              Math.sqrt(1.6 * limits.angularAcceleration() * Math.abs(turn)),
+              Math.sqrt(
+                  2
+                      * RobotLimits.PLANNED_TURN_BRAKING
+                      * limits.angularAcceleration()
+                      * Math.abs(turn)),
               Math.abs(turn) / 0.04);
       wantedAngular = Math.copySign(rate, turn);
     }
@@ -122,8 +127,7 @@ public final class SimulatedRobot {
     double changeY = cap * wantedY - vy;
     double change = Math.hypot(changeX, changeY);
     if (change > 0) {
-      double sine = Math.sin(Math.atan2(changeY, changeX) - orientation);
-      double direction = 1 - limits.directionality() * sine * sine;
+      double direction = limits.directionFactor(Math.atan2(changeY, changeX) - orientation);
       boolean brakes = changeX * vx + changeY * vy < 0;
       double most =
           brakes

@@ -54,12 +54,20 @@ public final class MatchScenario implements Scenario {
     double acceleration = random.uniform(2, 4.5);
     double braking = random.uniform(2.8, 6);
     RobotLimits limits = given;
-    RobotLimits plain = given.withTorqueLoss(0).withDirectionality(0);
+    RobotLimits plain =
+        given
+            .withTorqueLoss(0)
+            .withDirectionality(0)
+            .withShape(RobotLimits.DEFAULT.shape())
+            .withTurning(
+                RobotLimits.DEFAULT.angularVelocity(), RobotLimits.DEFAULT.angularAcceleration());
     if (plain.equals(RobotLimits.DEFAULT)) {
       limits =
           RobotLimits.uniform(velocity, acceleration, braking)
               .withTorqueLoss(given.torqueLoss())
-              .withDirectionality(given.directionality());
+              .withDirectionality(given.directionality())
+              .withShape(given.shape())
+              .withTurning(given.angularVelocity(), given.angularAcceleration());
     }
     double height = random.uniform(0.14, 0.149);
     double side = team == Team.YELLOW ? -1 : 1;
@@ -70,13 +78,15 @@ public final class MatchScenario implements Scenario {
       robots.add(
           new SimulatedRobot(
               new RobotId(team, i),
-              limits,
+              i == settings.manner().weakRobot()
+                  ? limits.times(settings.manner().strength())
+                  : limits,
               height,
               side * x * field.length(),
               y * 0.9 * field.width(),
               side > 0 ? Math.PI : 0));
     }
-    return new TeamPlay(field, List.copyOf(robots), random);
+    return new TeamPlay(field, List.copyOf(robots), settings.manner().facing(), random);
   }
 
   @Override

@@ -3,6 +3,7 @@ package fieldcal.simulation.scenario;
 import fieldcal.simulation.FieldSize;
 import fieldcal.simulation.RandomStream;
 import fieldcal.simulation.SimulatedWorld;
+import fieldcal.simulation.TeamManner;
 import fieldcal.simulation.physics.BallBody;
 import fieldcal.simulation.robot.RobotCommand;
 import fieldcal.simulation.robot.SimulatedRobot;
@@ -13,17 +14,23 @@ import java.util.List;
 final class TeamPlay {
   private static final double HYSTERESIS = 0.4;
 
+  /** Nearer to its target a robot looks at the ball in any case, m: half of what it drives in a hurry. */
+  private static final double NEAR = 0.5;
+
   private final FieldSize field;
   private final RandomStream random;
   private final List<SimulatedRobot> robots;
   private final double[] targetX;
   private final double[] targetY;
   private final double[] targetUntil;
+  private final TeamManner.Facing looks;
   private final BallHandler handler;
 
   private SimulatedRobot chaser;
 
-  TeamPlay(FieldSize field, List<SimulatedRobot> robots, RandomStream random) {
+  TeamPlay(
+      FieldSize field, List<SimulatedRobot> robots, TeamManner.Facing looks, RandomStream random) {
+    this.looks = looks;
     this.field = field;
     this.robots = robots;
     this.random = random;
@@ -129,12 +136,15 @@ final class TeamPlay {
       x = ball.x() + (away == 0 ? clearance : scale * (x - ball.x()));
       y = ball.y() + scale * (y - ball.y());
     }
-    double facing = Math.atan2(ball.y() - robot.y(), ball.x() - robot.x());
+    boolean ahead =
+        looks == TeamManner.Facing.TARGET && Math.hypot(x - robot.x(), y - robot.y()) > NEAR;
+    double toBall = Math.atan2(ball.y() - robot.y(), ball.x() - robot.x());
+    double facing = ahead ? Math.atan2(y - robot.y(), x - robot.x()) : toBall;
     double tooClose = Math.hypot(robot.x() - ball.x(), robot.y() - ball.y());
     if (tooClose < 0.6 * clearance) {
       // Off the ball first, the straight way.
       return RobotCommand.driveTo(
-          robot.x() - 0.5 * Math.cos(facing), robot.y() - 0.5 * Math.sin(facing), facing, maxSpeed);
+          robot.x() - 0.5 * Math.cos(toBall), robot.y() - 0.5 * Math.sin(toBall), toBall, maxSpeed);
     }
     return Driving.to(world, robot, x, y, facing, maxSpeed);
   }

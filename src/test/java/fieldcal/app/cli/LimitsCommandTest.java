@@ -96,6 +96,20 @@ class LimitsCommandTest {
         assertThat(team.at("/league/" + name).asDouble()).isPositive();
       }
       assertThat(team.path("effects")).isEmpty();
+      assertThat(team.path("robots")).isEmpty();
+      assertThat(team.at("/angular/acceleration_max").asDouble()).isEqualTo(40, within(2.0));
+      assertThat(team.at("/angular/standard_errors/acceleration_max").asDouble())
+          .isBetween(0.1, 2.0);
+      for (JsonNode envelope : team.path("envelopes")) {
+        assertThat(envelope.path("shaped").asBoolean()).isFalse();
+        double limit = team.path(envelope.path("seen_in").asText() + "_max").asDouble();
+        for (JsonNode point : envelope.path("points")) {
+          assertThat(point.path("angle").asDouble()).isBetween(0.0, 2 * Math.PI);
+          assertThat(point.path("value").asDouble()).isEqualTo(limit, within(0.15 * limit));
+          assertThat(point.path("standard_error").asDouble()).isPositive();
+        }
+      }
+      assertThat(team.path("envelopes")).isNotEmpty();
     }
     assertThat(root.path("referee_seen").asBoolean()).isTrue();
     assertThat(root.path("sources")).hasSize(2);
@@ -179,7 +193,7 @@ class LimitsCommandTest {
     Path out = folder.resolve("out");
     Answer answer = run("limits", first, "--out=" + out);
     assertThat(answer.exit()).as(answer.err()).isZero();
-    assertThat(answer.out()).contains("yellow", "blue", "braking", "limits.html");
+    assertThat(answer.out()).contains("yellow", "blue", "braking", "turning, rad/s", "limits.html");
     assertThat(answer.out()).doesNotContain("NaN");
     String page = Files.readString(out.resolve("limits.html"));
     assertThat(page).contains("Movement limits").doesNotContain("{{");

@@ -2,10 +2,13 @@ package fieldcal.app.limits;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.MovementEffect;
+import fieldcal.movement.RobotDifference;
 import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -28,6 +31,9 @@ class LimitWordsTest {
             of(8),
             List.of(deviation),
             List.of(),
+            new TurnLimits(of(10), of(40), of(40), 100),
+            List.of(),
+            List.of(),
             100);
     return LimitWords.sentence(limits, deviation);
   }
@@ -42,6 +48,30 @@ class LimitWordsTest {
             "accelerates less sideways than along its front: 4.00 m/s² along it, 2.40 sideways");
     assertThat(words(of(5), MovementEffect.DIRECTIONAL, "braking"))
         .isEqualTo("brakes less sideways than along its front: 5.00 m/s² along it, 3.00 sideways");
+  }
+
+  @Test
+  void anEnvelopeIsToldByItsStrongestAndWeakestDirection() {
+    List<Envelope.Point> points =
+        List.of(
+            new Envelope.Point(0, 3.5, 0.04, 20),
+            new Envelope.Point(Math.PI / 2, 1.5, 0.02, 10),
+            new Envelope.Point(Math.PI, 3, 0.04, 20));
+    assertThat(LimitWords.sentence(new Envelope("acceleration", points, 0.4, 0.8, true)))
+        .isEqualTo(
+            "acceleration by direction: 3.50 ± 0.04 m/s² at 0°, 1.50 ± 0.02 at 90°; known in 3 of"
+                + " 36 directions");
+  }
+
+  @Test
+  void aRobotThatDiffersIsComparedWithItsTeamMates() {
+    assertThat(LimitWords.sentence(new RobotDifference(3, "braking", 3, 0.02, 4, 51)))
+        .isEqualTo(
+            "robot 3 is weaker: braking 3.00 ± 0.02 m/s², 75 % of its team mates' 4.00 (51"
+                + " manoeuvres)");
+    assertThat(LimitWords.sentence(new RobotDifference(3, "braking", 5, 0.02, 4, 51)))
+        .contains("is stronger")
+        .contains("125 %");
   }
 
   @Test

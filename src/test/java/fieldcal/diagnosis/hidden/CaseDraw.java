@@ -140,7 +140,8 @@ final class CaseDraw {
         usual.teamSize(),
         usual.minutes(),
         usual.yellow(),
-        usual.blue());
+        usual.blue(),
+        usual.manner());
   }
 
   private BallPhysics physics(List<SimulatedEffect> effects) {

@@ -1,0 +1,51 @@
+package fieldcal.movement;
+
+/** What a path is of, and what is usual there. */
+enum PathKind {
+  /** Where a robot is: two coordinates, m. */
+  POSITION(2, 0.0025, 1e-5, 1, 0),
+  /**
+   * How it is turned: an unwrapped angle, rad. An orientation has a noise of 5 to 15 mrad: that of its five patches of colour, 3 mm each, over their distances of 80 mm. Robots that face a moving ball turn all the time; less
+   * than half a radian is none of the turns that ask for all a robot can do.
+   */
+  ORIENTATION(1, 0.01, 1e-4, 8, 0.5);
+
+  private final int dimensions;
+  private final double usualNoise;
+  private final double leastNoise;
+  private final double plain;
+  private final double leastExtent;
+
+  PathKind(int dimensions, double usualNoise, double leastNoise, double plain, double leastExtent) {
+    this.dimensions = dimensions;
+    this.usualNoise = usualNoise;
+    this.leastNoise = leastNoise;
+    this.plain = plain;
+    this.leastExtent = leastExtent;
+  }
+
+  /** Coordinates that are not 0. */
+  int dimensions() {
+    return dimensions;
+  }
+
+  /** Noise of a coordinate that is believed before any is measured, m or rad. */
+  double usualNoise() {
+    return usualNoise;
+  }
+
+  /** Less noise is not told apart, m or rad. */
+  double leastNoise() {
+    return leastNoise;
+  }
+
+  /** Corners of weaker manoeuvres show nothing of their rounding, m/s² or rad/s². */
+  double plain() {
+    return plain;
+  }
+
+  /** A stretch that stays within so much of x is not cut, m or rad. */
+  double leastExtent() {
+    return leastExtent;
+  }
+}

@@ -1,0 +1,101 @@
+package fieldcal.movement;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Compares the limits of a team's robots with each other. Each robot's limit is the mode of its own manoeuvres, with what the team's limit loses by speed and direction taken out. A robot differs when its limit is clearly another one than the
+ * median of the others, and when it pushes against that limit all the time: one that is merely never in a hurry, as a keeper, stays below the others' without piling up anywhere.
+ */
+final class RobotComparison {
+  /** So many manoeuvres of a robot must lie at its limit … */
+  private static final double FEWEST = 15;
+
+  /** … and this part of all it made; robots of simulated matches that stay below theirs have up to 0.2 at any one value. */
+  private static final double SHARE = 0.3;
+
+  /** At most this part may be clearly above. */
+  private static final double ABOVE = 0.05;
+
+  /** Clearly above: this part, and so many standard errors of the manoeuvre. */
+  private static final double MARGIN = 0.06;
+
+  private static final double SURE = 3;
+
+  /** Limits that differ by less are usual among robots of a team. */
+  private static final double SMALLEST = 0.07;
+
+  /** Standard errors of the difference. */
+  private static final double SIGNIFICANT = 5;
+
+  /** A robot is compared with at least so many others. */
+  private static final int OTHERS = 2;
+
+  private RobotComparison() {}
+
+  /** Where a robot's manoeuvres pile up. */
+  private record Own(double value, double error, double mass) {}
+
+  static List<RobotDifference> of(
+      ManoeuvreTables tables, AccelerationLimit limit, String quantity) {
+    Map<Integer, Own> known = new TreeMap<>();
+    tables.robots().forEach((robot, table) -> put(known, robot, own(table, limit)));
+    List<RobotDifference> different = new ArrayList<>();
+    for (Map.Entry<Integer, Own> entry : known.entrySet()) {
+      Own own = entry.getValue();
+      double[] others =
+          known.entrySet().stream()
+              .filter(e -> !e.getKey().equals(entry.getKey()))
+              .mapToDouble(e -> e.getValue().value())
+              .sorted()
+              .toArray();
+      if (others.length < OTHERS) {
+        continue;
+      }
+      int n = others.length;
+      double median = (others[(n - 1) / 2] + others[n / 2]) / 2;
+      double difference = Math.abs(own.value() - median);
+      if (difference > SMALLEST * median && difference > SIGNIFICANT * own.error()) {
+        different.add(
+            new RobotDifference(
+                entry.getKey(),
+                quantity,
+                own.value(),
+                own.error(),
+                median,
+                Math.round(own.mass())));
+      }
+    }
+    return different;
+  }
+
+  private static void put(Map<Integer, Own> known, int robot, Own own) {
+    if (own != null) {
+      known.put(robot, own);
+    }
+  }
+
+  private static Own own(ManoeuvreTable table, AccelerationLimit limit) {
+    if (table.samples() < FEWEST) {
+      return null;
+    }
+    ManoeuvreTable.Columns raw = table.columns();
+    ManoeuvreTable.Columns data = raw.without(limit.reduction(raw));
+    SaturationFit.Mode mode = SaturationFit.highest(data);
+    if (mode == null || mode.mass() < FEWEST || mode.share() < SHARE) {
+      return null;
+    }
+    double value = mode.beta()[0];
+    double above = 0;
+    double total = 0;
+    for (int i = 0; i < data.count().length; i++) {
+      double a = data.acceleration()[i];
+      total += data.count()[i];
+      above += a - SURE * data.error()[i] > (1 + MARGIN) * value ? data.count()[i] : 0;
+    }
+    double error = Math.hypot(mode.errors()[0], AccelerationLimit.SYSTEMATIC * value);
+    return above <= ABOVE * total ? new Own(value, error, mode.mass()) : null;
+  }
+}

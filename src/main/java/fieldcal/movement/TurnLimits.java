@@ -1,0 +1,58 @@
+package fieldcal.movement;
+
+import java.util.Objects;
+
+/**
+ * How fast a team's robots turn, from the orientations that vision reports, with their noise taken out. In most matches these are not determined: robots that face the ball seldom turn by much, and never at a constant rate.
+ *
+ * @param velocity rad/s
+ * @param acceleration rad/s²
+ * @param braking rad/s², positive
+ * @param turns pieces of constant angular acceleration that changed the rate of turning by at least {@link TeamStatistics#LEAST_TURN}
+ */
+public record TurnLimits(
+    LimitEstimate velocity, LimitEstimate acceleration, LimitEstimate braking, long turns) {
+
+  /**
+   * Checks the estimates. {@inheritDoc}
+   *
+   * @throws NullPointerException when one is null
+   */
+  public TurnLimits {
+    Objects.requireNonNull(velocity, "velocity");
+    Objects.requireNonNull(acceleration, "acceleration");
+    Objects.requireNonNull(braking, "braking");
+  }
+
+  static TurnLimits of(TeamStatistics team) {
+    ManoeuvreTable faster = team.turningFaster().all();
+    ManoeuvreTable slower = team.turningSlower().all();
+    long turns = faster.samples() + slower.samples();
+    return new TurnLimits(
+        velocity(team.turnSpeeds(), turns),
+        limit(faster, AccelerationLimit.Kind.TURNING, team.robots()),
+        limit(slower, AccelerationLimit.Kind.TURN_BRAKING, team.robots()),
+        turns);
+  }
+
+  private static LimitEstimate velocity(SpeedTable speeds, long turns) {
+    return turns < AccelerationLimit.FEWEST ? tooFew(turns) : new VelocityLimit(speeds).estimate();
+  }
+
+  private static LimitEstimate limit(
+      ManoeuvreTable table, AccelerationLimit.Kind kind, int robots) {
+    return table.samples() < AccelerationLimit.FEWEST
+        ? tooFew(table.samples())
+        : new AccelerationLimit(table, kind, Double.NaN, robots).estimate();
+  }
+
+  private static LimitEstimate tooFew(long seen) {
+    return LimitEstimate.undetermined(
+        seen,
+        "the robots hardly ever turned by much: it needs "
+            + AccelerationLimit.FEWEST
+            + " turns that change the rate by "
+            + (int) TeamStatistics.LEAST_TURN
+            + " rad/s");
+  }
+}
