@@ -22,6 +22,8 @@ public enum LogProblem implements ProblemKind {
   UNKNOWN_MESSAGE_TYPE("a message is of an unknown type; it is skipped"),
   /** A referee message that is none. */
   MALFORMED_REFEREE("a packet is no referee message; it is skipped"),
+  /** A message of a tracker that is none. */
+  MALFORMED_TRACKER("a packet is no message of a tracker; it is skipped"),
   /** Detections came before the first geometry. */
   FRAME_BEFORE_GEOMETRY("a frame comes before the first geometry"),
   /** A camera sends detections but the geometry does not know it. */

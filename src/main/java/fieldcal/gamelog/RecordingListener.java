@@ -35,6 +35,23 @@ public interface RecordingListener {
   default void onReferee(RefereeState state, double receivedTime) {}
 
   /**
+   * Whether {@link #onTracker} is to be told: trackers send half of the bytes of a match, and decoding them takes as long as all else.
+   *
+   * @return false unless overridden
+   */
+  default boolean wantsTrackers() {
+    return false;
+  }
+
+  /**
+   * A frame of a tracker, as it was received: not ordered with the frames of the cameras, which wait for older ones.
+   *
+   * @param frame what the tracker says
+   * @param receivedTime when the recorder received it, s, on the recorder's clock
+   */
+  default void onTracker(TrackerFrame frame, double receivedTime) {}
+
+  /**
    * A camera's clock jumped against the recorder's; the camera's next frame is on the new time. Nothing may be concluded from the
    * difference of times before and after.
    *

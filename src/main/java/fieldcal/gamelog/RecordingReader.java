@@ -42,6 +42,7 @@ public final class RecordingReader implements Closeable {
   private final VisionDecoder vision;
   private final DecodingCounts counts;
   private final RefereeDecoder referee;
+  private final TrackerDecoder tracker;
   private final CameraClock[] clocks = new CameraClock[VisionDecoder.MAX_CAMERA_ID + 1];
   private final long[] messages = new long[MessageType.values().length];
 
@@ -63,6 +64,7 @@ public final class RecordingReader implements Closeable {
     vision = new VisionDecoder(epoch);
     counts = vision.counts();
     referee = new RefereeDecoder(epoch);
+    tracker = new TrackerDecoder(epoch);
   }
 
   /**
@@ -186,9 +188,10 @@ public final class RecordingReader implements Closeable {
       case SSL_VISION_2010 -> takeVision(received, false);
       case SSL_VISION_2014 -> takeVision(received, true);
       case SSL_REFBOX_2013 -> takeReferee(received);
+      case SSL_VISION_TRACKER_2020 -> takeTracker(received);
       case UNKNOWN -> problem(LogProblem.UNKNOWN_MESSAGE_TYPE, () -> "type " + log.typeCode());
       default -> {
-        // Fillers, indices and trackers' frames are counted by type; nothing in them is needed.
+        // Fillers and indices are counted by type; nothing in them is needed.
       }
     }
   }
@@ -275,6 +278,19 @@ public final class RecordingReader implements Closeable {
       order.add(state.get(), received);
     } else {
       problem(LogProblem.MALFORMED_REFEREE, () -> log.payloadLength() + " bytes");
+    }
+  }
+
+  private void takeTracker(double received) {
+    if (!listener.wantsTrackers()) {
+      return;
+    }
+    Optional<TrackerFrame> frame =
+        tracker.decode(log.buffer(), log.payloadOffset(), log.payloadLength());
+    if (frame.isPresent()) {
+      listener.onTracker(frame.get(), received);
+    } else {
+      problem(LogProblem.MALFORMED_TRACKER, () -> log.payloadLength() + " bytes");
     }
   }
 

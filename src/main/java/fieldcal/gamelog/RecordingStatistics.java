@@ -17,9 +17,13 @@ public final class RecordingStatistics implements RecordingListener {
   /** A match has 14 stages; a referee that plays around must not fill the memory. */
   private static final int MAX_STAGES = 200;
 
+  /** A match has some four trackers; more must not fill the memory. */
+  private static final int MAX_TRACKERS = 32;
+
   private final Map<Integer, CameraObserver> cameras = new TreeMap<>();
   private final Map<Referee.Command, Long> commands = new EnumMap<>(Referee.Command.class);
   private final List<RefereeStatistics.StageStart> stages = new ArrayList<>();
+  private final Map<String, TrackerObserver> trackers = new TreeMap<>();
   private long refereeMessages;
   private RefereeState lastReferee;
 
@@ -53,6 +57,33 @@ public final class RecordingStatistics implements RecordingListener {
       stages.add(new RefereeStatistics.StageStart(receivedTime, state.stage()));
     }
     lastReferee = state;
+  }
+
+  @Override
+  public boolean wantsTrackers() {
+    return true;
+  }
+
+  @Override
+  public void onTracker(TrackerFrame frame, double receivedTime) {
+    String key = frame.source() + '\n' + frame.uuid();
+    TrackerObserver known = trackers.get(key);
+    if (known == null && trackers.size() < MAX_TRACKERS) {
+      known = new TrackerObserver(frame.source(), frame.uuid());
+      trackers.put(key, known);
+    }
+    if (known != null) {
+      known.add(frame, receivedTime);
+    }
+  }
+
+  /**
+   * The trackers that sent frames.
+   *
+   * @return by their names
+   */
+  public List<TrackerStatistics> trackers() {
+    return trackers.values().stream().map(TrackerObserver::statistics).toList();
   }
 
   /**

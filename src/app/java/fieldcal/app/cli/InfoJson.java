@@ -9,6 +9,7 @@ import fieldcal.gamelog.CameraStatistics;
 import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingSummary;
 import fieldcal.gamelog.RefereeStatistics;
+import fieldcal.gamelog.TrackerStatistics;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.ProblemKind;
 import java.util.List;
@@ -40,6 +41,7 @@ final class InfoJson {
         .ifPresentOrElse(
             referee -> addReferee(root.putObject("referee"), referee, summary),
             () -> root.putNull("referee"));
+    addTrackers(root.putArray("trackers"), info.trackers());
     addProblems(root.putArray("problems"), summary.problems());
     return mapper.writerWithDefaultPrettyPrinter().writeValueAsString(root);
   }
@@ -61,6 +63,19 @@ final class InfoJson {
       node.put("robots", camera.robotDetections());
       put(node, "noise_mm", 1e3 * camera.ballNoise());
       node.put("resting_stretches", camera.restingBlocks());
+    }
+  }
+
+  private static void addTrackers(ArrayNode array, List<TrackerStatistics> trackers) {
+    for (TrackerStatistics tracker : trackers) {
+      ObjectNode node = array.addObject();
+      node.put("source", tracker.source());
+      node.put("uuid", tracker.uuid());
+      node.put("frames", tracker.frames());
+      put(node, "rate_hz", tracker.rate());
+      put(node, "delay_ms", 1e3 * tracker.delay());
+      put(node, "ball_share", tracker.ballShare());
+      node.put("kicks", tracker.kicks());
     }
   }
 

@@ -7,6 +7,7 @@ import fieldcal.gamelog.CameraStatistics;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.RecordingSummary;
 import fieldcal.gamelog.RefereeStatistics;
+import fieldcal.gamelog.TrackerStatistics;
 import fieldcal.vision.FieldGeometry;
 import java.io.PrintWriter;
 import java.time.Instant;
@@ -37,6 +38,7 @@ final class InfoText {
     printCameras(info);
     info.referee()
         .ifPresentOrElse(referee -> printReferee(info, referee), () -> entry("referee", "silent"));
+    info.trackers().forEach(this::printTracker);
     printProblems(info.summary());
     out.flush();
   }
@@ -167,6 +169,20 @@ final class InfoText {
         referee.commands().entrySet().stream()
             .map(command -> command.getKey() + " " + command.getValue())
             .collect(Collectors.joining(", ")));
+  }
+
+  private void printTracker(TrackerStatistics tracker) {
+    entry(
+        "tracker",
+        String.format(
+            Locale.ROOT,
+            "%s: %d frames, %s, %s behind, a ball in %.0f %%, %d kicks",
+            nameOr(tracker.source(), "without a name (" + tracker.uuid() + ")"),
+            tracker.frames(),
+            number(tracker.rate(), "%.1f Hz"),
+            number(1e3 * tracker.delay(), "%.0f ms"),
+            100 * tracker.ballShare(),
+            tracker.kicks()));
   }
 
   private void printProblems(RecordingSummary summary) {

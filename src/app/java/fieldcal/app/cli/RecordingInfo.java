@@ -11,6 +11,8 @@ import fieldcal.gamelog.RecordingStatistics;
 import fieldcal.gamelog.RecordingSummary;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.gamelog.RefereeStatistics;
+import fieldcal.gamelog.TrackerFrame;
+import fieldcal.gamelog.TrackerStatistics;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -24,12 +26,14 @@ import java.util.Optional;
  * @param summary what was read
  * @param cameras the cameras that sent frames
  * @param referee what the referee did
+ * @param trackers teams and automatic referees that sent tracked frames
  */
 record RecordingInfo(
     Path file,
     RecordingSummary summary,
     List<CameraStatistics> cameras,
-    Optional<RefereeStatistics> referee) {
+    Optional<RefereeStatistics> referee,
+    List<TrackerStatistics> trackers) {
 
   /** Reads the whole log. */
   static RecordingInfo of(Path file, LogOpener opener, TerminalProgress progress)
@@ -37,7 +41,8 @@ record RecordingInfo(
     try (RecordingReader reader = opener.recording(file)) {
       RecordingStatistics statistics = new RecordingStatistics();
       RecordingSummary summary = read(reader, statistics, progress);
-      return new RecordingInfo(file, summary, statistics.cameras(), statistics.referee());
+      return new RecordingInfo(
+          file, summary, statistics.cameras(), statistics.referee(), statistics.trackers());
     }
   }
 
@@ -59,6 +64,16 @@ record RecordingInfo(
           @Override
           public void onReferee(RefereeState state, double receivedTime) {
             statistics.onReferee(state, receivedTime);
+          }
+
+          @Override
+          public boolean wantsTrackers() {
+            return true;
+          }
+
+          @Override
+          public void onTracker(TrackerFrame frame, double receivedTime) {
+            statistics.onTracker(frame, receivedTime);
           }
 
           @Override

@@ -13,6 +13,7 @@ import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingReader;
 import fieldcal.gamelog.RecordingSummary;
 import fieldcal.gamelog.RefereeState;
+import fieldcal.gamelog.TrackerFrame;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderCounts;
@@ -317,6 +318,16 @@ public final class KickCollector {
       kicks.add(numbered);
       sources.put(numbered.id(), log.toString());
       found++;
+    }
+
+    @Override
+    public boolean wantsTrackers() {
+      return beside.wantsTrackers();
+    }
+
+    @Override
+    public void onTracker(TrackerFrame frame, double receivedTime) {
+      beside.onTracker(frame, receivedTime);
     }
 
     @Override

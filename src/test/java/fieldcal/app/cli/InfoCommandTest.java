@@ -5,6 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.gamelog.GameLogWriter;
+import fieldcal.gamelog.MessageType;
+import fieldcal.proto.TrackedFrame;
+import fieldcal.proto.TrackerWrapperPacket;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -57,6 +61,36 @@ class InfoCommandTest {
     assertThat(info.get("geometry").get("models").get("chip").get("damping_z").asDouble())
         .isEqualTo(0.47);
     assertThat(info.get("referee").isNull()).isTrue();
+  }
+
+  @Test
+  void trackersAreNamed() throws IOException {
+    Path log = folder.resolve("trackers.log");
+    try (GameLogWriter writer = GameLogWriter.create(log)) {
+      for (int i = 0; i < 50; i++) {
+        long nanos = 1_763_712_345_000_000_000L + 10_000_000L * i;
+        TrackerWrapperPacket packet =
+            TrackerWrapperPacket.newBuilder()
+                .setUuid("1-2-3")
+                .setSourceName("ER-Force AutoRef")
+                .setTrackedFrame(
+                    TrackedFrame.newBuilder()
+                        .setFrameNumber(i)
+                        .setTimestamp(1e-9 * (nanos - 20_000_000L)))
+                .build();
+        writer.write(nanos, MessageType.SSL_VISION_TRACKER_2020, packet.toByteArray());
+      }
+    }
+    assertThat(run("info", log.toString())).as(err.toString()).isZero();
+    assertThat(out.toString())
+        .contains("ER-Force AutoRef: 50 frames, 100.0 Hz, 20 ms behind, a ball in 0 %, 0 kicks");
+    assertThat(run("info", "--json", log.toString())).isZero();
+    JsonNode tracker =
+        new ObjectMapper()
+            .readTree(out.toString().substring(out.toString().indexOf('{')))
+            .at("/trackers/0");
+    assertThat(tracker.get("source").asText()).isEqualTo("ER-Force AutoRef");
+    assertThat(tracker.get("delay_ms").asDouble()).isCloseTo(20, within(1.0));
   }
 
   @Test

@@ -1,0 +1,78 @@
+package fieldcal.gamelog;
+
+import fieldcal.vision.RobotId;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What a tracker says of the field at one instant: a team's software or an automatic referee. Times count from the recording's epoch, on the tracker's clock.
+ *
+ * @param source what the tracker calls itself; empty when it does not say
+ * @param uuid tells trackers of the same name apart
+ * @param time of which the frame is, s
+ * @param ball the ball in play; empty when the tracker sees none
+ * @param kick the kick that is under way; empty without one
+ * @param robots how many it tracks
+ */
+public record TrackerFrame(
+    String source, String uuid, double time, Optional<Ball> ball, Optional<Kick> kick, int robots) {
+
+  /**
+   * Checks that nothing is null. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
+  public TrackerFrame {
+    Objects.requireNonNull(source, "source");
+    Objects.requireNonNull(uuid, "uuid");
+    Objects.requireNonNull(ball, "ball");
+    Objects.requireNonNull(kick, "kick");
+  }
+
+  /**
+   * A tracked ball.
+   *
+   * @param x m
+   * @param y m
+   * @param z height above a resting ball, m
+   * @param vx m/s; NaN when it is not told
+   * @param vy m/s; NaN when it is not told
+   * @param vz m/s; NaN when it is not told
+   */
+  public record Ball(double x, double y, double z, double vx, double vy, double vz) {}
+
+  /**
+   * A kick, with what the tracker predicts of it.
+   *
+   * @param x where the ball was kicked, m
+   * @param y where the ball was kicked, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s
+   * @param start when, s
+   * @param stop when the ball will rest, s; NaN when it is not told
+   * @param stopX where the ball will rest, m; NaN when it is not told
+   * @param stopY where the ball will rest, m; NaN when it is not told
+   * @param robot who kicked; empty when it is not told
+   */
+  public record Kick(
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz,
+      double start,
+      double stop,
+      double stopX,
+      double stopY,
+      Optional<RobotId> robot) {
+    /**
+     * Speed right after the kick, the vertical part included.
+     *
+     * @return m/s
+     */
+    public double speed() {
+      return Math.sqrt(vx * vx + vy * vy + vz * vz);
+    }
+  }
+}
