@@ -16,8 +16,8 @@ final class LearnedTables {
   /** Points of a curve: between two of them a spline of six knots differs from a straight line by less than a thousandth of its height. */
   private static final int POINTS = 129;
 
-  /** Points of a surface along each axis. */
-  private static final int GRID = 33;
+  /** Points of a surface along each axis: 0.2 m apart on a field of 12 m, a fifth of the way between two knots of stripes. */
+  private static final int GRID = 65;
 
   /** Impacts that are told apart; later hops are below 10 mm. */
   private static final int HOPS = 8;
@@ -29,12 +29,23 @@ final class LearnedTables {
 
   private LearnedTables() {}
 
-  static TabulatedLaw law(LearnedTerm term, double[] field, double[] session) {
+  /** One law for each component of the term. */
+  static List<TabulatedLaw> laws(LearnedTerm term, double[] field, double[] session) {
     Variable variable = term.family().variables().get(0);
-    return new TabulatedLaw(
-        TabulatedLaw.Quantity.valueOf(term.family().quantity().name()),
-        TabulatedLaw.Variable.valueOf(variable.name()),
-        table(term, 0, variable, field, session));
+    Quantity quantity = term.family().quantity();
+    List<TabulatedLaw.Quantity> changes =
+        quantity == Quantity.PUSH
+            ? List.of(TabulatedLaw.Quantity.PUSH_X, TabulatedLaw.Quantity.PUSH_Y)
+            : List.of(TabulatedLaw.Quantity.valueOf(quantity.name()));
+    List<TabulatedLaw> laws = new ArrayList<>();
+    for (int c = 0; c < changes.size(); c++) {
+      laws.add(
+          new TabulatedLaw(
+              changes.get(c),
+              TabulatedLaw.Variable.valueOf(variable.name()),
+              table(term, c, variable, field, session)));
+    }
+    return laws;
   }
 
   static SpinTable spin(LearnedTerm term) {

@@ -29,6 +29,7 @@ import fieldcal.simulation.imaging.InstalledCamera;
 import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.Region;
+import fieldcal.simulation.physics.TabulatedLaw;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.Team;
@@ -167,7 +168,11 @@ final class TwinBuilder {
                 CameraErrors.NONE.withTable(LearnedTables.error(term, view, session)),
                 CameraErrors::plus);
           }
-          default -> physics = physics.withExtra(LearnedTables.law(term, reach, session));
+          default -> {
+            for (TabulatedLaw law : LearnedTables.laws(term, reach, session)) {
+              physics = physics.withExtra(law);
+            }
+          }
         }
       } else if (!KICKERS.contains(effect.id()) && !effect.isAbsent()) {
         add(effect, effects);

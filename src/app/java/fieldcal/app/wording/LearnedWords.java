@@ -35,6 +35,7 @@ public final class LearnedWords {
     return switch (term.family().quantity()) {
       case ACCELERATION_ALONG -> "braking that depends on " + on;
       case ACCELERATION_ACROSS -> "sideways pull that depends on " + on;
+      case PUSH -> "push that depends on " + on;
       case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
       case TANGENTIAL_RESTITUTION -> "loss of speed at bounces that depends on " + on;
       case TURN -> "turn at bounces that depends on " + on;
@@ -132,6 +133,7 @@ public final class LearnedWords {
     return switch (curve.family().quantity()) {
       case ACCELERATION_ALONG -> "acceleration along the path";
       case ACCELERATION_ACROSS -> "acceleration to the left";
+      case PUSH -> "acceleration towards " + (curve.component() == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "change of the vertical damping";
       case TANGENTIAL_RESTITUTION -> "change of the horizontal damping";
       case TURN -> "turn to the left";
@@ -275,6 +277,7 @@ public final class LearnedWords {
               ? "ball slides " + (more ? "longer" : "less long") + " than the model says"
               : "ball is braked " + (more ? "less" : "more") + " than the model says";
       case ACCELERATION_ACROSS -> "ball is pulled to its " + (more ? "left" : "right");
+      case PUSH -> "ball is pushed " + side(curve.component(), more);
       case VERTICAL_RESTITUTION -> "ball bounces " + (more ? "higher" : "lower");
       case TANGENTIAL_RESTITUTION ->
           "ball loses " + (more ? "less" : "more") + " speed at a bounce";
@@ -296,6 +299,7 @@ public final class LearnedWords {
     return switch (curve.family().quantity()) {
       case ACCELERATION_ALONG -> "how the ball is braked";
       case ACCELERATION_ACROSS -> "a sideways pull";
+      case PUSH -> "the push " + (curve.component() == 0 ? "along x" : "along y");
       case VERTICAL_RESTITUTION -> "the height of bounces";
       case TANGENTIAL_RESTITUTION -> "the loss of speed at a bounce";
       case TURN -> "the turn at a bounce";

@@ -5,7 +5,7 @@ package fieldcal.effect.learned;
  *
  * <p>A <em>centred</em> basis has no constant part, for quantities whose mean is a parameter of the simple model already.
  */
-public sealed interface Basis permits Spline, Surface, Harmonics, Polynomial, Levels {
+public sealed interface Basis permits Spline, Surface, Stripes, Harmonics, Polynomial, Levels {
 
   /**
    * The name in files.

@@ -67,6 +67,7 @@ final class FormulaText {
     return switch (quantity) {
       case ACCELERATION_ALONG -> "deceleration";
       case ACCELERATION_ACROSS -> "acceleration to the ball's left";
+      case PUSH -> "acceleration towards " + (component == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "vertical restitution";
       case TANGENTIAL_RESTITUTION -> "tangential restitution";
       case TURN -> "turn to the left at an impact";

@@ -21,12 +21,12 @@ final class LearnedAcceleration extends LearnedTerm implements PathAcceleration 
 
   @Override
   public double along(BallMotion motion) {
-    return turns || isAway(motion) ? 0 : valueAt(motion);
+    return turns || isAway(motion) ? 0 : valueAt(0, motion);
   }
 
   @Override
   public double across(BallMotion motion) {
-    return !turns || isAway(motion) ? 0 : valueAt(motion);
+    return !turns || isAway(motion) ? 0 : valueAt(0, motion);
   }
 
   @Override

@@ -31,6 +31,6 @@ final class LearnedBounce extends LearnedTerm implements Bounce {
   }
 
   private double change(Quantity quantity, BallMotion motion) {
-    return family().quantity() == quantity ? valueAt(motion) : 0;
+    return family().quantity() == quantity ? valueAt(0, motion) : 0;
   }
 }

@@ -34,8 +34,7 @@ public record LearnedFamily(
           "basis: is of %d numbers, but depends_on has %d".formatted(basis.dimension(), dimension));
     }
     for (Variable v : variables) {
-      boolean allowed = quantity != Quantity.TIME_ERROR || v == Variable.SESSION_TIME;
-      if (!v.isKnownAt(quantity) || !allowed) {
+      if (!v.isKnownAt(quantity) || !quantity.canDependOn(v)) {
         throw new IllegalArgumentException(
             "depends_on: " + v.label() + " is not known for " + quantity.label());
       }
@@ -114,6 +113,7 @@ public record LearnedFamily(
   public LearnedTerm term(double... coefficients) {
     return switch (quantity) {
       case ACCELERATION_ALONG, ACCELERATION_ACROSS -> new LearnedAcceleration(this, coefficients);
+      case PUSH -> new LearnedPush(this, coefficients);
       case VERTICAL_RESTITUTION, TANGENTIAL_RESTITUTION, TURN ->
           new LearnedBounce(this, coefficients);
       case SPIN -> new LearnedSpin(this, coefficients);

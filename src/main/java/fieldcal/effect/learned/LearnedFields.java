@@ -11,7 +11,7 @@ import java.util.Set;
 /**
  * A learned term as files hold it: {@code acts_on}, {@code quantity}, {@code depends_on} (a list of names), {@code camera} (of measurements), {@code basis} and {@code
  * coefficients}. A basis has its {@code type} and what that needs: {@code range} [from, to] and {@code knots} of a spline, also {@code range_y} and two {@code knots} of a
- * surface, {@code order} and {@code period} of harmonics, {@code degree} and both ranges of a polynomial, {@code first} and {@code count} of levels; {@code centred}
+ * surface or of stripes, {@code order} and {@code period} of harmonics, {@code degree} and both ranges of a polynomial, {@code first} and {@code count} of levels; {@code centred}
  * of splines and surfaces.
  */
 public final class LearnedFields {
@@ -68,6 +68,10 @@ public final class LearnedFields {
       fields.put(RANGE_Y, List.of(s.y().from(), s.y().to()));
       fields.put(KNOTS, List.of(s.x().knots(), s.y().knots()));
       fields.put(CENTRED, s.centred());
+    } else if (basis instanceof Stripes s) {
+      fields.put(RANGE, List.of(s.x().from(), s.x().to()));
+      fields.put(RANGE_Y, List.of(s.y().from(), s.y().to()));
+      fields.put(KNOTS, List.of(s.x().knots(), s.y().knots()));
     } else if (basis instanceof Harmonics h) {
       fields.put(ORDER, h.order());
       fields.put(PERIOD, h.period());
@@ -124,7 +128,19 @@ public final class LearnedFields {
       return switch ((String) type) {
         case Spline.TYPE ->
             spline(RANGE, fields, whole(KNOTS, fields.get(KNOTS)), flag(fields.get(CENTRED)));
-        case Surface.TYPE -> surface(fields);
+        case Surface.TYPE -> {
+          List<?> knots = knots(fields);
+          yield new Surface(
+              spline(RANGE, fields, whole(KNOTS, knots.get(0)), false),
+              spline(RANGE_Y, fields, whole(KNOTS, knots.get(1)), false),
+              flag(fields.get(CENTRED)));
+        }
+        case Stripes.TYPE -> {
+          List<?> knots = knots(fields);
+          yield new Stripes(
+              spline(RANGE, fields, whole(KNOTS, knots.get(0)), true),
+              spline(RANGE_Y, fields, whole(KNOTS, knots.get(1)), true));
+        }
         case Harmonics.TYPE ->
             new Harmonics(whole(ORDER, fields.get(ORDER)), number(PERIOD, fields.get(PERIOD)));
         case Polynomial.TYPE -> {
@@ -143,6 +159,7 @@ public final class LearnedFields {
     return switch (type instanceof String text ? text : "") {
       case Spline.TYPE -> List.of(RANGE, KNOTS, CENTRED);
       case Surface.TYPE -> List.of(RANGE, RANGE_Y, KNOTS, CENTRED);
+      case Stripes.TYPE -> List.of(RANGE, RANGE_Y, KNOTS);
       case Harmonics.TYPE -> List.of(ORDER, PERIOD);
       case Polynomial.TYPE -> List.of(DEGREE, RANGE, RANGE_Y);
       case Levels.TYPE -> List.of(FIRST, COUNT);
@@ -150,15 +167,12 @@ public final class LearnedFields {
     };
   }
 
-  private static Surface surface(Map<?, ?> fields) {
+  private static List<?> knots(Map<?, ?> fields) {
     List<?> knots = list(KNOTS, fields.get(KNOTS));
     if (knots.size() != 2) {
       throw wrong(KNOTS, "two integers", knots);
     }
-    return new Surface(
-        spline(RANGE, fields, whole(KNOTS, knots.get(0)), false),
-        spline(RANGE_Y, fields, whole(KNOTS, knots.get(1)), false),
-        flag(fields.get(CENTRED)));
+    return knots;
   }
 
   private static Spline spline(String name, Map<?, ?> fields, int knots, boolean centred) {

@@ -35,6 +35,12 @@ public final class LearnedLibrary {
   /** How far to each side a camera sees per height above the field; one at 4 m sees a quarter of a field of 12 m × 9 m, ±3 m, and with one camera ±6 m from 6 m; rounded up. */
   private static final double VIEW_PER_HEIGHT = 1.2;
 
+  /** Knots of stripes, m apart: two for each roll of carpet, the narrowest of which are 2 m wide. */
+  private static final double STRIPE = 1;
+
+  /** Knots of stripes at most: the longest field has 12 m and a margin. */
+  private static final int MOST_STRIPES = 16;
+
   /** Narrowest range of a place or time, so that a curve exists, m and s; chosen. */
   private static final double NARROWEST = 1;
 
@@ -117,6 +123,8 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(across, Variable.SPEED, speed));
     all.add(LearnedFamily.of(across, Variable.HEADING, heading));
     all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));
+    all.add(LearnedFamily.of(Quantity.PUSH, Variable.PLACE, stripes(arena)));
+    all.add(LearnedFamily.of(Quantity.PUSH, Variable.SESSION_TIME, session(arena)));
   }
 
   private static void impact(Arena arena, Ranges ranges, List<LearnedFamily> all) {
@@ -150,7 +158,7 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, session(arena), id));
   }
 
-  private static Basis curve(double from, double to, int knots) {
+  private static Spline curve(double from, double to, int knots) {
     return new Spline(from, to, knots, true);
   }
 
@@ -166,6 +174,17 @@ public final class LearnedLibrary {
     double[] y = wide(arena.y0(), arena.y1());
     return new Surface(
         new Spline(x[0], x[1], KNOTS_X, false), new Spline(y[0], y[1], KNOTS_Y, false), true);
+  }
+
+  private static Basis stripes(Arena arena) {
+    double[] x = wide(arena.x0(), arena.x1());
+    double[] y = wide(arena.y0(), arena.y1());
+    return new Stripes(stripes(x), stripes(y));
+  }
+
+  private static Spline stripes(double[] range) {
+    int knots = (int) Math.round((range[1] - range[0]) / STRIPE) + 1;
+    return curve(range[0], range[1], Math.max(KNOTS_Y, Math.min(knots, MOST_STRIPES)));
   }
 
   private static double[] seen(double from, double to, double view) {

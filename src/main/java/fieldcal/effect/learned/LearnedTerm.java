@@ -14,7 +14,12 @@ import java.util.OptionalInt;
  * a {@link fieldcal.effect.MotionEffect} or a {@link fieldcal.effect.MeasurementEffect}. Immutable.
  */
 public abstract sealed class LearnedTerm implements Effect
-    permits LearnedAcceleration, LearnedBounce, LearnedSpin, LearnedShift, LearnedTimeError {
+    permits LearnedAcceleration,
+        LearnedPush,
+        LearnedBounce,
+        LearnedSpin,
+        LearnedShift,
+        LearnedTimeError {
   /** The id of all learned terms. */
   public static final String ID = "learned";
 
@@ -96,9 +101,10 @@ public abstract sealed class LearnedTerm implements Effect
     return curves[component].at(u, v);
   }
 
-  /** Its value at an instant of the motion. */
-  final double valueAt(BallMotion m) {
-    return curves[0].at(first.first(m), second == null ? first.second(m) : second.first(m));
+  /** Its value at an instant of the motion, or a component of it. */
+  final double valueAt(int component, BallMotion m) {
+    double v = second == null ? first.second(m) : second.first(m);
+    return curves[component].at(first.first(m), v);
   }
 
   /** The longest step over which it hardly changes, s. */

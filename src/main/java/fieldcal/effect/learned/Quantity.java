@@ -11,6 +11,9 @@ public enum Quantity {
   ACCELERATION_ACROSS(
       "ground", "acceleration_across", "m/s²", 1, 0.05, 3, "a slope of 0.5 % pulls so much"),
 
+  /** Force over the mass along x and y of the field on a ball on the carpet, m/s²: the coefficients of x come first, then those of y. A rolling ball follows it with 5/7, since it must be turned, too. */
+  PUSH("ground", "push", "m/s²", 2, 0.05, 3, "a slope of 0.5 % pulls so much"),
+
   /** Change of the vertical restitution e_z (–). */
   VERTICAL_RESTITUTION(
       "impact", "vertical_restitution", "", 1, 0.03, 0.5, "0.47 and 0.38 in matches of 2026"),
@@ -90,6 +93,15 @@ public enum Quantity {
    */
   public int components() {
     return components;
+  }
+
+  /** Whether it makes sense that it depends on a variable that is known where it acts: a push by the field does not know how the ball moves, nor a clock what it stamps. */
+  boolean canDependOn(Variable variable) {
+    return switch (this) {
+      case PUSH -> variable == Variable.PLACE || variable == Variable.SESSION_TIME;
+      case TIME_ERROR -> variable == Variable.SESSION_TIME;
+      default -> true;
+    };
   }
 
   /**

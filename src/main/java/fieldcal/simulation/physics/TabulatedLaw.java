@@ -18,6 +18,10 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     ACCELERATION_ALONG,
     /** Acceleration across the path on the carpet, m/s²; positive turns it to the left. */
     ACCELERATION_ACROSS,
+    /** Force over the mass along x on a ball on the carpet, m/s²; a rolling ball takes a part of it. */
+    PUSH_X,
+    /** Force over the mass along y on a ball on the carpet, m/s². */
+    PUSH_Y,
     /** Added to e_z of an impact (–). */
     VERTICAL_RESTITUTION,
     /** Added to e_xy of an impact (–). */
@@ -32,11 +36,6 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
      */
     public String label() {
       return name().toLowerCase(Locale.ROOT);
-    }
-
-    /** Whether it acts at impacts, and not while the ball is on the carpet. */
-    boolean atImpacts() {
-      return this != ACCELERATION_ALONG && this != ACCELERATION_ACROSS;
     }
   }
 
@@ -124,6 +123,15 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
   @Override
   public double acrossPath(BallMoment moment) {
     return changes == Quantity.ACCELERATION_ACROSS ? at(moment) : 0;
+  }
+
+  @Override
+  public void push(BallMoment moment, double[] acceleration) {
+    boolean pushes = changes == Quantity.PUSH_X || changes == Quantity.PUSH_Y;
+    // A ball on the carpet has no vertical speed, one in flight has none for an instant only.
+    if (pushes && moment.vz() == 0) {
+      acceleration[changes == Quantity.PUSH_X ? 0 : 1] += at(moment);
+    }
   }
 
   @Override

@@ -21,6 +21,7 @@ class BasisTest {
       }
       all.add(new Surface(new Spline(-6, 6, 4, false), new Spline(-4, 4, 3, false), centred));
     }
+    all.add(new Stripes(new Spline(-6, 6, 13, true), new Spline(-4, 4, 9, true)));
     all.add(Harmonics.ofAngle(1));
     all.add(Harmonics.ofAngle(4));
     all.add(new Polynomial(3, -3, 2, -1, 5));
@@ -75,7 +76,9 @@ class BasisTest {
   void centredFunctionsHaveNoConstant() {
     for (Basis basis : all()) {
       boolean centred =
-          basis instanceof Spline s && s.centred() || basis instanceof Surface f && f.centred();
+          basis instanceof Spline s && s.centred()
+              || basis instanceof Surface f && f.centred()
+              || basis instanceof Stripes;
       if (centred) {
         double[] sum = new double[basis.size()];
         double[] values = new double[basis.size()];
@@ -114,6 +117,8 @@ class BasisTest {
 
   @Test
   void refusesWhatIsNoRange() {
+    Spline whole = new Spline(0, 1, 3, false);
+    assertThatThrownBy(() -> new Stripes(whole, whole)).hasMessageContaining("centred");
     assertThatThrownBy(() -> new Spline(1, 1, 5, true)).hasMessageStartingWith("range:");
     assertThatThrownBy(() -> new Spline(Double.NaN, 1, 5, true)).hasMessageStartingWith("range:");
     assertThatThrownBy(() -> new Spline(0, 1, 2, true)).hasMessageStartingWith("knots:");

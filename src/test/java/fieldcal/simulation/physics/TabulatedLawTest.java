@@ -122,4 +122,17 @@ class TabulatedLawTest {
     BallBody turned = after(with(Quantity.TURN, Variable.GROUND_SPEED, turn), 2, 4, 1.0);
     assertThat(Math.atan2(turned.vy(), turned.vx())).isCloseTo(0.3, within(1e-9));
   }
+
+  /** A rolling ball takes 1/(1 + β) of a force, which is kSwitch; later friction turns with it. */
+  @Test
+  void aPushActsOnTheCarpetOnly() {
+    Table push = Table.curve(new double[] {0}, new double[] {0.02}, 0);
+    double rolls = 0.5;
+    BallPhysics pushed = with(Quantity.PUSH_Y, Variable.SESSION_TIME, push);
+    BallBody ball = new BallBody();
+    ball.kick(2, 0, 0, 1, 0, Ball.GOLF_BALL.radius());
+    new BallIntegrator(pushed).advance(ball, 0, rolls, new BallHistory());
+    assertThat(ball.y()).isCloseTo(0.5 * 0.7 * 0.02 * rolls * rolls, within(1e-4));
+    assertThat(after(pushed, 2, 4, 0.5).y()).isZero();
+  }
 }

@@ -1,0 +1,57 @@
+package fieldcal.effect.learned;
+
+/**
+ * Sum of a spline over x and one over y, for what depends on a place in stripes: an additive model (Hastie and Tibshirani, Generalized Additive Models, 1990). It resolves more than a {@link Surface} of as many coefficients, and no islands.
+ *
+ * @param x over the first number, centred
+ * @param y over the second number, centred
+ */
+public record Stripes(Spline x, Spline y) implements Basis {
+  static final String TYPE = "stripes";
+
+  /**
+   * Checks the splines. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when one of the splines is not centred
+   */
+  public Stripes {
+    if (!x.centred() || !y.centred()) {
+      throw new IllegalArgumentException("splines of stripes must be centred");
+    }
+  }
+
+  @Override
+  public String type() {
+    return TYPE;
+  }
+
+  @Override
+  public int dimension() {
+    return 2;
+  }
+
+  @Override
+  public int size() {
+    return x.size() + y.size();
+  }
+
+  @Override
+  public double resolution(int axis) {
+    return axis == 0 ? x.resolution(0) : y.resolution(0);
+  }
+
+  @Override
+  public void values(double u, double v, double[] values) {
+    x.values(u, 0, values);
+    double[] ofY = new double[y.size()];
+    y.values(v, 0, ofY);
+    System.arraycopy(ofY, 0, values, x.size(), ofY.length);
+  }
+
+  @Override
+  public Curve curve(double[] coefficients, int from) {
+    Curve ofX = x.curve(coefficients, from);
+    Curve ofY = y.curve(coefficients, from + x.size());
+    return (u, v) -> ofX.at(u, 0) + ofY.at(v, 0);
+  }
+}
