@@ -1,0 +1,46 @@
+package fieldcal.diagnosis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.physics.BallMoment;
+import fieldcal.simulation.physics.ExtraLaw;
+import org.junit.jupiter.api.Test;
+
+/** A cause that no effect of the catalogue describes is learned, and predicts, without a name. */
+class UnnamedCauseTest {
+  private static final double STRENGTH = 0.1;
+  private static final double WAVE = 4;
+
+  /** Air that streams to and fro across the field, in stripes. */
+  private record Draught() implements ExtraLaw {
+    @Override
+    public void push(BallMoment m, double[] acceleration) {
+      acceleration[1] += STRENGTH * Math.sin(2 * Math.PI * m.x() / WAVE);
+    }
+  }
+
+  private static final SimulationSettings WORLD =
+      FittedField.SOUND
+          .withScenario(ScenarioKind.FLAT, 16)
+          .withPhysics(FittedField.SOUND.physics().withExtra(new Draught()));
+
+  @Test
+  void aDraughtIsLearnedAsAPushThatDependsOnThePlace() {
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(WORLD).problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    LearnedFinding found = diagnosis.learned().get(0);
+    assertThat(found.actsOn()).isEqualTo("ground");
+    assertThat(found.dependsOn()).containsExactly("place");
+    LearnedTerm push = (LearnedTerm) found.effect();
+    for (double x : new double[] {-3, -1, 1, 3}) {
+      assertThat(push.valueAt(1, x, 0) - push.valueAt(1, x - WAVE / 2, 0))
+          .isCloseTo(2 * STRENGTH * Math.sin(2 * Math.PI * x / WAVE), within(0.4 * STRENGTH));
+    }
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.4 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
+}
