@@ -133,4 +133,20 @@ class RecordedEffectsTest {
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.2 * diagnosis.base().predictionErrorMm().get(1.0));
   }
+
+  /** The nap is found first, and the region settles where it was needed beside a nap of the wrong size: it must be moved once both are known. */
+  @Test
+  void aRegionMovesToItsPlaceWhenTheOtherCauseIsKnown() throws IOException {
+    Diagnosis diagnosis = diagnose("ode-region-and-nap");
+    Map<String, Effect> named =
+        diagnosis.causes().stream()
+            .map(Cause::effect)
+            .collect(Collectors.toMap(Effect::id, e -> e));
+    assertThat(named.keySet()).containsExactlyInAnyOrder("carpet_nap", "worn_region");
+    assertThat(named.get("carpet_nap").value("amplitude")).isCloseTo(0.154, within(0.003));
+    assertThat(named.get("worn_region").value("change")).isCloseTo(-0.374, within(0.01));
+    assertThat(named.get("worn_region").value("region_y0")).isCloseTo(-0.983, within(0.05));
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(1.1 * diagnosis.extended().noiseMm());
+  }
 }

@@ -14,9 +14,9 @@ import java.util.List;
  */
 final class PlaceSearch {
   /** First step as a share of the distance of neighbouring places in the dictionary: of a field 9 m long cut into nine. */
-  private static final double FIRST_STEP = 0.5;
+  static final double FIRST_STEP = 0.5;
 
-  private static final double SHRINK = 0.4;
+  static final double SHRINK = 0.4;
   private static final int ROUNDS = 7;
 
   private final FittedModel model;
@@ -55,7 +55,8 @@ final class PlaceSearch {
     return Double.isNaN(gain) ? start : best;
   }
 
-  private static List<Component> neighbours(Component c, double share) {
+  /** The same component at places around its own. */
+  static List<Component> neighbours(Component c, double share) {
     List<Component> all = new ArrayList<>();
     Effect effect = c.template();
     for (String name : effect.places()) {

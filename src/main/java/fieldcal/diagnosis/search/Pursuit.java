@@ -32,6 +32,9 @@ final class Pursuit {
   /** How many others may come for one that is taken out: a shadow may hide two causes. */
   private static final int EXCHANGED = 2;
 
+  /** Steps of a place that is moved while all else is fitted again. */
+  private static final int RELOCATIONS = 6;
+
   /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
   private static final double WORTH = 0.003;
 
@@ -100,7 +103,7 @@ final class Pursuit {
   }
 
   /**
-   * An early choice may have been the shadow of two causes. Takes out each component in turn and lets others take its place; keeps the best exchange if it is better than what was.
+   * An early choice may have been the shadow of two causes, or have settled where it was needed before others came. Takes out each component in turn and lets others take its place, or moves it; keeps the best exchange if it is better than what was.
    */
   private boolean revise() {
     FittedModel before = best;
@@ -126,6 +129,10 @@ final class Pursuit {
       } else {
         restartLaw(out, without);
       }
+      if (out.hasPlace()) {
+        FittedModel moved = relocated(before, before.model().components().indexOf(out));
+        best = price.net(before, moved) > price.net(before, best) ? moved : best;
+      }
       double gain = price.net(before, best);
       if (gain > most) {
         most = gain;
@@ -141,6 +148,31 @@ final class Pursuit {
     }
     trace.add(new SearchStep(what, Action.SWAPPED, Double.NaN, most));
     return true;
+  }
+
+  /** With a place moved step by step, all else fitted again at each: a descent of all places at once ends where an edge does not matter to first order. */
+  private FittedModel relocated(FittedModel from, int index) {
+    FittedModel at = from;
+    double share = PlaceSearch.FIRST_STEP;
+    for (int round = 0; round < RELOCATIONS; round++) {
+      Component now = at.model().components().get(index).startingAt(at.effects().get(index));
+      List<Component> tried = PlaceSearch.neighbours(now, share);
+      Scorer scorer = new Scorer(at, tried, refits.weighing());
+      Sweep sweep = scorer.without(List.of(index));
+      Component top =
+          tried.stream()
+              .max(Comparator.comparingDouble(c -> scorer.gain(Proposal.of(c), sweep)))
+              .orElse(now);
+      List<Component> moved = new ArrayList<>(at.model().components());
+      moved.set(index, scorer.estimated(top, sweep));
+      FittedModel next = refits.fitPlaces(refits.fit(at, moved));
+      if (price.gain(at, next) > 0) {
+        at = next;
+      } else {
+        share *= PlaceSearch.SHRINK;
+      }
+    }
+    return at;
   }
 
   private void restartLaw(Component law, List<Component> without) {
