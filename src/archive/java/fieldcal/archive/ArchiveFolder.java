@@ -29,7 +29,7 @@ import java.util.stream.Stream;
  */
 record ArchiveFolder(String root) implements Serializable {
   /** Grows when the tables change: what another release wrote is written again. */
-  private static final int FORMAT = 2;
+  private static final int FORMAT = 3;
 
   private static final String STATE = "state";
   private static final String DONE = ".done";

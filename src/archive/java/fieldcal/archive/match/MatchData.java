@@ -23,6 +23,7 @@ import java.util.Optional;
  * @param referee what the referee did; empty when it was silent
  * @param teams names of the teams, as far as the referee tells them
  * @param movement how the robots moved
+ * @param trackers what teams and automatic referees say of the ball
  */
 public record MatchData(
     Path file,
@@ -33,7 +34,8 @@ public record MatchData(
     List<CameraStatistics> cameras,
     Optional<RefereeStatistics> referee,
     Map<Team, String> teams,
-    MovementObserver movement) {
+    MovementObserver movement,
+    TrackerWatch trackers) {
 
   /** Copies the collections. {@inheritDoc} */
   public MatchData {

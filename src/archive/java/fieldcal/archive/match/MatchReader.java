@@ -14,6 +14,7 @@ import fieldcal.fit.FitSettings;
 import fieldcal.gamelog.RecordingListener;
 import fieldcal.gamelog.RecordingStatistics;
 import fieldcal.gamelog.RefereeState;
+import fieldcal.gamelog.TrackerFrame;
 import fieldcal.movement.MovementObserver;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
@@ -54,7 +55,8 @@ public final class MatchReader {
         watch.statistics.cameras(),
         watch.statistics.referee(),
         watch.teams,
-        watch.movement);
+        watch.movement,
+        watch.trackers);
   }
 
   /** One thread for each log: the other cores have logs of their own. */
@@ -86,6 +88,7 @@ public final class MatchReader {
   private static final class Watch implements RecordingListener {
     private final RecordingStatistics statistics = new RecordingStatistics();
     private final MovementObserver movement = new MovementObserver();
+    private final TrackerWatch trackers = new TrackerWatch();
     private final Map<Team, String> teams = new EnumMap<>(Team.class);
     private long frames;
 
@@ -94,6 +97,16 @@ public final class MatchReader {
       frames++;
       statistics.onFrame(frame, receivedTime);
       movement.accept(frame);
+    }
+
+    @Override
+    public boolean wantsTrackers() {
+      return true;
+    }
+
+    @Override
+    public void onTracker(TrackerFrame frame, double receivedTime) {
+      trackers.accept(frame);
     }
 
     @Override

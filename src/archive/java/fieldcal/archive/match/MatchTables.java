@@ -50,6 +50,7 @@ public final class MatchTables {
     rows.put(Tables.CAMERAS, tables.cameras());
     rows.put(Tables.ROBOTS, robots.robots());
     rows.put(Tables.LIMITS_HISTOGRAMS, robots.histograms());
+    rows.put(Tables.TRACKERS, TrackerRows.of(log, match));
     rows.put(Tables.PROBLEMS, problems);
     return rows;
   }

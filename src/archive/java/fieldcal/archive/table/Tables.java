@@ -33,6 +33,9 @@ public final class Tables {
   /** One row for each cell that counted something. */
   public static final Table LIMITS_HISTOGRAMS = limitsHistograms();
 
+  /** One row for each tracker that sent frames. */
+  public static final Table TRACKERS = trackers();
+
   /** One row for each thing that was wrong. */
   public static final Table PROBLEMS = problems();
 
@@ -47,7 +50,7 @@ public final class Tables {
 
   /** Those with files for each match. */
   public static final List<Table> OF_MATCHES =
-      List.of(KICKS, MATCHES, CAMERAS, ROBOTS, LIMITS_HISTOGRAMS, PROBLEMS);
+      List.of(KICKS, MATCHES, CAMERAS, ROBOTS, LIMITS_HISTOGRAMS, TRACKERS, PROBLEMS);
 
   /** What follows from all matches together, one file each. */
   public static final List<Table> OF_ALL = List.of(CARPETS, CHANGES, TEAMS);
@@ -237,6 +240,55 @@ public final class Tables {
             "note",
             "",
             "why it is undetermined or only a bound; for an effect where it was seen")
+        .build();
+  }
+
+  private static Table trackers() {
+    return table(
+            "trackers",
+            "What a tracker of a team or of an automatic referee says of the ball, against the fits"
+                + " of the kicks.")
+        .always(TEXT, "source", "", "what the tracker calls itself; may be empty")
+        .always(TEXT, "uuid", "", "tells trackers of the same name apart")
+        .always(LONG, "frames", "", "that it sent")
+        .always(LONG, "samples", "", "frames with a ball during kicks whose fit is trusted")
+        .maybe(DOUBLE, "delay", "s", "by how much its ball is behind on the path, the median")
+        .maybe(
+            DOUBLE,
+            "position_error",
+            "m",
+            "root mean square distance of its ball from the fits, in the plane")
+        .maybe(DOUBLE, "position_error_without_delay", "m", "the same with the delay taken out")
+        .maybe(
+            DOUBLE,
+            "velocity_error",
+            "m/s",
+            "root mean square difference of its ball's velocity from the fits, in the plane")
+        .always(INT, "kicks", "", "that it reports")
+        .always(INT, "matched", "", "kicks whose fit is trusted and that it reports")
+        .always(INT, "missed", "", "kicks whose fit is trusted and that it does not report")
+        .always(INT, "invented", "", "kicks that it reports and the detections do not show")
+        .maybe(
+            DOUBLE,
+            "speed_bias",
+            "m/s",
+            "mean of the speed that it reports last minus that of the fit")
+        .maybe(DOUBLE, "speed_scatter", "m/s", "standard deviation of it")
+        .always(
+            INT,
+            "stops",
+            "",
+            "matched kicks whose ball stopped, with a place and a time told 0.3 s after the kick")
+        .maybe(
+            DOUBLE,
+            "stop_position_error",
+            "m",
+            "root mean square distance of the place told from where the fit's ball stops")
+        .maybe(
+            DOUBLE,
+            "stop_time_error",
+            "s",
+            "root mean square difference of the time told from when the fit's ball stops")
         .build();
   }
 
