@@ -180,6 +180,90 @@ class CamerasTest {
     assertThat(found.get(3).offsetY()).isZero();
   }
 
+  /** Two cameras 4 m apart and 5 m high; the second is off, and tilted by 5 mm/m. */
+  private static final class Apart {
+    static final double X = -0.03;
+    static final double Y = 0.02;
+    static final CameraViews VIEWS =
+        FitSupport.positionsOnly(0.0015, new double[] {-2, 0, 5}, new double[] {2, 0, 5});
+
+    private Apart() {}
+
+    static double[] reported(int camera, double x, double y, double z) {
+      double[] ground = new double[2];
+      VIEWS.get(camera).camera().orElseThrow().projectToGround(x, y, z, ground);
+      return camera == 0
+          ? ground
+          : new double[] {ground[0] + X + 0.005 * ground[0], ground[1] + Y + 0.005 * ground[1]};
+    }
+  }
+
+  /** A chip along y; each impact leaves 47 % of the speed upwards, as on ten real fields. Both cameras see it all the time. */
+  private Kick chip(int id, double until, double noise) {
+    Observations.Builder b = new Observations.Builder();
+    double y0 = random.nextDouble(-1.5, -1);
+    for (int k = 0; k / 70.0 < until; k++) {
+      for (int camera = 0; camera < 2; camera++) {
+        double t = k / 70.0 + 0.004 * camera;
+        double[] p = Apart.reported(camera, 0, y0 + along(t), height(t));
+        b.add(
+            t,
+            camera,
+            p[0] + noise * IdealKicks.gaussian(random),
+            p[1] + noise * IdealKicks.gaussian(random),
+            0,
+            0);
+      }
+    }
+    return new Kick(id, 0, 0, y0, 0, 3, Optional.empty(), true, KickEnd.LOST, until, b.build());
+  }
+
+  /** Height of a chip with 3.5 m/s upwards at the start, m. */
+  private static double height(double t) {
+    double left = t;
+    for (double up = 3.5; up * up / (2 * 9.81) > 0.01; up *= 0.47) {
+      double hop = 2 * up / 9.81;
+      if (left < hop) {
+        return up * left - 9.81 / 2 * left * left;
+      }
+      left -= hop;
+    }
+    return 0;
+  }
+
+  /** Its way on the ground at 2.5 m/s, 0.7 of that after the first impact, m. */
+  private static double along(double t) {
+    double first = 2 * 3.5 / 9.81;
+    return 2.5 * Math.min(t, first) + 1.75 * Math.max(0, t - first);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0003, 0.0015, 0.004})
+  void aBallInTheAirSaysNothingOfOffsets(double noise) {
+    CameraViews views = Apart.VIEWS.map(v -> v.withNoise(noise));
+    List<Kick> flying = new ArrayList<>();
+    for (int id = 1; id <= 6; id++) {
+      flying.add(chip(id, 0.45 + 0.1 * id, noise));
+    }
+    CameraViews found = OverlapOffsets.estimate(flying, views);
+    assertThat(found.all()).containsExactlyElementsOf(views.all());
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.0003, 0.0015, 0.004})
+  void fewChipsThatRollAtLastAreEnough(double noise) {
+    CameraViews views = Apart.VIEWS.map(v -> v.withNoise(noise));
+    // One of three rolls where both cameras see it; the others are lost in the air.
+    List<Kick> kicks = List.of(chip(1, 0.6, noise), chip(2, 0.5, noise), chip(3, 1.8, noise));
+    CameraViews found = OverlapOffsets.estimate(kicks, views);
+    double x = found.get(1).offsetX() - found.get(0).offsetX();
+    double y = found.get(1).offsetY() - found.get(0).offsetY();
+    // The median of 18 differences has 0.3 of their noise; the tilt adds up to 11 mm where the ball
+    // rolls.
+    assertThat(x).isEqualTo(Apart.X, within(0.001 + 1.3 * noise));
+    assertThat(y).isEqualTo(Apart.Y, within(0.011 + 1.3 * noise));
+  }
+
   @Test
   void withoutOverlapNothingChanges() {
     double[][] truth = {{0.03, 0.01}, {0, 0}};

@@ -1,0 +1,173 @@
+package fieldcal.fit;
+
+import fieldcal.camera.Camera;
+import fieldcal.kick.Kick;
+import fieldcal.kick.Observations;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/** What two cameras saw of the ball of one kick at once: by how much the second reports it off from the first, and when that is not the ball's height. */
+final class SharedView {
+  /** Before that the ball is certainly not moving yet, s: the time of a kick is known to a few milliseconds. */
+  private static final double BEFORE_KICK = 0.02;
+
+  /** Positions of a camera that are further apart in time are not interpolated, s: two frames at 60 Hz, one of them lost. */
+  private static final double GAP = 0.035;
+
+  /** Fewer comparisons have no scatter worth the name. */
+  private static final int FEWEST = 5;
+
+  /** Length of the stretches in which a moving ball is compared, s: cameras that overlap by a metre share it for that long up to 5 m/s. */
+  private static final double STRETCH = 0.2;
+
+  /** A stretch must be filled to that part, or it is too short to tell a flight from a roll. */
+  private static final double FILLED = 0.7;
+
+  /**
+   * {@link #scatter} of the height over a stretch around the top of a flight, m; every other part of a flight scatters more. The height spans g·T²/8 there, the median distance from its median is 0.217
+   * of that.
+   */
+  private static final double SCATTER_IN_FLIGHT =
+      0.217 * 9.81 * STRETCH * STRETCH / 8 / Math.sqrt(2 * Math.log(2));
+
+  /** By how much two cameras report a ball apart per metre of height when nobody knows where they hang (chosen: 3 m apart, 6 m high). */
+  private static final double USUAL_PARALLAX = 0.5;
+
+  /** By how much the time stamps of two cameras contradict each other, s: each jitters by up to 1.3 ms (ten real matches of 2026). */
+  private static final double CLOCKS = 0.0013 * Math.sqrt(2);
+
+  private final List<Comparison> comparisons = new ArrayList<>();
+  private final CameraView first;
+  private final CameraView second;
+  private final Kick kick;
+
+  /** Between two positions of the first camera; x and y are the first's. */
+  private record Comparison(double from, double to, double x, double y, double dx, double dy) {}
+
+  /**
+   * A difference of two cameras.
+   *
+   * @param x of the second camera's position from the first's, m
+   * @param y m
+   * @param sigma its standard error, m, positive
+   */
+  record Difference(double x, double y, double sigma) {
+    double weight() {
+      return 1 / (sigma * sigma);
+    }
+  }
+
+  private SharedView(Kick kick, CameraView first, CameraView second) {
+    this.kick = kick;
+    this.first = first;
+    this.second = second;
+  }
+
+  static SharedView of(Kick kick, CameraView first, CameraView second) {
+    SharedView shared = new SharedView(kick, first, second);
+    Observations seen = kick.observations();
+    int before = -1;
+    for (int i = 0; i < seen.size(); i++) {
+      if (seen.camera(i) == first.id()) {
+        before = i;
+      } else if (seen.camera(i) == second.id() && before >= 0) {
+        int after = i + 1;
+        while (after < seen.size() && seen.camera(after) != first.id()) {
+          after++;
+        }
+        if (after < seen.size() && seen.time(after) - seen.time(before) < GAP) {
+          shared.compare(seen, before, i, after);
+        }
+      }
+    }
+    return shared;
+  }
+
+  private void compare(Observations seen, int before, int i, int after) {
+    double span = seen.time(after) - seen.time(before);
+    double f = span > 0 ? (seen.time(i) - seen.time(before)) / span : 0;
+    double x = seen.x(before) + f * (seen.x(after) - seen.x(before));
+    double y = seen.y(before) + f * (seen.y(after) - seen.y(before));
+    comparisons.add(
+        new Comparison(seen.time(before), seen.time(after), x, y, seen.x(i) - x, seen.y(i) - y));
+  }
+
+  /** The difference while the ball rested before the kick. */
+  Optional<Difference> atRest() {
+    List<Comparison> rest =
+        comparisons.stream().filter(c -> c.to <= kick.time() - BEFORE_KICK).toList();
+    return rest.size() < FEWEST ? Optional.empty() : Optional.of(difference(rest));
+  }
+
+  /**
+   * The best known difference while the ball moved on the ground. Of a ball in the air two cameras report places whose distance changes with its height; where the distance is steady, the ball does not fly.
+   */
+  Optional<Difference> onTheGround() {
+    Difference best = null;
+    for (double from = kick.time(); from < kick.endTime(); from += STRETCH / 2) {
+      double begin = from;
+      List<Comparison> stretch =
+          comparisons.stream().filter(c -> c.from >= begin && c.to <= begin + STRETCH).toList();
+      if (stretch.size() >= FEWEST && duration(stretch) > FILLED * STRETCH && steady(stretch)) {
+        Difference d = difference(stretch);
+        best = best == null || d.sigma < best.sigma ? d : best;
+      }
+    }
+    return Optional.ofNullable(best);
+  }
+
+  private static double duration(List<Comparison> stretch) {
+    return stretch.get(stretch.size() - 1).to - stretch.get(0).from;
+  }
+
+  /** Whether the scatter is nearer to that of the noise than to that of a flight. */
+  private boolean steady(List<Comparison> stretch) {
+    Comparison middle = stretch.get(stretch.size() / 2);
+    double flight = 0.5 * parallax(middle.x, middle.y) * SCATTER_IN_FLIGHT;
+    return scatter(stretch) < Math.hypot(flight, Math.hypot(first.noise(), second.noise()));
+  }
+
+  /** By how much further apart the cameras report a ball at a place for each metre that it is higher. */
+  private double parallax(double x, double y) {
+    if (first.camera().isEmpty() || second.camera().isEmpty()) {
+      return USUAL_PARALLAX;
+    }
+    Camera a = first.camera().get();
+    Camera b = second.camera().get();
+    double ha = a.heightAboveBallPlane();
+    double hb = b.heightAboveBallPlane();
+    return Math.hypot(
+        (x - b.positionX()) / hb - (x - a.positionX()) / ha,
+        (y - b.positionY()) / hb - (y - a.positionY()) / ha);
+  }
+
+  private static Difference difference(List<Comparison> stretch) {
+    Comparison begin = stretch.get(0);
+    Comparison end = stretch.get(stretch.size() - 1);
+    double duration = duration(stretch);
+    double speed = duration > 0 ? Math.hypot(end.x - begin.x, end.y - begin.y) / duration : 0;
+    double sigma = Math.hypot(scatter(stretch), speed * CLOCKS);
+    return new Difference(
+        median(stretch.stream().mapToDouble(c -> c.dx).toArray()),
+        median(stretch.stream().mapToDouble(c -> c.dy).toArray()),
+        Math.max(sigma, CameraNoise.FLOOR));
+  }
+
+  /** Standard deviation per axis, m, as {@link RobustScale}. */
+  private static double scatter(List<Comparison> stretch) {
+    double x = median(stretch.stream().mapToDouble(c -> c.dx).toArray());
+    double y = median(stretch.stream().mapToDouble(c -> c.dy).toArray());
+    return RobustScale.ofSquaredDistances(
+        stretch.stream()
+            .mapToDouble(c -> (c.dx - x) * (c.dx - x) + (c.dy - y) * (c.dy - y))
+            .toArray());
+  }
+
+  private static double median(double[] values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    return sorted[sorted.length / 2];
+  }
+}
