@@ -8,10 +8,13 @@ final class CheckStep implements Step {
   /** A ball that is out of sight for longer does not come back by itself, s. */
   private static final double LOST = 2;
 
-  /** After a kick in vain the kicker may have to charge, s; after several, for longer. */
+  /** After a kick in vain the kicker may have to charge, s; after several, for longer. What else went wrong needs no pause. */
   private static final double BREATH = 1;
 
   private static final int MOST_BREATHS = 4;
+
+  /** A ball that was seen lying still for so long rests, s. */
+  private static final double RESTS = 0.15;
 
   /** After so many attempts in vain to take the ball somebody has to lay it down elsewhere. */
   private static final int FETCHES = 3;
@@ -36,9 +39,9 @@ final class CheckStep implements Step {
     if (Double.isNaN(since)) {
       since = s.time();
       // Carrying the ball meanwhile is a breath, too.
-      breathes = ledger.takeFreshFailure();
+      breathes = ledger.takeFreshMisfire();
     }
-    double breath = breathes ? BREATH * Math.min(MOST_BREATHS, ledger.failures()) : 0;
+    double breath = breathes ? BREATH * Math.min(MOST_BREATHS, ledger.misfires()) : 0;
     if (s.time() - since < breath && holder < 0) {
       s.waitFor(ledger.lastFailure() + "; trying again", WaitingFor.NOTHING);
       return this;
@@ -50,17 +53,17 @@ final class CheckStep implements Step {
     BallMemory ball = s.ball();
     if (holder >= 0 && s.fromDribbler(holder) < 0.1) {
       s.dribble(holder);
-      return withBall(s, ledger.next(ball));
+      return withBall(s, ledger.next(s));
     }
     double hidden = ball.known() ? s.ballUnseen() : s.time() - since;
     if (!ball.known() || hidden > LOST) {
       s.waitFor("the ball is not seen", s.theBall());
       return hidden > LOST ? new HelpStep(ledger, "the ball is not seen") : this;
     }
-    if (!s.area().reachable(ball.x(), ball.y()) && (ball.resting() > 0.2 || hidden > 0.5)) {
+    if (!s.area().reachable(ball.x(), ball.y()) && (ball.resting() >= RESTS || hidden > 0.5)) {
       return new HelpStep(ledger, where(s));
     }
-    if (ball.resting() < 0.15 || hidden > 0.3) {
+    if (ball.resting() < RESTS || hidden > 0.3) {
       s.waitFor(hidden > 0.3 ? "the ball is not seen" : "the ball still moves", s.theBall());
       return s.time() - since > s.limits().flightTimeout()
           ? new HelpStep(ledger, "the ball does not come to rest")
@@ -69,7 +72,7 @@ final class CheckStep implements Step {
     if (ledger.timesNotFetched() >= FETCHES) {
       return new HelpStep(ledger, ledger.lastReason());
     }
-    return next(s, ledger.next(ball));
+    return next(s, ledger.next(s));
   }
 
   private Step withBall(Situation s, PlannedKick kick) {

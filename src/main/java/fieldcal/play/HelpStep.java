@@ -68,7 +68,7 @@ final class HelpStep implements Step {
 
   /** On the line of the next kick, away from all robots and from where the ball was of no use. */
   private void choosePlace(Situation s) {
-    PlayLine line = s.plan().lineOf(ledger.next(s.ball()));
+    PlayLine line = s.plan().lineOf(ledger.next(s));
     for (double share : PLACES) {
       double px = line.x0() + share * (line.x1() - line.x0());
       double py = line.y0() + share * (line.y1() - line.y0());

@@ -1,5 +1,7 @@
 package fieldcal.play;
 
+import java.util.function.Predicate;
+
 /** Decides which kick comes next. */
 public interface KickChooser {
 
@@ -11,6 +13,18 @@ public interface KickChooser {
    * @return what is wanted
    */
   PlannedKick next(double ballX, double ballY);
+
+  /**
+   * The next kick, by a chooser that saves carrying the ball where it can. Asked once per kick, instead of {@link #next(double, double)}, which it is unless overridden.
+   *
+   * @param ballX where the ball is, m; NaN when it was never seen
+   * @param ballY where the ball is, m
+   * @param fromHere whether a kick can be made from where the ball lies
+   * @return what is wanted
+   */
+  default PlannedKick next(double ballX, double ballY, Predicate<PlannedKick> fromHere) {
+    return next(ballX, ballY);
+  }
 
   /**
    * Tells how a kick turned out.

@@ -18,7 +18,8 @@ final class Ledger {
   private int good;
   private int bad;
   private int failures;
-  private boolean freshFailure;
+  private int misfires;
+  private boolean freshMisfire;
   private int notFetched;
   private final int[] losses = new int[2];
   private String lastFailure = "";
@@ -48,9 +49,14 @@ final class Ledger {
     return good >= wanted;
   }
 
-  PlannedKick next(BallMemory ball) {
+  /** The kick that is due; best one that can be made from where the ball lies. */
+  PlannedKick next(Situation s) {
     if (next == null) {
-      next = ball.known() ? chooser.next(ball.x(), ball.y()) : chooser.next(Double.NaN, Double.NaN);
+      BallMemory ball = s.ball();
+      next =
+          ball.known()
+              ? chooser.next(ball.x(), ball.y(), kick -> Decider.fromHere(s, kick, -1).isPresent())
+              : chooser.next(Double.NaN, Double.NaN);
     }
     return next;
   }
@@ -62,6 +68,7 @@ final class Ledger {
   int takeNumber() {
     made++;
     failures = 0;
+    misfires = 0;
     notFetched = 0;
     lastReason = "";
     return made;
@@ -100,9 +107,15 @@ final class Ledger {
 
   void failed(String reason) {
     failures++;
-    freshFailure = true;
     lastFailure = reason;
     lastReason = reason;
+  }
+
+  /** A kicker was fired in vain. */
+  void misfired(String reason) {
+    failed(reason);
+    misfires++;
+    freshMisfire = true;
   }
 
   /** A robot tried to take the ball in vain. */
@@ -160,16 +173,16 @@ final class Ledger {
     return Optional.empty();
   }
 
-  /** Whether a kick failed since this was asked last. */
-  boolean takeFreshFailure() {
-    boolean fresh = freshFailure;
-    freshFailure = false;
+  /** Whether a kicker was fired in vain since this was asked last. */
+  boolean takeFreshMisfire() {
+    boolean fresh = freshMisfire;
+    freshMisfire = false;
     return fresh;
   }
 
-  /** Kicks in vain since the last one that was made. */
-  int failures() {
-    return failures;
+  /** How often a kicker was fired in vain since the last kick that was made. */
+  int misfires() {
+    return misfires;
   }
 
   String lastFailure() {

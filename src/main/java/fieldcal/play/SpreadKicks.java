@@ -4,10 +4,12 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Predicate;
 
-/** Kicks with evenly spread speeds in a random order, half along one line and half along the other; kicks that were not good are made again, a little nearer to the middle of the range: what is not determined by the slowest or fastest kick is so again when it is repeated as it was. Not thread-safe. */
+/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. Kicks that were not good are made again, a little nearer to the middle of the range: what is not determined by the slowest or fastest kick is so again when it is repeated as it was. Not thread-safe. */
 public final class SpreadKicks implements KickChooser {
   /** How far towards the middle of the range a kick goes when it is made again. */
   private static final double INWARDS = 0.3;
@@ -48,6 +50,20 @@ public final class SpreadKicks implements KickChooser {
 
   @Override
   public PlannedKick next(double ballX, double ballY) {
+    return next();
+  }
+
+  /** Of those on the line that is due the first that can be made from where the ball lies, or else the first. {@inheritDoc} */
+  @Override
+  public PlannedKick next(double ballX, double ballY, Predicate<PlannedKick> fromHere) {
+    Iterator<PlannedKick> each = waiting.iterator();
+    while (each.hasNext()) {
+      PlannedKick kick = each.next();
+      if (kick.otherLine() == waiting.getFirst().otherLine() && fromHere.test(kick)) {
+        each.remove();
+        return kick;
+      }
+    }
     return next();
   }
 

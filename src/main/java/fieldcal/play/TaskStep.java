@@ -53,6 +53,12 @@ abstract class TaskStep implements Step {
     return lookAgain();
   }
 
+  /** The kicker was fired in vain: looks again what to do. */
+  final Step misfired(String reason) {
+    ledger.misfired(reason);
+    return lookAgain();
+  }
+
   /** Somebody or something moved the ball: looks again what to do. */
   final Step lookAgain(String reason) {
     ledger.remember(reason);

@@ -89,6 +89,33 @@ class CalibrationPlayTest {
   }
 
   @Test
+  void theFirstKickIsOneThatCanBeMadeFromWhereTheBallLies() {
+    // From the middle of the field there is way for 2 m/s, but not for 5 m/s, which is due first.
+    long seed = 1086;
+    assertThat(new SpreadKicks(6, 2, 5, 0, seed).next().speed()).isEqualTo(5);
+    play =
+        new CalibrationPlay(
+            PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 6),
+            new SpreadKicks(6, 2, 5, 0, seed),
+            kick -> {
+              kicks.add(kick);
+              play.judge(kick.number(), true);
+            });
+    field.ball(0, 0);
+    Set<PlayPhase> phases = EnumSet.noneOf(PlayPhase.class);
+    while (kicks.isEmpty() && field.time < 60) {
+      field.tick(play);
+      phases.add(play.state().phase());
+    }
+    assertThat(kicks.get(0).planned().speed()).isEqualTo(2);
+    assertThat(phases).doesNotContain(PlayPhase.FETCH, PlayPhase.PLACE);
+    assertFinishes();
+    assertThat(kicks)
+        .extracting(k -> k.planned().speed())
+        .containsExactlyInAnyOrder(2., 3.5, 5., 2., 3.5, 5.);
+  }
+
+  @Test
   void chipsGoAlongTheHalfWayLine() {
     start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 4), 4, Math.PI / 4);
     assertFinishes();
@@ -208,6 +235,18 @@ class CalibrationPlayTest {
     assertStanding(new PlayAnswer(field.tick(play).orders(), Optional.empty()));
     assertFinishes();
     assertThat(field.requests).isEqualTo(1);
+  }
+
+  /** Nobody drives to a ball for the first tenths of a second in which it lies where nobody gets at it. */
+  @Test
+  void aBallThatIsThrownOutIsAskedForAtOnce() {
+    flat(2);
+    field.somebodyHelps = false;
+    until(PlayPhase.POSITION);
+    field.ball(5.4, 4.8);
+    field.run(play, 1);
+    assertThat(play.state().waiting()).contains("the ball is outside of what the robots can reach");
+    assertThat(field.request).isPresent();
   }
 
   @Test

@@ -23,6 +23,12 @@ final class RobotTracker {
   private static final int ENOUGH_ELSEWHERE = 4;
   private static final double FORGET = 0.5;
 
+  /**
+   * A robot that is not seen drives on as it did for so long, s: so long may robots drive unseen before the play stops them, and what was thought to stand where it was seen last would not be braked
+   * before the edge.
+   */
+  private static final double GOES_ON = 0.25;
+
   /** A camera that has not seen it for so long while another has does not see it any more, s: three frames at 50 Hz. */
   private static final double PRESENT = 0.06;
 
@@ -143,7 +149,7 @@ final class RobotTracker {
     return !Double.isNaN(time);
   }
 
-  /** Where it is now, if it went on as it did; beyond a tenth of a second it is taken to stand. */
+  /** Where it is now, if it went on as it did; beyond {@link #GOES_ON} it is taken to stand. */
   Robot at(double now) {
     Track best = best();
     double[] sum = new double[7];
@@ -152,7 +158,7 @@ final class RobotTracker {
       boolean here = Math.hypot(t.x - best.x, t.y - best.y) < GATE;
       if (time - t.time < PRESENT && here) {
         double weight = Math.min(SETTLED, t.seen);
-        double ahead = now - time < 0.1 ? Math.max(0, now - t.time) : time - t.time;
+        double ahead = now - time < GOES_ON ? Math.max(0, now - t.time) : time - t.time;
         double turned = Math.IEEEremainder(t.orientation - best.orientation, 2 * Math.PI);
         sum[0] += weight;
         sum[1] += weight * (t.x + ahead * t.vx - offsets.x(entry.getKey()));
@@ -162,7 +168,7 @@ final class RobotTracker {
         sum[5] += weight * t.vy;
       }
     }
-    boolean known = now - time < 0.1;
+    boolean known = now - time < GOES_ON;
     return new Robot(
         id,
         sum[1] / sum[0],

@@ -68,6 +68,20 @@ class WorldModelTest {
     }
   }
 
+  /** Nobody brakes before the edge who is thought to stand where it was seen last. */
+  @Test
+  void aRobotThatIsNotSeenDrivesOnUntilThePlayStopsIt() {
+    WorldModel model = new WorldModel();
+    double t = 0;
+    for (int i = 0; i < 200; i++) {
+      t = 0.015 * i;
+      model.accept(frame(0, t, t, 1));
+    }
+    assertThat(first(model, t + 0.2).x()).isCloseTo(t + 0.2, within(0.005));
+    assertThat(first(model, t + 0.2).vx()).isCloseTo(1, within(0.02));
+    assertThat(first(model, t + 0.3).vx()).isZero();
+  }
+
   @Test
   void camerasThatAgreeOnTheTimeButNotOnThePlaceDoNotMakeARobotMove() {
     WorldModel model = new WorldModel();
