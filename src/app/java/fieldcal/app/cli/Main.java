@@ -4,8 +4,12 @@ import fieldcal.app.files.FileFailure;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -15,24 +19,29 @@ import picocli.CommandLine.UnmatchedArgumentException;
     name = "fieldcal",
     description = "Calibrates the motion models of an SSL team on the field it plays on.",
     mixinStandardHelpOptions = true,
-    version = "fieldcal 0.1.0",
-    subcommands = {
-      InfoCommand.class,
-      CalibrateCommand.class,
-      ConsoleCommand.class,
-      DiagnoseCommand.class,
-      ExportCommand.class,
-      LimitsCommand.class,
-      MonitorCommand.class,
-      SimulateCommand.class,
-      PlayCommand.class,
-      RecordCommand.class,
-      TwinCommand.class,
-      CompareCommand.class,
-      ArchiveCommand.class
-    })
+    version = "fieldcal 0.1.0")
 public final class Main {
   private static final int BAD_INPUT = 1;
+
+  /** In the order of the help. */
+  private static final List<Class<?>> COMMANDS =
+      List.of(
+          InfoCommand.class,
+          CalibrateCommand.class,
+          ConsoleCommand.class,
+          DiagnoseCommand.class,
+          ExportCommand.class,
+          LimitsCommand.class,
+          MonitorCommand.class,
+          SimulateCommand.class,
+          PlayCommand.class,
+          RecordCommand.class,
+          TwinCommand.class,
+          CompareCommand.class,
+          ArchiveCommand.class);
+
+  /** What is answered without looking into any command. */
+  private static final Set<String> ABOUT_ALL = Set.of("-h", "--help", "-V", "--version");
 
   /** The commands themselves hold the options. */
   public Main() {}
@@ -43,7 +52,7 @@ public final class Main {
    * @param args command and options
    */
   public static void main(String[] args) {
-    int status = commandLine().execute(args);
+    int status = commandLineFor(args).execute(args);
     if (System.out.checkError() && status == 0) {
       // A full disk behind the output, or nobody who reads it any more.
       System.err.println("fieldcal: standard output: cannot be written");
@@ -58,7 +67,46 @@ public final class Main {
    * @return a new command line, whose output may be redirected
    */
   public static CommandLine commandLine() {
-    return new CommandLine(new Main())
+    CommandLine all = new CommandLine(new Main());
+    COMMANDS.forEach(all::addSubcommand);
+    return prepared(all);
+  }
+
+  /**
+   * The commands that are needed for one line of arguments: looking at the options of all of them takes longer than all else that
+   * {@code --help} does.
+   *
+   * @param args command and options
+   * @return as {@link #commandLine()}, as far as these arguments can tell
+   */
+  static CommandLine commandLineFor(String... args) {
+    String first = args.length == 0 ? "" : args[0];
+    CommandLine few = new CommandLine(new Main());
+    if (args.length == 1 && ABOUT_ALL.contains(first)) {
+      COMMANDS.stream().map(Main::described).forEach(few::addSubcommand);
+      return prepared(few);
+    }
+    Optional<Class<?>> named = COMMANDS.stream().filter(c -> name(c).equals(first)).findFirst();
+    if (named.isEmpty()) {
+      return commandLine();
+    }
+    few.addSubcommand(named.get());
+    return prepared(few);
+  }
+
+  private static String name(Class<?> command) {
+    return command.getAnnotation(Command.class).name();
+  }
+
+  /** Name and description of a command, which is all that the list of commands shows. */
+  private static CommandLine described(Class<?> command) {
+    CommandSpec spec = CommandSpec.create().name(name(command));
+    spec.usageMessage().description(command.getAnnotation(Command.class).description());
+    return new CommandLine(spec);
+  }
+
+  private static CommandLine prepared(CommandLine commands) {
+    return commands
         .setOut(new HarmlessWriter(new PrintWriter(System.out, true)))
         .setErr(new HarmlessWriter(new PrintWriter(System.err, true)))
         .setExecutionExceptionHandler(Main::explain)
