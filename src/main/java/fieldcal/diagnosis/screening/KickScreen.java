@@ -34,6 +34,9 @@ public final class KickScreen {
   /** As the other kind a kick must leave less than that share of what it leaves now. */
   private static final double CLEARLY_BETTER = 0.5;
 
+  /** A kick with a ball of its own must leave that share as the other kind to be of that kind whatever the others say: an order of magnitude, since a ball of its own imitates the wrong kind to some extent. */
+  private static final double BY_ITSELF = 0.1;
+
   /** Tangent of the flattest chip, 27°: chip kickers lift the ball by 30 to 60 degrees. */
   private static final double FLATTEST_CHIP = 0.5;
 
@@ -161,10 +164,12 @@ public final class KickScreen {
               solver.fitOwn(variant, start, state, means, scatters).chiSquare()
                   / Math.max(1, variant.rows()));
     }
-    // A model that does not explain the others cannot say of which kind this one is: then the kick
-    // says it by itself, with a ball of its own.
-    boolean trusted = median < STANDS_OUT || changed.alone() < CLEARLY_BETTER * now.alone();
-    return trusted && left < CLEARLY_BETTER * at.reduced(k) ? changed : now;
+    boolean better = left < CLEARLY_BETTER * at.reduced(k);
+    // A model that does not explain the others cannot say of which kind this one is, unless the
+    // other kind leaves less than this one with a ball of its own, or the kick says it by itself.
+    double most = median < STANDS_OUT ? Math.max(good, now.alone()) : now.alone();
+    boolean speaks = changed.alone() < BY_ITSELF * now.alone();
+    return better && (left < most || speaks) ? changed : now;
   }
 
   /** The kick without what may be no free ball: its end, its begin, its rest. */
