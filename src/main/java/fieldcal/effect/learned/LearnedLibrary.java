@@ -14,6 +14,9 @@ public final class LearnedLibrary {
   /** Knots of a curve, of a place along x and along y; chosen small: a term is a shape, no fit of noise. */
   private static final int KNOTS = 6;
 
+  /** Knots over the speed of what brakes the ball, 0.5 m/s apart: friction that rises before the ball stops (Stribeck) does so below 1 m/s. */
+  private static final int KNOTS_SPEED = 14;
+
   private static final int KNOTS_X = 4;
   private static final int KNOTS_Y = 3;
 
@@ -113,7 +116,7 @@ public final class LearnedLibrary {
     Quantity across = Quantity.ACCELERATION_ACROSS;
     Basis speed = curve(0, ranges.speed(), KNOTS);
     Basis heading = Harmonics.ofAngle(HARMONICS);
-    all.add(LearnedFamily.of(along, Variable.SPEED, speed));
+    all.add(LearnedFamily.of(along, Variable.SPEED, curve(0, ranges.speed(), KNOTS_SPEED)));
     all.add(LearnedFamily.of(along, Variable.SLIP, curve(0, ranges.slip(), KNOTS)));
     all.add(LearnedFamily.of(along, Variable.TIME_SINCE_KICK, curve(0, ranges.time(), KNOTS)));
     all.add(LearnedFamily.of(along, Variable.SESSION_TIME, session(arena)));
