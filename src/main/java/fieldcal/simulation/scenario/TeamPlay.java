@@ -15,7 +15,7 @@ final class TeamPlay {
   private static final double HYSTERESIS = 0.4;
 
   /** Nearer to its target a robot looks at the ball in any case, m: half of what it drives in a hurry. */
-  private static final double NEAR = 0.5;
+  private static final double TURNS_WITHIN = 0.5;
 
   private final FieldSize field;
   private final RandomStream random;
@@ -137,7 +137,8 @@ final class TeamPlay {
       y = ball.y() + scale * (y - ball.y());
     }
     boolean ahead =
-        looks == TeamManner.Facing.TARGET && Math.hypot(x - robot.x(), y - robot.y()) > NEAR;
+        looks == TeamManner.Facing.TARGET
+            && Math.hypot(x - robot.x(), y - robot.y()) > TURNS_WITHIN;
     double toBall = Math.atan2(ball.y() - robot.y(), ball.x() - robot.x());
     double facing = ahead ? Math.atan2(y - robot.y(), x - robot.x()) : toBall;
     double tooClose = Math.hypot(robot.x() - ball.x(), robot.y() - ball.y());
