@@ -34,6 +34,12 @@ class RecordedEffectsTest {
     return cause;
   }
 
+  private static Map<String, Effect> named(Diagnosis diagnosis) {
+    return diagnosis.causes().stream()
+        .map(Cause::effect)
+        .collect(Collectors.toMap(Effect::id, e -> e));
+  }
+
   @Test
   void airDragIsFoundAndSized() throws IOException {
     Diagnosis diagnosis = diagnose("world-flat-air-drag");
@@ -106,10 +112,7 @@ class RecordedEffectsTest {
   @Test
   void fourStrongCausesOfAPhysicsEngineAreFoundTogether() throws IOException {
     Diagnosis diagnosis = diagnose("ode-mixture");
-    Map<String, Effect> named =
-        diagnosis.causes().stream()
-            .map(Cause::effect)
-            .collect(Collectors.toMap(Effect::id, e -> e));
+    Map<String, Effect> named = named(diagnosis);
     assertThat(named.keySet())
         .containsExactlyInAnyOrder("air_drag", "carpet_seam", "kick_spin", "side_spin");
     assertThat(named.get("air_drag").value("cd")).isCloseTo(0.456, within(0.02));
@@ -138,10 +141,7 @@ class RecordedEffectsTest {
   @Test
   void aRegionMovesToItsPlaceWhenTheOtherCauseIsKnown() throws IOException {
     Diagnosis diagnosis = diagnose("ode-region-and-nap");
-    Map<String, Effect> named =
-        diagnosis.causes().stream()
-            .map(Cause::effect)
-            .collect(Collectors.toMap(Effect::id, e -> e));
+    Map<String, Effect> named = named(diagnosis);
     assertThat(named.keySet()).containsExactlyInAnyOrder("carpet_nap", "worn_region");
     assertThat(named.get("carpet_nap").value("amplitude")).isCloseTo(0.154, within(0.003));
     assertThat(named.get("worn_region").value("change")).isCloseTo(-0.374, within(0.01));
