@@ -44,14 +44,14 @@ final class CompareCommand implements Callable<Integer> {
       names = "--commands",
       paramLabel = "CSV",
       description =
-          "what the field's robots were told; kickers are compared where both sides' commands are"
+          "CSV file of the field robots' commands; kickers are compared where those of both are"
               + " known")
   private Path commands;
 
   @Option(
       names = "--with-commands",
       paramLabel = "CSV",
-      description = "what the simulator's robots were told")
+      description = "CSV file of the commands of the simulator's robots")
   private Path simCommands;
 
   @Option(

@@ -22,18 +22,20 @@ final class CompareText {
     FieldComparison c = outcome.comparison();
     line("%s", c.verdict());
     if (!c.differences().isEmpty()) {
-      line(
-          "%n%-34s %24s %24s %13s %9s",
-          "the ball", "field", "simulator", "of the error", "pass by");
+      line("%n%-46s %24s %24s %7s %8s", "the ball", "field", "simulator", "error*", "pass**");
       for (Named n : c.differences()) {
         line(
-            "%-34s %24s %24s %13s %9s",
+            "%-46s %24s %24s %7s %8s",
             n.words(),
             value(n.real(), n.realError(), n.unit()),
             value(n.sim(), n.simError(), n.unit()),
             share(n.shareOfError()),
             metres(n.shareOfPass(), c));
       }
+      line("*  share of the prediction error 1 s ahead");
+      line(
+          "** how much farther this difference alone lets a pass at %.0f m/s roll on the field",
+          FieldComparison.PASS_SPEED);
       line("%nAn AI tuned on the simulator predicts the field's kicks wrong by");
       c.predictionError().forEach((h, e) -> line("  %5.0f mm %.1f s ahead", 1000 * e, h));
     }

@@ -190,7 +190,7 @@ final class ExportCommand implements Callable<Integer> {
       throw new InputException(out + ": is a directory; --out needs a file");
     }
     if (out != null && Files.exists(out) && !overwrite) {
-      throw new InputException(out + ": is there already; --overwrite replaces it");
+      throw new InputException(out + ": exists; --overwrite replaces it");
     }
     BaseFile present = base == null ? null : BaseFile.read(base);
     Export export = present == null ? exporter.fresh() : exporter.into(present);
@@ -241,7 +241,7 @@ final class ExportCommand implements Callable<Integer> {
         .verdict()
         .ifPresent(
             v -> {
-              text.println("Verdict: " + v.headline());
+              text.println(v.headline());
               v.because().forEach(reason -> text.println("  " + reason));
             });
   }

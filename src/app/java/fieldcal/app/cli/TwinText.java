@@ -3,6 +3,8 @@ package fieldcal.app.cli;
 import fieldcal.app.statistics.Comparison;
 import fieldcal.app.twin.TwinCheck;
 import fieldcal.app.twin.TwinOutcome;
+import fieldcal.app.wording.Amount;
+import fieldcal.app.wording.ParameterWords;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
@@ -25,24 +27,24 @@ final class TwinText {
         all - different.size(), all, check.found(), check.kicks());
     if (!check.sentences().isEmpty()) {
       line("%nWhat the twin does not reproduce:");
-      check.sentences().forEach(s -> line("-  %s", s));
+      check.sentences().forEach(s -> line("- %s", s));
     }
-    line("%n%-24s %20s %20s   apart", "", "recording", "twin");
+    line("%n%-46s %20s %20s   apart", "", "recording", "twin");
     for (TwinCheck.Parameter p : check.parameters()) {
       line(
-          "%-24s %20s %20s   %.1f σ",
-          p.name(),
-          String.format(Locale.ROOT, "%.4f ± %.4f", p.recorded(), p.recordedError()),
-          String.format(Locale.ROOT, "%.4f ± %.4f", p.twin(), p.twinError()),
+          "%-46s %20s %20s   %.1f σ",
+          ParameterWords.withUnit(p.name()),
+          Amount.withError(p.recorded(), p.recordedError()),
+          Amount.withError(p.twin(), p.twinError()),
           p.sigmas());
     }
-    if (!outcome.twin().settings().effects().isEmpty()) {
+    if (!outcome.causes().isEmpty()) {
       line("%nCauses in the twin:");
-      outcome.twin().settings().effects().forEach(e -> line("-  %s", e));
+      outcome.causes().forEach(e -> line("- %s", e));
     }
     if (!outcome.twin().notes().isEmpty()) {
       line("%nAssumed, or left out:");
-      outcome.twin().notes().forEach(n -> line("-  %s", n));
+      outcome.twin().notes().forEach(n -> line("- %s", n));
     }
     line(
         "%nsettings: %s%nreport: %s",

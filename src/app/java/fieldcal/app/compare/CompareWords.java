@@ -20,8 +20,7 @@ final class CompareWords {
   static String verdict(
       double passReal, double passSim, List<Named> named, Map<Double, Double> errors) {
     if (named.isEmpty()) {
-      return "The ball behaves in the simulator as on the field, in everything that these kicks can"
-          + " tell.";
+      return "These kicks show no difference between the ball on the field and in the simulator.";
     }
     double longer = passSim - passReal;
     if (!Double.isFinite(longer) || Math.abs(longer) < SMALL) {
@@ -37,10 +36,10 @@ final class CompareWords {
     }
     return String.format(
             Locale.ROOT,
-            "A pass at %.0f m/s stops %.2f m %s on the field than in the simulator",
+            "A pass at %.0f m/s rolls %.2f m %s on the field than in the simulator",
             Cost.PASS,
             Math.abs(longer),
-            longer > 0 ? "earlier" : "later")
+            longer > 0 ? "less far" : "farther")
         + part(named, Comparator.comparingDouble(Named::shareOfPass), false)
         + ".";
   }
@@ -55,8 +54,8 @@ final class CompareWords {
 
   private static String part(String words, double share) {
     return share > MOST
-        ? "; the largest cause is " + words + ", which other differences partly make up for"
-        : "; " + share(share) + " of that is " + words;
+        ? ". Largest cause: " + words + "; other differences act against it"
+        : ". Largest cause: " + words + ", " + share(share) + " of it";
   }
 
   /** A share in words. */

@@ -1,6 +1,7 @@
 package fieldcal.app.compare;
 
 import fieldcal.app.wording.EffectName;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.calibration.Average;
@@ -24,16 +25,20 @@ final class Differences {
   static final double ALPHA = 0.01;
 
   /** A parameter of the ball's simple model. */
-  private record Parameter(String name, String words, String unit, boolean chip) {}
+  private record Parameter(String name, String unit, boolean chip) {
+    String words() {
+      return ParameterWords.of(name);
+    }
+  }
 
   private static final List<Parameter> PARAMETERS =
       List.of(
-          new Parameter("accSlide", "sliding deceleration", "m/s²", false),
-          new Parameter("accRoll", "rolling deceleration", "m/s²", false),
-          new Parameter("kSwitch", "the switch from sliding to rolling", "", false),
-          new Parameter("dampingXyFirstHop", "the first bounce along the ground", "", true),
-          new Parameter("dampingXyOtherHops", "later bounces along the ground", "", true),
-          new Parameter("dampingZ", "the height of bounces", "", true));
+          new Parameter("accSlide", "m/s²", false),
+          new Parameter("accRoll", "m/s²", false),
+          new Parameter("kSwitch", "", false),
+          new Parameter("dampingXyFirstHop", "", true),
+          new Parameter("dampingXyOtherHops", "", true),
+          new Parameter("dampingZ", "", true));
 
   private final Side real;
   private final Side sim;
@@ -115,9 +120,10 @@ final class Differences {
     }
     double[] a = field.get();
     double[] b = other.get();
-    rows.add(new Row(p.name, p.words, p.unit, a[0], a[1], b[0], b[1], false));
+    rows.add(new Row(p.name, p.words(), p.unit, a[0], a[1], b[0], b[1], false));
     candidate(
-        new Difference(p.name, p.words, a[0], a[1], b[0], b[1], p.unit, m -> with(m, p.name, b[0])),
+        new Difference(
+            p.name, p.words(), a[0], a[1], b[0], b[1], p.unit, m -> with(m, p.name, b[0])),
         (b[0] - a[0]) / Math.hypot(a[1], b[1]));
   }
 

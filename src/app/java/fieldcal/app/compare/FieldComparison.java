@@ -27,6 +27,9 @@ public record FieldComparison(
     double passSim,
     Map<Double, Double> predictionError) {
 
+  /** Speed of the pass that both fields are compared with, m/s. */
+  public static final double PASS_SPEED = Cost.PASS;
+
   /** Copies the collections. {@inheritDoc} */
   public FieldComparison {
     differences = List.copyOf(differences);

@@ -13,6 +13,7 @@ import fieldcal.effect.MotionEffect;
 import fieldcal.kick.KickKind;
 import fieldcal.vision.BallModels;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -87,7 +88,8 @@ final class CarryingCost {
             "Not carried: " + name + ". It is about a kicker, not about the ball's path.");
       } else if (effect instanceof MotionEffect) {
         Gap gap = gap(whole, without(effect));
-        priced.add(Map.entry(gap.rms()[1], "Not carried: " + name + ", worth " + words(gap) + "."));
+        priced.add(
+            Map.entry(gap.rms()[1], "Not carried: " + name + ". That costs " + words(gap) + "."));
       } else if (effect instanceof MeasurementEffect) {
         sentences.add(
             "Not carried: "
@@ -106,7 +108,13 @@ final class CarryingCost {
     all.addAll(sentences);
     file.instead()
         .forEach(
-            (lacks, uses) -> all.add("The target has no " + lacks + " and uses " + uses + "."));
+            (lacks, uses) ->
+                all.add(
+                    "The target has no "
+                        + QuantityWords.of(lacks)
+                        + " and uses the "
+                        + QuantityWords.of(uses)
+                        + "."));
     total().ifPresent(all::add);
     return all;
   }
@@ -128,14 +136,14 @@ final class CarryingCost {
             : "over " + kicks.size() + " kicks of 2 to 6.5 m/s from the centre in all directions";
     return Optional.of(
         seen
-            ? "In all the target predicts "
+            ? "In all, the target's prediction is off from the whole model's by "
                 + words(gap)
-                + " off from the whole model, "
+                + ", "
                 + over
                 + "."
             : "The target predicts like the whole model, to within "
                 + VISIBLE_MM
-                + " mm after 2 s "
+                + " mm after 2 s, "
                 + over
                 + ".");
   }
@@ -143,11 +151,11 @@ final class CarryingCost {
   private static String words(Gap gap) {
     return String.format(
         Locale.ROOT,
-        "%s / %s / %s mm after 0.5 / 1 / 2 s (RMS; at most %s mm)",
+        "%s mm after 0.5 s, %s mm after 1 s and %s mm after 2 s (root mean square; at most %s mm)",
         mm(gap.rms()[0]),
         mm(gap.rms()[1]),
         mm(gap.rms()[2]),
-        mm(gap.worst()[2]));
+        mm(Arrays.stream(gap.worst()).max().orElseThrow()));
   }
 
   private static String mm(double value) {

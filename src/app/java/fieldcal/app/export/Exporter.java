@@ -13,13 +13,13 @@ import fieldcal.app.wording.Amount;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /** Puts a model into the form that a target reads. */
@@ -49,13 +49,13 @@ public final class Exporter {
     this.target = target;
     this.model = ofTeam(model, team);
     file = choose(target, this.model);
-    Set<String> unknown = new TreeSet<>();
+    Set<String> unknown = new LinkedHashSet<>();
     for (Key key : file.keys()) {
       OptionalDouble quantity = this.model.quantities().of(key.quantity());
       if (quantity.isPresent()) {
         settings.add(setting(key, quantity.getAsDouble(), entry(entry)));
       } else {
-        unknown.add(key.quantity().replace('_', ' ').replace('.', ' '));
+        unknown.add(QuantityWords.of(key.quantity()));
       }
     }
     explain(unknown);
@@ -94,11 +94,11 @@ public final class Exporter {
     String wanted =
         target.files().stream()
             .flatMap(f -> f.keys().stream())
-            .map(k -> k.quantity().replace('_', ' '))
+            .map(k -> QuantityWords.of(k.quantity()))
             .distinct()
             .collect(Collectors.joining(", "));
     throw new InputException(
-        model.file() + ": has nothing that " + target.name() + " takes (" + wanted + ")");
+        model.file() + ": holds none of what " + target.name() + " takes: " + wanted);
   }
 
   private static long known(TargetFile file, ExportModel model) {

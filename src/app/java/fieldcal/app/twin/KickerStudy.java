@@ -50,8 +50,8 @@ final class KickerStudy {
     double[] side = spins.getOrDefault("side_spin", new double[2]);
     if (rest.isEmpty()) {
       notes.add(
-          "No commands were given: kickers do what they are told, with a usual scatter (--commands"
-              + " tells what they were told).");
+          "No commands are known (--commands): the kickers do what is commanded, with a usual"
+              + " scatter.");
       return usual.withRollSpin(roll[0], roll[1]).withSideSpin(side[0], side[1]);
     }
     double[] elevations =

@@ -5,6 +5,7 @@ import fieldcal.app.calibrate.InputException;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.limits.LimitsOutcome;
 import fieldcal.app.statistics.FieldRecording;
+import fieldcal.app.wording.EffectName;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.camera.CameraCalibration;
@@ -230,7 +231,7 @@ final class TwinBuilder {
     try {
       effects.add(new EffectSetting(SimulatedEffect.of(effect.id()), values));
     } catch (IllegalArgumentException e) {
-      notes.add("The simulator cannot have " + effect.id() + ": " + e.getMessage() + ".");
+      notes.add("The simulator cannot have " + EffectName.of(effect) + ": " + e.getMessage() + ".");
     }
   }
 
@@ -239,9 +240,9 @@ final class TwinBuilder {
     String name = team.team().label();
     RobotLimits result =
         new RobotLimits(
-            of(name + " velocity", team.velocity(), usual.velocity()),
-            of(name + " acceleration", team.acceleration(), usual.acceleration()),
-            of(name + " braking", team.braking(), usual.braking()),
+            of("velocity of " + name, team.velocity(), usual.velocity()),
+            of("acceleration of " + name, team.acceleration(), usual.acceleration()),
+            of("braking of " + name, team.braking(), usual.braking()),
             usual.angularVelocity(),
             usual.angularAcceleration(),
             0,
@@ -261,12 +262,12 @@ final class TwinBuilder {
       return estimate.value();
     }
     notes.add(
-        "The limit of "
+        "The recordings do not show the largest "
             + what
-            + " was not reached: a usual one, "
+            + ": "
             + usual
-            + (what.endsWith("velocity") ? " m/s" : " m/s²")
-            + ", is taken.");
+            + (what.contains("velocity") ? " m/s" : " m/s²")
+            + " is assumed, a usual value.");
     return estimate.known() ? Math.max(usual, estimate.value()) : usual;
   }
 

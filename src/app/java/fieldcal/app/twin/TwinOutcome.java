@@ -4,6 +4,8 @@ import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * A twin and what became of its check.
@@ -24,5 +26,19 @@ public record TwinOutcome(
   /** Copies the list. {@inheritDoc} */
   public TwinOutcome {
     recordings = List.copyOf(recordings);
+  }
+
+  /**
+   * The causes in the twin, in words.
+   *
+   * @return for example "air drag (cd 0.50)"
+   */
+  public List<String> causes() {
+    Set<String> ids =
+        twin.settings().effects().stream().map(e -> e.effect().id()).collect(Collectors.toSet());
+    return diagnosis.diagnosis().model().effects().stream()
+        .filter(e -> ids.contains(e.id()))
+        .map(TwinWords::cause)
+        .toList();
   }
 }

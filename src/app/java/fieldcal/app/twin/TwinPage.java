@@ -6,7 +6,8 @@ import fieldcal.app.report.Provenance;
 import fieldcal.app.report.ReportPage;
 import fieldcal.app.report.Rounded;
 import fieldcal.app.statistics.Comparison;
-import fieldcal.simulation.EffectSetting;
+import fieldcal.app.wording.Amount;
+import fieldcal.app.wording.ParameterWords;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -58,18 +59,14 @@ final class TwinPage {
 
     static Row of(TwinCheck.Parameter p) {
       return new Row(
-          p.name(),
-          withError(p.recorded(), p.recordedError()),
-          withError(p.twin(), p.twinError()),
+          ParameterWords.withUnit(p.name()),
+          Amount.withError(p.recorded(), p.recordedError()),
+          Amount.withError(p.twin(), p.twinError()),
           "",
           0,
           p.sigmas(),
           Double.NaN,
           p.sigmas() > 2);
-    }
-
-    private static String withError(double value, double error) {
-      return String.format(Locale.ROOT, "%.4f ± %.4f", value, error);
     }
   }
 
@@ -86,7 +83,7 @@ final class TwinPage {
             check.comparisons().size(),
             check.sentences(),
             outcome.twin().notes(),
-            outcome.twin().settings().effects().stream().map(EffectSetting::toString).toList(),
+            outcome.causes(),
             outcome.twin().settings().physics().extras().size(),
             check.parameters().stream().map(Row::of).toList(),
             check.comparisons().stream().map(Row::of).toList(),

@@ -1,7 +1,10 @@
 package fieldcal.app.twin;
 
 import fieldcal.app.statistics.Comparison;
+import fieldcal.app.wording.EffectName;
+import fieldcal.effect.Effect;
 import java.util.Locale;
+import java.util.Map;
 
 /** A comparison in words. */
 final class TwinWords {
@@ -19,6 +22,11 @@ final class TwinWords {
         unit,
         number(c.second()),
         unit);
+  }
+
+  /** A cause of the twin, for example "air drag (cd 0.50)". */
+  static String cause(Effect effect) {
+    return EffectName.of(effect) + " (" + EffectName.strength(effect, Map.of()) + ")";
   }
 
   /** With four significant figures. */

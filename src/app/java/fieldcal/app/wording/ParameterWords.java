@@ -37,8 +37,37 @@ public final class ParameterWords {
     return words == null ? inFiles(name) : words + " (" + inFiles(name) + ")";
   }
 
-  /** The unit with a blank before it; empty for a ratio. */
-  static String unit(String name) {
+  /**
+   * The name in sentences of a parameter that is known by its name in files.
+   *
+   * @param name for example {@code acc_slide}
+   * @return for example {@code sliding deceleration (acc_slide)}
+   */
+  public static String ofFileName(String name) {
+    return WORDS.keySet().stream()
+        .filter(known -> inFiles(known).equals(name))
+        .findFirst()
+        .map(ParameterWords::of)
+        .orElse(name);
+  }
+
+  /**
+   * The name in tables, where the unit follows the name.
+   *
+   * @param name as in the model's record
+   * @return for example {@code sliding deceleration (acc_slide), m/s²}
+   */
+  public static String withUnit(String name) {
+    return of(name) + (unit(name).isEmpty() ? "" : "," + unit(name));
+  }
+
+  /**
+   * The unit with a blank before it.
+   *
+   * @param name as in the model's record
+   * @return " m/s²"; empty for a ratio
+   */
+  public static String unit(String name) {
     return name.startsWith("acc") ? " m/s²" : "";
   }
 }

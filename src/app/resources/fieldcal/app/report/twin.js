@@ -32,7 +32,7 @@
     table('parameters', ['Parameter', 'Recording', 'Twin', 'Standard errors apart', ''], report.parameters.map(row => el('tr', {},
       el('td', {class: 'words'}, row.words), el('td', {}, row.recorded), el('td', {}, row.twin), el('td', {}, number(row.sigmas, 1)), el('td', {}, verdict(row)))),
       'Means of the single kicks with their standard errors. More than two standard errors apart counts as different.');
-    const parts = report.causes.map(cause => 'cause ' + cause);
+    const parts = report.causes.slice();
     if (report.learned > 0) parts.push(report.learned + (report.learned === 1 ? ' learned law' : ' learned laws') + ' of the ball');
     content('field').replaceChildren(
       parts.length === 0 ? el('p', {}, 'The simple ball model: the diagnosis named no cause.') : list(parts),

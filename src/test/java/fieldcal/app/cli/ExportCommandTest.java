@@ -68,7 +68,7 @@ class ExportCommandTest {
     Files.copy(sample("erforce-tracker.txt"), present);
     Answer refused = run(model, "--to=erforce-tracker", "--base=" + present, "--out=" + present);
     assertThat(refused.exit()).isEqualTo(1);
-    assertThat(refused.err()).contains(present + ": is there already").hasLineCount(1);
+    assertThat(refused.err()).contains(present + ": exists").hasLineCount(1);
     assertThat(present).hasSameBinaryContentAs(sample("erforce-tracker.txt"));
 
     Answer done =
@@ -120,13 +120,13 @@ class ExportCommandTest {
   @Test
   void theOtherVerdictsAreShown() throws IOException {
     String verdict =
-        "\"verdict\": {\"decision\": \"check_first\", \"headline\": \"Check first.\","
+        "\"verdict\": {\"decision\": \"check_first\", \"headline\": \"Verdict: check first.\","
             + " \"because\": []},";
     Files.writeString(
         model, Files.readString(model).replaceFirst("\"sources\"", verdict + " \"sources\""));
     Answer answer = run(model, "--to=immortals");
     assertThat(answer.exit()).isZero();
-    assertThat(answer.err()).contains("Verdict: Check first.");
+    assertThat(answer.err().lines()).contains("Verdict: check first.");
   }
 
   @Test
@@ -144,7 +144,7 @@ class ExportCommandTest {
     Answer answer = run(text, "--to=erforce-tracker");
     assertThat(answer.exit()).isZero();
     assertThat(answer.out()).contains("fast_deceleration: 3.0\n").doesNotContain("z_damping");
-    assertThat(answer.err()).contains("Not known: damping");
+    assertThat(answer.err()).contains("Not known: vertical damping (damping_z)");
   }
 
   @ParameterizedTest
@@ -183,7 +183,7 @@ class ExportCommandTest {
         .contains("needs --base")
         .hasLineCount(1);
     assertThat(run(sample("limits.json"), "--to=ssl-vision").err())
-        .contains("has nothing that ssl-vision takes")
+        .contains("holds none of what ssl-vision takes: sliding deceleration (acc_slide)")
         .hasLineCount(1);
   }
 }

@@ -85,11 +85,11 @@ class CompareCommandTest {
     assertThat(pass.get("sim_distance").asDouble() - pass.get("real_distance").asDouble())
         .isCloseTo(shorter, within(0.1));
     assertThat(answer.out())
-        .contains("earlier on the field than in the simulator; nearly all of that is rolling");
+        .contains("less far on the field than in the simulator. Largest cause: rolling");
     // Half of the difference of the accelerations times the square of the time, while rolling.
     assertThat(json.get("prediction_error_mm").get("1.0").asDouble()).isBetween(10.0, 30.0);
     assertThat(json.get("others").findValuesAsText("id")).contains("kick_gain");
-    assertThat(Files.readString(out.resolve("compare.html"))).contains("earlier on the field");
+    assertThat(Files.readString(out.resolve("compare.html"))).contains("less far on the field");
   }
 
   @Test
@@ -97,7 +97,8 @@ class CompareCommandTest {
     Path file = folder.resolve("same.json");
     Answer answer = run("compare", log("field"), "--with", log("again"), "--json=" + file);
     assertThat(answer.exit()).as(answer.err()).isZero();
-    assertThat(answer.out()).startsWith("The ball behaves in the simulator as on the field");
+    assertThat(answer.out())
+        .startsWith("These kicks show no difference between the ball on the field");
     JsonNode json = new ObjectMapper().readTree(file.toFile());
     assertThat(json.get("differences")).isEmpty();
     assertThat(json.get("parameters").size()).isEqualTo(3);

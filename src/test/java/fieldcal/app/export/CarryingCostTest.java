@@ -11,6 +11,7 @@ import fieldcal.effect.motion.SpeedDependentRoll;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -37,7 +38,7 @@ class CarryingCostTest {
     assertThat(notes.get(0)).startsWith("Not carried: air drag (cd 0.45)");
     assertThat(notes.get(1)).startsWith("Not carried: rolling that depends on speed (slope 0.045");
     assertThat(notes).anyMatch(n -> n.contains("camera 1") && n.contains("not of the ball"));
-    assertThat(notes).anyMatch(n -> n.startsWith("In all the target predicts"));
+    assertThat(notes).anyMatch(n -> n.startsWith("In all, the target's prediction is off"));
     assertThat(notes).anyMatch(n -> n.contains("calibrate without --model"));
   }
 
@@ -98,8 +99,23 @@ class CarryingCostTest {
         .satisfies(n -> assertThat(oneSecond(n)).isCloseTo(expected, within(0.5)));
   }
 
+  /** grSim slides with a friction of its own, which costs most after half a second. */
+  @Test
+  void noKickIsFartherOffThanTheLargestDistance() throws IOException {
+    String note =
+        notes("grsim", "calibration.json", null).stream()
+            .filter(n -> n.startsWith("In all"))
+            .findFirst()
+            .orElseThrow();
+    Matcher mm = Pattern.compile("([0-9.]+) mm").matcher(note);
+    List<Double> all = mm.results().map(r -> Double.valueOf(r.group(1))).toList();
+    assertThat(all).hasSize(4);
+    assertThat(all.get(0)).isGreaterThan(all.get(2));
+    assertThat(all.get(3)).isGreaterThanOrEqualTo(Collections.max(all.subList(0, 3)));
+  }
+
   private static double oneSecond(String note) {
-    Matcher m = Pattern.compile("[0-9.]+ / ([0-9.]+) / [0-9.]+ mm after").matcher(note);
+    Matcher m = Pattern.compile("([0-9.]+) mm after 1 s").matcher(note);
     assertThat(m.find()).as(note).isTrue();
     return Double.parseDouble(m.group(1));
   }
@@ -124,8 +140,8 @@ class CarryingCostTest {
   @Test
   void aDampingThatATargetLacksHasAPrice() throws IOException {
     assertThat(notes("erforce-tracker", "calibration.json", null))
-        .anyMatch(n -> n.startsWith("The target has no damping_xy_other_hops"))
-        .anyMatch(n -> n.startsWith("In all the target predicts"));
+        .anyMatch(n -> n.startsWith("The target has no horizontal damping at later impacts"))
+        .anyMatch(n -> n.startsWith("In all, the target's prediction is off"));
     assertThat(notes("geometry-text", "calibration.json", null))
         .anyMatch(n -> n.startsWith("The target predicts like the whole model"));
   }
