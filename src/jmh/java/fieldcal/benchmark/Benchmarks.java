@@ -1,5 +1,6 @@
 package fieldcal.benchmark;
 
+import fieldcal.app.compare.CompareBenchmark;
 import fieldcal.app.console.ConsoleBenchmark;
 import fieldcal.app.console.Soak;
 import fieldcal.diagnosis.DiagnosisSpeed;
@@ -29,7 +30,8 @@ public final class Benchmarks {
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [limit-shapes]"
           + " [match-kicks] [k-switch] [diagnose] [live] [live-warnings] [live-carpets] [live-day]"
           + " [sample-tree] [console] [play] [play-calibration] [play-adaptive] [play-causes]"
-          + " [play-udp] [soak] [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
+          + " [play-udp] [soak] [compare] [--kicks N] [--seed N] [--megabytes N] [--runs N]"
+          + " [--minutes N]";
 
   private Benchmarks() {}
 
@@ -69,6 +71,7 @@ public final class Benchmarks {
     parts.put("play-causes", CausesBenchmark::run);
     parts.put("play-udp", NetworkPlayBenchmark::run);
     parts.put("soak", Soak::run);
+    parts.put("compare", CompareBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {
