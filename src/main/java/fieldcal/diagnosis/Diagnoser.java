@@ -387,26 +387,42 @@ public final class Diagnoser {
     }
 
     /** With learned terms for what has no name. Several effects may have imitated one that has none: then curves alone leave much less, and nothing is named. */
-    private Weighed described(Weighed named, ModelChoice choice, HoldOut heldBase) {
-      Weighed best = named;
-      FittedModel curved = withCurves(named.model());
-      if (curved.model().components().size() > named.model().model().components().size()) {
-        Weighed weighed = choice.of(withoutSupplanted(named.model(), curved));
-        if (weighed.held().rmsMm() < (1 - CLEARLY_BETTER) * named.held().rmsMm()
-            && !weighed.held().predictsWorseThan(heldBase, problem.seed())) {
-          best = weighed;
-        }
-      }
+    private Weighed described(Weighed found, ModelChoice choice, HoldOut heldBase) {
+      Weighed best = curved(found, choice, heldBase);
       if (best.model().model().components().isEmpty()
           || !Leftover.of(best.model()).isSignificant()) {
         return best;
       }
       Weighed alone = choice.of(withCurves(base));
+      boolean named = best.judged().stream().anyMatch(Run::isName);
+      double most = named ? IMITATED : 1;
       boolean imitated =
-          Math.pow(alone.held().rmsMm(), 2) < IMITATED * Math.pow(best.held().rmsMm(), 2);
+          Math.pow(alone.held().rmsMm(), 2) < most * Math.pow(best.held().rmsMm(), 2);
       return imitated && !alone.held().predictsWorseThan(best.held(), problem.seed())
           ? alone
           : best;
+    }
+
+    private static boolean isName(Judgement j) {
+      return j.outcome() == Outcome.NAMED && !LearnedFindings.isLearned(j.effect());
+    }
+
+    /** With curves beside the causes, if that predicts better. Causes whose place a curve took stay where they are needed all the same: beside a curve a cause may get its true size. */
+    private Weighed curved(Weighed named, ModelChoice choice, HoldOut heldBase) {
+      FittedModel curved = withCurves(named.model());
+      if (curved == named.model()) {
+        return named;
+      }
+      Weighed best = choice.of(curved);
+      FittedModel fewer = withoutSupplanted(named.model(), curved);
+      if (fewer != curved) {
+        Weighed lean = choice.of(fewer);
+        best = lean.isAsGoodAs(best, CLEARLY_BETTER) ? lean : best;
+      }
+      boolean better =
+          best.held().rmsMm() < (1 - CLEARLY_BETTER) * named.held().rmsMm()
+              && !best.held().predictsWorseThan(heldBase, problem.seed());
+      return better ? best : named;
     }
 
     private FittedModel withCurves(FittedModel start) {
@@ -467,8 +483,7 @@ public final class Diagnoser {
       List<LearnedFinding> learned = new ArrayList<>();
       for (int i = 0; i < a.judged.size(); i++) {
         Judgement j = a.judged.get(i);
-        boolean isLearned = LearnedFindings.isLearned(j.effect());
-        if (j.outcome() == Outcome.NAMED && !isLearned) {
+        if (isName(j)) {
           causes.add(cause(j, decision().ties(a.extended, i, j)));
         } else {
           learned.add(LearnedFindings.of(a.extended, i, j, arena));

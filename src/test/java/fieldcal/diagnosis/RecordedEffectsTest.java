@@ -149,4 +149,29 @@ class RecordedEffectsTest {
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(1.1 * diagnosis.extended().noiseMm());
   }
+
+  /** A sound field, whose engine brakes a ball a little differently just before it stops: 12 kicks, of which one is slow, do not make that a worn strip of carpet. */
+  @Test
+  void whatAnEngineDoesBeforeTheBallStopsIsNoPlaceOnTheCarpet() throws IOException {
+    Diagnosis diagnosis = diagnose("bullet-slow-roll");
+    assertThat(diagnosis.causes()).isEmpty();
+    assertThat(diagnosis.learned()).hasSize(1);
+    assertThat(diagnosis.learned().get(0).dependsOn()).containsExactly("speed");
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(1.25 * diagnosis.extended().noiseMm());
+  }
+
+  /** A push across the field that changes its sign every 1.7 m, of ±0.071 m/s²: the curve has more numbers than there are kicks. */
+  @Test
+  void aPushInWavesIsLearned() throws IOException {
+    Diagnosis diagnosis = diagnose("ode-waves");
+    assertThat(diagnosis.problems()).isEmpty();
+    assertThat(diagnosis.causes()).isEmpty();
+    assertThat(diagnosis.learned().get(0).actsOn()).isEqualTo("ground");
+    assertThat(diagnosis.learned().get(0).dependsOn()).containsExactly("place");
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(0.1 * diagnosis.base().holdoutRmsMm());
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.2 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
 }

@@ -197,7 +197,9 @@ public final class LearnedWords {
     String eachSize = size(curve, perStep);
     return switch (formula.kind()) {
       case NONE ->
-          Sentences.begin(subject(curve)) + " does not depend on " + variable(variable) + ".";
+          text(
+              "%s changes with %s by no more than its error.",
+              Sentences.begin(subject(curve)), variable(variable));
       case SLOPE -> text("The %s: by %s for each %s.", change, eachSize, each(variable));
       case QUADRATIC ->
           text(

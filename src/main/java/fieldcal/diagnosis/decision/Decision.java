@@ -30,6 +30,12 @@ public final class Decision {
   /** What only so many kicks show may be theirs. */
   private static final int TOO_FEW_KICKS = 2;
 
+  /** Hotelling's test needs more kicks than that times the numbers; with fewer it has little power. */
+  private static final int KICKS_PER_NUMBER = 2;
+
+  /** Index of the lower bound of a gain. */
+  private static final int LOWER = 2;
+
   private final DecisionSettings settings;
   private final ModelFitter fitter;
   private final Alternatives alternatives;
@@ -154,10 +160,10 @@ public final class Decision {
     if (!(evidence > limit)) {
       return Outcome.CHANCE;
     }
-    if (!c.isPerKick() && !c.isLaw() && isUneven(model, i, size, settings.uneven())) {
+    if (!c.isPerKick() && !c.isLaw() && !isSteady(model, i, gain)) {
       return Outcome.UNSTEADY;
     }
-    boolean small = c.isPerKick() && excess > 0 && isUneven(model, i, 1, settings.uneven());
+    boolean small = c.isPerKick() && excess > 0 && isUneven(model, i, settings.uneven());
     if (c.isPerKick() && (evidence < excess || small || Independence.isLaw(model, i))) {
       // A value for each kick takes up something of whatever is left, and is no chance where it
       // follows from the kick.
@@ -177,10 +183,21 @@ public final class Decision {
     return law && evidence < largest ? Outcome.FORM : Outcome.NAMED;
   }
 
+  /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */
+  private boolean isSteady(FittedModel model, int i, double[] gain) {
+    return isTestable(model, i) ? !isUneven(model, i, settings.uneven()) : gain[LOWER] > 0;
+  }
+
+  private static boolean isTestable(FittedModel model, int i) {
+    int size = model.model().components().get(i).magnitudeCount();
+    return model.kickCount() > KICKS_PER_NUMBER * size;
+  }
+
   /** Whether its strength differs so much from kick to kick that its mean over the kicks may be chance: Hotelling's test with the kicks as the sample. */
-  private static boolean isUneven(FittedModel model, int i, int size, double chance) {
+  private static boolean isUneven(FittedModel model, int i, double chance) {
+    int size = model.model().components().get(i).magnitudeCount();
     Optional<double[][]> covariance = model.solution().covariance();
-    if (covariance.isEmpty()) {
+    if (covariance.isEmpty() || !isTestable(model, i)) {
       return true;
     }
     int from = model.model().offset(i);
@@ -194,11 +211,9 @@ public final class Decision {
       }
     }
     double wald = quadratic(v, theta);
-    int freedom = model.kickCount() - size;
-    if (freedom < 2) {
-      return true;
-    }
-    double limit = new FDistribution(null, size, freedom).inverseCumulativeProbability(1 - chance);
+    double limit =
+        new FDistribution(null, size, model.kickCount() - size)
+            .inverseCumulativeProbability(1 - chance);
     return !(wald / size > limit);
   }
 

@@ -18,7 +18,7 @@ final class FormulaText {
     String verb = a < 0 ? "falls" : "grows";
     String side = a < 0 ? "lower" : "higher";
     return switch (kind) {
-      case NONE -> what + " does not change";
+      case NONE -> what + " changes by no more than its error";
       case SLOPE -> what + " " + verb + " by " + size + " per " + per;
       case QUADRATIC ->
           what

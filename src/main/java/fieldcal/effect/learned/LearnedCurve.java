@@ -7,8 +7,9 @@ import java.util.Objects;
 /**
  * What a learned term says, with bounds, over the range where data lie: points of a curve, or a table of a place. Immutable.
  *
- * <p>The error of a point is {@code √(φᵀCφ)} with the functions' values φ there and the covariance C of the coefficients; errors of neighbouring points go together, for
- * a curve has no more independent numbers than coefficients.
+ * <p>The mean over the points is taken out, of values and functions alike: it is a parameter of the simple model or of a named effect, and how badly a recording tells the two apart says nothing of the curve's shape. Only levels stay what they are,
+ * relative to the first one. The error of a point is {@code √(φᵀCφ)} with the functions' values φ there and the covariance C of the coefficients; errors of neighbouring points go together, for a curve has no more independent numbers than
+ * coefficients.
  *
  * @param family what depends on what
  * @param component 0, or 1 for the y of a shift
@@ -102,17 +103,38 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
       throw new IllegalArgumentException(
           "covariance has " + covariance.length + " rows, but coefficients are " + family.size());
     }
-    List<Point> points = new ArrayList<>();
     boolean table = family.basis().dimension() == 2;
     double[] xs = grid(family, support, table);
     double[] ys = table ? spread(support.fromY(), support.toY(), TABLE) : new double[1];
+    List<Point> points = new ArrayList<>();
+    double[][] functions = new double[xs.length * ys.length][family.basis().size()];
+    double mean = 0;
     for (double y : ys) {
       for (double x : xs) {
-        double error = error(family, component, covariance, x, y);
-        points.add(new Point(x, y, term.valueAt(component, x, y), error));
+        double value = term.valueAt(component, x, y);
+        family.basis().values(x, y, functions[points.size()]);
+        points.add(new Point(x, y, value, 0));
+        mean += value / functions.length;
       }
     }
+    boolean level = family.basis() instanceof Levels;
+    double[] means = level ? new double[family.basis().size()] : means(functions);
+    for (int i = 0; i < functions.length; i++) {
+      Point p = points.get(i);
+      double error = error(component, covariance, functions[i], means);
+      points.set(i, new Point(p.x(), p.y(), p.value() - (level ? 0 : mean), error));
+    }
     return new LearnedCurve(family, component, points);
+  }
+
+  private static double[] means(double[][] functions) {
+    double[] means = new double[functions[0].length];
+    for (double[] at : functions) {
+      for (int j = 0; j < means.length; j++) {
+        means[j] += at[j] / functions.length;
+      }
+    }
+    return means;
   }
 
   private static double[] grid(LearnedFamily family, Support support, boolean table) {
@@ -134,15 +156,14 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
   }
 
   private static double error(
-      LearnedFamily family, int component, double[][] covariance, double x, double y) {
-    int n = family.basis().size();
-    double[] phi = new double[n];
-    family.basis().values(x, y, phi);
+      int component, double[][] covariance, double[] functions, double[] means) {
+    int n = functions.length;
     int at = component * n;
     double variance = 0;
     for (int i = 0; i < n; i++) {
       for (int j = 0; j < n; j++) {
-        variance += phi[i] * covariance[at + i][at + j] * phi[j];
+        variance +=
+            (functions[i] - means[i]) * covariance[at + i][at + j] * (functions[j] - means[j]);
       }
     }
     return Math.sqrt(Math.max(0, variance));

@@ -384,11 +384,8 @@ public final class SharedSolution<S> {
   /** Inverse of an information matrix; empty when that is singular. */
   static Optional<double[][]> inverse(double[][] h, double[] scale) {
     int n = scale.length;
-    double[][] scaled = new double[n][n];
+    double[][] scaled = SharedSolver.scaled(h, scale);
     for (int i = 0; i < n; i++) {
-      for (int j = 0; j < n; j++) {
-        scaled[i][j] = h[i][j] * scale[i] * scale[j];
-      }
       scaled[i][i] += 1e-9;
       if (!Double.isFinite(scaled[i][i])) {
         return Optional.empty();

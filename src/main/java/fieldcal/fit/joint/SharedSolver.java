@@ -577,15 +577,25 @@ public final class SharedSolver {
     }
   }
 
+  /** Equations in scaled variables, symmetric to the last bit: entries that are nothing but rounding differ across the diagonal by more than a decomposition accepts. */
+  static double[][] scaled(double[][] h, double[] scale) {
+    int n = scale.length;
+    double[][] scaled = new double[n][n];
+    for (int i = 0; i < n; i++) {
+      for (int j = 0; j <= i; j++) {
+        scaled[i][j] = 0.5 * (h[i][j] + h[j][i]) * scale[i] * scale[j];
+        scaled[j][i] = scaled[i][j];
+      }
+    }
+    return scaled;
+  }
+
   /** Solves (H + λ·diag H)·x = g in scaled variables; null when that is not positive definite. */
   static double[] solveScaled(double[][] h, double[] g, double[] scale, double lambda) {
     int n = g.length;
-    double[][] scaled = new double[n][n];
+    double[][] scaled = scaled(h, scale);
     double[] rhs = new double[n];
     for (int i = 0; i < n; i++) {
-      for (int j = 0; j < n; j++) {
-        scaled[i][j] = h[i][j] * scale[i] * scale[j];
-      }
       // What nothing determines stays where it is.
       scaled[i][i] = scaled[i][i] * (1 + lambda) + 1e-9;
       rhs[i] = g[i] * scale[i];

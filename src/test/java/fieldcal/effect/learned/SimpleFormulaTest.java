@@ -129,6 +129,44 @@ class SimpleFormulaTest {
     assertThat(formula.explained()).isGreaterThan(0.97);
   }
 
+  /** Coefficients that together only raise the curve where it was measured: a recording cannot tell that from the model's own parameter. */
+  @Test
+  void anUncertainLevelDoesNotHideTheShape() {
+    int size = SPEED.basis().size();
+    double[] values = new double[size];
+    double[][] rows = new double[21][size];
+    double[] ones = new double[21];
+    for (int i = 0; i < 21; i++) {
+      SPEED.basis().values(2.5 + i / 20.0, 0, values);
+      rows[i] = values.clone();
+      ones[i] = 1;
+    }
+    double[] raise =
+        new SingularValueDecomposition(new Array2DRowRealMatrix(rows))
+            .getSolver()
+            .solve(new ArrayRealVector(ones))
+            .toArray();
+    double[][] covariance = new double[size][size];
+    for (int i = 0; i < size; i++) {
+      for (int j = 0; j < size; j++) {
+        covariance[i][j] = raise[i] * raise[j] + (i == j ? 1e-8 : 0);
+      }
+    }
+    double[] rise = new double[21];
+    for (int i = 0; i < 21; i++) {
+      rise[i] = 0.1 * i / 20.0;
+    }
+    double[] tilted =
+        new SingularValueDecomposition(new Array2DRowRealMatrix(rows))
+            .getSolver()
+            .solve(new ArrayRealVector(rise))
+            .toArray();
+    LearnedCurve curve = LearnedCurve.of(SPEED.term(tilted), 0, covariance, Support.of(2.5, 3.5));
+    assertThat(curve.highest().value()).isEqualTo(0.05, within(0.005));
+    assertThat(curve.highest().error()).isLessThan(0.01);
+    assertThat(SimpleFormula.of(curve).kind()).isNotEqualTo(Kind.NONE);
+  }
+
   @Test
   void aCurveHasTheErrorsOfItsCoefficients() {
     LearnedTerm term = HEADING.term(0.05, 0, 0, 0);
@@ -141,10 +179,17 @@ class SimpleFormulaTest {
         LearnedCurve.of(term, 0, covariance, Support.of(-Math.PI / 2, Math.PI / 2));
     assertThat(curve.points()).hasSize(33);
     Point straight = curve.points().get(16);
-    assertThat(straight.value()).isEqualTo(0.05, within(1e-12));
-    assertThat(straight.error()).isEqualTo(0.02, within(1e-12));
+    // The mean of cos x and sin x over the points.
+    double cosine = 0;
+    for (Point p : curve.points()) {
+      cosine += Math.cos(p.x()) / 33;
+    }
+    assertThat(straight.value()).isEqualTo(0.05 * (1 - cosine), within(1e-12));
+    assertThat(straight.error()).isEqualTo(0.02 * (1 - cosine), within(1e-12));
     Point diagonal = curve.points().get(24);
-    assertThat(diagonal.error()).isEqualTo(Math.sqrt(0.5 * (4e-4 + 1e-4 + 2e-4)), within(1e-12));
+    double c = Math.sqrt(0.5) - cosine;
+    double variance = 4e-4 * c * c + 1e-4 * 0.5 + 2 * 1e-4 * c * Math.sqrt(0.5);
+    assertThat(diagonal.error()).isEqualTo(Math.sqrt(variance), within(1e-12));
     assertThat(curve.highest()).isEqualTo(straight);
     assertThatThrownBy(() -> LearnedCurve.of(term, 0, new double[3][3], Support.of(0, 1)))
         .isInstanceOf(IllegalArgumentException.class);

@@ -289,6 +289,18 @@ class SharedSolverTest {
     assertThat(none.toString()).contains("SINGULAR");
   }
 
+  /** Two columns that have nothing in common leave rounding of either sign beside the diagonal. */
+  @Test
+  void roundingBesideTheDiagonalIsNoAsymmetry() {
+    double[][] h = {{4, 1e-18}, {-2e-18, 25}};
+    double[] scale = {1, 1};
+    assertThat(SharedSolver.solveScaled(h, new double[] {8, 50}, scale, 0))
+        .containsExactly(new double[] {2, 2}, within(1e-8));
+    double[][] inverse = SharedSolution.inverse(h, scale).orElseThrow();
+    assertThat(inverse[0][0]).isEqualTo(0.25, within(1e-8));
+    assertThat(inverse[1][1]).isEqualTo(0.04, within(1e-8));
+  }
+
   @Test
   void wrongProblemsAreRefused() {
     assertThatThrownBy(() -> ToyProblem.problem(List.of(), globals(1), ToyProblem.noPriors(1)))
