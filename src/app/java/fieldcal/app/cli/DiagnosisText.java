@@ -112,7 +112,10 @@ final class DiagnosisText {
     CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
     line("");
     boolean laws = diagnosis.learned().stream().allMatch(f -> f.kind() == LearnedFinding.Kind.LAW);
-    line(laws ? "Another form of the model:" : "What helps and is no proven cause:");
+    line(
+        laws
+            ? "A law that replaces one of the simple model:"
+            : "What helps and is no proven cause:");
     for (LearnedFinding finding : diagnosis.learned()) {
       CauseText text = words.of(finding);
       wrapped("-  ", "   ", text.what() + " " + gainSentence(finding.gain()));

@@ -54,7 +54,7 @@ public record RecordStatus(
     }
     return String.format(
         Locale.ROOT,
-        "%.0f s, %d frames of %s, %.1f MB%s%s%s",
+        "%.0f s, %d frames (%s), %.1f MB%s%s%s",
         Math.floor(seconds),
         frames,
         cameraNames(),

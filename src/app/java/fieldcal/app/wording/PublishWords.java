@@ -97,7 +97,7 @@ public record PublishWords(
       return Stream.of(
           model(few.kind())
               + " has "
-              + joined(alike, Reason.FewKicks.class, PublishWords::used)
+              + used(alike)
               + ". Each parameter needs at least "
               + few.needed()
               + " kicks.");
@@ -120,13 +120,28 @@ public record PublishWords(
     return alike.stream().map(type::cast).map(words).collect(Collectors.joining(", "));
   }
 
+  /** Parameters with as many kicks are told together. */
+  private static String used(List<Reason> alike) {
+    Map<String, List<String>> parameters = new LinkedHashMap<>();
+    for (Reason reason : alike) {
+      Reason.FewKicks few = (Reason.FewKicks) reason;
+      parameters
+          .computeIfAbsent(used(few), k -> new ArrayList<>())
+          .add("the " + ParameterWords.of(few.parameter()));
+    }
+    return parameters.entrySet().stream()
+        .map(e -> e.getKey() + " for " + Sentences.list(e.getValue()))
+        .collect(Collectors.joining("; "));
+  }
+
   private static String used(Reason.FewKicks few) {
-    String kicks =
-        few.used() == 0 ? "no kick" : few.used() == 1 ? "one kick" : few.used() + " kicks";
-    return kicks
-        + (few.kicks() > few.used() && few.used() > 0 ? " of " + few.kicks() : "")
-        + " for the "
-        + ParameterWords.of(few.parameter());
+    if (few.used() == 0) {
+      return "no kick";
+    }
+    String used = few.used() == 1 ? "one" : Integer.toString(few.used());
+    return few.kicks() > few.used()
+        ? used + " of " + few.kicks() + " kicks"
+        : used + (few.used() == 1 ? " kick" : " kicks");
   }
 
   private static String model(KickKind kind) {
@@ -241,7 +256,7 @@ public record PublishWords(
       }
     }
     if (!wanted.isEmpty()) {
-      all.add("Record more kicks: " + String.join("; ", wanted) + ".");
+      all.add("Record " + Sentences.list(List.copyOf(wanted)) + ".");
     }
     if (verdict.decision() == PublishDecision.PUBLISH) {
       all.add(publish(verdict.reasons()));

@@ -33,10 +33,10 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
 
   private static final int MOST_VARIABLES = 3;
 
-  /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
   /** A prediction that errs by a fiftieth more is as good. */
   private static final double NO_WORSE = 1.02;
 
+  /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
   private static final int FEW_KICKS = 10;
 
   /** Copies the list. {@inheritDoc} */
@@ -313,7 +313,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** What takes the place of the simple model's own laws; begins with a blank. */
   private static String laws(Diagnosis d) {
     String names = names(d, LearnedFinding.Kind.LAW);
-    return names.isEmpty() ? "" : text(" The extended model also has another form: %s.", names);
+    return names.isEmpty() ? "" : text(" Another law applies in the extended model: %s.", names);
   }
 
   /** What the prediction needs and nothing proves; begins with a blank. */

@@ -70,7 +70,7 @@ export function kickTable({pickKick, mark, toggle, filtered, narrowed}) {
     renew(document.getElementById('kick-pick'), [robots, recordings], () => [
       ...(robots.length > 1 ? [select('pick-robot', [['', 'all robots'], ...robots.map(name => [name, name])], state.robot, choose('robot'))] : []),
       ...(recordings.length > 1 ? [select('pick-recording', [['', 'all recordings'], ...recordings.map(name => [name, Charts.fileName(name)])], state.recording, choose('recording'))] : []),
-      el('span', {class: 'speeds'}, speed('slowest', 'slowest'), '–', speed('fastest', 'fastest'), ' m/s'),
+      el('span', {class: 'speeds'}, speed('slowest', 'slowest'), ' – ', speed('fastest', 'fastest'), ' m/s'),
       button('All', everything, {id: 'pick-all', title: 'Lists the kicks of all robots, recordings and speeds'})]);
     document.getElementById('pick-all').disabled = !chosen();
   }

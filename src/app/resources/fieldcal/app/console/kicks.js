@@ -71,10 +71,10 @@ export function kicksPage(app) {
       : rounds === 0 ? '2σ rule: not applied' + (wouldLeave ? ', ' + values(wouldLeave) + ' beyond 2σ' : '')
       : '2σ rule: ' + rounds + (rounds === 1 ? ' round, ' : ' rounds, ') + values(leftOut) + ' excluded' + (wouldLeave ? '' : ', no other beyond 2σ');
     refill($('rules'), 
-      button('2σ' + (wouldLeave ? ' (' + wouldLeave + ' beyond)' : ''), twoSigma, {key: 's', id: 'two-sigma', title: 'One more round: excludes values more than 2σ from the mean', disabled: wouldLeave === 0}),
+      button('2σ once more' + (wouldLeave ? ' (' + wouldLeave + ' beyond)' : ''), twoSigma, {key: 's', id: 'two-sigma', title: 'One more round: excludes values more than 2σ from the mean', disabled: wouldLeave === 0}),
       el('div', {class: 'choices', role: 'group', 'aria-label': '2σ rule'},
-        button('until none is beyond', () => app.decide('all_two_sigma'), {id: 'all-two-sigma', pressed: rounds === null}),
-        button('without', () => app.decide('no_two_sigma'), {id: 'no-two-sigma', pressed: rounds === 0, title: 'Start again from all values; then press 2σ as often as you like'})),
+        button('2σ until none is beyond', () => app.decide('all_two_sigma'), {id: 'all-two-sigma', pressed: rounds === null}),
+        button('without 2σ', () => app.decide('no_two_sigma'), {id: 'no-two-sigma', pressed: rounds === 0, title: 'Start again from all values; then press 2σ once more as often as you like'})),
       el('span', {id: 'rule-words'}, words));
     refill($('steps'),
       button('↶ Undo' + (undo ? ': ' + undo : ''), () => step('undo'), {key: 'u', id: 'undo', title: undo, disabled: !undo}),

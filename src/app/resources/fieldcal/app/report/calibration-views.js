@@ -67,7 +67,7 @@ const CalibrationViews = (() => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
       const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks used, each for the parameters that it determines (n)' + (known(model.jointRmsMm) ? ', joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
-      return [el('tr', {class: 'group'}, el('th', {colspan: 6}, group)), ...model.parameters.map(modelRow)];
+      return [el('tr', {class: 'group'}, el('th', {colspan: 6}, el('span', {}, group))), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
     return [

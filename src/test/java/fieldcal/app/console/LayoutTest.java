@@ -36,6 +36,23 @@ class LayoutTest {
       return cut;
       """;
 
+  /** Headings and buttons that lie over each other: the boxes of a heading's words and of a button. */
+  private static final String OVERLAP =
+      """
+      const over = [];
+      for (const heading of document.querySelectorAll('h2, h3')) {
+        const words = document.createRange();
+        words.selectNodeContents(heading);
+        for (const line of words.getClientRects()) {
+          for (const button of heading.closest('section, main, body').querySelectorAll('button')) {
+            const box = button.getBoundingClientRect();
+            if (box.width > 0 && box.left < line.right - 1 && box.right > line.left + 1 && box.top < line.bottom - 1 && box.bottom > line.top + 1) over.push(heading.textContent + ' and ' + button.textContent);
+          }
+        }
+      }
+      return over;
+      """;
+
   /** Where the points of the parameters' plots are in the window. */
   private static final String POINTS =
       """
@@ -88,6 +105,7 @@ class LayoutTest {
   private static void assertWhole(String what) {
     browser.awaitGone("[data-waiting]");
     assertThat((List<?>) browser.script(CUT_OFF)).as(what).isEmpty();
+    assertThat((List<?>) browser.script(OVERLAP)).as(what).isEmpty();
   }
 
   @ParameterizedTest

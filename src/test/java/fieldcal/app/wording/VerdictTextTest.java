@@ -70,7 +70,7 @@ class VerdictTextTest {
     assertThat(text.verdict())
         .startsWith("The model is wrong, and a part of it is explained: air drag. What helps")
         .contains("and has no name: braking that depends on the speed; height of bounces")
-        .endsWith("The extended model also has another form: bounces that build up spin.");
+        .endsWith("Another law applies in the extended model: bounces that build up spin.");
     assertThat(text.lines().get(1))
         .isEqualTo(
             "Still unexplained: balls are off by 2.9 mm beyond the noise, depending on the height"

@@ -71,7 +71,7 @@
   function learnedItem(box, finding) {
     const item = el('article', {},
       el('p', {class: 'what'}, finding.what),
-      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'Another form of the model, with ', unproven: 'Not proven to be a cause. Its size: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
+      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'A law with ', unproven: 'Not proven to be a cause. Its size: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
       el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.'),
       finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
       el('div', {class: 'charts two'}));
@@ -95,7 +95,7 @@
       ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
       ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of nothing')] : [])] : []));
     const laws = report.learned.every(finding => finding.kind === 'law');
-    $('learned-title').textContent = laws ? 'Another form of the model' : 'What helps and is no proven cause';
+    $('learned-title').textContent = laws ? 'A law that replaces one of the simple model' : 'What helps and is no proven cause';
     report.learned.forEach(finding => learnedItem(box, finding));
   }
 
