@@ -54,20 +54,20 @@ final class LogInput implements Closeable {
   static LogInput open(Path file, double largestRatio) throws GameLogException {
     try {
       if (Files.isDirectory(file)) {
-        throw new GameLogException(file, 0, "is a directory; name a .log or .log.gz file in it");
+        throw new GameLogException(file, "is a directory; name a .log or .log.gz file in it");
       }
       if (Files.exists(file) && !Files.isRegularFile(file)) {
         // Recordings are read more than once, and their size is shown; opening a pipe would wait.
-        throw new GameLogException(file, 0, "is a pipe or a device; save it as a file first");
+        throw new GameLogException(file, "is a pipe or a device; save it as a file first");
       }
       return new LogInput(file, largestRatio);
     } catch (NoSuchFileException e) {
-      throw new GameLogException(file, 0, "no such file; check the name", e);
+      throw new GameLogException(file, "no such file; check the name", e);
     } catch (GameLogException e) {
       throw e;
     } catch (IOException e) {
       throw new GameLogException(
-          file, 0, "cannot be opened (" + reason(e) + "); check its permissions", e);
+          file, "cannot be opened (" + reason(e) + "); check its permissions", e);
     }
   }
 

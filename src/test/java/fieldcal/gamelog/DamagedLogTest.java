@@ -22,7 +22,7 @@ class DamagedLogTest {
 
   @Test
   void aMissingFileIsOneLine() {
-    assertFatal(folder.resolve("none.log"), "none.log (byte 0): no such file");
+    assertFatal(folder.resolve("none.log"), "none.log: no such file");
   }
 
   @Test

@@ -122,9 +122,10 @@ final class InfoText {
               ? "never"
               : String.format(
                   Locale.ROOT,
-                  "± %.2f mm (%d stretches)",
+                  "± %.2f mm (%d %s)",
                   1e3 * camera.ballNoise(),
-                  camera.restingBlocks()));
+                  camera.restingBlocks(),
+                  camera.restingBlocks() == 1 ? "stretch" : "stretches"));
     }
     new ClockNotes(info.cameras()).lines().forEach(note -> line("  %6s  %s", "clocks", note));
     List<CameraCalibration> published =

@@ -117,11 +117,22 @@ public final class Main {
   private static int misused(ParameterException exception, String[] args) {
     CommandLine command = exception.getCommandLine();
     PrintWriter err = command.getErr();
-    err.println("fieldcal: " + exception.getMessage());
+    err.println("fieldcal: " + words(exception));
     UnmatchedArgumentException.printSuggestions(exception, err);
     err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help' for the options.");
     err.flush();
     return command.getCommandSpec().exitCodeOnInvalidInput();
+  }
+
+  /** The parser's own words, where these are not about its insides. */
+  private static String words(ParameterException exception) {
+    boolean ofNoCommand = exception.getCommandLine().getParent() == null;
+    if (ofNoCommand
+        && exception instanceof UnmatchedArgumentException unmatched
+        && !unmatched.isUnknownOption()) {
+      return "there is no command '" + unmatched.getUnmatched().get(0) + "'";
+    }
+    return exception.getMessage().replaceFirst("^Error: ", "");
   }
 
   private static int explain(Exception exception, CommandLine command, ParseResult parsed) {

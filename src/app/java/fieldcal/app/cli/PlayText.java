@@ -216,7 +216,8 @@ final class PlayText {
               ParameterWords.inFiles(p.name()),
               value.doubleValue(),
               joint.get().value(),
-              off / joint.get().standardError());
+              // No negative zero.
+              Math.rint(10 * off / joint.get().standardError()) / 10 + 0.0);
         }
       }
     }

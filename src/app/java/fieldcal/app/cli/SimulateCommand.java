@@ -233,12 +233,13 @@ final class SimulateCommand implements Callable<Integer> {
       truth = files.write(settings, share -> progress.at(Math.round(100 * share), 100));
     }
     PrintWriter print = spec.commandLine().getOut();
+    int kicks = truth.commandedKicks().size();
     print.printf(
         Locale.ROOT,
-        "%s: %.1f s, %d kicks, %d frames of %d cameras, seed %d%n",
+        "%s: %.1f s, %s, %d frames of %d cameras, seed %d%n",
         files.log(),
         truth.duration(),
-        truth.commandedKicks().size(),
+        kicks == 1 ? "1 kick" : kicks + " kicks",
         truth.cameras().stream().mapToLong(c -> c.frames()).sum(),
         truth.cameras().size(),
         settings.seed());

@@ -69,8 +69,7 @@ class OddFilesTest {
     Ended ended = run((command + " " + pipe).split(" "));
     assertThat(ended.status()).isEqualTo(1);
     assertThat(ended.err())
-        .isEqualTo(
-            "fieldcal: " + pipe + " (byte 0): is a pipe or a device; save it as a file first\n");
+        .isEqualTo("fieldcal: " + pipe + ": is a pipe or a device; save it as a file first\n");
   }
 
   @Test

@@ -43,7 +43,17 @@ class UsageErrorTest {
   @Test
   void aMisspeltCommandIsGuessed() {
     assertThat(run("calibrat", "x.log")).isEqualTo(2);
-    assertThat(err.toString()).contains("calibrate").contains("fieldcal --help");
+    assertThat(err.toString())
+        .startsWith("fieldcal: there is no command 'calibrat'")
+        .contains("calibrate")
+        .contains("fieldcal --help");
+  }
+
+  @Test
+  void theParserSaysErrorOnce() {
+    assertThat(run("monitor")).isEqualTo(2);
+    assertThat(err.toString())
+        .startsWith("fieldcal: Missing required argument (specify one of these): ([--log=LOG");
   }
 
   /** A recording of another name would not be found by any folder's command afterwards. */

@@ -183,7 +183,7 @@ class VisionTest {
   void framesWithoutGeometryAndGeometryWithoutModelsAreTold() throws IOException {
     VisionFrame frame = new VisionFrame(3, 7, 1, 1.01, Double.NaN, List.of(), List.of());
     assertThat(hear(1, VisionPacket.of(frame)).path("lacks").asText())
-        .contains("frames (camera 3)")
+        .contains("frames of camera 3")
         .contains("no geometry");
     FieldGeometry bare = recorded.withModels(Optional.empty(), Optional.empty());
     assertThat(hear(1, published(bare)).path("lacks").asText()).contains("without ball models");

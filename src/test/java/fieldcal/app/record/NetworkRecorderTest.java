@@ -191,7 +191,7 @@ class NetworkRecorderTest {
         Thread.sleep(20);
       }
       assertThat(answer.get().exit).as(answer.get().err).isZero();
-      assertThat(answer.get().out).contains("frames (camera 1)");
+      assertThat(answer.get().out).contains("frames of camera 1");
     }
     try (GameLogReader log = GameLogReader.open(file)) {
       assertThat(log.next()).isTrue();
