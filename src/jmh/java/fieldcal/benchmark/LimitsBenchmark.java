@@ -25,8 +25,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import org.apache.commons.math3.stat.interval.ClopperPearsonInterval;
 import org.apache.commons.math3.stat.interval.ConfidenceInterval;
+import org.apache.commons.math3.stat.interval.WilsonScoreInterval;
 
 /**
  * Movement limits of simulated matches against the truth, the league's estimator beside ours: 6 against 6 and 11 against 11, 1.3 and 3.5 mm of noise, cameras that disagree by 23 mm, over the range of
@@ -297,7 +297,7 @@ final class LimitsBenchmark {
       int trials = Math.max(1, reached);
       double within = 100.0 * covered / trials;
       ConfidenceInterval known =
-          new ClopperPearsonInterval().createInterval(trials, covered, CONFIDENCE);
+          new WilsonScoreInterval().createInterval(trials, covered, CONFIDENCE);
       double low = 100 * known.getLowerBound();
       double high = 100 * known.getUpperBound();
       out.printf(
