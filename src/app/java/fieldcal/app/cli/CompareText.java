@@ -39,7 +39,8 @@ final class CompareText {
       line("%nAn AI tuned on the simulator predicts the field's kicks wrong by");
       c.predictionError().forEach((h, e) -> line("  %5.0f mm %.1f s ahead", 1000 * e, h));
     }
-    List<Comparison> cameras = c.cameras().stream().filter(Comparison::differs).toList();
+    List<Comparison> cameras =
+        c.cameras().stream().filter(k -> k.differs(FieldComparison.ALPHA)).toList();
     if (!cameras.isEmpty()) {
       line("%n%-44s %12s %12s", "cameras", "field", "simulator");
       for (Comparison k : cameras) {

@@ -55,7 +55,7 @@ final class CompareJson {
       number(node, "difference", k.difference());
       number(node, "standard_error", k.error());
       number(node, "p_holm", k.pHolm());
-      node.put("differs", k.differs());
+      node.put("differs", k.differs(FieldComparison.ALPHA));
     }
     ArrayNode others = root.putArray("others");
     c.others().forEach(row -> row(row, others.addObject()));

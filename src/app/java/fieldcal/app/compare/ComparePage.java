@@ -90,7 +90,7 @@ final class ComparePage {
           Double.NaN,
           c.second(),
           Double.NaN,
-          c.differs(),
+          c.differs(FieldComparison.ALPHA),
           Double.NaN,
           Double.NaN);
     }

@@ -57,16 +57,21 @@ public final class CompareSession {
       List<Command> simCommands,
       List<DiagnosisSession.Progress> progress)
       throws IOException {
-    Side field = side(real, realCommands, progress.get(0));
-    Side simulator = side(sim, simCommands, progress.get(1));
+    DiagnosisOutcome first = diagnosed(real, realCommands, progress.get(0));
+    DiagnosisOutcome second = diagnosed(sim, simCommands, progress.get(1));
+    Side field = side(real, SecondLook.at(first, second, progress.get(0)::diagnosing));
+    Side simulator = side(sim, SecondLook.at(second, first, progress.get(1)::diagnosing));
     return new Outcome(field, simulator, new FieldComparer(field, simulator).compare());
   }
 
-  private Side side(List<Path> logs, List<Command> commands, DiagnosisSession.Progress progress)
+  private DiagnosisOutcome diagnosed(
+      List<Path> logs, List<Command> commands, DiagnosisSession.Progress progress)
       throws IOException {
-    DiagnosisOutcome diagnosis =
-        new DiagnosisSession(settings, DiagnosisProblem.DEFAULT_MAX_CAUSES, opener)
-            .run(logs, HandSelection.none(), commands, progress);
+    return new DiagnosisSession(settings, DiagnosisProblem.DEFAULT_MAX_CAUSES, opener)
+        .run(logs, HandSelection.none(), commands, progress);
+  }
+
+  private Side side(List<Path> logs, DiagnosisOutcome diagnosis) throws IOException {
     return new Side(
         diagnosis,
         FieldRecording.of(diagnosis.calibration(), opener),

@@ -1,18 +1,18 @@
 package fieldcal.app.compare;
 
+import fieldcal.app.statistics.Holm;
 import fieldcal.app.wording.EffectName;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
-import fieldcal.calibration.Average;
-import fieldcal.calibration.Calibration;
 import fieldcal.diagnosis.Cause;
+import fieldcal.diagnosis.Diagnosis;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -21,9 +21,6 @@ import org.apache.commons.math3.distribution.NormalDistribution;
 
 /** Finds what the simulator's ball has otherwise than the field's, each difference with a test that pays for their number (Holm). */
 final class Differences {
-  /** Largest probability at which any difference is named between two recordings of one field. */
-  static final double ALPHA = 0.01;
-
   /** A parameter of the ball's simple model. */
   private record Parameter(String name, String unit, boolean chip) {
     String words() {
@@ -39,6 +36,9 @@ final class Differences {
           new Parameter("dampingXyFirstHop", "", true),
           new Parameter("dampingXyOtherHops", "", true),
           new Parameter("dampingZ", "", true));
+
+  /** Fewest kicks of a kind whose parameters are compared: one says nothing of how much they scatter. */
+  private static final int FEWEST = 2;
 
   private final Side real;
   private final Side sim;
@@ -63,10 +63,10 @@ final class Differences {
     Differences d = new Differences(real, sim);
     PARAMETERS.forEach(d::parameter);
     d.causes();
-    boolean[] named = d.holm();
+    double[] p = Holm.corrected(d.probabilities.stream().mapToDouble(v -> v).toArray());
     List<Difference> significant = new ArrayList<>();
-    for (int i = 0; i < named.length; i++) {
-      if (named[i]) {
+    for (int i = 0; i < p.length; i++) {
+      if (p[i] < FieldComparison.ALPHA) {
         significant.add(d.candidates.get(i));
       }
     }
@@ -85,22 +85,6 @@ final class Differences {
               differs));
     }
     return new Result(significant, rows);
-  }
-
-  private boolean[] holm() {
-    List<Integer> order = new ArrayList<>();
-    for (int i = 0; i < candidates.size(); i++) {
-      order.add(i);
-    }
-    order.sort(Comparator.comparingDouble(probabilities::get));
-    boolean[] named = new boolean[candidates.size()];
-    for (int rank = 0; rank < order.size(); rank++) {
-      if (!((order.size() - rank) * probabilities.get(order.get(rank)) < ALPHA)) {
-        break;
-      }
-      named[order.get(rank)] = true;
-    }
-    return named;
   }
 
   private void candidate(Difference difference, double sigmas) {
@@ -127,16 +111,16 @@ final class Differences {
         (b[0] - a[0]) / Math.hypot(a[1], b[1]));
   }
 
-  /** The value in the extended model with its standard error there; empty when too few kicks determine it. */
+  /** The value in the extended model with its standard error there; empty when too few kicks show it. */
   private static Optional<double[]> estimate(Side side, Parameter p) {
-    Calibration calibration = side.diagnosis().calibration().calibration();
-    Average average = (p.chip ? calibration.chip() : calibration.flat()).get(p.name);
+    Diagnosis diagnosis = side.diagnosis().diagnosis();
+    KickKind kind = p.chip ? KickKind.CHIP : KickKind.FLAT;
     OptionalDouble value = value(model(side), p.name);
-    Double error = side.diagnosis().diagnosis().ballErrors().get(p.name);
-    if (average == null || average.n() < 2 || value.isEmpty() || error == null) {
-      return Optional.empty();
-    }
-    return Optional.of(new double[] {value.getAsDouble(), error});
+    Double error = diagnosis.ballErrors().get(p.name);
+    boolean few = diagnosis.kicks().stream().filter(k -> k.kind() == kind).count() < FEWEST;
+    return few || value.isEmpty() || error == null
+        ? Optional.empty()
+        : Optional.of(new double[] {value.getAsDouble(), error});
   }
 
   private static OptionalDouble value(ExtendedModel m, String name) {

@@ -5,7 +5,8 @@ import fieldcal.app.statistics.Comparison;
 import fieldcal.app.statistics.FieldStatistics;
 import fieldcal.app.statistics.Statistic;
 import fieldcal.effect.ExtendedModel;
-import fieldcal.fit.CameraView;
+import fieldcal.fit.JointFit;
+import fieldcal.fit.JointFit.Offset;
 import fieldcal.kick.KickKind;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.TeamLimits;
@@ -16,13 +17,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import org.apache.commons.math3.stat.StatUtils;
 
 /** Puts a field and a simulator side by side. */
 final class FieldComparer {
-  /** Standard errors beyond which two limits of robots differ: 1 % of two equal ones would. */
-  private static final double SIGMAS = 2.58;
-
   private static final double MM = 1000;
 
   /** Statistics of cameras; those of the ball compare the same kicks, which these are not. */
@@ -103,57 +102,69 @@ final class FieldComparer {
         .toList();
   }
 
+  /** What is neither the ball nor in the frames of single cameras; all tests of the table together pay for their number. */
   private List<Row> others() {
-    List<Row> rows = new ArrayList<>();
-    for (CameraView view : views(real)) {
-      views(sim).stream()
-          .filter(v -> v.id() == view.id())
-          .findFirst()
-          .ifPresent(
-              v -> {
-                String of = " of camera " + view.id();
-                rows.add(
-                    plain(
-                        "offset_x." + view.id(),
-                        "offset in x" + of,
-                        "mm",
-                        MM * view.offsetX(),
-                        MM * v.offsetX()));
-                rows.add(
-                    plain(
-                        "offset_y." + view.id(),
-                        "offset in y" + of,
-                        "mm",
-                        MM * view.offsetY(),
-                        MM * v.offsetY()));
-              });
-    }
+    TestedRows rows = new TestedRows();
+    offsets(rows);
     for (KickKind kind : KickKind.values()) {
       double[] a = speeds(real, kind);
       double[] b = speeds(sim, kind);
       if (a.length > 0 && b.length > 0) {
-        rows.add(
-            plain(
-                "kick_speed." + kind.id(),
-                "median speed of " + kind.id() + " kicks",
-                "m/s",
-                StatUtils.percentile(a, 50),
-                StatUtils.percentile(b, 50)));
+        rows.untested(
+            "kick_speed." + kind.id(),
+            "median speed of " + kind.id() + " kicks",
+            "m/s",
+            StatUtils.percentile(a, 50),
+            StatUtils.percentile(b, 50));
       }
     }
     Kickers.rows(real, sim, rows);
     for (Team team : Team.values()) {
       limits(team, rows);
     }
-    return rows;
+    return rows.judged();
   }
 
-  static Row plain(String id, String words, String unit, double a, double b) {
-    return new Row(id, words, unit, a, Double.NaN, b, Double.NaN, false);
+  private void offsets(TestedRows rows) {
+    Map<Integer, Offset> field = offsets(real);
+    Map<Integer, Offset> other = offsets(sim);
+    for (Map.Entry<Integer, Offset> camera : new TreeMap<>(field).entrySet()) {
+      Offset a = camera.getValue();
+      Offset b = other.get(camera.getKey());
+      if (b != null) {
+        String of = " of camera " + camera.getKey();
+        offset(
+            "offset_x." + camera.getKey(),
+            "offset in x" + of,
+            a.x(),
+            a.errorX(),
+            b.x(),
+            b.errorX(),
+            rows);
+        offset(
+            "offset_y." + camera.getKey(),
+            "offset in y" + of,
+            a.y(),
+            a.errorY(),
+            b.y(),
+            b.errorY(),
+            rows);
+      }
+    }
   }
 
-  private static List<CameraView> views(Side side) {
-    return List.copyOf(side.recording().calibration().calibration().cameras().all());
+  private static void offset(
+      String id, String words, double a, double ea, double b, double eb, TestedRows rows) {
+    rows.tested(new Row(id, words, "mm", MM * a, MM * ea, MM * b, MM * eb, false));
+  }
+
+  private static Map<Integer, Offset> offsets(Side side) {
+    return side.recording()
+        .calibration()
+        .calibration()
+        .joint()
+        .map(JointFit::offsets)
+        .orElse(Map.of());
   }
 
   private static double[] speeds(Side side, KickKind kind) {
@@ -164,7 +175,7 @@ final class FieldComparer {
         .toArray();
   }
 
-  private void limits(Team team, List<Row> rows) {
+  private void limits(Team team, TestedRows rows) {
     TeamLimits a = real.limits().limits(team);
     TeamLimits b = sim.limits().limits(team);
     limit(team, "velocity", "m/s", a.velocity(), b.velocity(), rows);
@@ -172,22 +183,31 @@ final class FieldComparer {
     limit(team, "braking", "m/s²", a.braking(), b.braking(), rows);
   }
 
+  /** Two limits that were reached; or one, and robots on the other side that did more than that. */
   private static void limit(
-      Team team, String name, String unit, LimitEstimate a, LimitEstimate b, List<Row> rows) {
-    if (!a.known() || !b.known() || !a.reached() || !b.reached()) {
+      Team team, String name, String unit, LimitEstimate a, LimitEstimate b, TestedRows rows) {
+    boolean comparable =
+        a.known()
+            && b.known()
+            && (a.reached() && b.reached()
+                || a.reached() && b.value() > a.value()
+                || b.reached() && a.value() > b.value());
+    if (!comparable) {
       return;
     }
-    double sigmas =
-        Math.abs(a.value() - b.value()) / Math.hypot(a.standardError(), b.standardError());
-    rows.add(
+    String atLeast =
+        a.reached() && b.reached()
+            ? ""
+            : a.reached() ? ", in the simulator at least" : ", on the field at least";
+    rows.tested(
         new Row(
             "limit." + team.label() + "." + name,
-            "largest " + name + " of " + team.label(),
+            "largest " + name + " of " + team.label() + atLeast,
             unit,
             a.value(),
             a.standardError(),
             b.value(),
             b.standardError(),
-            sigmas > SIGMAS));
+            false));
   }
 }

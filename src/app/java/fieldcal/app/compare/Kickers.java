@@ -6,7 +6,9 @@ import fieldcal.diagnosis.KickResiduals;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.apache.commons.math3.distribution.FDistribution;
 import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.inference.TestUtils;
 
 /** How the kickers of both sides follow their commands, where the commands are known. */
 final class Kickers {
@@ -15,34 +17,53 @@ final class Kickers {
 
   private Kickers() {}
 
-  static void rows(Side real, Side sim, List<Row> rows) {
+  static void rows(Side real, Side sim, TestedRows rows) {
     double[][] a = deviations(real);
     double[][] b = deviations(sim);
     if (a[0].length < FEWEST || b[0].length < FEWEST) {
       return;
     }
-    row("kick_gain", "measured over commanded kick speed", "", mean(a[0]), mean(b[0]), rows);
-    row("kick_scatter", "scatter of that", "", deviation(a[0]), deviation(b[0]), rows);
-    row("kick_aim", "kicks to the left of the command", "rad", mean(a[1]), mean(b[1]), rows);
-    row("kick_aim_scatter", "scatter of that", "rad", deviation(a[1]), deviation(b[1]), rows);
+    mean("kick_gain", "measured over commanded kick speed", "", a[0], b[0], rows);
+    scatter("kick_scatter", "scatter of that", "", a[0], b[0], rows);
+    mean("kick_aim", "kicks to the left of the command", "rad", a[1], b[1], rows);
+    scatter("kick_aim_scatter", "scatter of that", "rad", a[1], b[1], rows);
   }
 
-  private static double[] mean(double[] values) {
-    return new double[] {
-      StatUtils.mean(values), Math.sqrt(StatUtils.variance(values) / values.length)
-    };
+  /** By the t test of Welch. */
+  private static void mean(
+      String id, String words, String unit, double[] a, double[] b, TestedRows rows) {
+    Row row =
+        new Row(
+            id,
+            words,
+            unit,
+            StatUtils.mean(a),
+            Math.sqrt(StatUtils.variance(a) / a.length),
+            StatUtils.mean(b),
+            Math.sqrt(StatUtils.variance(b) / b.length),
+            false);
+    rows.add(row, row.realError() + row.simError() > 0 ? TestUtils.tTest(a, b) : Double.NaN);
   }
 
-  /** The standard error of a standard deviation of normal samples is it over √(2(n − 1)). */
-  private static double[] deviation(double[] values) {
-    double deviation = Math.sqrt(StatUtils.variance(values));
-    return new double[] {deviation, deviation / Math.sqrt(2.0 * (values.length - 1))};
-  }
-
-  private static void row(
-      String id, String words, String unit, double[] a, double[] b, List<Row> rows) {
-    boolean differs = Math.abs(a[0] - b[0]) > 2.58 * Math.hypot(a[1], b[1]);
-    rows.add(new Row(id, words, unit, a[0], a[1], b[0], b[1], differs));
+  /** By the F test. The standard error of a standard deviation of normal samples is it over √(2(n − 1)). */
+  private static void scatter(
+      String id, String words, String unit, double[] a, double[] b, TestedRows rows) {
+    double first = Math.sqrt(StatUtils.variance(a));
+    double second = Math.sqrt(StatUtils.variance(b));
+    Row row =
+        new Row(
+            id,
+            words,
+            unit,
+            first,
+            first / Math.sqrt(2.0 * (a.length - 1)),
+            second,
+            second / Math.sqrt(2.0 * (b.length - 1)),
+            false);
+    double below =
+        new FDistribution(a.length - 1, b.length - 1)
+            .cumulativeProbability(first * first / (second * second));
+    rows.add(row, second > 0 ? 2 * Math.min(below, 1 - below) : Double.NaN);
   }
 
   /** Speed over command, and direction off it, rad. */

@@ -3,13 +3,11 @@ package fieldcal.app.statistics;
 import fieldcal.app.statistics.Statistic.How;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.apache.commons.math3.stat.StatUtils;
-import org.apache.commons.math3.stat.inference.MannWhitneyUTest;
 import org.apache.commons.math3.stat.inference.WilcoxonSignedRankTest;
 
 /**
@@ -51,7 +49,17 @@ public record Comparison(
    * @return true when chance is too unlikely, all statistics considered
    */
   public boolean differs() {
-    return pHolm < ALPHA;
+    return differs(ALPHA);
+  }
+
+  /**
+   * Whether the recordings differ in it.
+   *
+   * @param alpha largest probability at which any difference is named between two recordings of one field
+   * @return true when chance is too unlikely, all statistics considered
+   */
+  public boolean differs(double alpha) {
+    return pHolm < alpha;
   }
 
   /**
@@ -74,18 +82,7 @@ public record Comparison(
   }
 
   private static List<Comparison> corrected(List<Comparison> all) {
-    List<Integer> order = new ArrayList<>();
-    for (int i = 0; i < all.size(); i++) {
-      order.add(i);
-    }
-    order.sort(Comparator.comparingDouble(i -> all.get(i).p));
-    double[] holm = new double[all.size()];
-    double largest = 0;
-    for (int rank = 0; rank < order.size(); rank++) {
-      int i = order.get(rank);
-      largest = Math.max(largest, Math.min(1, (all.size() - rank) * all.get(i).p));
-      holm[i] = largest;
-    }
+    double[] holm = Holm.corrected(all.stream().mapToDouble(Comparison::p).toArray());
     List<Comparison> result = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       Comparison c = all.get(i);
@@ -146,14 +143,8 @@ public record Comparison(
     double[] against = scatter ? distances(second) : second;
     double from = scatter ? scatter(first) : median(first);
     double to = scatter ? scatter(second) : median(second);
-    boolean same = spread(ranksOf, against) == 0;
-    double p = same ? 1 : new MannWhitneyUTest().mannWhitneyUTest(ranksOf, against);
+    double p = RankSum.p(ranksOf, against);
     return Optional.of(new Comparison(a, from, to, to - from, error, first.length, p, p));
-  }
-
-  private static double spread(double[] a, double[] b) {
-    return Math.max(StatUtils.max(a), StatUtils.max(b))
-        - Math.min(StatUtils.min(a), StatUtils.min(b));
   }
 
   private static double median(double[] values) {

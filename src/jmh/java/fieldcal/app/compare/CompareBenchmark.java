@@ -3,10 +3,8 @@ package fieldcal.app.compare;
 import com.sun.management.OperatingSystemMXBean;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.compare.FieldComparison.Named;
-import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
-import fieldcal.app.statistics.Comparison;
 import fieldcal.benchmark.BenchmarkSettings;
 import fieldcal.benchmark.Scratch;
 import fieldcal.benchmark.ShareGoal;
@@ -17,7 +15,6 @@ import fieldcal.simulation.truth.Truth;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -90,7 +87,7 @@ public final class CompareBenchmark {
                   CommandFile.read(field.commands()),
                   List.of(simulator.log()),
                   CommandFile.read(simulator.commands()),
-                  List.of(Silent.PROGRESS, Silent.PROGRESS))
+                  List.of(Unseen.PROGRESS, Unseen.PROGRESS))
               .comparison();
       out.printf(
           Locale.ROOT,
@@ -110,7 +107,9 @@ public final class CompareBenchmark {
   private static List<String> ids(FieldComparison found) {
     return Stream.of(
             found.differences().stream().map(Named::id),
-            found.cameras().stream().filter(Comparison::differs).map(c -> c.statistic().id()),
+            found.cameras().stream()
+                .filter(k -> k.differs(FieldComparison.ALPHA))
+                .map(c -> c.statistic().id()),
             found.others().stream().filter(Row::differs).map(Row::id))
         .flatMap(s -> s)
         .toList();
@@ -224,22 +223,5 @@ public final class CompareBenchmark {
     out.println(NAMED.row("differences named", named, drawn));
     out.println(INVENTED.row("named and not there", invented, named + invented));
     out.println(SHARES.row("shares of the error within 15 %", close, shares));
-  }
-
-  /** Nobody looks. */
-  private static final class Silent implements DiagnosisSession.Progress {
-    static final Silent PROGRESS = new Silent();
-
-    @Override
-    public void read(Path log, long bytesRead, long totalBytes) {}
-
-    @Override
-    public void fitting(int kicks) {}
-
-    @Override
-    public void fitted() {}
-
-    @Override
-    public void diagnosing(String what) {}
   }
 }

@@ -67,7 +67,8 @@ record DrawnDifference(
           case 1 -> words("field_slope:percent=%.3f,%s", 0.1 * size, angle);
           case 2 -> words("carpet_nap:amplitude=%.3f,%s", 0.05 * size, angle);
           case 3 -> words("speed_dependent_roll:slope=%.4f", 0.02 * size);
-          case 4 -> words("kick_spin:fraction=%.3f", sign * 0.12 * size);
+          // The same spin of all kicks is another kSwitch and nothing else.
+          case 4 -> words("kick_spin:fraction=%.3f,scatter=%.3f", sign * 0.12 * size, 0.05 * size);
           default -> words("speed_dependent_restitution:slope=%.3f", 0.08 * size);
         };
     EffectSetting setting = EffectSetting.parse(effect);

@@ -41,6 +41,9 @@ record FieldDraw(
   /** 1/(1+β) of a solid sphere: the catalogue's causes of a rolling ball are those of a golf ball. */
   private static final double SOLID = 1 / 1.4;
 
+  /** The scenario drives at most 2.5 m/s; no recording of it shows more. */
+  private static final RobotLimits LIMITS = new RobotLimits(1.9, 3, 3.5, 10, 40, 0, 0);
+
   static FieldDraw of(RandomStream random, boolean solid) {
     double[] ball = {
       -random.uniform(2.6, 3.8),
@@ -57,7 +60,7 @@ record FieldDraw(
     for (int id = 0; id < CAMERAS; id++) {
       cameras.add(camera(id, random));
     }
-    return new FieldDraw(ball, List.of(), cameras, KickBehaviour.DEFAULT, RobotLimits.DEFAULT);
+    return new FieldDraw(ball, List.of(), cameras, KickBehaviour.DEFAULT, LIMITS);
   }
 
   private static InstalledCamera camera(int id, RandomStream random) {

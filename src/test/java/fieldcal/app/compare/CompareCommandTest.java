@@ -42,15 +42,16 @@ class CompareCommandTest {
   static void record() {
     simulate("field", 3, FIELD);
     simulate("again", 8, FIELD);
-    simulate("simulator", 5, SIMULATOR);
+    simulate("simulator", 5, SIMULATOR, "--effect=camera_offset:x_mm=12,camera=1");
   }
 
-  private static void simulate(String name, int seed, FlatModel model) {
+  private static void simulate(String name, int seed, FlatModel model, String... more) {
     List<String> args =
         new ArrayList<>(List.of("simulate", "--scenario=flat", "--kicks=10", "--cameras=2"));
     args.add("--seed=" + seed);
     args.add("--flat-model=" + model.accSlide() + "," + model.accRoll() + "," + model.kSwitch());
     args.add("--out=" + folder.resolve(name + ".log.gz"));
+    args.addAll(List.of(more));
     Answer made = run(args.toArray(String[]::new));
     assertThat(made.exit()).as(made.err()).isZero();
   }
@@ -88,7 +89,15 @@ class CompareCommandTest {
         .contains("less far on the field than in the simulator. Largest cause: rolling");
     // Half of the difference of the accelerations times the square of the time, while rolling.
     assertThat(json.get("prediction_error_mm").get("1.0").asDouble()).isBetween(10.0, 30.0);
+    List<String> others = new ArrayList<>();
+    for (JsonNode row : json.get("others")) {
+      if (row.get("differs").asBoolean()) {
+        others.add(row.get("id").asText());
+      }
+    }
     assertThat(json.get("others").findValuesAsText("id")).contains("kick_gain");
+    // Two cameras stand on both sides of their mean. Acceleration and braking are the same.
+    assertThat(others).containsExactlyInAnyOrder("offset_x.0", "offset_x.1");
     assertThat(Files.readString(out.resolve("compare.html"))).contains("less far on the field");
   }
 
@@ -102,6 +111,7 @@ class CompareCommandTest {
     JsonNode json = new ObjectMapper().readTree(file.toFile());
     assertThat(json.get("differences")).isEmpty();
     assertThat(json.get("parameters").size()).isEqualTo(3);
+    assertThat(json.get("others").findValuesAsText("differs")).containsOnly("false");
   }
 
   @Test
