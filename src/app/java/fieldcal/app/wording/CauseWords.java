@@ -109,9 +109,9 @@ public final class CauseWords {
     }
     String other =
         text(
-            "These kicks cannot tell it from %s: it is named because it is the simpler explanation"
-                + " or explains a little more.",
-            String.join(" or ", names));
+            "%s would explain these kicks as well: %s. This one is named because it is simpler or"
+                + " explains a little more.",
+            names.size() > 1 ? "Other causes" : "Another cause", String.join(" or ", names));
     return Stream.of(whichCamera(cause, cameras), names.isEmpty() ? "" : other)
         .filter(s -> !s.isEmpty())
         .collect(Collectors.joining(" "));

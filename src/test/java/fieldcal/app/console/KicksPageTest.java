@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.Keys;
 import org.openqa.selenium.support.ui.Select;
 
 /** What helps to look at kicks: lists of some of them, several in one drawing, a kick once more, another session beside this one, and copies. */
@@ -174,6 +175,60 @@ class KicksPageTest {
     browser.find("#sessions-file").sendKeys(none.toString());
     browser.awaitText("#sessions", "none.json is no calibration of fieldcal");
     browser.assertNoComplaints();
+  }
+
+  @Test
+  void theKeysOfOtherProgramsUndoAndRestore() throws IOException {
+    Object kick =
+        browser.script(
+            "return document.querySelector('#kicks tr[data-kick]:not(.dropped)').dataset.kick");
+    browser.click("#kicks tr[data-kick='" + kick + "'] button.use");
+    browser.awaitText("#undo", "dropping kick " + kick);
+    browser.pressHere(Keys.CONTROL, "z");
+    browser.awaitText("#redo", "dropping kick " + kick);
+    browser.pressHere(Keys.CONTROL, "y");
+    browser.awaitText("#undo", "dropping kick " + kick);
+    browser.pressHere(Keys.CONTROL, "z");
+    browser.awaitText("#redo", "dropping kick " + kick);
+    console.settled();
+    browser.assertNoComplaints();
+  }
+
+  /** A list of one kind has the plots of that kind; grey paths of other kicks have their name. */
+  @Test
+  void oneKindHasItsOwnPlotsAndEveryPathItsLegend() throws IOException {
+    Path mixed = Files.createDirectory(folder.resolve("mixed"));
+    SampleSession.run(
+        "simulate", "--scenario=mixed", "--kicks=4", "--seed=3", "--out=" + mixed.resolve("m.log"));
+    try (RunningConsole other = RunningConsole.start(mixed)) {
+      other.settled();
+      browser.open(other.url());
+      browser.find("#kick[data-shown]");
+      assertThat(browser.text("#kick-legend")).contains("other kicks").contains("fitted");
+      browser.click("#kick-filter button:nth-child(3)"); // chips
+      browser.find("#parameters figure[data-parameter='dampingZ']");
+      assertThat(browser.count("#parameters figure[data-parameter='accSlide']")).isZero();
+      browser.click("#kick-filter button:nth-child(2)"); // flat kicks
+      browser.find("#parameters figure[data-parameter='accSlide']");
+      assertThat(browser.count("#parameters figure[data-parameter='dampingZ']")).isZero();
+      browser.assertNoComplaints();
+    }
+  }
+
+  @Test
+  void theListedKicksAreSavedAsATable() {
+    browser.type("#pick-slowest", "3");
+    int some = listed();
+    browser.script("URL.createObjectURL = blob => { window.saved = blob; return '#kicks/1'; }");
+    browser.click("#kicks-csv");
+    String table = browser.scriptThatAnswers("window.saved.text().then(arguments[0])").toString();
+    List<String> lines = table.lines().toList();
+    assertThat(lines).hasSize(1 + some);
+    assertThat(lines.get(0))
+        .startsWith("id,kind,source,t_unix,team,robot,speed_mps,end,observations,rms_mm,used")
+        .contains("acc_slide,");
+    int columns = lines.get(0).split(",", -1).length;
+    assertThat(lines).allMatch(line -> line.split(",", -1).length == columns);
   }
 
   @Test

@@ -296,7 +296,7 @@ class CauseWordsTest {
     assertThat(WORDS.of(unsure).what())
         .contains("topspin with some kicks and backspin with others");
     assertThat(WORDS.of(unsure).name()).isEqualTo("topspin/backspin from the kicker");
-    assertThat(CauseWords.rivals(spin)).contains("from air drag or wrong time stamps:");
+    assertThat(CauseWords.rivals(spin)).contains("as well: air drag or wrong time stamps.");
     assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
   }
 
@@ -312,14 +312,15 @@ class CauseWordsTest {
                 "camera_time_offset of camera 0"))
         .startsWith(
             "These kicks cannot tell whether camera 0, camera 2 or camera 10 has wrong time stamps."
-                + " These kicks cannot tell it from rolling shutter:");
+                + " Another cause would explain these kicks as well: rolling shutter.");
     assertThat(rivals(new BallHeightError(8), "camera_offset of camera 1"))
-        .startsWith("These kicks cannot tell it from camera offset, camera 1:");
+        .startsWith("Another cause would explain these kicks as well: camera offset, camera 1.");
     assertThat(
             rivals(
                 new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS),
                 "lens_distortion_error of camera 1"))
-        .startsWith("These kicks cannot tell it from wrong lens distortion, camera 1:");
+        .startsWith(
+            "Another cause would explain these kicks as well: wrong lens distortion, camera 1.");
     assertThat(EffectName.of("camera_offset of camera 1")).isEqualTo("camera offset, camera 1");
   }
 
