@@ -3,6 +3,7 @@ package fieldcal.benchmark;
 import fieldcal.app.compare.CompareBenchmark;
 import fieldcal.app.console.ConsoleBenchmark;
 import fieldcal.app.console.Soak;
+import fieldcal.app.twin.TwinBenchmark;
 import fieldcal.diagnosis.DiagnosisSpeed;
 import fieldcal.effect.ExtendedQueries;
 import fieldcal.fit.FitAccuracy;
@@ -30,7 +31,7 @@ public final class Benchmarks {
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [limit-shapes]"
           + " [match-kicks] [k-switch] [diagnose] [live] [live-warnings] [live-carpets] [live-day]"
           + " [sample-tree] [console] [play] [play-calibration] [play-adaptive] [play-causes]"
-          + " [play-udp] [soak] [compare] [--kicks N] [--seed N] [--megabytes N] [--runs N]"
+          + " [play-udp] [soak] [compare] [twin] [--kicks N] [--seed N] [--megabytes N] [--runs N]"
           + " [--minutes N]";
 
   private Benchmarks() {}
@@ -72,6 +73,7 @@ public final class Benchmarks {
     parts.put("play-udp", NetworkPlayBenchmark::run);
     parts.put("soak", Soak::run);
     parts.put("compare", CompareBenchmark::run);
+    parts.put("twin", TwinBenchmark::run);
     List<String> chosen = new ArrayList<>();
     BenchmarkSettings settings;
     try {

@@ -1,11 +1,11 @@
 package fieldcal.app.compare;
 
-import com.sun.management.OperatingSystemMXBean;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.compare.FieldComparison.Named;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.benchmark.BenchmarkSettings;
+import fieldcal.benchmark.CpuTime;
 import fieldcal.benchmark.Scratch;
 import fieldcal.benchmark.ShareGoal;
 import fieldcal.fit.FitSettings;
@@ -14,7 +14,6 @@ import fieldcal.simulation.TruePrediction;
 import fieldcal.simulation.truth.Truth;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -67,19 +66,13 @@ public final class CompareBenchmark {
     benchmark.summary();
   }
 
-  private static double cpu() {
-    return 1e-9
-        * ((OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean())
-            .getProcessCpuTime();
-  }
-
   private void pair(int index, DrawnPair pair) throws IOException {
     try (Scratch scratch = new Scratch("fieldcal-compare-benchmark")) {
       RecordingFiles field = RecordingFiles.besides(scratch.path().resolve("field.log"));
       RecordingFiles simulator = RecordingFiles.besides(scratch.path().resolve("simulator.log"));
       Truth truth = field.write(pair.field(KICKS), share -> {});
       simulator.write(pair.simulator(KICKS), share -> {});
-      double before = cpu();
+      double before = CpuTime.seconds();
       FieldComparison found =
           new CompareSession(FitSettings.defaults(), LogOpener.USUAL)
               .run(
@@ -94,7 +87,7 @@ public final class CompareBenchmark {
           "pair %d: %d differences, compared in %.1f s of CPU%n",
           index + 1,
           pair.differences().size(),
-          cpu() - before);
+          CpuTime.seconds() - before);
       for (int i = 0; i < pair.differences().size(); i++) {
         String side = pair.ofTheField().get(i) ? "the field" : "the simulator";
         out.printf("  %s: %s%n", side, pair.differences().get(i).words());

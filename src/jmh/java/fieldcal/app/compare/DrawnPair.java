@@ -15,11 +15,18 @@ import java.util.function.BiFunction;
  * @param differences what was drawn
  * @param ofTheField whether it is the field that has it, for each, and the simulator that lacks it
  */
-record DrawnPair(
+public record DrawnPair(
     long seed, FieldDraw base, List<DrawnDifference> differences, List<Boolean> ofTheField) {
   private static final int ALIKE_EVERY = 5;
 
-  static DrawnPair of(long seed, int index) {
+  /**
+   * Draws.
+   *
+   * @param seed of all pairs
+   * @param index of this one, from 0
+   * @return always the same for the same arguments
+   */
+  public static DrawnPair of(long seed, int index) {
     RandomStream random = RandomStream.of(seed, "pair " + index);
     boolean alike = index % ALIKE_EVERY == ALIKE_EVERY - 1;
     // The catalogue's causes of a rolling ball are those of a solid ball, whose kSwitch is known.
@@ -69,7 +76,13 @@ record DrawnPair(
     return made(true, Optional.empty()).settings(kicks, seed);
   }
 
-  SimulationSettings simulator(int kicks) {
+  /**
+   * The simulator.
+   *
+   * @param kicks half of them flat, half chips
+   * @return what to simulate
+   */
+  public SimulationSettings simulator(int kicks) {
     return made(false, Optional.empty()).settings(kicks, seed + 1);
   }
 

@@ -4,7 +4,8 @@ import fieldcal.app.diagnose.DiagnosisSession;
 import java.nio.file.Path;
 
 /** Nobody looks. */
-enum Unseen implements DiagnosisSession.Progress {
+public enum Unseen implements DiagnosisSession.Progress {
+  /** The only one. */
   PROGRESS;
 
   @Override
