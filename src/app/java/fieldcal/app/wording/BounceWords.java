@@ -58,7 +58,7 @@ final class BounceWords extends MotionText {
                 reversed > 0 ? "comes back" : "stays");
     return new Sentences(
         text(
-            "The carpet grips the ball at a bounce and %s (friction at most %s of the impact).",
+            "The carpet grips the ball at a bounce and %s (coefficient of friction %s).",
             slip, Amount.of(effect.value("friction"))),
         "The spin of one bounce lasts until the next, so each bounce takes less speed than the one"
             + " before; two fixed dampings cannot follow that.",

@@ -33,11 +33,15 @@ const CalibrationViews = (() => {
     return badge(level, mark + ' ' + words.title);
   }
 
+  /** A model that is farther off is wrong for passes; within the errors nobody knows whether it is. */
+  const LARGE_PERCENT = 10;
+
   function difference(parameter) {
     const percent = parameter.differencePercent;
     if (!known(percent)) return '–';
     const text = signed(percent, Math.abs(percent) < 9.95 ? 1 : 0) + ' %';
-    if (!parameter.differs) return badge('good', '≈ ' + text);
+    // A large difference that is within the errors is no agreement either.
+    if (!parameter.differs) return Object.assign(badge(Math.abs(percent) < LARGE_PERCENT ? 'good' : 'open', '≈ ' + text), {title: 'within the errors'});
     return badge(Math.abs(percent) >= 20 ? 'bad' : 'warn', (percent > 0 ? '▲ ' : '▼ ') + text);
   }
 

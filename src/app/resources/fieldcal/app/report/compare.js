@@ -1,13 +1,13 @@
 /* A field beside a simulator: what differs, what it costs, and everything that was compared. */
 (() => {
   'use strict';
-  const {el, known, number, fileName} = Charts;
+  const {el, known, number, withError, fileName} = Charts;
   const {$, content, badge, showProvenance, showProblems, start} = Frame;
   const report = JSON.parse($('data').textContent);
 
   /** Four significant figures. */
   const figures = value => !known(value) ? '–' : value === 0 ? '0' : number(value, Math.max(0, Math.min(6, 3 - Math.floor(Math.log10(Math.abs(value))))));
-  const cell = (value, error) => !known(value) ? 'none' : figures(value) + (known(error) ? ' ± ' + figures(error) : '');
+  const cell = (value, error) => !known(value) ? 'none' : known(error) ? withError(value, error) : figures(value);
   const share = value => known(value) ? number(100 * value, 0) + ' %' : '–';
   const metres = value => known(value) && known(report.passReal) ? (value * (report.passReal - report.passSim) > 0 ? '+' : '') + number(value * (report.passReal - report.passSim), 2) + ' m' : '–';
   const list = texts => texts.length === 0 ? el('p', {class: 'empty'}, 'None.') : el('ul', {}, texts.map(text => el('li', {}, text)));
