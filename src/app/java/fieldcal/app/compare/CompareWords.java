@@ -1,6 +1,7 @@
 package fieldcal.app.compare;
 
 import fieldcal.app.compare.FieldComparison.Named;
+import fieldcal.diagnosis.Unexplained;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -42,6 +43,24 @@ final class CompareWords {
             longer > 0 ? "less far" : "farther")
         + part(named, Comparator.comparingDouble(Named::shareOfPass), false)
         + ".";
+  }
+
+  /** A sentence, with a space before it, that a difference may be none; empty where both sides are explained or nothing differs. */
+  static String doubt(List<Named> named, Unexplained field, Unexplained simulator) {
+    if (named.isEmpty() || !field.significant() && !simulator.significant()) {
+      return "";
+    }
+    boolean both = field.significant() && simulator.significant();
+    String where = both ? "both sides" : field.significant() ? "the field" : "the simulator";
+    double most =
+        Math.max(
+            field.significant() ? field.systematicMm() : 0,
+            simulator.significant() ? simulator.systematicMm() : 0);
+    return String.format(
+        Locale.ROOT,
+        " In the residuals of %s, %.2g mm have no known cause: a difference may come from that.",
+        where,
+        most);
   }
 
   private static String part(List<Named> named, Comparator<Named> by, boolean ofError) {

@@ -65,7 +65,11 @@ final class FieldComparer {
     }
     named.sort(Comparator.comparingDouble((Named n) -> -finite(n.shareOfError())));
     return new FieldComparison(
-        CompareWords.verdict(passReal, passSim, named, errors),
+        CompareWords.verdict(passReal, passSim, named, errors)
+            + CompareWords.doubt(
+                named,
+                real.diagnosis().diagnosis().unexplained(),
+                sim.diagnosis().diagnosis().unexplained()),
         named,
         found.parameters(),
         cameras(),

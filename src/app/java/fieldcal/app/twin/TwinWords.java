@@ -8,20 +8,25 @@ import java.util.Map;
 
 /** A comparison in words. */
 final class TwinWords {
+  /** How ids of the scatter of a chip's dampings begin. */
+  private static final String SCATTER_OF_BOUNCES = "chip_scatter.damping";
+
   private TwinWords() {}
 
   static String sentence(Comparison c) {
     String words = c.statistic().words();
     String unit = c.statistic().unit().isEmpty() ? "" : " " + c.statistic().unit();
+    boolean bounces = c.statistic().id().startsWith(SCATTER_OF_BOUNCES) && c.second() < c.first();
     return String.format(
         Locale.ROOT,
-        "%s%s: %s%s in the recording, %s%s in the twin.",
+        "%s%s: %s%s in the recording, %s%s in the twin.%s",
         words.substring(0, 1).toUpperCase(Locale.ROOT),
         words.substring(1),
         number(c.first()),
         unit,
         number(c.second()),
-        unit);
+        unit,
+        bounces ? " Bounces differ from kick to kick; the twin's all obey one model." : "");
   }
 
   /** A cause of the twin, for example "air drag (cd 0.50)". */
