@@ -51,7 +51,12 @@ final class Effects {
                     : p.withImpact(
                         p.impact()
                             .withTangential(
-                                new Contact(e.number("reversed"), e.number("friction"), 0)));
+                                new Contact(
+                                    e.number("reversed"),
+                                    e.number("friction"),
+                                    e.number("loss"),
+                                    e.number("loss"),
+                                    e.number("rolling"))));
             case WIND -> p.withAir(wind(p.air(), e));
             case BALL_CHANGED ->
                 e.number("roll") == 0 && e.number("slide") == 0

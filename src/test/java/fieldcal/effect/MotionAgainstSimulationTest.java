@@ -114,6 +114,9 @@ class MotionAgainstSimulationTest {
             new SideSpin(0.2)),
         of(sticking(p, 0, 0.6), new ContactImpacts(0, 0.6, 0, 0)),
         of(sticking(p, 0, 0.2), new ContactImpacts(0, 0.2, 0, 0)),
+        of(
+            p.impact(p.impact.withTangential(new Contact(0, 0.6, 0.03, 0.03, 0.04))),
+            new ContactImpacts(0, 0.6, 0.03, 0.04)),
         of(sticking(p, 0, 0.6).spin(-0.5, 0), new ContactImpacts(0, 0.6, 0, 0), new KickSpin(-0.5)),
         of(
             sticking(p, 0, 0.3).spin(-0.6, 0.3).air(p.air.withLift(0.5)),

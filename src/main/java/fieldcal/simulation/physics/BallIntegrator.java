@@ -374,6 +374,23 @@ public final class BallIntegrator {
     }
     s[3] *= 1 - contact.loss();
     s[4] *= 1 - contact.loss();
+    s[6] *= 1 - contact.spinLoss();
+    s[7] *= 1 - contact.spinLoss();
+    resist(s, contact.rolling() * (1 + dampingZ) * Math.abs(s[5]));
+  }
+
+  /** Takes that much speed of the ball and of its surface in the direction in which the spin rolls it, at most all of the spin. */
+  private void resist(double[] s, double most) {
+    double radius = physics.ball().radius();
+    double spin = radius * Math.hypot(s[6], s[7]);
+    if (most == 0 || spin == 0) {
+      return;
+    }
+    double kept = 1 - Math.min(most, spin) / spin;
+    s[3] -= (1 - kept) * radius * s[7];
+    s[4] += (1 - kept) * radius * s[6];
+    s[6] *= kept;
+    s[7] *= kept;
   }
 
   private void commit(double[] state) {

@@ -68,8 +68,23 @@ public record ImpactLaw(
    * @param restitution e_t (–): −1 without friction, 0 the contact point sticks, 1 a super ball
    * @param friction μ during the impact (–)
    * @param loss share of the velocity along the carpet that is lost besides (–)
+   * @param spinLoss share of the spin that is lost besides (–)
+   * @param rolling rolling resistance of the impact (–): the spinning ball loses rolling·(1 + e_z)·|v_z| of speed and spin
    */
-  public record Contact(double restitution, double friction, double loss) implements Tangential {
+  public record Contact(
+      double restitution, double friction, double loss, double spinLoss, double rolling)
+      implements Tangential {
+    /**
+     * An impact without loss of spin and rolling resistance.
+     *
+     * @param restitution e_t (–)
+     * @param friction μ during the impact (–)
+     * @param loss share of the velocity along the carpet that is lost besides (–)
+     */
+    public Contact(double restitution, double friction, double loss) {
+      this(restitution, friction, loss, 0, 0);
+    }
+
     /**
      * Checks the ranges. {@inheritDoc}
      *
@@ -78,7 +93,10 @@ public record ImpactLaw(
     public Contact {
       Check.range("restitution", restitution, -1, 1);
       Check.range("friction", friction, 0, 5);
-      Check.range("loss", loss, 0, 1);
+      // A fitted loss may be a little below none.
+      Check.range("loss", loss, -0.1, 1);
+      Check.range("spinLoss", spinLoss, -0.1, 1);
+      Check.range("rolling", rolling, -0.05, 1);
     }
   }
 
