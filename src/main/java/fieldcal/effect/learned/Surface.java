@@ -1,5 +1,7 @@
 package fieldcal.effect.learned;
 
+import java.util.Arrays;
+
 /**
  * Tensor product of two splines, for what depends on a place. Centred, it is made of the products of both splines' waves without the constant.
  *
@@ -85,7 +87,8 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     }
     control[0] = control[2];
     control[nx + 1] = control[nx - 1];
-    return (u, v) -> at(control, x.position(u), y.position(v));
+    double[] cubics = cubics(control);
+    return (u, v) -> at(cubics, x.position(u), y.position(v));
   }
 
   private double sumOfWaves(double[] coefficients, int from, int i, int j) {
@@ -97,20 +100,34 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     return sum;
   }
 
-  private double at(double[][] control, double p, double q) {
+  /** Sixteen coefficients for each cell, of the powers of its shares along x and y. */
+  private double[] cubics(double[][] control) {
+    int cellsX = x.knots() - 1;
+    int cellsY = y.knots() - 1;
+    double[][] ofY = Arrays.stream(control).map(Spline::cubics).toArray(double[][]::new);
+    double[] cubics = new double[16 * cellsX * cellsY];
+    for (int c = 0; c < 4 * cellsY; c++) {
+      int column = c;
+      double[] ofX = Spline.cubics(Arrays.stream(ofY).mapToDouble(row -> row[column]).toArray());
+      for (int i = 0; i < cellsX; i++) {
+        for (int power = 0; power < 4; power++) {
+          cubics[16 * (i * cellsY + c / 4) + 4 * power + c % 4] = ofX[4 * i + power];
+        }
+      }
+    }
+    return cubics;
+  }
+
+  private double at(double[] cubics, double p, double q) {
     int i = x.interval(p);
     int j = y.interval(q);
+    double s = p - i;
     double t = q - j;
-    double w0 = Spline.weight(0, t);
-    double w1 = Spline.weight(1, t);
-    double w2 = Spline.weight(2, t);
-    double w3 = Spline.weight(3, t);
+    int cell = 16 * (i * (y.knots() - 1) + j);
     double sum = 0;
-    for (int k = 0; k < 4; k++) {
-      double[] row = control[i + k];
-      sum +=
-          Spline.weight(k, p - i)
-              * (w0 * row[j] + w1 * row[j + 1] + w2 * row[j + 2] + w3 * row[j + 3]);
+    for (int n = cell + 12; n >= cell; n -= 4) {
+      double ofY = cubics[n] + t * (cubics[n + 1] + t * (cubics[n + 2] + t * cubics[n + 3]));
+      sum = sum * s + ofY;
     }
     return sum;
   }
