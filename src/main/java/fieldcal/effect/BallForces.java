@@ -23,6 +23,11 @@ final class BallForces {
   private final BallMotion motion = new BallMotion();
   private final double[] force = new double[3];
 
+  /** A ball at rest that is about to move, and its rates. */
+  private final double[] creep = new double[8];
+
+  private final double[] creepRate = new double[8];
+
   /** Friction and speed at which it turns the ball, of the sliding phase: m/s², and spin gained per velocity lost. */
   private double accSlide = -1;
 
@@ -229,9 +234,17 @@ final class BallForces {
     if (push == 0) {
       return true;
     }
-    motion.vx = CREEP * force[0] / push;
-    motion.vy = CREEP * force[1] / push;
-    if (push / (1 + effects.ball.inertiaFactor()) <= rollingDeceleration(motion)) {
+    double directionX = force[0] / push;
+    double directionY = force[1] / push;
+    motion.vx = CREEP * directionX;
+    motion.vy = CREEP * directionY;
+    // The same equation as of a rolling ball: what learned terms brake belongs to it, or a ball
+    // that
+    // they stop would be set free again and again.
+    creep[3] = motion.vx;
+    creep[4] = motion.vy;
+    roll(motion, creep, creepRate);
+    if (creepRate[3] * directionX + creepRate[4] * directionY <= 0) {
       return true;
     }
     s[3] = motion.vx;

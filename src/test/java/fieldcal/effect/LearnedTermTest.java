@@ -14,6 +14,7 @@ import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Quantity;
 import fieldcal.effect.learned.Spline;
 import fieldcal.effect.learned.Variable;
+import fieldcal.effect.motion.FieldSlope;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -278,5 +279,19 @@ class LearnedTermTest {
     assertThat(ground).containsExactly(new double[] {1.01, 1.98}, within(1e-12));
     seen.report(1, new double[] {1, 2, 0}, ground);
     assertThat(ground).containsExactly(new double[] {1, 2}, within(1e-12));
+  }
+
+  /** The slope alone would set the ball free again, and what was learned stops it at once: it must stay at rest. */
+  @Test
+  void aBallThatALearnedBrakeHoldsRests() {
+    LearnedFamily family =
+        LearnedFamily.of(Quantity.ACCELERATION_ALONG, Variable.SPEED, new Spline(0, 6.5, 6, true));
+    MotionEffect brake = (MotionEffect) family.term(-0.1, 0, 0, 0, 0);
+    MotionEffects motion = MotionEffects.of(List.of(new FieldSlope(4.5, 0), brake));
+    ExtendedTrajectory path = ExtendedTrajectory.flat(FLAT, motion, 0, 0, 0, 0, 1, 0);
+    double kSwitch = 0.65;
+    // Later than without the slope, and sooner than with half of what brakes the ball at rest.
+    double least = 0.28 + 0.1 - 0.045 * 9.81 * 5 / 7;
+    assertThat(path.restTime()).isBetween(kSwitch / 0.28, 2 * kSwitch / least);
   }
 }
