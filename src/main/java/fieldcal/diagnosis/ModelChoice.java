@@ -28,9 +28,6 @@ final class ModelChoice {
   /** What several components explain together, in sums of what each explains beside the others, from which on they stand for each other. */
   private static final double MUTUAL = 2;
 
-  /** Index of the lower bound of a gain. */
-  private static final int LOWER = 2;
-
   /** A component that explains less than that share of what the largest explains does not decide about others. */
   private static final double LITTLE = 0.05;
 
@@ -104,7 +101,7 @@ final class ModelChoice {
 
     /** Whether this does better beyond chance on held-out kicks, fitted and predicted: a value for each kick may fit what it does not help to predict. */
     boolean isBetterThan(Weighed other, long seed) {
-      return held.gainOn(other.held, seed)[LOWER] > 0
+      return held.gainOn(other.held, seed)[HoldOut.LOWER] > 0
           && other.held.predictsWorseThan(held, seed)
           && !held.predictsWorseThan(other.held, seed);
     }
@@ -211,7 +208,7 @@ final class ModelChoice {
 
   /** Whether what has no name gains nothing worth its place either. */
   private boolean isIdle(Judgement j) {
-    boolean pays = j.gain()[LOWER] > 0 && j.gain()[1] > 100 * settings.formGain();
+    boolean pays = j.gain()[HoldOut.LOWER] > 0 && j.gain()[1] > 100 * settings.formGain();
     return j.outcome() != Outcome.NAMED && !pays;
   }
 

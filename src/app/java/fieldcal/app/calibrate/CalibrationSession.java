@@ -56,27 +56,17 @@ public final class CalibrationSession {
   /** Told how far the work is. */
   public interface Progress extends KickCollector.Progress {
     /** Nobody looks. */
-    Progress UNSEEN =
-        new Progress() {
-          @Override
-          public void read(Path log, long bytesRead, long totalBytes) {}
-
-          @Override
-          public void fitting(int kicks) {}
-
-          @Override
-          public void fitted() {}
-        };
+    Progress UNSEEN = (log, bytesRead, totalBytes) -> {};
 
     /**
      * Fitting begins.
      *
      * @param kicks how many there are
      */
-    void fitting(int kicks);
+    default void fitting(int kicks) {}
 
     /** One more kick is fitted; called from several threads. */
-    void fitted();
+    default void fitted() {}
   }
 
   /**

@@ -22,20 +22,24 @@ import org.apache.commons.math3.distribution.NormalDistribution;
 /** Finds what the simulator's ball has otherwise than the field's, each difference with a test that pays for their number (Holm). */
 final class Differences {
   /** A parameter of the ball's simple model. */
-  private record Parameter(String name, String unit, boolean chip) {
+  private record Parameter(String name, boolean chip) {
     String words() {
       return ParameterWords.of(name);
+    }
+
+    String unit() {
+      return ParameterWords.unit(name).strip();
     }
   }
 
   private static final List<Parameter> PARAMETERS =
       List.of(
-          new Parameter("accSlide", "m/s²", false),
-          new Parameter("accRoll", "m/s²", false),
-          new Parameter("kSwitch", "", false),
-          new Parameter("dampingXyFirstHop", "", true),
-          new Parameter("dampingXyOtherHops", "", true),
-          new Parameter("dampingZ", "", true));
+          new Parameter("accSlide", false),
+          new Parameter("accRoll", false),
+          new Parameter("kSwitch", false),
+          new Parameter("dampingXyFirstHop", true),
+          new Parameter("dampingXyOtherHops", true),
+          new Parameter("dampingZ", true));
 
   /** Fewest kicks of a kind whose parameters are compared: one says nothing of how much they scatter. */
   private static final int FEWEST = 2;
@@ -104,10 +108,10 @@ final class Differences {
     }
     double[] a = field.get();
     double[] b = other.get();
-    rows.add(new Row(p.name, p.words(), p.unit, a[0], a[1], b[0], b[1], false));
+    rows.add(new Row(p.name, p.words(), p.unit(), a[0], a[1], b[0], b[1], false));
     candidate(
         new Difference(
-            p.name, p.words(), a[0], a[1], b[0], b[1], p.unit, m -> with(m, p.name, b[0])),
+            p.name, p.words(), a[0], a[1], b[0], b[1], p.unit(), m -> with(m, p.name, b[0])),
         (b[0] - a[0]) / Math.hypot(a[1], b[1]));
   }
 

@@ -20,4 +20,10 @@ public record Row(
     double realError,
     double sim,
     double simError,
-    boolean differs) {}
+    boolean differs) {
+
+  /** The same with another judgement. */
+  Row judged(boolean different) {
+    return new Row(id, words, unit, real, realError, sim, simError, different);
+  }
+}

@@ -37,17 +37,7 @@ final class TestedRows {
     double[] p = Holm.corrected(probabilities.stream().mapToDouble(v -> v).toArray());
     List<Row> judged = new ArrayList<>();
     for (int i = 0; i < p.length; i++) {
-      Row r = rows.get(i);
-      judged.add(
-          new Row(
-              r.id(),
-              r.words(),
-              r.unit(),
-              r.real(),
-              r.realError(),
-              r.sim(),
-              r.simError(),
-              p[i] < FieldComparison.ALPHA));
+      judged.add(rows.get(i).judged(p[i] < FieldComparison.ALPHA));
     }
     return judged;
   }

@@ -61,12 +61,15 @@ public final class DiagnosisSession {
 
   /** Told how far the work is. */
   public interface Progress extends CalibrationSession.Progress {
+    /** Nobody looks. */
+    Progress UNSEEN = (log, bytesRead, totalBytes) -> {};
+
     /**
      * The diagnosis does something.
      *
      * @param what in words
      */
-    void diagnosing(String what);
+    default void diagnosing(String what) {}
   }
 
   /**

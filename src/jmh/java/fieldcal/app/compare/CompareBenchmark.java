@@ -2,6 +2,7 @@ package fieldcal.app.compare;
 
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.compare.FieldComparison.Named;
+import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.benchmark.BenchmarkSettings;
@@ -80,7 +81,7 @@ public final class CompareBenchmark {
                   CommandFile.read(field.commands()),
                   List.of(simulator.log()),
                   CommandFile.read(simulator.commands()),
-                  List.of(Unseen.PROGRESS, Unseen.PROGRESS))
+                  List.of(DiagnosisSession.Progress.UNSEEN, DiagnosisSession.Progress.UNSEEN))
               .comparison();
       out.printf(
           Locale.ROOT,

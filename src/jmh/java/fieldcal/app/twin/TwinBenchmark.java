@@ -2,7 +2,6 @@ package fieldcal.app.twin;
 
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.compare.DrawnPair;
-import fieldcal.app.compare.Unseen;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.recording.LogOpener;
@@ -80,7 +79,7 @@ public final class TwinBenchmark {
                   List.of(files.log()),
                   CommandFile.read(files.commands()),
                   scratch.path().resolve("twin"),
-                  Unseen.PROGRESS);
+                  DiagnosisSession.Progress.UNSEEN);
       double took = CpuTime.seconds() - before;
       TwinCheck check = twin.check();
       statistics += check.comparisons().size();
@@ -123,7 +122,7 @@ public final class TwinBenchmark {
 
   private static DiagnosisOutcome diagnosedAgain(TwinOutcome twin) throws IOException {
     return new DiagnosisSession(FitSettings.defaults(), DiagnosisProblem.DEFAULT_MAX_CAUSES)
-        .run(twin.recordings(), HandSelection.none(), List.of(), Unseen.PROGRESS);
+        .run(twin.recordings(), HandSelection.none(), List.of(), DiagnosisSession.Progress.UNSEEN);
   }
 
   /** Those that kicks alone show: what robots were told is not in the twin's recording. */

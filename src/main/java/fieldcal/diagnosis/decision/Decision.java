@@ -33,9 +33,6 @@ public final class Decision {
   /** Hotelling's test needs more kicks than that times the numbers; with fewer it has little power. */
   private static final int KICKS_PER_NUMBER = 2;
 
-  /** Index of the lower bound of a gain. */
-  private static final int LOWER = 2;
-
   private final DecisionSettings settings;
   private final ModelFitter fitter;
   private final Alternatives alternatives;
@@ -185,7 +182,7 @@ public final class Decision {
 
   /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */
   private boolean isSteady(FittedModel model, int i, double[] gain) {
-    return isTestable(model, i) ? !isUneven(model, i, settings.uneven()) : gain[LOWER] > 0;
+    return isTestable(model, i) ? !isUneven(model, i, settings.uneven()) : gain[HoldOut.LOWER] > 0;
   }
 
   private static boolean isTestable(FittedModel model, int i) {

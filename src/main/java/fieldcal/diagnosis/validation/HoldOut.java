@@ -39,6 +39,9 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   /** Largest error of a prediction, m: one that leaves the field, or that no camera could see, is as wrong as can be. */
   private static final double WORST = 10;
 
+  /** Index of the lower bound in {@link #gainOn}. */
+  public static final int LOWER = 2;
+
   private static final int BOOTSTRAPS = 1000;
   private static final double LOW = 0.025;
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.app.simulation.RecordingFiles;
 import fieldcal.calibration.HandSelection;
 import fieldcal.diagnosis.Diagnosis;
@@ -34,7 +35,11 @@ class SecondLookTest {
     found =
         new DiagnosisSession(
                 FitSettings.defaults(), DiagnosisProblem.DEFAULT_MAX_CAUSES, LogOpener.USUAL)
-            .run(List.of(files.log()), HandSelection.none(), List.of(), Unseen.PROGRESS);
+            .run(
+                List.of(files.log()),
+                HandSelection.none(),
+                List.of(),
+                DiagnosisSession.Progress.UNSEEN);
   }
 
   /** The same with something unexplained, which predicts held-out kicks that many times worse. */
@@ -46,23 +51,7 @@ class SecondLookTest {
     return new DiagnosisOutcome(
         found.calibration(),
         found.problem(),
-        new Diagnosis(
-            d.verdict(),
-            d.base(),
-            other,
-            d.causes(),
-            d.learned(),
-            d.candidates(),
-            new Unexplained(true, 1, 1, List.of()),
-            d.structureBefore(),
-            d.structureAfter(),
-            d.kicks(),
-            d.simpleModel(),
-            d.model(),
-            d.trace(),
-            d.problems(),
-            d.ballErrors(),
-            d.seed()));
+        SampleDiagnosis.leaving(d, other, new Unexplained(true, 1, 1, List.of())));
   }
 
   @Test

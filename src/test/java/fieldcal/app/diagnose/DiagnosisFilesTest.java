@@ -187,24 +187,8 @@ class DiagnosisFilesTest {
   @Test
   void unexplainedWithoutNumbersIsNull() throws IOException {
     Diagnosis d = SampleDiagnosis.adequate(4);
-    Diagnosis bare =
-        new Diagnosis(
-            d.verdict(),
-            d.base(),
-            d.extended(),
-            d.causes(),
-            d.learned(),
-            d.candidates(),
-            new Unexplained(false, Double.NaN, Double.NaN, List.of()),
-            d.structureBefore(),
-            d.structureAfter(),
-            d.kicks(),
-            d.simpleModel(),
-            d.model(),
-            d.trace(),
-            d.problems(),
-            d.ballErrors(),
-            d.seed());
+    Unexplained unknown = new Unexplained(false, Double.NaN, Double.NaN, List.of());
+    Diagnosis bare = SampleDiagnosis.leaving(d, d.extended(), unknown);
     assertThat(written(bare).get("unexplained").get("systematic_mm").isNull()).isTrue();
   }
 }

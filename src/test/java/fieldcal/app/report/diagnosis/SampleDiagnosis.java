@@ -131,6 +131,27 @@ public final class SampleDiagnosis {
         d.seed());
   }
 
+  /** The same with another quality of the extended model, and other residuals without a cause. */
+  public static Diagnosis leaving(Diagnosis d, Quality extended, Unexplained left) {
+    return new Diagnosis(
+        d.verdict(),
+        d.base(),
+        extended,
+        d.causes(),
+        d.learned(),
+        d.candidates(),
+        left,
+        d.structureBefore(),
+        d.structureAfter(),
+        d.kicks(),
+        d.simpleModel(),
+        d.model(),
+        d.trace(),
+        d.problems(),
+        d.ballErrors(),
+        d.seed());
+  }
+
   /** Nothing wrong. */
   public static Diagnosis adequate(int kicks) {
     List<KickResiduals> residuals = SampleKicks.of(kicks, 8, List.of(), true);
