@@ -42,6 +42,7 @@ public final class RecordingReader implements Closeable {
   private final VisionDecoder vision;
   private final DecodingCounts counts;
   private final RefereeDecoder referee;
+  private final RefereeOrder refereeOrder = new RefereeOrder();
   private final TrackerDecoder tracker;
   private final CameraClock[] clocks = new CameraClock[VisionDecoder.MAX_CAMERA_ID + 1];
   private final long[] messages = new long[MessageType.values().length];
@@ -275,7 +276,9 @@ public final class RecordingReader implements Closeable {
     Optional<RefereeState> state =
         referee.decode(log.buffer(), log.payloadOffset(), log.payloadLength());
     if (state.isPresent()) {
-      order.add(state.get(), received);
+      if (refereeOrder.accept(state.get())) {
+        order.add(state.get(), received);
+      }
     } else {
       problem(LogProblem.MALFORMED_REFEREE, () -> log.payloadLength() + " bytes");
     }

@@ -43,10 +43,6 @@ public final class RecordingStatistics implements RecordingListener {
   @Override
   public void onReferee(RefereeState state, double receivedTime) {
     refereeMessages++;
-    if (lastReferee != null && state.time() <= lastReferee.time()) {
-      // Some controllers send the old state once more beside the new one.
-      return;
-    }
     if (lastReferee == null
         || state.commandCounter() != lastReferee.commandCounter()
         || state.command() != lastReferee.command()) {

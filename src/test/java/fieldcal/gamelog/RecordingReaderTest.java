@@ -253,6 +253,24 @@ class RecordingReaderTest {
         .containsEntry(MessageType.UNKNOWN, 1L);
   }
 
+  /** Packets overtake each other on the network, and some controllers send the old state once more beside the new one. */
+  @Test
+  void anOlderRefereeMessageIsNoChange() throws IOException {
+    log.record(1.00, 3, referee(Referee.Command.HALT, Referee.Stage.NORMAL_FIRST_HALF, 1.00, 0.5));
+    log.record(2.01, 3, referee(Referee.Command.STOP, Referee.Stage.NORMAL_FIRST_HALF, 2.00, 2.0));
+    log.record(2.02, 3, referee(Referee.Command.HALT, Referee.Stage.NORMAL_FIRST_HALF, 1.95, 0.5));
+    log.record(2.02, 3, referee(Referee.Command.HALT, Referee.Stage.NORMAL_FIRST_HALF, 2.00, 0.5));
+    log.record(3.00, 3, referee(Referee.Command.STOP, Referee.Stage.NORMAL_FIRST_HALF, 3.00, 2.0));
+    // Its clock was set back by an hour.
+    log.record(4, 3, referee(Referee.Command.HALT, Referee.Stage.NORMAL_FIRST_HALF, -3596, -3596));
+    read(log.bytes());
+
+    assertThat(notes.referee)
+        .extracting(RefereeState::command)
+        .containsExactly(
+            Referee.Command.HALT, Referee.Command.STOP, Referee.Command.STOP, Referee.Command.HALT);
+  }
+
   @Test
   void breaksAreNoPlay() throws IOException {
     log.record(1, 3, referee(Referee.Command.NORMAL_START, Referee.Stage.NORMAL_HALF_TIME));
@@ -322,6 +340,12 @@ class RecordingReaderTest {
   }
 
   private static byte[] referee(Referee.Command command, Referee.Stage stage) {
+    return referee(command, stage, 5, 4);
+  }
+
+  /** Sent at a time of the recording's epoch, about a command of a time. */
+  private static byte[] referee(
+      Referee.Command command, Referee.Stage stage, double time, double commandTime) {
     Referee.TeamInfo.Builder team =
         Referee.TeamInfo.newBuilder()
             .setName("Y")
@@ -332,15 +356,19 @@ class RecordingReaderTest {
             .setTimeoutTime(0)
             .setGoalkeeper(0);
     return Referee.newBuilder()
-        .setPacketTimestamp(1_763_712_350_000_000L)
+        .setPacketTimestamp(micros(time))
         .setStage(stage)
         .setCommand(command)
         .setCommandCounter(1)
-        .setCommandTimestamp(1_763_712_349_000_000L)
+        .setCommandTimestamp(micros(commandTime))
         .setYellow(team)
         .setBlue(team)
         .setBlueTeamOnPositiveHalf(true)
         .build()
         .toByteArray();
+  }
+
+  private static long micros(double time) {
+    return 1_763_712_345_000_000L + Math.round(1e6 * time);
   }
 }

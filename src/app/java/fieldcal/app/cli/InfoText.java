@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.wording.RefereeWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.camera.CameraCalibration;
@@ -162,13 +163,13 @@ final class InfoText {
                     String.format(
                         Locale.ROOT,
                         "%s at %.0f s",
-                        start.stage(),
+                        RefereeWords.of(start.stage()),
                         start.time() - info.summary().firstTime()))
             .collect(Collectors.joining(", ")));
     entry(
         "commands",
         referee.commands().entrySet().stream()
-            .map(command -> command.getKey() + " " + command.getValue())
+            .map(command -> RefereeWords.of(command.getKey()) + " " + command.getValue())
             .collect(Collectors.joining(", ")));
   }
 

@@ -53,9 +53,9 @@ public final class Main {
    */
   public static void main(String[] args) {
     int status = commandLineFor(args).execute(args);
-    if (System.out.checkError() && status == 0) {
-      // A full disk behind the output, or nobody who reads it any more.
-      System.err.println("fieldcal: standard output: cannot be written");
+    Optional<String> failure = StandardOutput.failure();
+    if (failure.isPresent() && status == 0) {
+      System.err.println("fieldcal: " + failure.get());
       status = BAD_INPUT;
     }
     System.exit(status);

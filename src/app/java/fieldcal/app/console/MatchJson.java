@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.limits.LimitWords;
 import fieldcal.app.monitor.MatchStatus;
 import fieldcal.app.wording.ParameterWords;
+import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.CameraHealth;
 import fieldcal.live.KickCounts;
@@ -20,7 +21,6 @@ import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
 import java.util.List;
-import java.util.Locale;
 
 /** A watched match as a page draws it; what is not known is null. */
 final class MatchJson {
@@ -58,15 +58,11 @@ final class MatchJson {
 
   private static ObjectNode referee(RefereeState r) {
     ObjectNode node = NODES.objectNode();
-    node.put("stage", words(r.stage().name()));
-    node.put("command", words(r.command().name()));
+    node.put("stage", RefereeWords.of(r.stage()));
+    node.put("command", RefereeWords.of(r.command()));
     node.put("yellow", r.yellow().name()).put("yellowScore", r.yellow().score());
     node.put("blue", r.blue().name()).put("blueScore", r.blue().score());
     return node;
-  }
-
-  private static String words(String constant) {
-    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
   private static ObjectNode parameter(ParameterEstimate e) {

@@ -1,5 +1,6 @@
 package fieldcal.app.monitor;
 
+import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.LimitWarning;
 import fieldcal.live.LiveKick;
@@ -12,6 +13,7 @@ public final class LineDisplay implements MatchDisplay {
   private final PrintWriter out;
   private final MatchText text;
   private boolean begun;
+  private boolean refereeHeard;
   private boolean silent;
 
   /**
@@ -44,11 +46,15 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void referee(RefereeState state, double time) {
-    line(text.clock(time) + "  referee: " + state.stage() + ", " + state.command());
+    // What it says first may have been so for minutes.
+    String says = refereeHeard ? "  referee: " : "  referee is heard: ";
+    refereeHeard = true;
+    line(text.clock(time) + says + RefereeWords.of(state));
   }
 
   @Override
   public void refereeLost() {
+    refereeHeard = false;
     line("the referee is silent: everything counts");
   }
 
@@ -75,6 +81,11 @@ public final class LineDisplay implements MatchDisplay {
   @Override
   public void limitWarningCleared(LimitWarning warning) {
     line(text.clock(warning.time()) + "  over: " + warning.text());
+  }
+
+  @Override
+  public boolean watched() {
+    return !out.checkError();
   }
 
   @Override

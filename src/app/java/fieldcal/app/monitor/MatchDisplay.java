@@ -25,6 +25,15 @@ public interface MatchDisplay extends LiveListener, AutoCloseable {
   default void refereeLost() {}
 
   /**
+   * Whether anybody can still see it.
+   *
+   * @return false once the reader of a pipe has closed it
+   */
+  default boolean watched() {
+    return true;
+  }
+
+  /**
    * The last state.
    *
    * @param status what there is to show

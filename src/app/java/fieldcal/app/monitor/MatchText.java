@@ -1,6 +1,7 @@
 package fieldcal.app.monitor;
 
 import fieldcal.app.limits.LimitWords;
+import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.BallParameter;
 import fieldcal.live.BallSnapshot;
@@ -109,18 +110,13 @@ final class MatchText {
         status.snapshot().phase().counts() ? "play counts" : "not in play, nothing counts now";
     return String.format(
         Locale.ROOT,
-        "%s, %s: %s   %s %d : %d %s",
-        words(r.stage().name()),
-        words(r.command().name()),
+        "%s: %s   %s %d : %d %s",
+        RefereeWords.of(r),
         counts,
         name(r.yellow(), Team.YELLOW),
         r.yellow().score(),
         r.blue().score(),
         name(r.blue(), Team.BLUE));
-  }
-
-  private static String words(String constant) {
-    return constant.toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
   private static String name(RefereeState.TeamState team, Team colour) {

@@ -88,6 +88,7 @@ public final class MonitorSession {
    * @throws IOException when the feed breaks off or a file cannot be written; one line for the operator
    */
   public MatchStatus run() throws IOException {
+    display.show(status());
     try {
       feed.run(monitor, new Control());
     } finally {
@@ -150,7 +151,7 @@ public final class MonitorSession {
         changes.ifPresent(c -> c.vision(!status.feed().silent()));
         display.show(status);
       }
-      return !stop.get();
+      return !stop.get() && display.watched();
     }
   }
 

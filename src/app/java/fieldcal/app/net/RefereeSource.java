@@ -1,6 +1,7 @@
 package fieldcal.app.net;
 
 import fieldcal.gamelog.RefereeDecoder;
+import fieldcal.gamelog.RefereeOrder;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.vision.Epoch;
 import java.util.List;
@@ -11,6 +12,7 @@ public final class RefereeSource {
   private static final String REFEREE = "referee";
 
   private final Sources<RefereeDecoder> sources;
+  private final RefereeOrder order = new RefereeOrder();
 
   /**
    * A source.
@@ -22,7 +24,7 @@ public final class RefereeSource {
     sources = new Sources<>(address -> decoder);
   }
 
-  /** What a packet says; nothing if it is no referee's message or another one's. */
+  /** What a packet says; nothing if it is no referee's message, another one's, or older than what was heard already. */
   Optional<RefereeState> accept(Packet packet) {
     Sources.Source<RefereeDecoder> source = sources.of(packet.source(), packet.received());
     if (source == null) {
@@ -32,7 +34,9 @@ public final class RefereeSource {
     if (state.isEmpty()) {
       sources.wrong(source);
     }
-    return state.filter(s -> sources.owns(source, REFEREE, packet.received()));
+    return state
+        .filter(s -> sources.owns(source, REFEREE, packet.received()))
+        .filter(order::accept);
   }
 
   /** Packets of senders that were too many; from any thread. */

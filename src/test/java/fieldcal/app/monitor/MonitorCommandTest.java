@@ -50,8 +50,9 @@ class MonitorCommandTest {
     assertThat(done.status()).as(done.err()).isZero();
     assertThat(done.out())
         .doesNotContain("\u001b")
-        .contains("watching " + log)
-        .contains("referee: NORMAL_FIRST_HALF, NORMAL_START")
+        .startsWith("watching " + log)
+        .containsOnlyOnce("referee is heard: ")
+        .contains("referee: first half, normal start")
         .containsPattern("#\\d+ +flat +\\d\\.\\d m/s (yellow|blue) \\d+")
         .contains("BALL     ")
         .containsPattern("acc_roll, m/s² +-0\\.\\d\\d\\d")
