@@ -28,11 +28,11 @@ import java.util.Map;
  */
 public final class Benchmarks {
   private static final String USAGE =
-      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [limit-shapes]"
-          + " [match-kicks] [k-switch] [diagnose] [live] [live-warnings] [live-carpets] [live-day]"
-          + " [sample-tree] [console] [play] [play-calibration] [play-adaptive] [play-causes]"
-          + " [play-udp] [soak] [compare] [twin] [--kicks N] [--seed N] [--megabytes N] [--runs N]"
-          + " [--minutes N]";
+      "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [limit-bounds]"
+          + " [limit-shapes] [match-kicks] [k-switch] [diagnose] [live] [live-warnings]"
+          + " [live-carpets] [live-day] [sample-tree] [console] [play] [play-calibration]"
+          + " [play-adaptive] [play-causes] [play-udp] [soak] [compare] [twin] [--kicks N] [--seed"
+          + " N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -56,6 +56,7 @@ public final class Benchmarks {
     parts.put("calibrate", CalibrateBenchmark::run);
     parts.put("extended", ExtendedQueries::run);
     parts.put("limits", LimitsBenchmark::run);
+    parts.put("limit-bounds", BoundsBenchmark::run);
     parts.put("limit-shapes", ShapesBenchmark::run);
     parts.put("match-kicks", MatchKicks::run);
     parts.put("k-switch", KSwitchCauses::run);

@@ -2,31 +2,23 @@ package fieldcal.benchmark;
 
 import com.sun.management.ThreadMXBean;
 import fieldcal.movement.LimitDeviation;
-import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.MovementEffect;
 import fieldcal.movement.MovementObserver;
-import fieldcal.movement.PlayPhase;
 import fieldcal.movement.TeamLimits;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.ScenarioSettings;
-import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.robot.RobotLimits;
-import fieldcal.simulation.robot.SimulatedRobot;
-import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import org.apache.commons.math3.stat.interval.ConfidenceInterval;
-import org.apache.commons.math3.stat.interval.WilsonScoreInterval;
 
 /**
  * Movement limits of simulated matches against the truth, the league's estimator beside ours: 6 against 6 and 11 against 11, 1.3 and 3.5 mm of noise, cameras that disagree by 23 mm, over the range of
@@ -48,22 +40,11 @@ final class LimitsBenchmark {
     {2.5, 4, 6, 0, 0.3}, {3, 3.5, 4, 0, 0.5}, {3, 4, 5, 0.3, 0.3}, {2.5, 3, 4, 0.2, 0.4}
   };
 
-  private static final Goal UNBIASED = Goal.atMost(1, "%.1f %%");
-
-  /** How often two standard errors hold the truth. */
-  private static final Goal COVERED = new Goal(92, 98, "%.0f %%");
-
-  /** What so few teams can tell about that. */
-  private static final double CONFIDENCE = 0.95;
-
-  private static final Goal NEVER_FALSE = Goal.atMost(0, "%.0f");
-  private static final Goal NEAR = Goal.atLeast(1, "%.0f of the tolerance");
-
   private final BenchmarkSettings settings;
   private final PrintStream out;
-  private final Score velocity = new Score("velocity");
-  private final Score acceleration = new Score("acceleration");
-  private final Score braking = new Score("braking");
+  private final LimitScore velocity = new LimitScore("velocity");
+  private final LimitScore acceleration = new LimitScore("acceleration");
+  private final LimitScore braking = new LimitScore("braking");
   private final Costs costs = new Costs();
   private int bounds;
   private int teams;
@@ -116,40 +97,9 @@ final class LimitsBenchmark {
                     .withMatch(size, settings.minutes())
                     .withLimits(yellow, blue));
     s = s.withCameras(s.cameras().withNoise(0.002, noise).withRegistration(0.0215, 0.023));
-    Simulation simulation = Simulation.of(s);
-    MovementObserver observer = new MovementObserver();
-    Map<Team, Double> driven = new EnumMap<>(Map.of(Team.YELLOW, 0.0, Team.BLUE, 0.0));
-    int[] next = {0};
-    simulation.run(
-        packet ->
-            packet
-                .packet()
-                .frame()
-                .ifPresent(
-                    frame -> {
-                      List<RefereePhase> phases = simulation.phases();
-                      while (next[0] < phases.size()
-                          && phases.get(next[0]).time() <= frame.captureTime()) {
-                        observer.phase(phase(phases.get(next[0]++).command()));
-                      }
-                      for (SimulatedRobot r : simulation.world().robots()) {
-                        driven.merge(r.id().team(), r.speed(), Math::max);
-                      }
-                      costs.accept(observer, frame);
-                    }));
-    observer.finish();
-    judge(observer.limits(Team.YELLOW), yellow, driven.get(Team.YELLOW));
-    judge(observer.limits(Team.BLUE), blue, driven.get(Team.BLUE));
-  }
-
-  private static PlayPhase phase(String command) {
-    if (command.endsWith("_START") || command.startsWith("DIRECT_")) {
-      return PlayPhase.RUNNING;
-    }
-    if (command.startsWith("TIMEOUT")) {
-      return PlayPhase.BREAK;
-    }
-    return command.equals("HALT") ? PlayPhase.HALTED : PlayPhase.STOPPED;
+    LimitMatch match = LimitMatch.play(s, costs::accept);
+    judge(match.limits(Team.YELLOW), yellow, match.driven(Team.YELLOW));
+    judge(match.limits(Team.BLUE), blue, match.driven(Team.BLUE));
   }
 
   private void judge(TeamLimits found, RobotLimits truth, double driven) {
@@ -215,10 +165,10 @@ final class LimitsBenchmark {
         "median error",
         "worst error",
         Goal.VERDICT);
-    for (Score score : List.of(velocity, acceleration, braking)) {
+    for (LimitScore score : List.of(velocity, acceleration, braking)) {
       score.print(out);
     }
-    for (Score score : List.of(velocity, acceleration, braking)) {
+    for (LimitScore score : List.of(velocity, acceleration, braking)) {
       score.printErrors(out);
     }
     out.printf(
@@ -233,99 +183,6 @@ final class LimitsBenchmark {
         inventedNames,
         worstCoefficient);
     costs.print(out);
-  }
-
-  /** How far estimates are off. */
-  private static final class Score {
-    private final String name;
-    private final List<Double> own = new ArrayList<>();
-    private final List<Double> league = new ArrayList<>();
-    private int ownNear;
-    private int leagueNear;
-    private int reached;
-    private int covered;
-    private int falseBounds;
-    private double deviations;
-
-    Score(String name) {
-      this.name = name;
-    }
-
-    String of(LimitEstimate ours, LimitEstimate theirs, double truth) {
-      double tolerance = Math.max(0.1, 0.05 * truth);
-      own.add(Math.abs(ours.value() / truth - 1));
-      league.add(Math.abs(theirs.value() / truth - 1));
-      double two = 2 * ours.standardError();
-      if (ours.reached()) {
-        reached++;
-        deviations += ours.value() / truth - 1;
-        covered += Math.abs(ours.value() - truth) < two ? 1 : 0;
-      } else {
-        falseBounds += ours.value() - two > truth ? 1 : 0;
-      }
-      boolean near = Math.abs(ours.value() - truth) <= tolerance;
-      ownNear += near ? 1 : 0;
-      leagueNear += Math.abs(theirs.value() - truth) <= tolerance ? 1 : 0;
-      return String.format(
-          Locale.ROOT,
-          "  %s %.2f: %s%.3f ± %.3f (%+.1f %%)%s, %.2f (%+.0f %%)",
-          name.charAt(0),
-          truth,
-          ours.reached() ? "" : "≥",
-          ours.value(),
-          ours.standardError(),
-          100 * (ours.value() / truth - 1),
-          near ? "" : "!",
-          theirs.value(),
-          100 * (theirs.value() / truth - 1));
-    }
-
-    void print(PrintStream out) {
-      out.printf(
-          Locale.ROOT,
-          "%-14s %7d %22s %22s %22s  %s%n",
-          name,
-          own.size(),
-          ownNear + " (league's " + leagueNear + ")",
-          percent(own, 0.5) + " (" + percent(league, 0.5) + ")",
-          percent(own, 1) + " (" + percent(league, 1) + ")",
-          NEAR.verdict((double) ownNear / own.size()));
-    }
-
-    void printErrors(PrintStream out) {
-      double bias = 100 * deviations / Math.max(1, reached);
-      int trials = Math.max(1, reached);
-      double within = 100.0 * covered / trials;
-      ConfidenceInterval known =
-          new WilsonScoreInterval().createInterval(trials, covered, CONFIDENCE);
-      double low = 100 * known.getLowerBound();
-      double high = 100 * known.getUpperBound();
-      out.printf(
-          Locale.ROOT,
-          "%-14s %d of %d reached: bias %+.2f %%  (%s)  %s; %.0f %% (%.0f to %.0f %%) within two"
-              + " standard errors  (%s)  %s; false lower bounds %d of %d  (%s)  %s%n",
-          name,
-          reached,
-          own.size(),
-          bias,
-          UNBIASED,
-          UNBIASED.verdict(Math.abs(bias)),
-          within,
-          low,
-          high,
-          COVERED,
-          Goal.verdict(low <= COVERED.highest() && high >= COVERED.lowest()),
-          falseBounds,
-          own.size() - reached,
-          NEVER_FALSE,
-          NEVER_FALSE.verdict(falseBounds));
-    }
-
-    private static String percent(List<Double> errors, double share) {
-      List<Double> sorted = errors.stream().sorted().toList();
-      return String.format(
-          Locale.ROOT, "%.1f %%", 100 * sorted.get((int) (share * (sorted.size() - 1))));
-    }
   }
 
   /** What frames cost: time, and memory on the heap. */

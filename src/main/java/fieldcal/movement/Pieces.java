@@ -46,6 +46,11 @@ final class Pieces {
     return count;
   }
 
+  /** What one more piece must explain, in variances of the noise. */
+  double price() {
+    return price;
+  }
+
   /** Relative time of a knot, s. */
   double knot(int i) {
     return knots[i];

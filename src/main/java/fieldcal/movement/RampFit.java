@@ -355,6 +355,11 @@ final class RampFit {
     return cy[1] + cy[2];
   }
 
+  /** By how much the acceleration along a direction grows at the first (0) or the second knot (1), m/s². */
+  double change(int knot, double nx, double ny) {
+    return cx[FACTOR[knot]] * nx + cy[FACTOR[knot]] * ny;
+  }
+
   /** Sum of squared residuals over its degrees of freedom, m². */
   double variance() {
     return rss / freedom;

@@ -56,6 +56,7 @@ final class SpeedTable {
    * @param speed in the middle
    * @param speedError standard error of the speed in the middle
    * @param top the higher speed of both ends
+   * @param overshoot by how much that may exceed what the robot had, besides its error
    */
   void add(
       int robot,
@@ -64,11 +65,12 @@ final class SpeedTable {
       double accelerationError,
       double speed,
       double speedError,
-      double top) {
+      double top,
+      double overshoot) {
     double endError = Math.hypot(speedError, 0.5 * duration * accelerationError);
     if (endError < scale.uncertain()) {
       tops.add(top);
-      sure.add(Math.max(0, top - SURE * endError));
+      sure.add(Math.max(0, top - overshoot - SURE * endError));
     }
     boolean cruises =
         acceleration < scale.cruising()

@@ -46,7 +46,15 @@ public final class TeamStatistics {
     // Where corners are round, the speeds of the sharp ones are never reached.
     double inside = Math.min(m.corner(), 0.5 * m.duration());
     double top = Math.max(m.speedAfter(inside), m.speedAfter(m.duration() - inside));
-    speeds.add(robot, m.duration(), a, m.accelerationError(), m.speed(), m.velocityError(), top);
+    speeds.add(
+        robot,
+        m.duration(),
+        a,
+        m.accelerationError(),
+        m.speed(),
+        m.velocityError(),
+        top,
+        m.overshoot());
     draw(m, a, direction);
   }
 
@@ -67,7 +75,15 @@ public final class TeamStatistics {
     }
     double inside = Math.min(t.corner(), 0.5 * t.duration());
     double top = Math.max(t.rateAfter(inside), t.rateAfter(t.duration() - inside));
-    turnSpeeds.add(robot, t.duration(), a, t.accelerationError(), speed, t.velocityError(), top);
+    turnSpeeds.add(
+        robot,
+        t.duration(),
+        a,
+        t.accelerationError(),
+        speed,
+        t.velocityError(),
+        top,
+        t.overshoot());
   }
 
   private void draw(Manoeuvre m, double a, double direction) {

@@ -13,6 +13,7 @@ import fieldcal.vision.RobotId;
  * @param accelerationError standard error of the angular acceleration, rad/s²
  * @param velocityError standard error of the angular velocity in the middle, rad/s
  * @param corner time at its beginning and at its end in which the angular acceleration was still changing, s
+ * @param overshoot by how much the rate at an end may exceed what the robot had, rad/s; see {@link Manoeuvre#overshoot}
  */
 public record Turn(
     RobotId robot,
@@ -22,7 +23,8 @@ public record Turn(
     double angularAcceleration,
     double accelerationError,
     double velocityError,
-    double corner) {
+    double corner,
+    double overshoot) {
 
   /** A manoeuvre of a path whose x is an angle. */
   static Turn of(Manoeuvre m) {
@@ -34,7 +36,8 @@ public record Turn(
         m.ax(),
         m.accelerationError(),
         m.velocityError(),
-        m.corner());
+        m.corner(),
+        m.overshoot());
   }
 
   /**

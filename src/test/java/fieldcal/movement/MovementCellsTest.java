@@ -35,6 +35,7 @@ class MovementCellsTest {
                   0.01,
                   0.02,
                   0.01,
+                  0.03,
                   2 * Math.PI * random.nextDouble(),
                   30));
       double rate = 10 * random.nextDouble();
@@ -49,7 +50,8 @@ class MovementCellsTest {
                   i % 2 == 0 ? 0.1 : 40 * random.nextGaussian(),
                   1,
                   0.1,
-                  0.01));
+                  0.01,
+                  0.3));
       statistics.of(team).league().add(random.nextDouble(), 0, 12 * random.nextDouble(), 0, 0.013);
       statistics.standing().add(random.nextGaussian(), 20 * random.nextGaussian(), 1);
       statistics.standingSquares().add(200 * random.nextDouble());

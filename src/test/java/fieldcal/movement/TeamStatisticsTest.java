@@ -28,6 +28,7 @@ class TeamStatisticsTest {
         0.01,
         0.01,
         0,
+        0,
         40);
   }
 
@@ -95,7 +96,7 @@ class TeamStatisticsTest {
     // A turn: the velocity changes, the speed hardly.
     team.add(
         new Manoeuvre(
-            new RobotId(Team.YELLOW, 1), 0, 0.3, 2, -0.3, 0, 2, 0.05, 0.01, 0.01, 0.4, 20));
+            new RobotId(Team.YELLOW, 1), 0, 0.3, 2, -0.3, 0, 2, 0.05, 0.01, 0.01, 0, 0.4, 20));
     assertThat(team.acceleratingManoeuvres().all().samples()).isEqualTo(1);
     assertThat(team.brakingManoeuvres().all().samples()).isEqualTo(1);
     assertThat(team.manoeuvres()).isEqualTo(3);
@@ -106,7 +107,19 @@ class TeamStatisticsTest {
     // The front looks along y, the robot accelerates along x: to its right.
     team.add(
         new Manoeuvre(
-            new RobotId(Team.YELLOW, 1), 0, 0.5, 0, 0, 3.1, 0, 0.05, 0.01, 0.01, Math.PI / 2, 36));
+            new RobotId(Team.YELLOW, 1),
+            0,
+            0.5,
+            0,
+            0,
+            3.1,
+            0,
+            0.05,
+            0.01,
+            0.01,
+            0,
+            Math.PI / 2,
+            36));
     Grid g = team.ownFrame();
     assertThat(g.total()).isEqualTo(36);
     for (int column = 0; column < g.columns(); column++) {

@@ -1,0 +1,69 @@
+package fieldcal.benchmark;
+
+import fieldcal.movement.MovementObserver;
+import fieldcal.movement.PlayPhase;
+import fieldcal.movement.TeamLimits;
+import fieldcal.simulation.Simulation;
+import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.robot.SimulatedRobot;
+import fieldcal.simulation.truth.RefereePhase;
+import fieldcal.vision.Team;
+import fieldcal.vision.VisionFrame;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+
+/** A simulated match with its referee, watched by an observer of movements. */
+final class LimitMatch {
+  private final MovementObserver observer = new MovementObserver();
+  private final Map<Team, Double> driven = new EnumMap<>(Map.of(Team.YELLOW, 0.0, Team.BLUE, 0.0));
+
+  private LimitMatch() {}
+
+  /** Simulates a match; frames reach the observer by the given way. */
+  static LimitMatch play(
+      SimulationSettings settings, BiConsumer<MovementObserver, VisionFrame> feed) {
+    LimitMatch match = new LimitMatch();
+    Simulation simulation = Simulation.of(settings);
+    int[] next = {0};
+    simulation.run(
+        packet ->
+            packet
+                .packet()
+                .frame()
+                .ifPresent(
+                    frame -> {
+                      List<RefereePhase> phases = simulation.phases();
+                      while (next[0] < phases.size()
+                          && phases.get(next[0]).time() <= frame.captureTime()) {
+                        match.observer.phase(phase(phases.get(next[0]++).command()));
+                      }
+                      for (SimulatedRobot r : simulation.world().robots()) {
+                        match.driven.merge(r.id().team(), r.speed(), Math::max);
+                      }
+                      feed.accept(match.observer, frame);
+                    }));
+    match.observer.finish();
+    return match;
+  }
+
+  private static PlayPhase phase(String command) {
+    if (command.endsWith("_START") || command.startsWith("DIRECT_")) {
+      return PlayPhase.RUNNING;
+    }
+    if (command.startsWith("TIMEOUT")) {
+      return PlayPhase.BREAK;
+    }
+    return command.equals("HALT") ? PlayPhase.HALTED : PlayPhase.STOPPED;
+  }
+
+  TeamLimits limits(Team team) {
+    return observer.limits(team);
+  }
+
+  /** The highest speed of any robot of a team, m/s. */
+  double driven(Team team) {
+    return driven.get(team);
+  }
+}
