@@ -1,6 +1,6 @@
 package fieldcal.play;
 
-/** Somebody has to lay the ball down; the robots stand still until it lies where they can get at it. */
+/** Somebody has to place the ball; the robots stand still until it lies where they can get at it. */
 final class HelpStep implements Step {
   private static final double[] PLACES = {0.05, 0.3, 0.5, 0.7, 0.95, 0.15, 0.85};
 

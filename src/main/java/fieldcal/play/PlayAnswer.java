@@ -17,7 +17,7 @@ public record PlayAnswer(List<RobotOrder> orders, Optional<BallRequest> request)
   }
 
   /**
-   * Somebody should lay the ball down: a person on a real field, the simulator elsewhere. The robots stand still meanwhile.
+   * Somebody should place the ball: a person on a real field, the simulator elsewhere. The robots stand still meanwhile.
    *
    * @param x where, m
    * @param y where, m

@@ -109,7 +109,7 @@ final class PlayText {
       reason =
           String.format(
               Locale.ROOT,
-              "please lay the ball at (%.1f, %.1f) m: %s",
+              "please place the ball at (%.1f, %.1f) m: %s",
               s.ballWanted().get(0),
               s.ballWanted().get(1),
               reason);

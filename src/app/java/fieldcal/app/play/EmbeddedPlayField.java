@@ -17,7 +17,7 @@ import java.util.List;
 
 /** The simulated field in this process, with somebody beside it who lays the ball down when asked. */
 public final class EmbeddedPlayField implements PlayField {
-  /** A person needs that long to see what is wanted, walk, and lay the ball down, s. */
+  /** A person needs that long to see what is wanted, walk, and place the ball, s. */
   private static final double REACTION = 2;
 
   private static final double CARRYING = 1;

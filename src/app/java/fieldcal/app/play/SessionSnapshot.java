@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param world ball, robots, permission
  * @param geometry of the field; empty before vision has sent it
  * @param robots the two that play
- * @param ballWanted where somebody should lay the ball, {x, y} in m; empty when nobody has to
+ * @param ballWanted where somebody should place the ball, {x, y} in m; empty when nobody has to
  * @param kicks all that were made, in order
  * @param model what they say so far: average of each parameter by its name; those that no kick determines are missing
  * @param undecided which causes the kicks so far do not tell apart; found out only by adaptive sessions that record

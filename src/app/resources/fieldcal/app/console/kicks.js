@@ -172,7 +172,7 @@ export function kicksPage(app) {
 
   function valueOf(parameter) {
     return [
-      el('p', {}, el('b', {title: parameter.words}, Plots.inFiles(parameter.name)), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
+      el('p', {}, el('b', {}, parameter.words), parameter.unit ? el('small', {}, ' ' + parameter.unit) : '', el('span', {class: 'spring'}), el('span', {title: 'against the published ' + Plots.asPublished(parameter.published)}, difference(parameter))),
       el('p', {}, el('b', {class: 'mean'}, withError(parameter.mean, parameter.standardError)), el('span', {class: 'spring'}), el('span', {class: 'note', title: 'kicks in the mean'}, 'n ' + parameter.n))];
   }
 

@@ -103,7 +103,7 @@ export function matchPage(app) {
       const figure = box.querySelector('figure[data-parameter="' + p.name + '"]');
       const off = known(p.percent) ? signed(p.percent, 0) + ' %' : '–';
       figure.querySelector('.value').replaceChildren(
-        el('p', {}, el('b', {title: p.words}, p.name), p.unit ? el('small', {}, ' ' + p.unit) : '', el('span', {class: 'spring'}), p.enough ? badge(p.warning ? 'bad' : 'good', (p.warning ? '⚠ ' : '') + off) : el('span', {class: 'note'}, p.samples + ' of ' + now.enough + ' kicks')),
+        el('p', {}, el('b', {}, p.words), p.unit ? el('small', {}, ' ' + p.unit) : '', el('span', {class: 'spring'}), p.enough ? badge(p.warning ? 'bad' : 'good', (p.warning ? '⚠ ' : '') + off) : el('span', {class: 'note'}, p.samples + ' of ' + now.enough + ' kicks')),
         el('p', {}, el('b', {class: 'mean'}, number(p.median, 3)), el('span', {class: 'note'}, known(p.lower) ? number(p.lower, 3) + ' … ' + number(p.upper, 3) : ''), el('span', {class: 'spring'}), el('span', {class: 'note'}, 'published ' + number(p.published, 3))));
       draw(figure.querySelector('.chart'), medianPlot(p));
     }

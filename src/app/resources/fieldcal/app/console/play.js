@@ -40,10 +40,10 @@ export function playPage(app) {
     refill($('order-form'), el('fieldset', {disabled: play().running ? '' : null},
       field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator']], order.field, choose('field'))),
       field('Kicks', select('order-kind', [['flat', 'flat'], ['chip', 'chips']], order.kind, choose('kind'))),
-      field('How many good ones', figure('kicks', 1, 200, 1, 5)),
+      field('Good kicks', figure('kicks', 1, 200, 1, 5)),
       field('Slowest m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest m/s', figure('fastest', 0.7, 8, 0.1, 5)), field('Speeds', select('order-choice', CHOICES, order.choice, value => { order.choice = value; })),
       ...(chip ? [field('Elevation °', figure('elevation', 15, 75, 1, 5)), field('Line at x m', figure('across', -6, 6, 0.1, 5))] : [field('Part of the field', select('order-half', [['whole', 'all of it'], ['negative', 'half at −x'], ['positive', 'half at +x']], order.half, choose('half')))]),
-      field('Robot', text('first')), field('Robot', text('second')),
+      field('First robot', text('first')), field('Second robot', text('second')),
       field('Seed', figure('seed', 0, 999999, 1, 6)),
       ...(network ? [field('Host', text('host')), field('Control port', figure('port', 1, 65533, 1, 6)), field('Its vision', text('vision')), field('Referee', text('referee', 'none'))]
         : [field('Pace', select('order-pace', PACES, order.pace, value => { order.pace = value; }))]),
@@ -135,7 +135,7 @@ export function playPage(app) {
     const now = live() || (status() && !plan ? status() : null);
     const geometry = (now && now.field) || (plan && plan.field);
     $('play-legend').replaceChildren(el('span', {}, swatch('circle', '#c9a400'), 'yellow'), el('span', {}, swatch('circle', theme.accent), 'blue'), el('span', {}, swatch('circle', '#e8641b'), 'ball'),
-      el('span', {}, swatch('dashes', theme.text), 'kicks along'), el('span', {}, swatch('cross', theme.bad), 'lay the ball here'), el('span', {}, swatch('circle', theme.bad, true), 'what the play waits for'));
+      el('span', {}, swatch('dashes', theme.text), 'kicks along'), el('span', {}, swatch('cross', theme.bad), 'place the ball here'), el('span', {}, swatch('circle', theme.bad, true), 'what the play waits for'));
     if (!geometry || box.clientWidth === 0) return;
     const wantedShape = JSON.stringify([geometry, plan && plan.lines, box.clientWidth, box.clientHeight, document.documentElement.dataset.theme]);
     if (anew || shape !== wantedShape) {

@@ -37,17 +37,20 @@ export function recordingsPage(app) {
   function showList(box) {
     const {choice, work} = app.state;
     renew(box, [choice, Boolean(work.title)], () => choice.length === 0 ? [el('p', {class: 'note'}, 'No recording yet.')] : [
-      el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, ['Use', 'Recording', 'Recorded (UTC)', 'Kicks', ''].map((head, i) => el('th', {scope: 'col', class: i === 3 ? null : 'text'}, head)))), el('tbody', {}, choice.map(row))))]);
+      el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, ['Use', 'Recording', 'Recorded (UTC)', 'Kicks'].map((head, i) => el('th', {scope: 'col', class: i === 3 ? null : 'text'}, head)))), el('tbody', {}, choice.flatMap(rows))))]);
   }
 
-  function row(recording) {
+  /** Why a recording is left out has a row of its own: on a phone there is no room beside it. */
+  function rows(recording) {
     const use = el('input', {type: 'checkbox', 'aria-label': 'use ' + recording.name, disabled: app.state.work.title ? '' : null, onchange: event => app.run('recordings', {name: recording.name, use: event.target.checked})});
     use.checked = recording.used;
-    return el('tr', {'data-recording': recording.name, class: recording.used ? null : 'dropped'},
+    const why = recording.why ? (recording.used ? '' : 'Left out: ') + recording.why : '';
+    const row = el('tr', {'data-recording': recording.name, class: recording.used ? null : 'dropped'},
       el('td', {class: 'text'}, use), el('td', {class: 'text'}, recording.name),
       el('td', {class: 'text'}, recording.start > 0 ? new Date(recording.start * 1000).toISOString().slice(0, 16).replace('T', ' ') : '–'),
-      el('td', {}, recording.kicks === null ? '–' : recording.kicks), el('td', {class: 'text wrap'}, recording.why ? (recording.used ? '' : 'left out: ') + recording.why : '',
-        ...(recording.byHand ? [' ', button('Leave it to the rule', () => app.run('recordings', {name: recording.name, use: null}))] : [])));
+      el('td', {}, recording.kicks === null ? '–' : recording.kicks));
+    const rule = recording.byHand ? [' ', button('Leave it to the rule', () => app.run('recordings', {name: recording.name, use: null}))] : [];
+    return why || rule.length ? [row, el('tr', {class: 'why', 'data-why': recording.name}, el('td', {}), el('td', {colspan: 3, class: 'text'}, why, ...rule))] : [row];
   }
 
   page.showRecord = showRecord;

@@ -70,7 +70,7 @@ const Plots = (() => {
       point.undetermined,
       known(distance) && signed(distance, 1) + ' σ from the mean',
       number(kickSpeed(kick), 2) + ' m/s at ' + number(kickDirection(kick), 0) + '°, ' + robotName(kick) + ', ' + endWords(kick.end),
-      point.used || point.undetermined ? '' : 'Dropped: ' + (point.fitted.dropped || kick.rejectedBecause));
+      point.used || point.undetermined ? '' : 'Excluded: ' + (point.fitted.dropped || kick.rejectedBecause));
   }
 
   /**

@@ -113,7 +113,7 @@ const CalibrationViews = (() => {
 
   function parameterLegend(theme) {
     return [
-      el('span', {}, swatch('circle', theme.accent), 'kick ± s.e.'), el('span', {}, swatch('circle', theme.bad, true), 'dropped'),
+      el('span', {}, swatch('circle', theme.accent), 'kick ± s.e.'), el('span', {}, swatch('circle', theme.bad, true), 'excluded'),
       el('span', {}, swatch('cross', theme.muted), 'undetermined'), el('span', {}, swatch('triangle', theme.muted, true), 'off the plot'),
       el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), '± 2σ of a typical kick'), el('span', {}, swatch('dashes', theme.text), 'published')];
   }
@@ -144,7 +144,7 @@ const CalibrationViews = (() => {
     {key: 'rms', label: 'mm', title: 'Residual per axis (rms)', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
     {key: 'used', label: 'Used', title: 'Values that are averaged', of: k => k.selected ? droppedValues(k).length : 99, text: usedBadge, left: true},
   ];
-  const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', dropped: k => !k.selected || droppedValues(k).length > 0};
+  const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', excluded: k => !k.selected || droppedValues(k).length > 0};
 
   /** The same kicks in the order of a column; state tells which, and whether downwards. */
   function sorted(kicks, sort) {
@@ -163,9 +163,9 @@ const CalibrationViews = (() => {
     const mean = model && model.parameters.find(p => p.name === parameter.name);
     const sigmas = mean && known(parameter.value) ? Plots.sigmas(mean, parameter) : NaN;
     if (!known(parameter.value)) {
-      return el('tr', {}, el('td', {class: 'text'}, Plots.inFiles(parameter.name)), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
+      return el('tr', {}, el('td', {class: 'text', title: mean ? mean.words : null}, Plots.inFiles(parameter.name)), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
     }
-    return el('tr', {}, el('td', {class: 'text'}, Plots.inFiles(parameter.name)), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
+    return el('tr', {}, el('td', {class: 'text', title: mean ? mean.words : null}, Plots.inFiles(parameter.name)), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
       el('td', {}, known(sigmas) ? el('span', {title: parameter.dropped || null}, badge(parameter.dropped ? 'bad' : Math.abs(sigmas) > 2 ? 'warn' : 'good', (parameter.dropped ? '✘ ' : '') + signed(sigmas, 1) + ' σ')) : ''));
   }
 
@@ -175,10 +175,10 @@ const CalibrationViews = (() => {
   function kickFacts(report, kick) {
     const elevation = Math.atan2(kick.vz, Math.hypot(kick.vx, kick.vy)) * 180 / Math.PI;
     return [
-      el('p', {class: 'status'}, !kick.selected ? badge('bad', '✘ dropped') : whyDropped(kick) ? badge('warn', '✔ in the model, in part') : badge('good', '✔ in the model'), whyDropped(kick) ? ' ' + whyDropped(kick) : ''),
+      el('p', {class: 'status'}, !kick.selected ? badge('bad', '✘ not in the model') : whyDropped(kick) ? badge('warn', '✔ in the model, in part') : badge('good', '✔ in the model'), whyDropped(kick) ? ' ' + whyDropped(kick) : ''),
       el('div', {},
         el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(Plots.prepare(kick).end, 1) + '\u00a0s.'),
-        el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' put aside as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
+        el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' left out as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
         el('p', {class: 'note', title: kick.source}, Charts.fileName(kick.source) + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
       el('table', {}, el('tbody', {}, kick.parameters.map(p => kickParameterRow(report, kick, p)))),
     ];
@@ -200,10 +200,10 @@ const CalibrationViews = (() => {
     forget(box);
     box.dataset.layout = layout;
     const chip = kick.kind === 'CHIP';
-    figure(box, 'Path on the field', chip ? 'line: true path' : 'ctrl + wheel zooms', 'chart tall').dataset.plot = 'path';
+    figure(box, 'Path on the field', chip ? 'line: true path; dots: as the cameras see it' : 'ctrl + wheel zooms', 'chart tall').dataset.plot = 'path';
     figure(box, 'Speed', 'over the ground', 'chart tall').dataset.plot = 'speed';
     if (chip && fitted) {
-      const wide = figure(box, 'Height', 'seen: where the ray meets the plane of the fitted path');
+      const wide = figure(box, 'Height', 'dots: height on the camera’s ray where it meets the plane of the path');
       wide.dataset.plot = 'height';
       wide.parentNode.classList.add('wide');
     }

@@ -34,7 +34,7 @@
       return;
     }
     const fitted = model.parameters.filter(parameter => kicks.some(k => k.parameters.some(p => p.name === parameter.name)));
-    const places = fitted.map(parameter => figure(box, Plots.inFiles(parameter.name) + (parameter.unit ? ' [' + parameter.unit + ']' : ''), withError(parameter.mean, parameter.standardError)));
+    const places = fitted.map(parameter => figure(box, parameter.words + (parameter.unit ? ' [' + parameter.unit + ']' : ''), withError(parameter.mean, parameter.standardError)));
     // Drawn when all are there: their number decides how wide each is.
     for (const [i, chart] of places.entries()) {
       const parameter = fitted[i];

@@ -47,6 +47,43 @@ class RecordingsTest {
     }
   }
 
+  /** As an operator does it, on a phone: the list says why a recording is left out, and a tick takes it in. */
+  @Test
+  void theListIsTickedInTheBrowser() throws IOException {
+    Path real =
+        Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", "grsim-flat.log.gz");
+    Files.copy(real, folder.resolve("real.log.gz"));
+    Files.copy(SampleSession.small(), folder.resolve("rehearsal.log.gz"));
+    try (RunningConsole console = RunningConsole.start(folder);
+        Browser browser = new Browser(390, 844)) {
+      console.settled();
+      browser.open(console.url() + "#recordings");
+      browser.awaitText("#recordings-list", "20");
+      assertThat(browser.text("tr[data-why='rehearsal.log.gz']"))
+          .isEqualTo("Left out: from a simulated field");
+      assertThat(
+              browser.script(
+                  "const box ="
+                      + " document.querySelector(\"tr[data-why='rehearsal.log.gz'] td:last-child\")"
+                      + ".getBoundingClientRect(); return box.right <= innerWidth && box.height <"
+                      + " 60"))
+          .as("the reason is in the window, in one line or two")
+          .isEqualTo(true);
+      String tick = "tr[data-recording='rehearsal.log.gz'] input";
+      browser.click(tick);
+      console.await("both used", s -> s.path("recordings").size() == 2);
+      JsonNode both = console.settled();
+      assertThat(both.at("/calibration/report/verdict/decision").asText())
+          .isEqualTo("do_not_publish");
+      browser.click("tr[data-why='rehearsal.log.gz'] button");
+      console.await("one used", s -> s.path("recordings").size() == 1);
+      browser.awaitGone("tr[data-why='rehearsal.log.gz'] button");
+      assertThat(browser.script("return document.querySelector(arguments[0]).checked", tick))
+          .isEqualTo(false);
+      browser.assertNoComplaints();
+    }
+  }
+
   @Test
   void whatVisionSendsIsRecordedIntoAnEmptySession() throws Exception {
     int port;
