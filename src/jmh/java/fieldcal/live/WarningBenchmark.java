@@ -164,6 +164,9 @@ public final class WarningBenchmark {
       never += Double.isNaN(after[i]) ? 1 : 0;
       earlier += !Double.isNaN(after[i]) && !(before[i] <= after[i]) ? 1 : 0;
     }
+    if (candidates.size() == 1) {
+      out.println(samples(matches, candidates.get(0), after));
+    }
     Goal soon = Goal.atMost(median(before), "%.0f s");
     out.printf(
         Locale.ROOT,
@@ -178,6 +181,31 @@ public final class WarningBenchmark {
         never,
         earlier,
         soon.verdict(median(after)));
+  }
+
+  /** How many samples a match has, and how many of these certainly without spin; of all, and of those that were never warned about. */
+  private static String samples(List<Match> matches, BallParameter parameter, double[] warned) {
+    int[] all = new int[matches.size()];
+    int[] clean = new int[matches.size()];
+    int fewClean = 0;
+    for (int i = 0; i < all.length; i++) {
+      for (ToldKick told : matches.get(i).kicks()) {
+        BallSample sample = told.kick().samples().get(parameter);
+        all[i] += sample != null ? 1 : 0;
+        clean[i] += sample != null && !sample.possiblySpinning() ? 1 : 0;
+      }
+      fewClean += Double.isNaN(warned[i]) && clean[i] < 5 ? 1 : 0;
+    }
+    Arrays.sort(all);
+    Arrays.sort(clean);
+    return String.format(
+        Locale.ROOT,
+        "%-22s samples in a match: median %d, of balls without spin %d; never warned about with"
+            + " fewer than five of these: %d",
+        parameter.id(),
+        all[all.length / 2],
+        clean[clean.length / 2],
+        fewClean);
   }
 
   private static String seconds(double time) {

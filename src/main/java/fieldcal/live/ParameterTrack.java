@@ -67,6 +67,14 @@ final class ParameterTrack {
     return clean.size() < COMPARABLE && spinning.size() > clean.size();
   }
 
+  /**
+   * Whether spin may be why the samples differ from a published value. A dribbler pulls the top of the ball towards the robot, and such backspin makes all that depends on spin smaller ({@link BallParameter#spinSensitive}). So where nobody can tell whether
+   * most balls spun, larger samples still are a proof.
+   */
+  private boolean mayBeBackspin(double published) {
+    return maybeSpun() && !(counted.median() > published);
+  }
+
   private boolean agree() {
     double[] deviations = new double[clean.size() + spinning.size()];
     int n = 0;
@@ -105,7 +113,7 @@ final class ParameterTrack {
     double value = parameter.of(published).orElse(Double.NaN);
     boolean on = warning != null;
     WarningRule.Verdict verdict =
-        rule.judge(counted, usual.square(), maybeSpun() ? Double.NaN : value, on);
+        rule.judge(counted, usual.square(), mayBeBackspin(value) ? Double.NaN : value, on);
     if (verdict.warn() == on) {
       return Optional.empty();
     }

@@ -232,6 +232,18 @@ class ParameterTrackTest {
     assertThat(raised).isEqualTo(1);
   }
 
+  /** Backspin makes the switch to rolling smaller, never larger. */
+  @Test
+  void kicksAfterDribblingWarnOfWhatBackspinDoesNotExplain() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 12; i++) {
+      add(track, 1.35 * 0.66, 0.01, true);
+    }
+    assertThat(track.estimate(PUBLISHED).maybeSpun()).isTrue();
+    assertThat(raised).isEqualTo(1);
+    assertThat(cleared).isZero();
+  }
+
   @Test
   void kicksAfterDribblingAreLeftOutWhereTheirBallSpins() {
     ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
