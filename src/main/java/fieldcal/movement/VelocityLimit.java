@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The limit of velocity, driven or turned: the highest speed at which robots cruise again and again. When they also drive clearly faster, without ever cruising there, the limit was not reached, and the most they did is a
+ * The limit of velocity, driven or turned: the highest speed at which robots cruise again and again. When they also drive clearly faster, without ever cruising there, the limit was not reached, and a speed that they certainly had is a
  * lower bound.
  */
 final class VelocityLimit {
@@ -70,7 +70,7 @@ final class VelocityLimit {
         2 * sure.width(),
         tops.samples(),
         false,
-        "the robots never cruised at a highest speed; this is the most they did");
+        "the robots never cruised at a highest speed; this one they certainly reached");
   }
 
   /** Robots that never exceed a speed of their own. */

@@ -44,7 +44,7 @@ final class PositionStep extends TaskStep {
     double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);
     return String.format(
         Locale.ROOT,
-        " (%s: %.0f mm behind the ball, %.0f mm aside, turned by %.1f°, %.2f m/s)",
+        " (%s: %.0f mm behind the ball, %.0f mm to the side, turned by %.1f°, %.2f m/s)",
         r.id(),
         -1000 * task.along(r.x(), r.y()),
         1000 * Math.abs(task.aside(r.x(), r.y())),

@@ -19,7 +19,7 @@ final class SimulatedFieldOptions {
   @Option(
       names = "--preset",
       paramLabel = "NAME",
-      description = "simulated field as it was found: lab, german-open-2026 or robocup-2026")
+      description = "simulated field like a known one: lab, german-open-2026 or robocup-2026")
   private String preset;
 
   @Option(

@@ -121,11 +121,7 @@ public final class Tables {
             .maybe(TEXT, "blue", "", "name of the blue team, as the referee says")
             .maybe(INT, "score_yellow", "", "goals of yellow at the end")
             .maybe(INT, "score_blue", "", "goals of blue at the end")
-            .maybe(
-                TEXT,
-                "stage",
-                "",
-                "last stage of the match that the referee told, as in SSL_Referee")
+            .maybe(TEXT, "stage", "", "last stage of the match, as in SSL_Referee")
             .maybe(DOUBLE, "field_length", "m", "as published")
             .maybe(DOUBLE, "field_width", "m", "as published")
             .maybe(
@@ -278,17 +274,20 @@ public final class Tables {
             INT,
             "stops",
             "",
-            "matched kicks whose ball stopped, with a place and a time told 0.3 s after the kick")
+            "matched kicks whose ball stopped, and whose resting place and time it reports 0.3 s"
+                + " after the kick")
         .maybe(
             DOUBLE,
             "stop_position_error",
             "m",
-            "root mean square distance of the place told from where the fit's ball stops")
+            "root mean square distance of the reported resting place from where the fit's ball"
+                + " stops")
         .maybe(
             DOUBLE,
             "stop_time_error",
             "s",
-            "root mean square difference of the time told from when the fit's ball stops")
+            "root mean square difference of the reported time of rest from when the fit's ball"
+                + " stops")
         .build();
   }
 

@@ -32,6 +32,10 @@ class LayoutTest {
         }
         if (!(scrolls && narrow) && (box.right > innerWidth + 1 || box.left < -1)) cut.push(node.textContent.trim() + ' in the window');
       }
+      for (const cell of document.querySelectorAll('td')) {
+        const box = cell.getBoundingClientRect();
+        if (box.height > 260 && !cell.querySelector('canvas, table, pre')) cut.push('a cell of ' + Math.round(box.height) + ' px height: ' + cell.textContent.trim());
+      }
       if (document.documentElement.scrollWidth > innerWidth + 1) cut.push('the page is ' + document.documentElement.scrollWidth + ' px wide');
       return cut;
       """;
