@@ -1,111 +1,209 @@
 package fieldcal.benchmark;
 
-import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.Calibration;
+import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.InteractiveField;
+import fieldcal.simulation.KickBehaviour;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.VisionCharacter;
+import fieldcal.simulation.physics.Table;
+import fieldcal.simulation.robot.RobotCharacter;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
 
 /**
- * Calibration from 12 flat kicks and 12 chips of the play, on fields whose parameters are drawn at random, with cameras that disagree by 20 mm and have 1.5 mm of noise. 4 fields per run.
+ * Calibration from 12 flat kicks and 12 chips of the play, on fields whose parameters are drawn at random: with good robots, with robots and vision like foreign ones, and where only fast kicks spin. 4
+ * fields per run and condition.
  */
 final class PlayCalibrationBenchmark {
   private static final int FIELDS_PER_RUN = 4;
   private static final int KICKS = 12;
   private static final double BETWEEN = 1800;
 
+  /** Largest scatter of spin from kick to kick that is drawn, in units of rolling spin: kicks of ten matches of 2026 had 0.2. */
+  private static final double SPIN = 0.2;
+
+  /** Backspin of some kicks: at a first hop of 0.71 it is what makes it 0.64, as a well-known simulator's are. */
+  private static final double BACKSPIN = -0.25;
+
+  /** Speeds over the ground that have it, m/s: about a third of the chips, and fewer of the flat kicks. */
+  private static final KickBehaviour.SpinTable SPUN =
+      new KickBehaviour.SpinTable(
+          false,
+          Table.curve(
+              new double[] {3.3, 3.35, 4.0, 4.05}, new double[] {0, BACKSPIN, BACKSPIN, 0}, 0));
+
   private PlayCalibrationBenchmark() {}
+
+  /** What the fields are like. */
+  private enum Condition {
+    GOOD("good robots, cameras 20 mm apart"),
+    FOREIGN("slipping dribblers, late kickers that drift, spin, cameras together and 40 mm apart"),
+    TWO_SIDED("the same, but about a third of the chips has backspin and the others no spin");
+
+    private final String text;
+
+    Condition(String text) {
+      this.text = text;
+    }
+
+    SimulationSettings settings(DrawnField drawn, long seed) {
+      if (this == GOOD) {
+        return drawn.settings();
+      }
+      SimulationSettings s =
+          VisionCharacter.apply(
+              EnumSet.of(VisionCharacter.SIMULTANEOUS, VisionCharacter.DISAGREEING),
+              drawn.settings());
+      KickBehaviour kicks = s.kickBehaviour();
+      SplittableRandom random = new SplittableRandom(seed);
+      return s.withKickBehaviour(
+          this == FOREIGN
+              ? kicks.withRollSpin(0, random.nextDouble(0, SPIN))
+              : kicks.withSpinTables(List.of(SPUN)));
+    }
+
+    InteractiveField robots(InteractiveField field) {
+      return this == GOOD
+          ? field
+          : field.robotsLike(
+              EnumSet.of(
+                  RobotCharacter.SLIPPING_DRIBBLER,
+                  RobotCharacter.LATE_KICKER,
+                  RobotCharacter.DRIFTING));
+    }
+  }
+
+  /** How far a parameter is from the truth, in its standard errors, by name; NaN where it is not determined. */
+  private record Errors(Map<String, List<Double>> byName) {
+    Errors() {
+      this(new LinkedHashMap<>());
+    }
+
+    void add(String name, double estimate, double standardError, double truth) {
+      byName.computeIfAbsent(name, n -> new ArrayList<>()).add((estimate - truth) / standardError);
+    }
+
+    private static int within(List<Double> errors, double sigmas) {
+      return (int) errors.stream().filter(e -> Math.abs(e) <= sigmas).count();
+    }
+
+    void print(String what, PrintStream out) {
+      out.printf("%s: error in its standard errors%n", what);
+      out.printf(
+          "%-20s %6s %6s %6s %6s %6s %6s%n", "", "mean", "rms", "worst", "≤ 1", "≤ 2", "≤ 3");
+      byName.forEach(
+          (name, errors) -> {
+            double n = errors.size();
+            double worst = 0;
+            for (double e : errors) {
+              worst = Math.abs(e) <= worst ? worst : Math.abs(e);
+            }
+            out.printf(
+                "%-20s %6.2f %6.2f %6.2f %4.0f %% %4.0f %% %4.0f %%%n",
+                name,
+                errors.stream().mapToDouble(e -> e).average().orElse(Double.NaN),
+                Math.sqrt(errors.stream().mapToDouble(e -> e * e).sum() / n),
+                worst,
+                100 * within(errors, 1) / n,
+                100 * within(errors, 2) / n,
+                100 * within(errors, 3) / n);
+          });
+      List<Double> all = byName.values().stream().flatMap(List::stream).toList();
+      out.println(ShareGoal.atLeast(0.98).row("within 3", within(all, 3), all.size()));
+      out.println(ShareGoal.atLeast(0.92).row("within 2", within(all, 2), all.size()));
+      out.println(ShareGoal.atMost(0.98).row("within 2", within(all, 2), all.size()));
+    }
+  }
 
   static void run(BenchmarkSettings settings, PrintStream out) throws IOException {
     int fields = FIELDS_PER_RUN * settings.runs();
+    for (Condition condition : Condition.values()) {
+      out.printf("%n%s, %d fields%n", condition.text, fields);
+      run(condition, fields, 7000 + 1000 * settings.seed(), out);
+    }
+  }
+
+  private static void run(Condition condition, int fields, long firstSeed, PrintStream out)
+      throws IOException {
     double[] times = new double[fields];
-    Map<String, double[]> sigmas = new LinkedHashMap<>();
+    Errors means = new Errors();
+    Errors joints = new Errors();
     int incomplete = 0;
     for (int i = 0; i < fields; i++) {
-      long seed = 7000 + 1000 * settings.seed() + i;
+      long seed = firstSeed + i;
       DrawnField drawn = DrawnField.of(seed);
       try (Scratch scratch = new Scratch("fieldcal-play-benchmark")) {
         Path directory = scratch.path();
         for (KickKind kind : KickKind.values()) {
-          PlaySession.Outcome outcome = play(drawn.settings(), kind, seed, directory);
+          PlaySession.Outcome outcome = play(condition, drawn, kind, seed, directory);
           times[i] += outcome.last().time();
           incomplete += outcome.complete() ? 0 : 1;
         }
-        judge(
-            PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN),
-            drawn.truth(),
-            i,
-            fields,
-            sigmas);
+        Calibration calibration =
+            PlayRun.calibrate(directory, CalibrationSession.Progress.UNSEEN).calibration();
+        judge(calibration, drawn.truth(), means, joints);
       }
     }
-    print(out, sigmas, times, incomplete);
+    out.printf("sessions not completed: %d of %d%n", incomplete, 2 * fields);
+    means.print("mean of the kicks", out);
+    joints.print("joint fit", out);
+    printTimes(times, out);
   }
 
   private static PlaySession.Outcome play(
-      SimulationSettings world, KickKind kind, long seed, Path directory) throws IOException {
+      Condition condition, DrawnField drawn, KickKind kind, long seed, Path directory)
+      throws IOException {
     SessionRequest request = SessionRequest.of(kind, KICKS).withChoice(false, seed).into(directory);
     double later = kind == KickKind.CHIP ? BETWEEN : 0;
     InteractiveField field =
-        InteractiveField.later(world, request.first(), request.second(), List.of(), later);
+        condition.robots(
+            InteractiveField.later(
+                condition.settings(drawn, seed),
+                request.first(),
+                request.second(),
+                List.of(),
+                later));
     return new PlaySession(
             request, new EmbeddedPlayField(field, Double.POSITIVE_INFINITY), snapshot -> {})
         .run();
   }
 
   private static void judge(
-      CalibrationOutcome outcome,
-      Map<String, Double> truth,
-      int i,
-      int n,
-      Map<String, double[]> sigmas) {
-    JointFit joint = outcome.calibration().joint().orElseThrow();
+      Calibration calibration, Map<String, Double> truth, Errors means, Errors joints) {
+    JointFit joint = calibration.joint().orElseThrow();
     truth.forEach(
-        (name, value) ->
-            sigmas.computeIfAbsent(name, x -> new double[n])[i] =
-                DrawnField.estimate(joint, name)
-                    .map(e -> (e.value() - value) / e.standardError())
-                    .orElse(Double.NaN));
+        (name, value) -> {
+          Average flat = calibration.flat().get(name);
+          Average mean = flat == null ? calibration.chip().get(name) : flat;
+          means.add(name, mean.mean(), mean.standardError(), value);
+          Optional<Estimate> e = DrawnField.estimate(joint, name);
+          joints.add(
+              name,
+              e.map(Estimate::value).orElse(Double.NaN),
+              e.map(Estimate::standardError).orElse(Double.NaN),
+              value);
+        });
   }
 
-  private static void print(
-      PrintStream out, Map<String, double[]> sigmas, double[] times, int incomplete) {
-    out.printf("%d fields, %d sessions not completed%n", times.length, incomplete);
-    out.printf("error of the joint fit in its standard errors%n");
-    out.printf("%-20s %8s %8s %8s %8s%n", "", "rms", "worst", "≤ 1", "≤ 3");
-    int within = 0;
-    int all = 0;
-    for (Map.Entry<String, double[]> entry : sigmas.entrySet()) {
-      double[] values = entry.getValue();
-      double squares = Arrays.stream(values).map(v -> v * v).sum();
-      double worst = Arrays.stream(values).map(Math::abs).max().orElse(Double.NaN);
-      long one = Arrays.stream(values).filter(v -> Math.abs(v) <= 1).count();
-      long three = Arrays.stream(values).filter(v -> Math.abs(v) <= 3).count();
-      within += three;
-      all += values.length;
-      out.printf(
-          "%-20s %8.2f %8.2f %6.0f %% %6.0f %%%n",
-          entry.getKey(),
-          Math.sqrt(squares / values.length),
-          worst,
-          100.0 * one / values.length,
-          100.0 * three / values.length);
-    }
-    Goal goal = Goal.atLeast(100, "%.0f %%");
-    double share = 100.0 * within / all;
-    out.printf("within 3: %.1f %%, goal %s: %s%n", share, goal, goal.verdict(share));
+  private static void printTimes(double[] times, PrintStream out) {
     double[] sorted = times.clone();
     Arrays.sort(sorted);
     Goal time = Goal.atMost(360, "%.0f s");

@@ -2,6 +2,7 @@ package fieldcal.calibration;
 
 import java.util.Comparator;
 import java.util.List;
+import org.apache.commons.math3.distribution.TDistribution;
 
 /**
  * Weighted mean of samples of unequal precision, with its standard error.
@@ -17,8 +18,11 @@ import java.util.List;
  * @param n how many samples
  */
 public record Average(double mean, double standardError, double scatter, int n) {
-  /** Standard deviation of a Gaussian over the median of its absolute deviations. */
-  private static final double NORMAL_MEDIAN = 1.4826;
+  /** A sample that is farther from the mean, in what is expected of it, is something else: it counts as that (one of 16 000 Gaussian ones). */
+  private static final double FARTHEST = 4;
+
+  /** Share of a distribution below its mean plus one standard error. */
+  private static final double ONE_SIGMA = 0.841345;
 
   /** Variance of a median over that of the mean of Gaussian samples: π/2. */
   private static final double MEDIAN_VARIANCE = Math.PI / 2;
@@ -87,22 +91,28 @@ public record Average(double mean, double standardError, double scatter, int n) 
   }
 
   /**
-   * The same mean with an error that does not profit from the samples that left: the more of them are far from the mean, the less
-   * its own scatter says of how well it is known.
+   * The same mean with an error that does not profit from the samples that left: a scatter that is cut at two standard deviations looks smaller than it is.
    *
-   * <p>The error grows by the robust scale (1.4826 times the median) of the distances of all samples in units of what is expected of
-   * each; for samples that agree with their errors that scale is one.
+   * <p>The error grows by the root of the mean square of the distances of all samples in units of what is expected of each (Hartung and Knapp 2001), a sample that is far off counting as {@link #FARTHEST}; for samples that agree with their errors
+   * that is one. Where the scatter was estimated from few samples, Student's distribution makes the error as wide as its 68 %.
    *
    * @param all the samples used and those that left for their value
    * @return this average, or one with a larger standard error
    */
   public Average widened(List<Sample> all) {
-    if (all.size() <= n) {
+    if (all.size() < 2 || !(standardError > 0)) {
       return this;
     }
-    double[] distances = all.stream().mapToDouble(this::sigmas).sorted().toArray();
-    double median = 0.5 * (distances[(distances.length - 1) / 2] + distances[distances.length / 2]);
-    return new Average(mean, standardError * Math.max(1, NORMAL_MEDIAN * median), scatter, n);
+    double squares = 0;
+    for (Sample sample : all) {
+      double distance = Math.min(FARTHEST, sigmas(sample));
+      squares += distance * distance;
+    }
+    double degrees = all.size() - 1.0;
+    double wider = Math.sqrt(Math.max(1, squares / degrees));
+    double student =
+        scatter > 0 ? new TDistribution(null, degrees).inverseCumulativeProbability(ONE_SIGMA) : 1;
+    return new Average(mean, standardError * wider * student, scatter, n);
   }
 
   /**

@@ -2,6 +2,8 @@ package fieldcal.fit;
 
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatTrajectory;
+import fieldcal.kick.KickKind;
+import java.util.Arrays;
 
 /** A ball's path as a function of the unknowns. Holds one evaluation at a time; not thread-safe. */
 abstract class FlightCurve {
@@ -11,6 +13,70 @@ abstract class FlightCurve {
   abstract void position(double time, double[] xyz);
 
   abstract void sensitivities(double time, double[] xyz, double[] dx, double[] dy, double[] dz);
+
+  /**
+   * The path of a kick.
+   *
+   * @param flights of a chip; 0 for the 10 mm rule's number
+   * @param fromRest whether the ball lay still before
+   */
+  static FlightCurve of(KickKind kind, int flights, boolean fromRest) {
+    FlightCurve curve = kind == KickKind.FLAT ? new Flat() : new Chip(flights);
+    return fromRest ? curve : new UnderWay(curve, FlightLayout.timeIndex(kind));
+  }
+
+  /** A kick without rest before it: nobody knows where the ball was, so its line goes on backwards. A ball that waited there would explain the first detection wherever it is, by a kick after it. */
+  private static final class UnderWay extends FlightCurve {
+    private static final int X = FlatTrajectory.X0;
+    private static final int Y = FlatTrajectory.Y0;
+    private static final int VX = FlatTrajectory.VX0;
+    private static final int VY = FlatTrajectory.VY0;
+    private final FlightCurve after;
+    private final int timeIndex;
+    private double[] p;
+
+    UnderWay(FlightCurve after, int timeIndex) {
+      this.after = after;
+      this.timeIndex = timeIndex;
+    }
+
+    @Override
+    void set(double[] theta) {
+      p = theta.clone();
+      after.set(theta);
+    }
+
+    @Override
+    void position(double time, double[] xyz) {
+      double since = time - p[timeIndex];
+      if (since >= 0) {
+        after.position(time, xyz);
+        return;
+      }
+      xyz[0] = p[X] + since * p[VX];
+      xyz[1] = p[Y] + since * p[VY];
+      xyz[2] = 0;
+    }
+
+    @Override
+    void sensitivities(double time, double[] xyz, double[] dx, double[] dy, double[] dz) {
+      double since = time - p[timeIndex];
+      if (since >= 0) {
+        after.sensitivities(time, xyz, dx, dy, dz);
+        return;
+      }
+      position(time, xyz);
+      Arrays.fill(dx, 0);
+      Arrays.fill(dy, 0);
+      Arrays.fill(dz, 0);
+      dx[X] = 1;
+      dy[Y] = 1;
+      dx[VX] = since;
+      dy[VY] = since;
+      dx[timeIndex] = -p[VX];
+      dy[timeIndex] = -p[VY];
+    }
+  }
 
   /** Flat kick without spin. */
   static final class Flat extends FlightCurve {

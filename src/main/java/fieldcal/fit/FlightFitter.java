@@ -11,9 +11,6 @@ import java.util.Optional;
 
 /** One fit of one kick by one model, from the start to the result; used once. */
 final class FlightFitter {
-  /** Without rest before the kick, its time is known only from where two lines cross, s. */
-  static final double TIME_PRIOR = 0.004;
-
   /** A parameter is undetermined when its error exceeds this share of its scale. */
   private static final double DETERMINED = 0.5;
 
@@ -77,7 +74,7 @@ final class FlightFitter {
 
   /** With a search from the best of the starts: position, velocity and time of the kick. */
   KickFit fit(List<double[]> starts) {
-    FlightCurve curve = kind == KickKind.FLAT ? new FlightCurve.Flat() : new FlightCurve.Chip(0);
+    FlightCurve curve = FlightCurve.of(kind, 0, problem.kick().fromRest());
     int[] subset = SearchSubset.pick(data, problem.kick().time(), settings.searchObservations());
     FlightProblem coarse = prepared(data.pick(subset), curve);
     coarse.lossScale(wideLoss());
@@ -146,7 +143,7 @@ final class FlightFitter {
     flight.lossScale(settings.lossScale());
     if (!problem.kick().fromRest()) {
       int t0 = FlightLayout.timeIndex(kind);
-      flight.prior(t0, problem.kick().time(), TIME_PRIOR);
+      flight.prior(t0, problem.kick().time(), problem.kick().timeError());
     }
     return flight;
   }
@@ -156,8 +153,7 @@ final class FlightFitter {
   }
 
   private Candidate polish(FlightData on, int flights, double[] from) {
-    FlightCurve curve =
-        kind == KickKind.FLAT ? new FlightCurve.Flat() : new FlightCurve.Chip(flights);
+    FlightCurve curve = FlightCurve.of(kind, flights, problem.kick().fromRest());
     FlightProblem flight = prepared(on, curve);
     double[] theta = from.clone();
     flight.lossScale(wideLoss());

@@ -141,8 +141,7 @@ final class FlightTerm implements KickTerm<double[]> {
   }
 
   private FlightCurve curve(double[] theta) {
-    FlightCurve curve =
-        kind() == KickKind.FLAT ? new FlightCurve.Flat() : new FlightCurve.Chip(flights);
+    FlightCurve curve = FlightCurve.of(kind(), flights, fit.kick().fromRest());
     curve.set(theta);
     return curve;
   }
@@ -277,7 +276,7 @@ final class FlightTerm implements KickTerm<double[]> {
   @Override
   public double ownPrecision(int index) {
     boolean tied = index == FlightLayout.timeIndex(kind()) && !fit.kick().fromRest();
-    return tied ? 1 / (FlightFitter.TIME_PRIOR * FlightFitter.TIME_PRIOR) : 0;
+    return tied ? 1 / (fit.kick().timeError() * fit.kick().timeError()) : 0;
   }
 
   @Override

@@ -20,6 +20,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+import org.apache.commons.math3.distribution.TDistribution;
 
 /**
  * Fits all kicks at once: one model, one offset per camera, and position, velocity and time of each kick.
@@ -40,6 +41,9 @@ public final class JointFitter {
 
   /** How often errors alone may look like a scatter. Chosen: small, since a needless scatter only makes errors larger. */
   private static final double SCATTER_BY_CHANCE = 0.01;
+
+  /** Share of a distribution below its mean plus one standard error. */
+  private static final double ONE_SIGMA = 0.841345;
 
   /** Scatters that are looked for, in scales of the parameter: below is none, above is no model. */
   private static final double SMALLEST_SCATTER = 1e-3;
@@ -126,14 +130,7 @@ public final class JointFitter {
      * when their errors alone explain it (Cochran's test), or too few kicks determine the parameter.
      */
     private double scatter(int parameter) {
-      boolean flat = parameter < FlightTerm.CHIP;
-      int k = flat ? parameter : parameter - FlightTerm.CHIP;
-      List<Estimate> known =
-          problem.fits().stream()
-              .filter(f -> (f.kind() == KickKind.FLAT) == flat)
-              .map(f -> f.modelEstimates().get(k))
-              .filter(Estimate::usable)
-              .toList();
+      List<Estimate> known = known(parameter);
       if (known.size() < FEWEST_FOR_SCATTER) {
         return 0;
       }
@@ -154,6 +151,26 @@ public final class JointFitter {
         }
       }
       return high;
+    }
+
+    /** What the kicks' own fits say of a parameter. */
+    private List<Estimate> known(int parameter) {
+      boolean flat = parameter < FlightTerm.CHIP;
+      int k = flat ? parameter : parameter - FlightTerm.CHIP;
+      return problem.fits().stream()
+          .filter(f -> (f.kind() == KickKind.FLAT) == flat)
+          .map(f -> f.modelEstimates().get(k))
+          .filter(Estimate::usable)
+          .toList();
+    }
+
+    /** By how much an error is larger whose scatter few kicks have shown: Student's 68 % over the Gaussian's. */
+    private double student(int parameter) {
+      boolean scatters = Arrays.stream(scattering).anyMatch(k -> k == parameter);
+      return scatters
+          ? new TDistribution(null, known(parameter).size() - 1.0)
+              .inverseCumulativeProbability(ONE_SIGMA)
+          : 1;
     }
 
     private static double squares(List<Estimate> known, double scatter) {
@@ -349,7 +366,7 @@ public final class JointFitter {
         int k = from + list.size();
         double error =
             p.estimated() && covariance.isPresent()
-                ? Math.sqrt(covariance.get()[k][k])
+                ? student(k) * Math.sqrt(covariance.get()[k][k])
                 : Double.NaN;
         boolean bound = p.estimated() && (p.value() <= p.min() || p.value() >= p.max());
         boolean unknown = p.estimated() && !(error < DETERMINED * p.scale());

@@ -335,19 +335,51 @@ final class ActiveKick {
     if (!(last > jump.time() + SHORTEST_FLIGHT) || seen.count(jump.time()) < FEWEST) {
       return null;
     }
-    boolean rested = seen.size() > 0 && seen.time(0) < jump.time();
-    return new Kick(
-        0,
-        jump.time(),
-        jump.x(),
-        jump.y(),
+    boolean rested = jump.fromRest() && seen.size() > 0 && seen.time(0) < jump.time();
+    Optional<Push> push =
+        rested ? Push.before(seen, jump.time(), jump.vx(), jump.vy()) : Optional.empty();
+    if (push.isPresent()) {
+      Push p = push.get();
+      return kick(afterPush(p), false, end, last, seen.between(p.over(), last), p.timeError());
+    }
+    return kick(jump, rested, end, last, seen, Kick.CROSSING_ERROR);
+  }
+
+  /** Where and when the ball was kicked that was pushed before. */
+  private JumpDetector.Jump afterPush(Push push) {
+    double share = push.length() / jump.speed();
+    return new JumpDetector.Jump(
+        push.time(),
+        jump.x() + share * jump.vx(),
+        jump.y() + share * jump.vy(),
         jump.vx(),
         jump.vy(),
+        jump.vxBefore(),
+        jump.vyBefore(),
+        false,
+        false);
+  }
+
+  private Kick kick(
+      JumpDetector.Jump at,
+      boolean fromRest,
+      KickEnd end,
+      double last,
+      Observations seen,
+      double timeError) {
+    return new Kick(
+        0,
+        at.time(),
+        at.x(),
+        at.y(),
+        at.vx(),
+        at.vy(),
         Optional.ofNullable(robot),
-        jump.fromRest() && rested,
+        fromRest,
         end,
         last,
         seen,
-        dribbled);
+        dribbled,
+        timeError);
   }
 }

@@ -19,6 +19,7 @@ import java.util.Optional;
  * @param endTime when they end, s
  * @param observations all detections of this ball, unfiltered, those before the kick included when it was at rest
  * @param afterDribbling whether the kicker had moved with the ball at its front before, or caught it there; then the ball may spin
+ * @param timeError standard error of {@code time} where no rest pins the position of the kick, s
  */
 public record Kick(
     int id,
@@ -32,17 +33,69 @@ public record Kick(
     KickEnd end,
     double endTime,
     Observations observations,
-    boolean afterDribbling) {
+    boolean afterDribbling,
+    double timeError) {
+
+  /** How well the time of a kick is known from where the line before it and the line after it cross, s. */
+  public static final double CROSSING_ERROR = 0.004;
 
   /** Checks that nothing is missing. {@inheritDoc} */
   public Kick {
     Objects.requireNonNull(robot, "robot");
     Objects.requireNonNull(end, "end");
     Objects.requireNonNull(observations, "observations");
+    if (!(timeError > 0)) {
+      throw new IllegalArgumentException("error of a time must be positive, but is " + timeError);
+    }
     if (!(endTime >= time)) {
       throw new IllegalArgumentException(
           "kick ends at " + endTime + " before it starts at " + time);
     }
+  }
+
+  /**
+   * A kick whose time is known as well as usual.
+   *
+   * @param id running number within the recording, from 1
+   * @param time s since the recording's epoch
+   * @param x m
+   * @param y m
+   * @param vx m/s
+   * @param vy m/s
+   * @param robot who kicked
+   * @param fromRest whether the ball lay still before
+   * @param end why the observations end
+   * @param endTime s
+   * @param observations all detections of this ball
+   * @param afterDribbling whether the ball may spin
+   */
+  public Kick(
+      int id,
+      double time,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      Optional<RobotId> robot,
+      boolean fromRest,
+      KickEnd end,
+      double endTime,
+      Observations observations,
+      boolean afterDribbling) {
+    this(
+        id,
+        time,
+        x,
+        y,
+        vx,
+        vy,
+        robot,
+        fromRest,
+        end,
+        endTime,
+        observations,
+        afterDribbling,
+        CROSSING_ERROR);
   }
 
   /**
@@ -83,7 +136,19 @@ public record Kick(
    */
   public Kick withId(int newId) {
     return new Kick(
-        newId, time, x, y, vx, vy, robot, fromRest, end, endTime, observations, afterDribbling);
+        newId,
+        time,
+        x,
+        y,
+        vx,
+        vy,
+        robot,
+        fromRest,
+        end,
+        endTime,
+        observations,
+        afterDribbling,
+        timeError);
   }
 
   /**
@@ -94,6 +159,18 @@ public record Kick(
    */
   public Kick withObservations(Observations newObservations) {
     return new Kick(
-        id, time, x, y, vx, vy, robot, fromRest, end, endTime, newObservations, afterDribbling);
+        id,
+        time,
+        x,
+        y,
+        vx,
+        vy,
+        robot,
+        fromRest,
+        end,
+        endTime,
+        newObservations,
+        afterDribbling,
+        timeError);
   }
 }

@@ -14,6 +14,9 @@ final class PositionStep extends TaskStep {
   /** Who takes longer to get behind the ball is waited for, s. */
   private static final double SLOW = 5;
 
+  /** A ball that was not seen for longer may lie elsewhere by now: nobody drives up to it, s. */
+  private static final double SEEN = 0.2;
+
   private double blocked = Double.NaN;
 
   PositionStep(Ledger ledger, Task task) {
@@ -89,6 +92,10 @@ final class PositionStep extends TaskStep {
           s.plan().robot(task.other()) + " is not in its place yet",
           WaitingFor.robot(receiver.id()).at(task.receiver().x(), task.receiver().y()));
     }
-    return placed && received && s.ball().resting() > s.limits().settle();
+    boolean seen = s.ballUnseen() < SEEN;
+    if (placed && received && !seen) {
+      s.waitFor("the ball is not seen", WaitingFor.place(task.x(), task.y()));
+    }
+    return placed && received && seen && s.ball().resting() > s.limits().settle();
   }
 }

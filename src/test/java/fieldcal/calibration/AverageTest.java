@@ -3,6 +3,7 @@ package fieldcal.calibration;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -127,5 +128,28 @@ class AverageTest {
 
   static double gaussian(SplittableRandom r) {
     return Math.sqrt(-2 * Math.log(1 - r.nextDouble())) * Math.cos(2 * Math.PI * r.nextDouble());
+  }
+
+  /** Twelve kicks that differ by more than their errors: what the 2σ rule takes away must not make the mean look better known. */
+  @Test
+  void theErrorCoversWhatTheTwoSigmaRuleTookAway() {
+    SplittableRandom random = new SplittableRandom(12);
+    int runs = 4000;
+    int within3 = 0;
+    int within2 = 0;
+    for (int run = 0; run < runs; run++) {
+      List<Sample> samples = new ArrayList<>();
+      for (int i = 0; i < 12; i++) {
+        double value = random.nextGaussian() + 0.1 * random.nextGaussian();
+        samples.add(new Sample(i, "dampingZ", value, 0.1, Optional.empty()));
+      }
+      List<Sample> judged = TwoSigma.repeated(samples);
+      Average mean = Average.of(judged).widened(judged);
+      double sigmas = Math.abs(mean.mean()) / mean.standardError();
+      within3 += sigmas <= 3 ? 1 : 0;
+      within2 += sigmas <= 2 ? 1 : 0;
+    }
+    assertThat(within3 / (double) runs).isBetween(0.975, 0.997);
+    assertThat(within2 / (double) runs).isBetween(0.915, 0.97);
   }
 }

@@ -64,6 +64,39 @@ class KickFinderTest {
     assertThat((long) kick.observations().size()).isBetween(expected - 2, expected + 2);
   }
 
+  /** A kicker that fires late pushes the ball for 45 ms at 0.35 m/s: the kick is made 16 mm from where the ball lay. */
+  @ParameterizedTest
+  @ValueSource(doubles = {2, 4, 6.5})
+  void aBallThatIsPushedBeforeIsKickedWhereThePushEnds(double speed) {
+    double length = 0.045 * 0.35;
+    BallTrajectory kicked = flat(-5 + length, 0.5, speed, 0);
+    oneCamera()
+        .ball(
+            t ->
+                t < 1
+                    ? new double[] {-5 + 0.35 * Math.max(0, t - 0.955), 0.5, 0}
+                    : FrameScene.along(kicked).apply(t))
+        .robot(KICKER, -5.11, 0.5);
+    Kick kick = only(scene.kicks(0, 9));
+    assertThat(kick.time()).isEqualTo(1, within(3 * kick.timeError()));
+    assertThat(kick.timeError()).isLessThan(0.002);
+    assertThat(kick.x()).isEqualTo(-5 + length, within(0.01));
+    assertThat(kick.fromRest()).isFalse();
+    assertThat(kick.observations().time(0)).isBetween(1.0, 1.03);
+  }
+
+  /** What a robot does with a ball that it hides nobody knows. */
+  @Test
+  void aBallThatIsHiddenUntilItIsKickedIsNotKnownToHaveRested() {
+    BallTrajectory kicked = flat(-5, 0.5, 4, 0);
+    oneCamera()
+        .ball(t -> t > 0.9 && t < 1 ? null : FrameScene.along(kicked).apply(t))
+        .robot(KICKER, -5.11, 0.5);
+    Kick kick = only(scene.kicks(0, 9));
+    assertThat(kick.fromRest()).isFalse();
+    assertThat(kick.timeError()).isEqualTo(Kick.CROSSING_ERROR);
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {0, 1, 1.57, 2.5, 4, 4.71})
   void everyDirectionIsFound(double direction) {

@@ -285,6 +285,24 @@ class CalibrationPlayTest {
   }
 
   @Test
+  void nobodyDrivesUpToABallThatIsNotSeen() {
+    flat(3);
+    int begun = 0;
+    PlayPhase before = PlayPhase.CHECK;
+    while (field.time < 60 && !play.over()) {
+      field.ballVisible = field.time % 0.45 < 0.05;
+      field.tick(play);
+      PlayPhase now = play.state().phase();
+      if (now == PlayPhase.KICK && before != PlayPhase.KICK) {
+        begun++;
+        assertThat(field.time - field.ballSeen).isLessThan(0.25);
+      }
+      before = now;
+    }
+    assertThat(begun).isPositive();
+  }
+
+  @Test
   void aBallBetweenTheRobotsIsLeftToOneOfThem() {
     flat(2);
     field.put(YELLOW, 0, -0.16, Math.PI / 2);

@@ -4,10 +4,16 @@ import fieldcal.calibration.Calibration;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.JointFit;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /** What somebody should know beside the verdict, in sentences; for the report, the terminal and the JSON alike. */
 public final class CalibrationWarnings {
@@ -56,8 +62,47 @@ public final class CalibrationWarnings {
                 size));
       }
     }
+    uncompared(
+            calibration.kicks().stream()
+                .filter(k -> k.fit().failure().isEmpty())
+                .map(k -> k.fit().kick().observations().cameras())
+                .toList())
+        .ifPresent(warnings::add);
     addLackOfFit(warnings);
     return warnings;
+  }
+
+  /**
+   * Cameras that no kick leads from one to another cannot be compared, however far they are apart.
+   *
+   * @param kicks the cameras that saw each
+   */
+  static Optional<String> uncompared(List<int[]> kicks) {
+    List<Set<Integer>> groups = new ArrayList<>();
+    for (int[] cameras : kicks) {
+      Set<Integer> together = new TreeSet<>();
+      Arrays.stream(cameras).forEach(together::add);
+      for (Set<Integer> group : List.copyOf(groups)) {
+        if (!Collections.disjoint(group, together)) {
+          groups.remove(group);
+          together.addAll(group);
+        }
+      }
+      groups.add(together);
+    }
+    if (groups.size() < 2) {
+      return Optional.empty();
+    }
+    String named =
+        groups.stream()
+            .map(g -> g.stream().map(String::valueOf).collect(Collectors.joining(" and ")))
+            .sorted()
+            .collect(Collectors.joining("; "));
+    return Optional.of(
+        "No kick leads from the view of some cameras into that of others ("
+            + named
+            + "). By how much these disagree is not known and taken to be nothing: kick from one"
+            + " view into the other.");
   }
 
   private void addLackOfFit(List<String> warnings) {

@@ -34,7 +34,6 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicReference;
-import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
@@ -53,9 +52,6 @@ final class LiveFits {
 
   /** Fewer kicks do not show what differs from kick to kick. */
   static final int FEWEST = 6;
-
-  /** Share of a distribution below its mean plus one standard error. */
-  private static final double ONE_SIGMA = 0.841345;
 
   private static final Map<KickKind, List<String>> PARAMETERS =
       Map.of(
@@ -377,15 +373,10 @@ final class LiveFits {
       double relative =
           a == null || a.n() < 2
               ? Double.POSITIVE_INFINITY
-              : inflation(a.n()) * a.standardError() / Math.abs(a.mean());
+              : a.standardError() / Math.abs(a.mean());
       worst = Math.max(worst, relative);
     }
     return worst;
-  }
-
-  /** A scatter that few kicks show is known badly itself: Student's 68.3 % over the Gaussian's. */
-  private static double inflation(int n) {
-    return new TDistribution(null, n - 1.0).inverseCumulativeProbability(ONE_SIGMA);
   }
 
   /** How many good kicks there are in a third of the range of speeds, 0 the slowest. */

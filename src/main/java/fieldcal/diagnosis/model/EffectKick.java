@@ -285,7 +285,7 @@ public final class EffectKick implements KickTerm<ModelState> {
   @Override
   public double ownPrecision(int index) {
     boolean tied = index == record.timeIndex() && !record.fromRest;
-    return tied ? 1 / (KickRecord.TIME_PRIOR * KickRecord.TIME_PRIOR) : 0;
+    return tied ? 1 / (record.kick.timeError() * record.kick.timeError()) : 0;
   }
 
   @Override

@@ -28,9 +28,6 @@ public final class KickRecord {
   /** Longest block, s: in that time a sliding ball (4 m/s²) departs from a straight line by 0.7 mm, below every camera's noise. */
   private static final double BLOCK_TIME = 0.05;
 
-  /** Without rest before the kick its time is known from where two lines cross only, s. */
-  static final double TIME_PRIOR = 0.004;
-
   /** A fitted start that far from where the ball lay lost the rest, m; cameras disagree by less. */
   private static final double LOST_REST = 0.1;
 
