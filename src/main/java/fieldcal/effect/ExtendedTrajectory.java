@@ -70,10 +70,40 @@ public final class ExtendedTrajectory implements BallTrajectory {
       double y,
       double vx,
       double vy) {
+    return flat(model, effects, sessionStart, t0, x, y, vx, vy, Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * The path of a flat kick as far as it is wanted, which costs less than the whole where the ball was seen for a part of its way only.
+   *
+   * @param model how the ball slides and rolls
+   * @param effects what acts besides
+   * @param sessionStart when the session began, on the clock of {@code t0}, s
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param until the latest time that will be asked about, s; the path may end at any time after it, as if the ball stopped there
+   * @return the path, up to that time the same as the whole
+   * @throws IllegalArgumentException when a number is not finite; {@code until} may be infinite
+   */
+  public static ExtendedTrajectory flat(
+      FlatModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double until) {
     Objects.requireNonNull(model, "model");
+    requireNumber("until", until);
     finite(sessionStart, t0, x, y, vx, vy, 0);
     PathIntegrator integrator =
-        new PathIntegrator(effects, sessionStart, model.accRoll(), t0, PathIntegrator.NO_BOUNCES);
+        new PathIntegrator(
+            effects, sessionStart, model.accRoll(), t0, PathIntegrator.NO_BOUNCES, until);
     integrator.slideFrom(model, t0, x, y, vx, vy);
     return new ExtendedTrajectory(integrator, t0, x, y);
   }
@@ -105,7 +135,40 @@ public final class ExtendedTrajectory implements BallTrajectory {
       double vz) {
     boolean rolls = ChipTrajectory.flightsByRule(model, vz) == 0;
     int flights = rolls ? 0 : PathIntegrator.BY_RULE;
-    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights);
+    return bounce(
+        model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * How many flights {@link ChipModel#MIN_HOP_HEIGHT} allows, without the way that the ball then rolls.
+   *
+   * @param model how the ball bounces
+   * @param effects what acts besides
+   * @param sessionStart when the session began, on the clock of {@code t0}, s
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s, not negative
+   * @return those of {@link #chip(ChipModel, MotionEffects, double, double, double, double, double, double, double)}
+   * @throws IllegalArgumentException when a number is not finite or {@code vz} is negative
+   */
+  public static int flightsByRule(
+      ChipModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz) {
+    if (ChipTrajectory.flightsByRule(model, vz) == 0) {
+      return 0;
+    }
+    int byRule = PathIntegrator.BY_RULE;
+    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, byRule, t0).flights();
   }
 
   /**
@@ -135,10 +198,44 @@ public final class ExtendedTrajectory implements BallTrajectory {
       double vy,
       double vz,
       int flights) {
+    double always = Double.POSITIVE_INFINITY;
+    return chipWithHops(
+        model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, always);
+  }
+
+  /**
+   * The path of a chip with a given number of flights as far as it is wanted.
+   *
+   * @param model how the ball bounces and rolls
+   * @param effects what acts besides
+   * @param sessionStart when the session began, on the clock of {@code t0}, s
+   * @param t0 time of the kick, s
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   * @param vx velocity right after the kick, m/s
+   * @param vy velocity right after the kick, m/s
+   * @param vz velocity right after the kick, m/s, not negative
+   * @param flights number of flights, the kick's own included, 0 to {@link ChipModel#MAX_FLIGHTS}
+   * @param until the latest time that will be asked about, s; after its flights the path may end at any time after it, as if the ball stopped there
+   * @return the path, up to that time the same as the whole
+   * @throws IllegalArgumentException when a number is not finite; {@code until} may be infinite, {@code vz} is negative or {@code flights} out of its range
+   */
+  public static ExtendedTrajectory chipWithHops(
+      ChipModel model,
+      MotionEffects effects,
+      double sessionStart,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz,
+      int flights,
+      double until) {
     if (flights < 0 || flights > ChipModel.MAX_FLIGHTS) {
       throw new IllegalArgumentException("flights out of range: " + flights);
     }
-    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights);
+    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, until);
   }
 
   private static ExtendedTrajectory bounce(
@@ -151,14 +248,16 @@ public final class ExtendedTrajectory implements BallTrajectory {
       double vx,
       double vy,
       double vz,
-      int flights) {
+      int flights,
+      double until) {
     Objects.requireNonNull(model, "model");
+    requireNumber("until", until);
     finite(sessionStart, t0, x, y, vx, vy, vz);
     if (vz < 0) {
       throw new IllegalArgumentException("vz must not be negative, but is " + vz);
     }
     PathIntegrator integrator =
-        new PathIntegrator(effects, sessionStart, model.accRoll(), t0, flights);
+        new PathIntegrator(effects, sessionStart, model.accRoll(), t0, flights, until);
     integrator.flyFrom(model, t0, x, y, vx, vy, vz);
     return new ExtendedTrajectory(integrator, t0, x, y);
   }
@@ -207,7 +306,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
 
   @Override
   public void positionAt(double t, double[] xyz) {
-    requireNumber(t);
+    requireNumber("t", t);
     if (t < kickTime || path.count() == 0) {
       xyz[0] = kickX;
       xyz[1] = kickY;
@@ -227,7 +326,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
 
   @Override
   public Phase phaseAt(double t) {
-    requireNumber(t);
+    requireNumber("t", t);
     if (t < kickTime) {
       return Phase.RESTING_BEFORE_KICK;
     }
@@ -236,7 +335,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
 
   @Override
   public double distanceAt(double t) {
-    requireNumber(t);
+    requireNumber("t", t);
     if (t < kickTime) {
       return 0;
     }
@@ -278,9 +377,9 @@ public final class ExtendedTrajectory implements BallTrajectory {
     return time.isEmpty() ? time : OptionalDouble.of(stateAt(time.getAsDouble()).groundSpeed());
   }
 
-  private static void requireNumber(double t) {
+  private static void requireNumber(String name, double t) {
     if (Double.isNaN(t)) {
-      throw new IllegalArgumentException("t must be a number, but is NaN");
+      throw new IllegalArgumentException(name + " must be a number, but is NaN");
     }
   }
 

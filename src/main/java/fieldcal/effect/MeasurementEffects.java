@@ -81,19 +81,36 @@ public final class MeasurementEffects {
     PathFollower ball = path.follower();
     for (int i = 0; i < seen.size(); i++) {
       View view = find(seen.camera[i]);
-      double t = seen.stamp[i];
-      double stamp = t - sessionStart;
-      if (view != null && view.isLate()) {
-        t -= view.timeError(stamp, seen.pixelRow[i]);
-      }
-      ball.goTo(t);
+      ball.goTo(ballTime(view, seen, i, sessionStart));
       if (view == null) {
         ground[2 * i] = ball.x();
         ground[2 * i + 1] = ball.y();
       } else {
+        double stamp = seen.stamp[i] - sessionStart;
         view.report(ball.x(), ball.y(), ball.z(), stamp, ground, 2 * i);
       }
     }
+  }
+
+  /**
+   * The time up to which {@link #report(Sightings, ExtendedTrajectory, double, double[])} asks for the path.
+   *
+   * @param seen cameras and times
+   * @param sessionStart when the session began, on the clock of the sightings, s
+   * @return the latest time at which the ball was where a camera saw it, on the same clock, s; −∞ without sightings
+   */
+  public double lastBallTime(Sightings seen, double sessionStart) {
+    double last = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < seen.size(); i++) {
+      last = Math.max(last, ballTime(find(seen.camera[i]), seen, i, sessionStart));
+    }
+    return last;
+  }
+
+  private static double ballTime(View view, Sightings seen, int i, double sessionStart) {
+    double t = seen.stamp[i];
+    boolean late = view != null && view.isLate();
+    return late ? t - view.timeError(t - sessionStart, seen.pixelRow[i]) : t;
   }
 
   /**

@@ -11,7 +11,9 @@ import fieldcal.effect.MotionEffect.PathAcceleration;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SlidingResistance;
 import fieldcal.effect.MotionEffect.SpinAtKick;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 
 /** The effects that act on a ball, sorted by what they change, and the ball's body. Immutable; make it once for many kicks. */
@@ -53,22 +55,45 @@ public final class MotionEffects {
   final double airY;
   private final List<MotionEffect> effects;
 
-  private MotionEffects(BallBody ball, List<? extends MotionEffect> effects) {
+  /** Nothing acts on the ball. */
+  private MotionEffects(BallBody ball) {
     this.ball = ball;
-    this.effects = List.copyOf(effects);
-    SpinAtKick[] spinning = NO_SPINS;
-    ExternalForce.Field[] pulling = NO_FORCES;
-    RollingResistance[] resisting = NO_RESISTANCES;
-    SlidingResistance[] rubbing = NO_SLIDINGS;
-    FrictionOfKick[] ofKick = NO_FRICTIONS;
-    Line[] crossed = NO_LINES;
-    PathAcceleration[] accelerating = NO_ACCELERATIONS;
-    FrictionZone[] worn = NO_ZONES;
-    Bounce[] bouncing = NO_BOUNCES;
-    ImpactLaw law = null;
-    double flowX = 0;
-    double flowY = 0;
-    for (MotionEffect effect : this.effects) {
+    effects = List.of();
+    spins = NO_SPINS;
+    forces = NO_FORCES;
+    resistances = NO_RESISTANCES;
+    slidings = NO_SLIDINGS;
+    frictions = NO_FRICTIONS;
+    lines = NO_LINES;
+    linePlaces = new double[0];
+    accelerations = NO_ACCELERATIONS;
+    zones = NO_ZONES;
+    bounces = NO_BOUNCES;
+    impacts = null;
+    airX = 0;
+    airY = 0;
+  }
+
+  /** Some effects and more of them. */
+  private MotionEffects(MotionEffects some, List<? extends MotionEffect> more) {
+    ball = some.ball;
+    List<MotionEffect> all = new ArrayList<>(some.effects.size() + more.size());
+    all.addAll(some.effects);
+    all.addAll(more);
+    effects = Collections.unmodifiableList(all);
+    SpinAtKick[] spinning = some.spins;
+    ExternalForce.Field[] pulling = some.forces;
+    RollingResistance[] resisting = some.resistances;
+    SlidingResistance[] rubbing = some.slidings;
+    FrictionOfKick[] ofKick = some.frictions;
+    Line[] crossed = some.lines;
+    PathAcceleration[] accelerating = some.accelerations;
+    FrictionZone[] worn = some.zones;
+    Bounce[] bouncing = some.bounces;
+    ImpactLaw law = some.impacts;
+    double flowX = some.airX;
+    double flowY = some.airY;
+    for (MotionEffect effect : more) {
       if (effect.isAbsent()) {
         // It is left out, so that it changes nothing, not even a rounding error.
         continue;
@@ -114,8 +139,8 @@ public final class MotionEffects {
     slidings = rubbing;
     frictions = ofKick;
     lines = crossed;
-    linePlaces = new double[3 * lines.length];
-    for (int i = 0; i < lines.length; i++) {
+    linePlaces = Arrays.copyOf(some.linePlaces, 3 * lines.length);
+    for (int i = some.lines.length; i < lines.length; i++) {
       linePlaces[3 * i] = lines[i].normalX();
       linePlaces[3 * i + 1] = lines[i].normalY();
       linePlaces[3 * i + 2] = lines[i].distance();
@@ -158,7 +183,17 @@ public final class MotionEffects {
    * @return the bundle
    */
   public static MotionEffects of(BallBody ball, List<? extends MotionEffect> effects) {
-    return new MotionEffects(ball, effects);
+    return new MotionEffects(new MotionEffects(ball), effects);
+  }
+
+  /**
+   * The same with more effects.
+   *
+   * @param more added after those that act already
+   * @return the larger bundle
+   */
+  public MotionEffects plus(List<? extends MotionEffect> more) {
+    return new MotionEffects(this, more);
   }
 
   /**

@@ -53,6 +53,10 @@ final class PathIntegrator {
   private final Impacts impacts;
   private final int flightsGiven;
   private final boolean varies;
+
+  /** After this time nothing is asked of the ball on the carpet, s. */
+  private final double until;
+
   private final Path path;
   private final boolean[] inside;
   private final boolean[] beyond;
@@ -77,8 +81,14 @@ final class PathIntegrator {
   private int flights;
 
   PathIntegrator(
-      MotionEffects effects, double sessionStart, double accRoll, double kickTime, int flights) {
+      MotionEffects effects,
+      double sessionStart,
+      double accRoll,
+      double kickTime,
+      int flights,
+      double until) {
     this.effects = effects;
+    this.until = until;
     forces = new BallForces(effects, sessionStart, accRoll, kickTime);
     impacts = new Impacts(effects);
     flightsGiven = flights;
@@ -153,16 +163,16 @@ final class PathIntegrator {
     }
   }
 
-  private void slide(double until) {
+  private void slide(double limit) {
     ready = false;
-    for (int n = 0; n < MAX_STEPS && time < until; n++) {
+    for (int n = 0; n < MAX_STEPS && goesOn(limit); n++) {
       double slipX = state[3] - state[6];
       double slipY = state[4] - state[7];
       double slip = Math.sqrt(slipX * slipX + slipY * slipY);
       if (slip < TINY) {
         return;
       }
-      if (brake(Phase.SLIDING, slip, slipX / slip, slipY / slip, until - time)) {
+      if (brake(Phase.SLIDING, slip, slipX / slip, slipY / slip, limit - time)) {
         // What slip is left, by rounding or a force that changed meanwhile, friction takes at once.
         state[3] -= slipShare * (state[3] - state[6]);
         state[4] -= slipShare * (state[4] - state[7]);
@@ -171,7 +181,12 @@ final class PathIntegrator {
     }
   }
 
-  private void roll(double until) {
+  /** A path that is not wanted further ends between steps, so that it is the whole path's up to there. */
+  private boolean goesOn(double limit) {
+    return time < limit && time < until;
+  }
+
+  private void roll(double limit) {
     state[6] = state[3];
     state[7] = state[4];
     // A ball may have flown into a zone or out of it, or over a line.
@@ -183,7 +198,7 @@ final class PathIntegrator {
     }
     forces.setInside(inside);
     ready = false;
-    for (int n = 0; n < MAX_STEPS && time < until; n++) {
+    for (int n = 0; n < MAX_STEPS && goesOn(limit); n++) {
       double speed = Math.sqrt(state[3] * state[3] + state[4] * state[4]);
       if (speed < TINY) {
         if (forces.holds(time, state)) {
@@ -192,7 +207,7 @@ final class PathIntegrator {
         ready = false;
         continue;
       }
-      if (brake(Phase.ROLLING, speed, state[3] / speed, state[4] / speed, until - time)) {
+      if (brake(Phase.ROLLING, speed, state[3] / speed, state[4] / speed, limit - time)) {
         state[3] = 0;
         state[4] = 0;
         state[6] = 0;

@@ -115,6 +115,37 @@ class ExtendedTrajectoryTest {
   }
 
   @Test
+  void asFarAsItIsWantedAPathIsTheWhole() {
+    MotionEffects effects = MotionEffects.of(List.of(new AirDrag(0.5), new FieldSlope(0.4, 2)));
+    ExtendedTrajectory flat = ExtendedTrajectory.flat(FLAT, effects, 0, 3, 0, 0, 5, 2);
+    ExtendedTrajectory chip =
+        ExtendedTrajectory.chipWithHops(CHIP, effects, 0, 3, 0, 0, 3, 2, 3, 4);
+    for (double until : new double[] {2, 3, 3.1, 3.8, 4.7, 6, 1e3}) {
+      isPartOf(flat, ExtendedTrajectory.flat(FLAT, effects, 0, 3, 0, 0, 5, 2, until), until);
+      isPartOf(
+          chip,
+          ExtendedTrajectory.chipWithHops(CHIP, effects, 0, 3, 0, 0, 3, 2, 3, 4, until),
+          until);
+    }
+    assertThat(ExtendedTrajectory.flat(FLAT, effects, 0, 3, 0, 0, 5, 2, 3.5).restTime())
+        .isLessThan(flat.restTime());
+  }
+
+  private static void isPartOf(BallTrajectory whole, BallTrajectory part, double until) {
+    for (double t = 2.5; t <= Math.min(until, whole.restTime()); t += 0.01) {
+      assertThat(part.stateAt(t)).isEqualTo(whole.stateAt(t));
+    }
+  }
+
+  @Test
+  void flightsAreCountedWithoutTheRestOfTheWay() {
+    for (double vz = 0; vz < 6; vz += 0.1) {
+      assertThat(ExtendedTrajectory.flightsByRule(CHIP, FAINT, 0, 3, 1, 2, 2, 1, vz))
+          .isEqualTo(ExtendedTrajectory.chip(CHIP, FAINT, 0, 3, 1, 2, 2, 1, vz).flights());
+    }
+  }
+
+  @Test
   void nonsenseIsRefused() {
     assertThatThrownBy(() -> ExtendedTrajectory.flat(FLAT, FAINT, 0, Double.NaN, 0, 0, 1, 0))
         .isInstanceOf(IllegalArgumentException.class);
@@ -122,6 +153,9 @@ class ExtendedTrajectoryTest {
         .isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(
             () -> ExtendedTrajectory.flat(FLAT, FAINT, 0, 0, 0, 0, 1, 0).stateAt(Double.NaN))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(
+            () -> ExtendedTrajectory.flat(FLAT, FAINT, 0, 0, 0, 0, 1, 0, Double.NaN))
         .isInstanceOf(IllegalArgumentException.class);
   }
 

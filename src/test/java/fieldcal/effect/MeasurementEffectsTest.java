@@ -81,8 +81,15 @@ class MeasurementEffectsTest {
           ExtendedTrajectory.chip(
               ChipModel.typical(), MotionEffects.of(List.of()), 0, 100, -1, -0.5, 2, 1, 3);
       double[] atOnce = new double[160];
-      MeasurementEffects.of(cameras(), List.of((MeasurementEffect) effect))
-          .report(new Sightings(cameras, stamps, rows), path, 0, atOnce);
+      MeasurementEffects effects =
+          MeasurementEffects.of(cameras(), List.of((MeasurementEffect) effect));
+      Sightings seen = new Sightings(cameras, stamps, rows);
+      effects.report(seen, path, 0, atOnce);
+      double last = Double.NEGATIVE_INFINITY;
+      for (int i = 0; i < 80; i++) {
+        last = Math.max(last, effects.ballTime(cameras[i], stamps[i], rows[i]));
+      }
+      assertThat(effects.lastBallTime(seen, 0)).isEqualTo(last);
       assertThat(atOnce).containsExactly(predict(effect), within(1e-9));
     }
   }

@@ -3,6 +3,7 @@ package fieldcal.effect;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.effect.motion.AirDrag;
@@ -33,6 +34,28 @@ import org.junit.jupiter.api.Test;
 class MotionEffectsTest {
   private static final FlatModel FLAT = new FlatModel(-3.1, -0.28, 0.65);
   private static final ChipModel CHIP = new ChipModel(0.75, 0.95, 0.52, -0.28);
+
+  @Test
+  void moreEffectsOneByOneAreAllAtOnce() {
+    List<MotionEffect> all =
+        List.of(
+            new Wind(2, 1),
+            new AirDrag(0.4),
+            new SideSpin(0.2),
+            new WornRegion(0.3, -1, 5, -5, 5),
+            new FieldSlope(0.3, 1));
+    MotionEffects oneByOne = MotionEffects.NONE;
+    for (MotionEffect e : all) {
+      oneByOne = oneByOne.plus(List.of(e));
+    }
+    assertThat(oneByOne.effects()).isEqualTo(all);
+    MotionEffects atOnce = MotionEffects.of(all);
+    BallTrajectory expected = ExtendedTrajectory.flat(FLAT, atOnce, 0, 0, -2, 0, 4, 1);
+    BallTrajectory path = ExtendedTrajectory.flat(FLAT, oneByOne, 0, 0, -2, 0, 4, 1);
+    for (double t = 0; t < expected.restTime(); t += 0.1) {
+      assertThat(path.stateAt(t)).isEqualTo(expected.stateAt(t));
+    }
+  }
 
   /** Positions of a flat kick and of a chip, both from (1, 2), kicked at session time 100 s. */
   abstract static class Paths extends EffectContract {

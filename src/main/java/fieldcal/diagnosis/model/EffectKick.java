@@ -3,6 +3,7 @@ package fieldcal.diagnosis.model;
 import fieldcal.ball.ChipModel;
 import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.MotionEffects;
+import fieldcal.effect.Sightings;
 import fieldcal.fit.joint.KickTerm;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -114,11 +115,20 @@ public final class EffectKick implements KickTerm<ModelState> {
    * @return the path with this number of flights
    */
   public ExtendedTrajectory path(double[] own, ModelState state) {
+    return path(own, state, Double.POSITIVE_INFINITY);
+  }
+
+  /** The path as far as these sightings go. */
+  private ExtendedTrajectory path(double[] own, ModelState state, Sightings seen) {
+    return path(own, state, state.measurement().lastBallTime(seen, sessionStart));
+  }
+
+  private ExtendedTrajectory path(double[] own, ModelState state, double until) {
     MotionEffects motion = state.motionOf(own);
     double t0 = own[record.timeIndex()];
     if (record.kind == KickKind.FLAT) {
       return ExtendedTrajectory.flat(
-          state.flat(), motion, sessionStart, t0, own[0], own[1], own[2], own[3]);
+          state.flat(), motion, sessionStart, t0, own[0], own[1], own[2], own[3], until);
     }
     return ExtendedTrajectory.chipWithHops(
         state.chip(),
@@ -130,7 +140,8 @@ public final class EffectKick implements KickTerm<ModelState> {
         own[2],
         own[3],
         Math.max(SLOWEST_RISE, own[4]),
-        flights);
+        flights,
+        until);
   }
 
   /**
@@ -145,23 +156,24 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   private int flightsByRule(double[] own, ModelState state, double rise) {
-    return ExtendedTrajectory.chip(
-            state.chip(),
-            state.motionOf(own),
-            sessionStart,
-            own[record.timeIndex()],
-            own[0],
-            own[1],
-            own[2],
-            own[3],
-            rise * Math.max(SLOWEST_RISE, own[4]))
-        .flights();
+    return ExtendedTrajectory.flightsByRule(
+        state.chip(),
+        state.motionOf(own),
+        sessionStart,
+        own[record.timeIndex()],
+        own[0],
+        own[1],
+        own[2],
+        own[3],
+        rise * Math.max(SLOWEST_RISE, own[4]));
   }
 
   @Override
   public void residuals(double[] own, ModelState state, double[] out) {
     double[] ground = new double[2 * record.size];
-    state.measurement().report(record.sightings, path(own, state), sessionStart, ground);
+    state
+        .measurement()
+        .report(record.sightings, path(own, state, record.sightings), sessionStart, ground);
     for (int b = 0; b < record.blocks.length; b++) {
       double s1 = 0;
       double s2 = 0;
@@ -188,7 +200,9 @@ public final class EffectKick implements KickTerm<ModelState> {
    */
   public void plainResiduals(double[] own, ModelState state, double[] rx, double[] ry) {
     double[] ground = new double[2 * record.size];
-    state.measurement().report(record.sightings, path(own, state), sessionStart, ground);
+    state
+        .measurement()
+        .report(record.sightings, path(own, state, record.sightings), sessionStart, ground);
     for (int i = 0; i < record.size; i++) {
       rx[i] = record.x[i] - ground[2 * i];
       ry[i] = record.y[i] - ground[2 * i + 1];
@@ -198,7 +212,7 @@ public final class EffectKick implements KickTerm<ModelState> {
   @Override
   public void ownColumns(double[] own, ModelState state, double[] residuals, double[][] columns) {
     int n = record.blocks.length;
-    ExtendedTrajectory path = path(own, state);
+    ExtendedTrajectory path = path(own, state, record.blockSightings);
     double[] centre = new double[2 * n];
     report(state, path, centre);
     double[] ball = new double[3];
@@ -219,7 +233,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     for (int k = 2; k < own.length; k++) {
       double h = step(k);
       p[k] = own[k] + h;
-      report(state, path(p, state), columns[k]);
+      report(state, path(p, state, record.blockSightings), columns[k]);
       p[k] = own[k];
       difference(centre, h, columns[k]);
     }
@@ -241,12 +255,17 @@ public final class EffectKick implements KickTerm<ModelState> {
       List<ModelState> stepped,
       double[] steps,
       double[][] columns) {
-    ExtendedTrajectory path = path(own, state);
+    // The path is shared with the states that differ in what the cameras do.
+    double until = state.measurement().lastBallTime(record.blockSightings, sessionStart);
+    for (ModelState there : stepped) {
+      until = Math.max(until, there.measurement().lastBallTime(record.blockSightings, sessionStart));
+    }
+    ExtendedTrajectory path = path(own, state, until);
     double[] centre = new double[2 * record.blocks.length];
     report(state, path, centre);
     for (int c = 0; c < steps.length; c++) {
       ModelState there = stepped.get(c);
-      report(there, there.hasMotionOf(state) ? path : path(own, there), columns[c]);
+      report(there, there.hasMotionOf(state) ? path : path(own, there, until), columns[c]);
       difference(centre, steps[c], columns[c]);
     }
   }

@@ -58,7 +58,7 @@ public final class ModelState {
    * @return the changed copy
    */
   public ModelState plus(List<? extends Effect> more, List<ObservedCamera> observers) {
-    List<MotionEffect> moving = new ArrayList<>(motion.effects());
+    List<MotionEffect> moving = new ArrayList<>();
     List<MeasurementEffect> measuring = new ArrayList<>(measurement.effects());
     for (Effect e : more) {
       if (e instanceof MotionEffect m) {
@@ -67,12 +67,11 @@ public final class ModelState {
         measuring.add(m);
       }
     }
-    boolean moves = moving.size() > motion.effects().size();
     boolean measures = measuring.size() > measurement.effects().size();
     return new ModelState(
         flat,
         chip,
-        moves ? MotionEffects.of(moving) : motion,
+        moving.isEmpty() ? motion : motion.plus(moving),
         measures ? MeasurementEffects.of(observers, measuring) : measurement,
         random);
   }
@@ -111,11 +110,11 @@ public final class ModelState {
     if (random.isEmpty()) {
       return motion;
     }
-    List<MotionEffect> all = new ArrayList<>(motion.effects());
+    List<MotionEffect> ofKick = new ArrayList<>(random.size());
     int from = own.length - random.size();
     for (int r = 0; r < random.size(); r++) {
-      all.add((MotionEffect) random.get(r).effect(own, from + r));
+      ofKick.add((MotionEffect) random.get(r).effect(own, from + r));
     }
-    return MotionEffects.of(all);
+    return motion.plus(ofKick);
   }
 }

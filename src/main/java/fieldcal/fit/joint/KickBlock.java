@@ -8,6 +8,12 @@ final class KickBlock {
   /** Relative size below which a pivot means that the data do not determine an own parameter. */
   private static final double SINGULAR = 1e-12;
 
+  /** Rows whose products are summed in one go. */
+  private static final int TOGETHER = 4;
+
+  /** Rows that are taken from the columns at once: as many numbers as a line of the processor's cache holds; a multiple of {@link #TOGETHER}. */
+  private static final int GATHERED = 8;
+
   final int own;
   final int shared;
 
@@ -42,11 +48,7 @@ final class KickBlock {
 
   /** Adds rows: columns are derivatives of the prediction, residuals observed minus predicted. */
   void add(double[][] ownColumns, double[][] sharedColumns, double[] residuals, double weight) {
-    double sum = 0;
-    for (double r : residuals) {
-      sum += r * r;
-    }
-    chiSquare += weight * sum;
+    chiSquare += weight * dot(residuals, residuals);
     for (int i = 0; i < own; i++) {
       double[] ci = ownColumns[i];
       ga[i] += weight * dot(ci, residuals);
@@ -54,17 +56,64 @@ final class KickBlock {
         a[i][j] += weight * dot(ci, ownColumns[j]);
         a[j][i] = a[i][j];
       }
-      for (int k = 0; k < shared; k++) {
-        b[i][k] += weight * dot(ci, sharedColumns[k]);
+    }
+    // Some rows of all columns at once: the search asks for hundreds of columns, of which dot products would each read all rows.
+    double[][] some = new double[GATHERED][shared];
+    for (int from = 0; from < residuals.length; from += GATHERED) {
+      gather(sharedColumns, from, some);
+      for (int r = 0; r < GATHERED; r += TOGETHER) {
+        for (int i = 0; i < own; i++) {
+          addProducts(ownColumns[i], from + r, weight, some, r, b[i], shared);
+        }
+        addProducts(residuals, from + r, weight, some, r, gc, shared);
+        for (int k = 0; k < shared; k++) {
+          addProducts(sharedColumns[k], from + r, weight, some, r, c[k], k + 1);
+        }
       }
     }
     for (int k = 0; k < shared; k++) {
-      double[] ck = sharedColumns[k];
-      gc[k] += weight * dot(ck, residuals);
-      for (int m = 0; m <= k; m++) {
-        c[k][m] += weight * dot(ck, sharedColumns[m]);
+      for (int m = 0; m < k; m++) {
         c[m][k] = c[k][m];
       }
+    }
+  }
+
+  /** Some rows of the columns, zero after the last. */
+  private static void gather(double[][] columns, int from, double[][] some) {
+    for (int k = 0; k < columns.length; k++) {
+      double[] column = columns[k];
+      for (int r = 0; r < GATHERED; r++) {
+        some[r][k] = at(column, from + r);
+      }
+    }
+  }
+
+  private static double at(double[] column, int row) {
+    return row < column.length ? column[row] : 0;
+  }
+
+  /** Adds to sums[m], for m below {@code count}, the products of a column with column m over a few rows; nothing where the column is zero, as a camera's is for balls that it does not see. */
+  private static void addProducts(
+      double[] column,
+      int from,
+      double weight,
+      double[][] some,
+      int first,
+      double[] sums,
+      int count) {
+    double f0 = weight * at(column, from);
+    double f1 = weight * at(column, from + 1);
+    double f2 = weight * at(column, from + 2);
+    double f3 = weight * at(column, from + 3);
+    if (f0 == 0 && f1 == 0 && f2 == 0 && f3 == 0) {
+      return;
+    }
+    double[] r0 = some[first];
+    double[] r1 = some[first + 1];
+    double[] r2 = some[first + 2];
+    double[] r3 = some[first + 3];
+    for (int m = 0; m < count; m++) {
+      sums[m] += f0 * r0[m] + f1 * r1[m] + (f2 * r2[m] + f3 * r3[m]);
     }
   }
 
