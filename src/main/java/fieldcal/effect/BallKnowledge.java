@@ -8,20 +8,20 @@ package fieldcal.effect;
  * @param deviation standard deviation of what is expected, positive, in the parameter's unit
  */
 public record BallKnowledge(String parameter, double mean, double deviation) {
-  /** Inertia factor of a solid ball, 2/5, and of a hollow one, 2/3: all others lie between them (any textbook of mechanics). */
-  private static final double SOLID = 0.4;
-
-  private static final double HOLLOW = 2.0 / 3;
+  /**
+   * How well the inertia factor of an unknown golf ball is known. A cover of a tenth of the radius that is 15 % lighter or heavier than the core changes it by 0.01 (core and cover as two solid spheres); twice that is
+   * allowed for.
+   */
+  private static final double INERTIA_DEVIATION = 0.02;
 
   /**
-   * kSwitch of a ball that is kicked without spin, 1/(1 + β) for an inertia factor β between that of a solid and that of a hollow ball: as if uniform between the two. With spin told apart kSwitch is this number of mechanics; without, it
-   * takes up the mean of the spin, since (1 − spin)·(1 − kSwitch) is all that flat kicks show.
+   * kSwitch of a golf ball that is kicked without spin, 1/(1 + β), which mechanics gives whatever the carpet. With spin told apart kSwitch is this number; without, it takes up the mean of the spin, since
+   * (1 − spin)·(1 − kSwitch) is all that flat kicks show.
    *
-   * @return 0.657 ± 0.033
+   * @return 0.714 ± 0.010
    */
   public static BallKnowledge mechanicalSwitch() {
-    double solid = 1 / (1 + SOLID);
-    double hollow = 1 / (1 + HOLLOW);
-    return new BallKnowledge("kSwitch", 0.5 * (solid + hollow), (solid - hollow) / Math.sqrt(12));
+    double rolling = 1 + BallBody.GOLF_BALL.inertiaFactor();
+    return new BallKnowledge("kSwitch", 1 / rolling, INERTIA_DEVIATION / (rolling * rolling));
   }
 }

@@ -386,7 +386,7 @@ public final class SharedSolution<S> {
     int n = scale.length;
     double[][] scaled = SharedSolver.scaled(h, scale);
     for (int i = 0; i < n; i++) {
-      scaled[i][i] += 1e-9;
+      scaled[i][i] += SharedSolver.UNDETERMINED;
       if (!Double.isFinite(scaled[i][i])) {
         return Optional.empty();
       }

@@ -15,7 +15,7 @@ import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
 /**
  * Levenberg–Marquardt on the normal equations from which each kick's own parameters are eliminated (Schur complement; Triggs et al. 2000, "Bundle adjustment").
  *
- * <p>Derivatives by global parameters are differences of states, which are made once for all kicks. Scatters of random effects are updated between runs (EM); discrete unknowns of the kicks are settled with the shared
+ * <p>Derivatives by global parameters are differences of states, which are made once for all kicks. Scatters of random effects are those of the greatest restricted likelihood, updated between runs; discrete unknowns of the kicks are settled with the shared
  * parameters held. Kicks are worked on in parallel with the same result as one by one. Immutable and thread-safe.
  */
 public final class SharedSolver {
@@ -25,16 +25,19 @@ public final class SharedSolver {
    */
   static final double DERIVATIVE_STEP = 0.001;
 
+  /** Added to the curvature by scaled parameters, so that one that nothing determines stays where it is. */
+  static final double UNDETERMINED = 1e-9;
+
   /** With more damping than that no step changes anything. */
   private static final double LARGEST_DAMPING = 1e10;
 
   private static final double SMALLEST_DAMPING = 1e-9;
   private static final double FIRST_DAMPING = 1e-5;
 
-  /** Rounds of EM for a tolerance of a hundredth; each shrinks the distance to the best scatter by half or more where the kicks determine their values. */
+  /** Rounds in which scatters are looked for and everything else follows, for a tolerance of a hundredth; two or three are needed where the equations are nearly linear. */
   private static final int SCATTER_ROUNDS = 12;
 
-  /** Rounds of EM for a coarse solution. */
+  /** Such rounds for a coarse solution. */
   private static final int FEW_SCATTER_ROUNDS = 3;
 
   /** From that tolerance on a solution is coarse: half a unit of chi-square moves no estimate by more than its error. */
@@ -135,7 +138,7 @@ public final class SharedSolver {
     double noise = Math.max(1, cost / Math.max(1, term.rows()));
     for (int i = 0; i < maxIterations && Double.isFinite(cost); i++) {
       if (block == null) {
-        block = block(term, own, state, residuals);
+        block = block(term, own, state, residuals, 1);
         tie(block, term, own, means, null, scatters);
       }
       block.factor(lambda);
@@ -214,11 +217,12 @@ public final class SharedSolver {
     return a < b && (Double.isInfinite(b) || a < b - 1e-6 * Math.abs(b));
   }
 
-  private static <S> KickBlock block(KickTerm<S> term, double[] own, S state, double[] residuals) {
+  private static <S> KickBlock block(
+      KickTerm<S> term, double[] own, S state, double[] residuals, double weight) {
     double[][] ownColumns = new double[own.length][residuals.length];
     term.ownColumns(own, state, residuals, ownColumns);
     KickBlock block = new KickBlock(own.length, 0);
-    block.add(ownColumns, new double[0][], residuals, 1);
+    block.add(ownColumns, new double[0][], residuals, weight);
     return block;
   }
 
@@ -350,30 +354,17 @@ public final class SharedSolver {
       return changed;
     }
 
-    /** False, and nothing changed, when they are settled. */
+    /** False when they are settled. */
     private boolean updateScatters() {
-      boolean moved = false;
-      double[] means = means(values);
-      double[] updated = new double[scatters.length];
-      for (KickBlock block : blocks) {
-        block.factor(0);
-      }
+      RestrictedLikelihood likelihood = restrictedLikelihood();
+      double[] updated = scatters.clone();
       for (int r = 0; r < scatters.length; r++) {
-        double meanVariance = meanVariance(r);
-        double sum = 0;
-        for (int k = 0; k < kicks.size(); k++) {
-          int i = own.get(k).length - scatters.length + r;
-          double d = own.get(k)[i] - means[r];
-          double left = blocks[k].ownVariance(i);
-          // A value that the kick itself determines does not follow the mean when that errs.
-          double stays = 1 - left / (scatters[r] * scatters[r]);
-          sum += d * d + left + stays * stays * meanVariance;
-        }
         RandomEffect random = problem.randoms().get(r);
-        double next = Math.sqrt(sum / kicks.size());
-        next = Math.max(random.smallest(), Math.min(random.largest(), next));
-        moved |= Math.abs(next - scatters[r]) > SCATTER_SETTLED * scatters[r];
-        updated[r] = next;
+        updated[r] = likelihood.best(r, updated, random.smallest(), random.largest());
+      }
+      boolean moved = false;
+      for (int r = 0; r < scatters.length; r++) {
+        moved |= Math.abs(updated[r] - scatters[r]) > SCATTER_SETTLED * scatters[r];
       }
       if (moved) {
         System.arraycopy(updated, 0, scatters, 0, updated.length);
@@ -381,31 +372,26 @@ public final class SharedSolver {
       return moved;
     }
 
-    /** Variance of a random effect's mean; 0 when that is held or not determined. */
-    private double meanVariance(int random) {
-      int column = meanColumns[random];
-      if (column < 0) {
-        return 0;
-      }
-      int n = free.length;
-      double[][] h = new double[n][n];
-      double[] scale = new double[n];
-      for (KickBlock block : blocks) {
-        double[][] reduced = block.reducedMatrix();
-        for (int i = 0; i < n; i++) {
-          for (int j = 0; j < n; j++) {
-            h[i][j] += reduced[i][j];
-          }
+    private RestrictedLikelihood restrictedLikelihood() {
+      double[] means = means(values);
+      double[][] distances = new double[kicks.size()][scatters.length];
+      for (int k = 0; k < distances.length; k++) {
+        int first = own.get(k).length - scatters.length;
+        for (int r = 0; r < scatters.length; r++) {
+          distances[k][r] = own.get(k)[first + r] - means[r];
         }
       }
-      for (int i = 0; i < n; i++) {
-        h[i][i] += problem.priors().get(free[i]).precision();
-        scale[i] = problem.globals().get(free[i]).scale();
+      double[] precisions = new double[free.length];
+      double[] slopes = new double[free.length];
+      double[] scales = new double[free.length];
+      for (int i = 0; i < free.length; i++) {
+        Prior prior = problem.priors().get(free[i]);
+        precisions[i] = prior.precision();
+        slopes[i] = prior.precision() * (prior.mean() - values[free[i]]);
+        scales[i] = problem.globals().get(free[i]).scale();
       }
-      return SharedSolution.inverse(h, scale)
-          .map(v -> v[column][column])
-          .filter(v -> v < scatters[random] * scatters[random])
-          .orElse(0.0);
+      return new RestrictedLikelihood(
+          blocks, meanColumns, distances, scatters.clone(), precisions, slopes, scales);
     }
 
     private void descend() {
@@ -428,6 +414,10 @@ public final class SharedSolver {
         }
         List<double[]> nextOwn = ownAfter(made);
         double nextCost = cost(next, nextOwn);
+        if (nextCost > cost) {
+          nextOwn = corrected(next, nextOwn);
+          nextCost = cost(next, nextOwn);
+        }
         if (nextCost <= cost) {
           double gain = cost - nextCost;
           values = next;
@@ -468,6 +458,34 @@ public final class SharedSolver {
         moved.add(next);
       }
       return moved;
+    }
+
+    /**
+     * The kicks' own parameters after a step of theirs alone: the second order of a shared step (Fletcher 1982, "Second order corrections"). Where shared and own parameters are multiplied, as kSwitch and each kick's spin, the
+     * straight step leaves the valley at once and the solver would creep.
+     */
+    private List<double[]> corrected(double[] at, List<double[]> owns) {
+      S state = problem.model().at(at);
+      double[] means = means(at);
+      return IntStream.range(0, kicks.size())
+          .parallel()
+          .mapToObj(
+              k -> {
+                KickTerm<S> term = kicks.get(k);
+                double[] next = owns.get(k).clone();
+                double[] residuals = new double[term.rows()];
+                term.residuals(next, state, residuals);
+                KickBlock block = block(term, next, state, residuals, problem.weights()[k]);
+                tie(block, term, next, means, null, scatters);
+                block.factor(lambda);
+                double[] change = block.ownStep(new double[0]);
+                for (int i = 0; i < next.length; i++) {
+                  next[i] += change[i];
+                }
+                term.clamp(next);
+                return next;
+              })
+          .toList();
     }
 
     private double cost(double[] at, List<double[]> owns) {
@@ -596,8 +614,7 @@ public final class SharedSolver {
     double[][] scaled = scaled(h, scale);
     double[] rhs = new double[n];
     for (int i = 0; i < n; i++) {
-      // What nothing determines stays where it is.
-      scaled[i][i] = scaled[i][i] * (1 + lambda) + 1e-9;
+      scaled[i][i] = scaled[i][i] * (1 + lambda) + UNDETERMINED;
       rhs[i] = g[i] * scale[i];
       if (!Double.isFinite(scaled[i][i] + rhs[i])) {
         return null;
