@@ -28,6 +28,9 @@ public final class SharedSolver {
   /** Added to the curvature by scaled parameters, so that one that nothing determines stays where it is. */
   static final double UNDETERMINED = 1e-9;
 
+  /** A corrected step counts when it takes that share of what it should off the cost (Nocedal and Wright, "Numerical optimization", chapter 4). */
+  private static final double GOOD_STEP = 0.25;
+
   /** With more damping than that no step changes anything. */
   private static final double LARGEST_DAMPING = 1e10;
 
@@ -275,6 +278,10 @@ public final class SharedSolver {
     private KickBlock[] blocks;
     private double cost;
     private double lambda = FIRST_DAMPING;
+
+    /** Whether steps are corrected: along valleys at the end, since from far away it leads to other minima than the nearest. */
+    private boolean corrects;
+
     private int iterations;
     private StopReason reason = StopReason.TOO_MANY_ITERATIONS;
 
@@ -297,6 +304,23 @@ public final class SharedSolver {
     }
 
     SharedSolution<S> solve() {
+      descendWithScatters();
+      for (int round = 0; settlesVariants && round < VARIANT_ROUNDS; round++) {
+        if (!settle()) {
+          break;
+        }
+        descend();
+      }
+      if (tolerance < COARSE && scatters.length > 0) {
+        corrects = true;
+        lambda = FIRST_DAMPING;
+        descendWithScatters();
+      }
+      linearize();
+      return solution();
+    }
+
+    private void descendWithScatters() {
       descend();
       int rounds = tolerance < COARSE ? SCATTER_ROUNDS : FEW_SCATTER_ROUNDS;
       for (int round = 0; round < rounds && scatters.length > 0; round++) {
@@ -305,14 +329,6 @@ public final class SharedSolver {
         }
         descend();
       }
-      for (int round = 0; settlesVariants && round < VARIANT_ROUNDS; round++) {
-        if (!settle()) {
-          break;
-        }
-        descend();
-      }
-      linearize();
-      return solution();
     }
 
     private double[] means(double[] at) {
@@ -414,9 +430,13 @@ public final class SharedSolver {
         }
         List<double[]> nextOwn = ownAfter(made);
         double nextCost = cost(next, nextOwn);
-        if (nextCost > cost) {
-          nextOwn = corrected(next, nextOwn);
-          nextCost = cost(next, nextOwn);
+        if (corrects && nextCost > cost) {
+          List<double[]> corrected = corrected(next, nextOwn);
+          double correctedCost = cost(next, corrected);
+          if (cost - correctedCost > GOOD_STEP * expectedGain(made, nextOwn)) {
+            nextOwn = corrected;
+            nextCost = correctedCost;
+          }
         }
         if (nextCost <= cost) {
           double gain = cost - nextCost;
@@ -444,6 +464,24 @@ public final class SharedSolver {
           growth *= 2;
         }
       }
+    }
+
+    /** What a step should take off the cost if residuals were linear. */
+    private double expectedGain(double[] step, List<double[]> nextOwn) {
+      double gain = 0;
+      for (int k = 0; k < kicks.size(); k++) {
+        for (int i = 0; i < nextOwn.get(k).length; i++) {
+          gain += blocks[k].ga[i] * (nextOwn.get(k)[i] - own.get(k)[i]);
+        }
+        for (int f = 0; f < step.length; f++) {
+          gain += blocks[k].gc[f] * step[f];
+        }
+      }
+      for (int f = 0; f < step.length; f++) {
+        Prior prior = problem.priors().get(free[f]);
+        gain -= prior.precision() * (values[free[f]] - prior.mean()) * step[f];
+      }
+      return gain;
     }
 
     private List<double[]> ownAfter(double[] step) {
