@@ -199,8 +199,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
       double vz,
       int flights) {
     double always = Double.POSITIVE_INFINITY;
-    return chipWithHops(
-        model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, always);
+    return chipWithHops(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, always);
   }
 
   /**

@@ -154,8 +154,7 @@ class ExtendedTrajectoryTest {
     assertThatThrownBy(
             () -> ExtendedTrajectory.flat(FLAT, FAINT, 0, 0, 0, 0, 1, 0).stateAt(Double.NaN))
         .isInstanceOf(IllegalArgumentException.class);
-    assertThatThrownBy(
-            () -> ExtendedTrajectory.flat(FLAT, FAINT, 0, 0, 0, 0, 1, 0, Double.NaN))
+    assertThatThrownBy(() -> ExtendedTrajectory.flat(FLAT, FAINT, 0, 0, 0, 0, 1, 0, Double.NaN))
         .isInstanceOf(IllegalArgumentException.class);
   }
 

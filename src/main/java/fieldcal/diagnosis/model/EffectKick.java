@@ -258,7 +258,8 @@ public final class EffectKick implements KickTerm<ModelState> {
     // The path is shared with the states that differ in what the cameras do.
     double until = state.measurement().lastBallTime(record.blockSightings, sessionStart);
     for (ModelState there : stepped) {
-      until = Math.max(until, there.measurement().lastBallTime(record.blockSightings, sessionStart));
+      until =
+          Math.max(until, there.measurement().lastBallTime(record.blockSightings, sessionStart));
     }
     ExtendedTrajectory path = path(own, state, until);
     double[] centre = new double[2 * record.blocks.length];

@@ -74,7 +74,8 @@ final class KickBlock {
         a[j][i] = a[i][j];
       }
     }
-    // Some rows of all columns at once: the search asks for hundreds of columns, of which dot products would each read all rows.
+    // Some rows of all columns at once: the search asks for hundreds of columns, of which dot
+    // products would each read all rows.
     double[][] some = new double[GATHERED][shared];
     for (int from = 0; from < residuals.length; from += GATHERED) {
       gather(sharedColumns, from, some);
