@@ -1,8 +1,8 @@
 package fieldcal.fit.joint;
 
 /**
- * A magnitude that differs from kick to kick: normally distributed about a mean, which is one of the global parameters, with one scatter for all kicks. The scatter is the one of the greatest restricted
- * likelihood ({@link RestrictedLikelihood}), so that a few kicks do not make it look small.
+ * A magnitude that differs from kick to kick: normally distributed about a mean, which is one of the global parameters, with one scatter for all kicks. The scatter is estimated by maximising the restricted
+ * likelihood (Patterson and Thompson 1971; by EM: each kick's squared distance from the mean, the variance that its data leave, and what the mean's own error hides), so that a few kicks do not make it look small.
  *
  * @param mean index of the mean among the global parameters
  * @param scatter standard deviation at which the estimation starts
