@@ -46,23 +46,6 @@ final class KickBlock {
     l = new double[own][own];
   }
 
-  /** The same equations, to be changed. */
-  KickBlock copy() {
-    KickBlock copy = new KickBlock(own, shared);
-    for (int i = 0; i < own; i++) {
-      System.arraycopy(a[i], 0, copy.a[i], 0, own);
-      System.arraycopy(b[i], 0, copy.b[i], 0, shared);
-    }
-    for (int k = 0; k < shared; k++) {
-      System.arraycopy(c[k], 0, copy.c[k], 0, shared);
-    }
-    System.arraycopy(ga, 0, copy.ga, 0, own);
-    System.arraycopy(gc, 0, copy.gc, 0, shared);
-    copy.chiSquare = chiSquare;
-    copy.priorCost = priorCost;
-    return copy;
-  }
-
   /** Adds rows: columns are derivatives of the prediction, residuals observed minus predicted. */
   void add(double[][] ownColumns, double[][] sharedColumns, double[] residuals, double weight) {
     chiSquare += weight * dot(residuals, residuals);
