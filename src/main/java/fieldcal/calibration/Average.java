@@ -1,8 +1,8 @@
 package fieldcal.calibration;
 
+import fieldcal.fit.Estimate;
 import java.util.Comparator;
 import java.util.List;
-import org.apache.commons.math3.distribution.TDistribution;
 
 /**
  * Weighted mean of samples of unequal precision, with its standard error.
@@ -20,9 +20,6 @@ import org.apache.commons.math3.distribution.TDistribution;
 public record Average(double mean, double standardError, double scatter, int n) {
   /** A sample that is farther from the mean, in what is expected of it, is something else: it counts as that (one of 16 000 Gaussian ones). */
   private static final double FARTHEST = 4;
-
-  /** Share of a distribution below its mean plus one standard error. */
-  private static final double ONE_SIGMA = 0.841345;
 
   /** Variance of a median over that of the mean of Gaussian samples: π/2. */
   private static final double MEDIAN_VARIANCE = Math.PI / 2;
@@ -108,10 +105,8 @@ public record Average(double mean, double standardError, double scatter, int n) 
       double distance = Math.min(FARTHEST, sigmas(sample));
       squares += distance * distance;
     }
-    double degrees = all.size() - 1.0;
-    double wider = Math.sqrt(Math.max(1, squares / degrees));
-    double student =
-        scatter > 0 ? new TDistribution(null, degrees).inverseCumulativeProbability(ONE_SIGMA) : 1;
+    double wider = Math.sqrt(Math.max(1, squares / (all.size() - 1)));
+    double student = scatter > 0 ? Estimate.student(all.size()) : 1;
     return new Average(mean, standardError * wider * student, scatter, n);
   }
 

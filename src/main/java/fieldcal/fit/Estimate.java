@@ -3,6 +3,7 @@ package fieldcal.fit;
 import fieldcal.ball.Parameter;
 import java.util.Objects;
 import java.util.Optional;
+import org.apache.commons.math3.distribution.TDistribution;
 
 /**
  * What a fit says of one parameter.
@@ -14,6 +15,8 @@ import java.util.Optional;
  */
 public record Estimate(
     Parameter parameter, double standardError, Optional<String> undetermined, boolean atBound) {
+  /** Share of a distribution below its mean plus one standard error. */
+  private static final double ONE_SIGMA = 0.841345;
 
   /** Checks that nothing is missing. {@inheritDoc} */
   public Estimate {
@@ -49,5 +52,15 @@ public record Estimate(
         && undetermined.isEmpty()
         && !atBound
         && Double.isFinite(standardError);
+  }
+
+  /**
+   * By how much the error of a mean is larger when few samples have shown their scatter: Student's 68 % over the Gaussian's.
+   *
+   * @param samples how many, at least 2
+   * @return 1.84 for two samples, nearer to 1 the more there are
+   */
+  public static double student(int samples) {
+    return new TDistribution(null, samples - 1.0).inverseCumulativeProbability(ONE_SIGMA);
   }
 }

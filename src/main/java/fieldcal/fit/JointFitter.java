@@ -20,7 +20,6 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
-import org.apache.commons.math3.distribution.TDistribution;
 
 /**
  * Fits all kicks at once: one model, one offset per camera, and position, velocity and time of each kick.
@@ -41,9 +40,6 @@ public final class JointFitter {
 
   /** How often errors alone may look like a scatter. Chosen: small, since a needless scatter only makes errors larger. */
   private static final double SCATTER_BY_CHANCE = 0.01;
-
-  /** Share of a distribution below its mean plus one standard error. */
-  private static final double ONE_SIGMA = 0.841345;
 
   /** Scatters that are looked for, in scales of the parameter: below is none, above is no model. */
   private static final double SMALLEST_SCATTER = 1e-3;
@@ -164,13 +160,10 @@ public final class JointFitter {
           .toList();
     }
 
-    /** By how much an error is larger whose scatter few kicks have shown: Student's 68 % over the Gaussian's. */
+    /** By how much an error is larger whose scatter few kicks have shown. */
     private double student(int parameter) {
       boolean scatters = Arrays.stream(scattering).anyMatch(k -> k == parameter);
-      return scatters
-          ? new TDistribution(null, known(parameter).size() - 1.0)
-              .inverseCumulativeProbability(ONE_SIGMA)
-          : 1;
+      return scatters ? Estimate.student(known(parameter).size()) : 1;
     }
 
     private static double squares(List<Estimate> known, double scatter) {

@@ -54,52 +54,7 @@ public record Kick(
   }
 
   /**
-   * A kick whose time is known as well as usual.
-   *
-   * @param id running number within the recording, from 1
-   * @param time s since the recording's epoch
-   * @param x m
-   * @param y m
-   * @param vx m/s
-   * @param vy m/s
-   * @param robot who kicked
-   * @param fromRest whether the ball lay still before
-   * @param end why the observations end
-   * @param endTime s
-   * @param observations all detections of this ball
-   * @param afterDribbling whether the ball may spin
-   */
-  public Kick(
-      int id,
-      double time,
-      double x,
-      double y,
-      double vx,
-      double vy,
-      Optional<RobotId> robot,
-      boolean fromRest,
-      KickEnd end,
-      double endTime,
-      Observations observations,
-      boolean afterDribbling) {
-    this(
-        id,
-        time,
-        x,
-        y,
-        vx,
-        vy,
-        robot,
-        fromRest,
-        end,
-        endTime,
-        observations,
-        afterDribbling,
-        CROSSING_ERROR);
-  }
-
-  /**
-   * A kick without dribbling before.
+   * A kick without dribbling before, whose time is known as well as usual.
    *
    * @param id running number within the recording, from 1
    * @param time s since the recording's epoch
@@ -125,7 +80,8 @@ public record Kick(
       KickEnd end,
       double endTime,
       Observations observations) {
-    this(id, time, x, y, vx, vy, robot, fromRest, end, endTime, observations, false);
+    this(
+        id, time, x, y, vx, vy, robot, fromRest, end, endTime, observations, false, CROSSING_ERROR);
   }
 
   /**

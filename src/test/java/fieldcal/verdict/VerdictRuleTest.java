@@ -283,8 +283,7 @@ class VerdictRuleTest {
             true,
             KickEnd.STOPPED,
             id + 1,
-            new Observations.Builder().build(),
-            false);
+            new Observations.Builder().build());
     KickFit none =
         new KickFitter(FitSettings.defaults())
             .fit(

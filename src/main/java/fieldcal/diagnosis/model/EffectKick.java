@@ -2,6 +2,7 @@ package fieldcal.diagnosis.model;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffects;
 import fieldcal.effect.Sightings;
 import fieldcal.fit.joint.KickTerm;
@@ -170,10 +171,7 @@ public final class EffectKick implements KickTerm<ModelState> {
 
   @Override
   public void residuals(double[] own, ModelState state, double[] out) {
-    double[] ground = new double[2 * record.size];
-    state
-        .measurement()
-        .report(record.sightings, path(own, state, record.sightings), sessionStart, ground);
+    double[] ground = reported(own, state);
     for (int b = 0; b < record.blocks.length; b++) {
       double s1 = 0;
       double s2 = 0;
@@ -199,10 +197,7 @@ public final class EffectKick implements KickTerm<ModelState> {
    * @param ry receives m
    */
   public void plainResiduals(double[] own, ModelState state, double[] rx, double[] ry) {
-    double[] ground = new double[2 * record.size];
-    state
-        .measurement()
-        .report(record.sightings, path(own, state, record.sightings), sessionStart, ground);
+    double[] ground = reported(own, state);
     for (int i = 0; i < record.size; i++) {
       rx[i] = record.x[i] - ground[2 * i];
       ry[i] = record.y[i] - ground[2 * i + 1];
@@ -239,6 +234,14 @@ public final class EffectKick implements KickTerm<ModelState> {
     }
   }
 
+  /** Where the cameras report the ball, of all detections, m. */
+  private double[] reported(double[] own, ModelState state) {
+    double[] ground = new double[2 * record.size];
+    ExtendedTrajectory path = path(own, state, record.sightings);
+    state.measurement().report(record.sightings, path, sessionStart, ground);
+    return ground;
+  }
+
   private double step(int k) {
     int time = record.timeIndex();
     if (k < time) {
@@ -258,8 +261,10 @@ public final class EffectKick implements KickTerm<ModelState> {
     // The path is shared with the states that differ in what the cameras do.
     double until = state.measurement().lastBallTime(record.blockSightings, sessionStart);
     for (ModelState there : stepped) {
-      until =
-          Math.max(until, there.measurement().lastBallTime(record.blockSightings, sessionStart));
+      MeasurementEffects moved = there.measurement();
+      if (moved != state.measurement()) {
+        until = Math.max(until, moved.lastBallTime(record.blockSightings, sessionStart));
+      }
     }
     ExtendedTrajectory path = path(own, state, until);
     double[] centre = new double[2 * record.blocks.length];
