@@ -126,6 +126,7 @@ final class PlayBenchmark {
     double nearest = Double.POSITIVE_INFINITY;
     double[] times = new double[plays];
     double[] starts = new double[plays];
+    double longest = 0;
     for (int i = 0; i < plays; i++) {
       long seed = 1000 * settings.seed() + i;
       SessionRequest request = request(i, seed);
@@ -154,8 +155,12 @@ final class PlayBenchmark {
         reasons.merge(reason, 1, Integer::sum);
         out.printf("play %d, seed %d, %s: %s%n", i, seed, request.kind().id(), reason);
       }
+      double undisturbed = undisturbed(seed, starts[i]);
+      longest = Math.max(longest, undisturbed);
       if (starts[i] > LATEST_START) {
-        out.printf("play %d, seed %d: first kick after %.1f s%n", i, seed, starts[i]);
+        out.printf(
+            "play %d, seed %d: first kick after %.1f s, %.1f s after the last trouble%n",
+            i, seed, starts[i], undisturbed);
       }
       if (field.contactSpeed > 0.1 || field.nearestEdge < 0) {
         out.printf(
@@ -189,9 +194,25 @@ final class PlayBenchmark {
     out.printf(
         "first kick: median after %.1f s, goal %s: %s; last after %.1f s, goal %s: %s%n",
         median, usual, usual.verdict(median), last, slowest, slowest.verdict(last));
+    out.printf("first kick after the last trouble before it: at most %.1f s%n", longest);
     out.printf(
         "field time: median %.0f s, 95 %% within %.0f s, longest %.0f s%n",
         times[plays / 2], times[(int) (0.95 * (plays - 1))], times[plays - 1]);
+  }
+
+  /** How long a play took from the last moment at which something began or ended to go wrong until the first kick, s. */
+  private static double undisturbed(long seed, double start) {
+    double last = 0;
+    for (FieldTrouble t : troubles(seed)) {
+      for (double moment : new double[] {t.time(), t.time() + t.duration()}) {
+        last = moment < start ? Math.max(last, moment) : last;
+      }
+    }
+    return start - last;
+  }
+
+  private static List<FieldTrouble> troubles(long seed) {
+    return FieldTrouble.random(seed, TROUBLES, 10.0 * KICKS);
   }
 
   private static SessionRequest request(int i, long seed) {
@@ -222,7 +243,7 @@ final class PlayBenchmark {
             VisionCharacter.apply(vision, settings),
             request.first(),
             request.second(),
-            FieldTrouble.random(seed, TROUBLES, 10.0 * KICKS))
+            troubles(seed))
         .robotsLike(robots);
   }
 }

@@ -1,7 +1,6 @@
 package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Permission;
-import fieldcal.play.PlayWorld.Robot;
 import fieldcal.vision.RobotId;
 import java.util.List;
 import java.util.Locale;
@@ -19,12 +18,6 @@ public final class CalibrationPlay {
   /** Without a frame for that long nobody knows where robots are, s. */
   private static final double NO_VISION = 0.15;
 
-  /** A robot that is told to drive and does not for that long is stuck, s. */
-  private static final double STUCK = 3;
-
-  /** A robot that is told to drive and does not for that long ends the play, s. */
-  private static final double STUCK_FOR_GOOD = 20;
-
   /** Waits for the last fits that long, s. */
   private static final double LAST_FITS = 60;
 
@@ -33,7 +26,7 @@ public final class CalibrationPlay {
   private final BallMemory ball = new BallMemory();
   private final Driver driver;
   private final Safety safety;
-  private final Motion[] motions = {new Motion(), new Motion()};
+  private final List<Motion> motions = List.of(new Motion(), new Motion());
 
   private Step step;
   private Optional<String> waiting = Optional.empty();
@@ -46,25 +39,6 @@ public final class CalibrationPlay {
   private double idle;
   private int madeBefore;
   private double enoughSince = Double.NaN;
-
-  /** Whether a robot gets on. */
-  private static final class Motion {
-    private double x;
-    private double y;
-    private double stuck;
-
-    /** For how long it was told to drive since it moved last, s. */
-    double stuckFor(Robot robot, double ordered, double span) {
-      if (Math.hypot(robot.x() - x, robot.y() - y) > 0.03) {
-        x = robot.x();
-        y = robot.y();
-        stuck = 0;
-      } else if (ordered > 0.2) {
-        stuck += span;
-      }
-      return stuck;
-    }
-  }
 
   /**
    * A play that has not begun.
@@ -98,7 +72,7 @@ public final class CalibrationPlay {
       return standStill();
     }
     ball.update(world.ball(), world.time());
-    Situation s = new Situation(plan, ball, driver, safety, world);
+    Situation s = new Situation(plan, ball, driver, safety, motions, world);
     Optional<Hold> hold = reasonToHold(s);
     if (hold.isPresent()) {
       return hold(s, hold.get());
@@ -186,14 +160,20 @@ public final class CalibrationPlay {
 
   private void watchProgress(Situation s, PlayAnswer answer, double span) {
     for (int i = 0; i < 2; i++) {
-      double ordered = answer.orders().get(i).velocity().speed();
-      double stuck = motions[i].stuckFor(s.robot(i), ordered, span);
-      if (stuck > STUCK_FOR_GOOD) {
-        waitingFor = heading(answer.orders().get(i));
-        stop(plan.robot(i) + " does not move");
-      } else if (stuck > STUCK) {
-        waiting = Optional.of(plan.robot(i) + " does not move");
-        waitingFor = heading(answer.orders().get(i));
+      Motion motion = motions.get(i);
+      boolean before = motion.stuck();
+      motion.update(s.robot(i), answer.orders().get(i).velocity().speed(), span);
+      if (!motion.stuck()) {
+        continue;
+      }
+      waiting = Optional.of(plan.robot(i) + " does not move");
+      waitingFor = heading(answer.orders().get(i));
+      if (motion.stuckForGood()) {
+        stop(waiting.get());
+      } else if (!before && step instanceof TaskStep && step.kicker() == i) {
+        // The other robot may be able to do it.
+        ledger.remember(waiting.get());
+        step = new CheckStep(ledger, -1);
       }
     }
     ledger.hopeless().ifPresent(this::stop);

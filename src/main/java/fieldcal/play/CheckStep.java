@@ -1,6 +1,7 @@
 package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Pose;
 import java.util.Optional;
 
 /** Looks where the ball is and decides what to do. Robots stand; one that holds the ball keeps it. */
@@ -18,6 +19,12 @@ final class CheckStep implements Step {
 
   /** After so many attempts in vain to take the ball somebody has to lay it down elsewhere. */
   private static final int FETCHES = 3;
+
+  /** Who is in the way is given time to leave by itself, s. */
+  private static final double POLITE = 2;
+
+  /** It has room to leave when ours are that far away, m. */
+  private static final double ROOM = 1;
 
   private final Ledger ledger;
   private final int holder;
@@ -108,9 +115,24 @@ final class CheckStep implements Step {
     s.waitFor(
         third.map(r -> r.id() + " is in the way").orElse("no robot can get at the ball"),
         third.map(r -> WaitingFor.robot(r.id())).orElse(s.theBall()));
+    if (s.time() - since > POLITE) {
+      third.ifPresent(r -> giveWay(s, r, s.plan().lineOf(kick)));
+    }
     return s.time() - since > 0.25 * s.limits().patience()
         ? new HelpStep(ledger, s.waiting().orElseThrow())
         : this;
+  }
+
+  /** Who is in the way may be unable to leave because ours stand in its way. */
+  private static void giveWay(Situation s, Robot third, PlayLine line) {
+    for (int i = 0; i < 2; i++) {
+      Robot ours = s.robot(i);
+      if (Math.hypot(ours.x() - third.x(), ours.y() - third.y()) < ROOM) {
+        double facing = Math.atan2(line.y(1 - i) - line.y(i), line.x(1 - i) - line.x(i));
+        Pose end = new Pose(line.x(i), line.y(i), facing);
+        s.drive(i, end, s.limits().driveSpeed(), Task.ROUND);
+      }
+    }
   }
 
   private static boolean near(Situation s, Robot robot) {

@@ -26,6 +26,9 @@ final class Decider {
 
   private static final double GRAVITY = 9.81;
 
+  /** What a robot that does not move costs against any drive of the other, m. */
+  private static final double STUCK = 100;
+
   private Decider() {}
 
   /** A kick from where the ball lies, with the kicker that is quicker there; a robot that holds the ball is preferred. */
@@ -40,7 +43,7 @@ final class Decider {
       if (task.isPresent()) {
         double run = task.get().along(task.get().receiver().x(), task.get().receiver().y());
         double drive = s.ball().distance(s.robot(i).x(), s.robot(i).y());
-        double cost = drive - 0.15 * run;
+        double cost = drive - 0.15 * run + (s.stuck(i) ? STUCK : 0);
         if (cost < bestCost) {
           bestCost = cost;
           best = task.get();
@@ -116,7 +119,8 @@ final class Decider {
     for (int i = 0; i < 2; i++) {
       cost[i] =
           s.ball().distance(s.robot(i).x(), s.robot(i).y()) / s.limits().driveSpeed()
-              + s.ball().distance(line.x(i), line.y(i)) / s.limits().carrySpeed();
+              + s.ball().distance(line.x(i), line.y(i)) / s.limits().carrySpeed()
+              + (s.stuck(i) ? STUCK / s.limits().carrySpeed() : 0);
     }
     return cost[0] <= cost[1] ? 0 : 1;
   }

@@ -6,6 +6,7 @@ import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
 import fieldcal.play.RobotOrder.Velocity;
 import java.util.List;
+import java.util.Optional;
 
 /** From a pose to reach to a velocity now. */
 final class Driver {
@@ -24,13 +25,24 @@ final class Driver {
     this.braking = braking;
   }
 
-  Velocity to(Robot robot, Pose target, double maxSpeed, List<Circle> obstacles) {
+  /** Empty when there is no way. */
+  Optional<Velocity> to(Robot robot, Pose target, double maxSpeed, List<Circle> obstacles) {
     return to(robot, target, maxSpeed, braking, obstacles);
   }
 
   /** The same with another deceleration before the target, m/s². */
-  Velocity to(Robot robot, Pose target, double maxSpeed, double braking, List<Circle> obstacles) {
-    Way way = planner.way(robot.x(), robot.y(), target.x(), target.y(), obstacles);
+  Optional<Velocity> to(
+      Robot robot, Pose target, double maxSpeed, double braking, List<Circle> obstacles) {
+    return way(robot, target, obstacles).map(way -> along(way, robot, target, maxSpeed, braking));
+  }
+
+  /** The way to a pose; empty when there is none. */
+  Optional<Way> way(Robot robot, Pose target, List<Circle> obstacles) {
+    return planner.way(robot.x(), robot.y(), target.x(), target.y(), obstacles);
+  }
+
+  private static Velocity along(
+      Way way, Robot robot, Pose target, double maxSpeed, double braking) {
     double dx = way.x() - robot.x();
     double dy = way.y() - robot.y();
     double distance = Math.hypot(dx, dy);

@@ -16,7 +16,7 @@ final class FetchStep extends TaskStep {
   /** A robot whose centre is nearer to the ball touches it, m. */
   private static final double TOUCHES = 0.125;
 
-  /** Somebody who stands too close for longer is gone round, in another direction, s. */
+  /** Somebody who stands too close, or in the only way, for longer is gone round in another direction, s. */
   private static final double BLOCKED = 3;
 
   /** A ball that lies nearer to its place is not turned to, m. */
@@ -42,8 +42,10 @@ final class FetchStep extends TaskStep {
     double toX = task.x() - ball.x();
     double toY = task.y() - ball.y();
     // Who has lost it before pushes it where it is to lie.
-    boolean pushes = ledger.losses(task.kicker()) > 0 && Math.hypot(toX, toY) > PUSHED;
+    boolean pushes =
+        ledger.grip(task.kicker(), true, s.limits()).gentle() && Math.hypot(toX, toY) > PUSHED;
     double best = pushes ? Math.atan2(toY, toX) : task.aim();
+    FetchStep barred = null;
     for (int i = 0; i < DIRECTIONS; i++) {
       // 0, +1, -1, +2, -2 … sixteenths of a turn.
       double offset = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1) * 2 * Math.PI / DIRECTIONS;
@@ -51,10 +53,15 @@ final class FetchStep extends TaskStep {
       Pose behind = Task.behind(ball.x(), ball.y(), facing, Task.BEHIND);
       boolean room = s.area().free(behind.x(), behind.y());
       if (room && inTheWay(s.others(), ball.x(), ball.y(), facing).isEmpty()) {
-        return Optional.of(new FetchStep(ledger, task, ball.x(), ball.y(), facing));
+        FetchStep fetch = new FetchStep(ledger, task, ball.x(), ball.y(), facing);
+        if (s.hasWay(task.kicker(), behind, Task.AROUND)) {
+          return Optional.of(fetch);
+        }
+        barred = barred == null ? fetch : barred;
       }
     }
-    return Optional.empty();
+    // Who bars the way may go away.
+    return Optional.ofNullable(barred);
   }
 
   /** Somebody without whom there would be room to drive up to the ball and take it. Who is beyond the ball may be near it. */
@@ -119,19 +126,17 @@ final class FetchStep extends TaskStep {
       return lookAgain("the ball moved before " + s.plan().robot(i) + " was at it");
     }
     Pose behind = Task.behind(ballX, ballY, facing, Task.BEHIND);
-    s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);
+    boolean hasWay = s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);
     Robot r = s.robot(i);
     double turn = Math.IEEEremainder(facing - r.orientation(), 2 * Math.PI);
     Optional<Robot> close = inTheWay(s.except(i), ballX, ballY, facing);
-    if (close.isPresent()) {
-      String reason = close.get().id() + " is too close to the ball";
-      s.waitFor(reason, WaitingFor.robot(close.get().id()));
-      blocked = Double.isNaN(blocked) ? s.time() : blocked;
-      if (s.time() - blocked > BLOCKED) {
-        return notFetched(reason);
-      }
-    } else {
+    close.ifPresent(c -> s.waitFor(c.id() + " is too close to the ball", WaitingFor.robot(c.id())));
+    if (hasWay && close.isEmpty()) {
       blocked = Double.NaN;
+    } else if (Double.isNaN(blocked)) {
+      blocked = s.time();
+    } else if (s.time() - blocked > BLOCKED) {
+      return notFetched(s.waiting().orElseThrow());
     }
     grabbing =
         close.isEmpty() && distance(r, behind) < 0.03 && Math.abs(turn) < 0.1 && r.speed() < 0.2;

@@ -18,8 +18,17 @@ record Grip(double speed, double acceleration, double turn, boolean gentle) {
   /** A ball 0.1 m before the centre then needs 3.6, 0.4, 0.2 and 0.1 m/s² to stay, rad/s. */
   private static final double[] TURNS = {6, 2, 1.4, 1};
 
-  static Grip after(int losses, PlayLimits limits) {
+  /**
+   * After losses.
+   *
+   * @param losses all
+   * @param atSpeed those that tell that it was too fast: all of them for a robot that pulls. A ball that is pushed straight ahead follows at any speed, as long as its robot neither brakes nor turns
+   *     much; to it only the losses of pushed balls tell that
+   * @param limits of the play
+   */
+  static Grip after(int losses, int atSpeed, PlayLimits limits) {
     int i = Math.min(losses, SPEEDS.length - 1);
-    return new Grip(SPEEDS[i] * limits.carrySpeed(), ACCELERATIONS[i], TURNS[i], losses > 0);
+    double speed = SPEEDS[Math.min(atSpeed, i)] * limits.carrySpeed();
+    return new Grip(speed, ACCELERATIONS[i], TURNS[i], losses > 0);
   }
 }

@@ -6,6 +6,9 @@ import fieldcal.play.PlayWorld.Robot;
 final class KickStep extends TaskStep {
   private static final double TIMEOUT = 3;
 
+  /** A slow ball that far from the dribbler was not pushed there by it, m. */
+  private static final double ELSEWHERE = 0.5;
+
   KickStep(Ledger ledger, Task task) {
     super(PlayPhase.KICK, ledger, task);
   }
@@ -22,6 +25,9 @@ final class KickStep extends TaskStep {
     boolean passed = task.along(r.x(), r.y()) > -0.03;
     if (passed || age(s) > TIMEOUT) {
       return misfired(s.plan().robot(i) + " did not kick");
+    }
+    if (moved > 0.2 && s.fromDribbler(i) > ELSEWHERE) {
+      return lookAgain("somebody moved the ball before " + s.plan().robot(i) + " kicked it");
     }
     if (moved > 0.2) {
       return misfired(s.plan().robot(i) + " only pushed the ball");

@@ -22,6 +22,7 @@ final class Ledger {
   private boolean freshMisfire;
   private int notFetched;
   private final int[] losses = new int[2];
+  private final int[] pushedLosses = new int[2];
   private String lastFailure = "";
   private String lastReason = "";
 
@@ -123,16 +124,18 @@ final class Ledger {
     notFetched++;
   }
 
-  /** A robot had the ball and lost it on the way. */
-  void lost(int robot, String reason) {
+  /** A robot had the ball and lost it on the way; perhaps while it pushed it straight ahead. */
+  void lost(int robot, boolean pushed, String reason) {
     losses[robot]++;
+    pushedLosses[robot] += pushed ? 1 : 0;
     notFetched++;
     lastReason = reason;
   }
 
-  /** How often a robot has lost the ball on the way since the play began: how well its dribbler holds. */
-  int losses(int robot) {
-    return losses[robot];
+  /** How a robot is to drive with the ball. What has happened to the other once will happen to this one, too: robots that play together are mostly of one make. */
+  Grip grip(int robot, boolean pushes, PlayLimits limits) {
+    int known = Math.max(losses[robot], Math.min(1, losses[1 - robot]));
+    return Grip.after(known, pushes ? pushedLosses[robot] : known, limits);
   }
 
   /** Something did not work that is no kick in vain. */

@@ -3,6 +3,7 @@ package fieldcal.play;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Shortest way round circles and out of the goals: a visibility graph over points around the circles that are in the way, searched with Dijkstra's algorithm. Small: a dozen circles at most.
@@ -43,8 +44,8 @@ final class PathPlanner {
     this.area = area;
   }
 
-  /** The way from one point to another; when there is none, to the spot itself. */
-  Way way(double x, double y, double goalX, double goalY, List<Circle> circles) {
+  /** The way from one point to another; empty when there is none. */
+  Optional<Way> way(double x, double y, double goalX, double goalY, List<Circle> circles) {
     double[] goal = outOf(circles, goalX, goalY);
     List<Circle> obstacles = new ArrayList<>();
     for (Circle c : circles) {
@@ -54,7 +55,7 @@ final class PathPlanner {
           distance < c.radius() ? new Circle(c.x(), c.y(), Math.max(0, distance - 1e-3)) : c);
     }
     if (isFree(x, y, goal[0], goal[1], obstacles)) {
-      return new Way(goal[0], goal[1], Math.hypot(goal[0] - x, goal[1] - y), -1);
+      return Optional.of(new Way(goal[0], goal[1], Math.hypot(goal[0] - x, goal[1] - y), -1));
     }
     List<Circle> inTheWay =
         obstacles.stream().filter(c -> c.blocks(x, y, goal[0], goal[1])).toList();
@@ -62,7 +63,7 @@ final class PathPlanner {
     if (way == null && inTheWay.size() < obstacles.size()) {
       way = search(x, y, goal, obstacles, obstacles);
     }
-    return way == null ? new Way(x, y, Double.POSITIVE_INFINITY, -1) : way;
+    return Optional.ofNullable(way);
   }
 
   /** A goal that something stands on is moved to its edge. */

@@ -22,6 +22,9 @@ final class PlaceStep extends TaskStep {
   /** It is lost when that was seen for so long, s: eight frames. */
   private static final double LOSS = 0.12;
 
+  /** A robot and a ball that it has lost part at no more than twice its speed: a ball that is farther off was taken away. */
+  private static final double PART = 2;
+
   /** A place is a place within that, when the ball is pushed, m. */
   private static final double PUSHED_THERE = 0.1;
 
@@ -32,6 +35,7 @@ final class PlaceStep extends TaskStep {
   private static final double MOST_TURN = Math.toRadians(100);
 
   private double lost = Double.NaN;
+  private double had;
   private double released = Double.NaN;
   private double last = Double.NaN;
   private double timeout;
@@ -47,13 +51,16 @@ final class PlaceStep extends TaskStep {
   @Override
   Step tick(Situation s, int i) {
     driveReceiver(s);
-    Grip grip = Grip.after(ledger.losses(i), s.limits());
     Robot r = s.robot(i);
+    if (Double.isNaN(heading)) {
+      head(r);
+    }
+    Grip grip = ledger.grip(i, !pulls, s.limits());
     if (Double.isNaN(last)) {
       last = s.time();
+      had = s.time();
       ordered = new Velocity(r.vx(), r.vy(), 0);
       timeout = TIMEOUT + Math.hypot(r.x() - task.x(), r.y() - task.y()) / (0.5 * grip.speed());
-      head(r);
     }
     if (age(s) > timeout) {
       return giveUp(s.plan().robot(i) + " did not get the ball to its place");
@@ -62,8 +69,11 @@ final class PlaceStep extends TaskStep {
       return backOff(s, i);
     }
     if (isLost(s, i)) {
+      if (s.fromDribbler(i) > HELD + PART * grip.speed() * (s.time() - had)) {
+        return lookAgain("somebody took the ball from " + s.plan().robot(i));
+      }
       String reason = s.plan().robot(i) + " lost the ball while carrying it";
-      ledger.lost(i, reason);
+      ledger.lost(i, grip.gentle() && !pulls, reason);
       return lookAgain();
     }
     // A ball that is hard to carry is carried no farther than it must be.
@@ -125,8 +135,9 @@ final class PlaceStep extends TaskStep {
 
   /** A ball that cannot be seen is hidden by the robot that has it, as long as it is seen again at the end. */
   private boolean isLost(Situation s, int i) {
-    double held = HELD + SEEN_LATE * s.robot(i).speed();
-    if (s.ballUnseen() > 0.15 || s.fromDribbler(i) < held) {
+    boolean held = s.fromDribbler(i) < HELD + SEEN_LATE * s.robot(i).speed();
+    had = held && s.ballUnseen() < LOSS ? s.time() : had;
+    if (s.ballUnseen() > 0.15 || held) {
       lost = Double.NaN;
     } else if (Double.isNaN(lost)) {
       lost = s.time();

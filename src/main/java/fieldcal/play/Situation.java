@@ -19,6 +19,7 @@ final class Situation {
   private final BallMemory ball;
   private final Driver driver;
   private final Safety safety;
+  private final List<Motion> motions;
   private final PlayWorld world;
   private final List<Robot> seen;
   private final Robot[] ours = new Robot[2];
@@ -30,11 +31,18 @@ final class Situation {
   private WaitingFor waitingFor = WaitingFor.NOTHING;
   private BallRequest request;
 
-  Situation(PlayPlan plan, BallMemory ball, Driver driver, Safety safety, PlayWorld world) {
+  Situation(
+      PlayPlan plan,
+      BallMemory ball,
+      Driver driver,
+      Safety safety,
+      List<Motion> motions,
+      PlayWorld world) {
     this.plan = plan;
     this.ball = ball;
     this.driver = driver;
     this.safety = safety;
+    this.motions = motions;
     this.world = world;
     // A robot that somebody took off stays an obstacle for some seconds only.
     seen = world.robots().stream().filter(r -> world.time() - r.seen() < 3 && isFinite(r)).toList();
@@ -84,6 +92,11 @@ final class Situation {
     return ours[index] != null && world.time() - ours[index].seen() < ROBOT_UNSEEN;
   }
 
+  /** Whether one of our robots does not move, although it is told to drive. */
+  boolean stuck(int index) {
+    return motions.get(index).stuck();
+  }
+
   double ballUnseen() {
     return ball.unseen(world.time());
   }
@@ -124,14 +137,35 @@ final class Situation {
     return circles;
   }
 
-  /** Drives round everybody, and round the ball at a distance; 0 ignores the ball. */
-  void drive(int index, Pose target, double speed, double ballClearance) {
+  private List<Circle> obstacles(int index, double ballClearance) {
     List<Circle> circles = obstacles(index);
     if (ballClearance > 0 && ball.known()) {
       circles.add(new Circle(ball.x(), ball.y(), ballClearance));
     }
-    velocities[index] = driver.to(ours[index], target, speed, circles);
+    return circles;
+  }
+
+  /** Whether there is a way round everybody, and round the ball at a distance. */
+  boolean hasWay(int index, Pose target, double ballClearance) {
+    return driver.way(ours[index], target, obstacles(index, ballClearance)).isPresent();
+  }
+
+  /**
+   * Drives round everybody, and round the ball at a distance; 0 ignores the ball.
+   *
+   * @return false when there is no way: it stands, and the reason is known
+   */
+  boolean drive(int index, Pose target, double speed, double ballClearance) {
+    Optional<Velocity> driven =
+        driver.to(ours[index], target, speed, obstacles(index, ballClearance));
+    velocities[index] = driven.orElse(Velocity.ZERO);
     targets[index] = target;
+    if (driven.isEmpty()) {
+      waitFor(
+          plan.robot(index) + " finds no way to where it is to go",
+          WaitingFor.robot(plan.robot(index)).at(target.x(), target.y()));
+    }
+    return driven.isPresent();
   }
 
   /**
@@ -143,7 +177,9 @@ final class Situation {
    */
   Velocity carry(int index, Pose target, Grip grip, Velocity before, double span) {
     Velocity wanted =
-        driver.to(ours[index], target, grip.speed(), grip.acceleration(), obstacles(index));
+        driver
+            .to(ours[index], target, grip.speed(), grip.acceleration(), obstacles(index))
+            .orElse(Velocity.ZERO);
     double dx = wanted.vx() - before.vx();
     double dy = wanted.vy() - before.vy();
     double change = Math.hypot(dx, dy);

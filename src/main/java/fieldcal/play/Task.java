@@ -20,6 +20,9 @@ record Task(PlannedKick kick, int kicker, double x, double y, double aim, Pose r
   /** At which distance robots go round a ball that they must not touch, m. */
   static final double AROUND = 0.155;
 
+  /** At which distance a robot that has nothing to do with the ball goes round it, m. */
+  static final double ROUND = 0.35;
+
   int other() {
     return 1 - kicker;
   }

@@ -2,9 +2,6 @@ package fieldcal.play;
 
 /** A step of one kick: the kicker is at work, the other robot goes to where it receives. Remembers when it began. */
 abstract class TaskStep implements Step {
-  /** At which distance the receiver goes round the ball, m. */
-  private static final double ROUND = 0.35;
-
   final Ledger ledger;
   final Task task;
   private final PlayPhase phase;
@@ -44,7 +41,7 @@ abstract class TaskStep implements Step {
 
   /** Sends the other robot to where it receives. */
   final void driveReceiver(Situation s) {
-    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), ROUND);
+    s.drive(task.other(), task.receiver(), s.limits().driveSpeed(), Task.ROUND);
   }
 
   /** It did not work: looks again what to do. */

@@ -1,0 +1,47 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Robot;
+
+/** Whether a robot gets on. */
+final class Motion {
+  /** A robot that is told to drive and does not for that long is stuck, s. */
+  private static final double STUCK = 3;
+
+  /** A robot that is told to drive and does not for that long ends the play, s. */
+  private static final double STUCK_FOR_GOOD = 20;
+
+  /** What is nearer than that to where it was may be the noise of vision, m. */
+  private static final double MOVED = 0.03;
+
+  /** A slower drive may end before it shows, m/s. */
+  private static final double DRIVES = 0.2;
+
+  private double x;
+  private double y;
+  private double stuck;
+
+  /**
+   * One tick more.
+   *
+   * @param robot as it is seen
+   * @param ordered how fast it is told to drive, m/s
+   * @param span since the last tick, s
+   */
+  void update(Robot robot, double ordered, double span) {
+    if (Math.hypot(robot.x() - x, robot.y() - y) > MOVED) {
+      x = robot.x();
+      y = robot.y();
+      stuck = 0;
+    } else if (ordered > DRIVES) {
+      stuck += span;
+    }
+  }
+
+  boolean stuck() {
+    return stuck > STUCK;
+  }
+
+  boolean stuckForGood() {
+    return stuck > STUCK_FOR_GOOD;
+  }
+}
