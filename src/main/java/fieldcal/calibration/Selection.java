@@ -60,7 +60,7 @@ final class Selection {
     if (s.rmsMm() > WORSE_THAN_OTHERS * median) {
       return Optional.of(
           String.format(
-              Locale.ROOT, "fits to %.1f mm only, the others to %.1f mm", s.rmsMm(), median));
+              Locale.ROOT, "its rms is %.1f mm, that of the others %.1f mm", s.rmsMm(), median));
     }
     double outliers = 1 - s.used() / (double) s.observations();
     if (outliers > MOST_OUTLIERS) {

@@ -6,11 +6,11 @@ import java.util.Locale;
 import java.util.OptionalInt;
 
 /**
- * The 2σ rule: samples of one parameter that are more than two standard deviations from the mean leave; repeated
- * until nothing leaves.
+ * The 2σ rule: samples of one parameter that are more than two standard deviations from the mean are excluded; repeated
+ * until none is.
  *
  * <p>A sample's standard deviation is that of its own fit and the scatter between kicks together, so that an imprecise sample is
- * not dropped for being imprecise. Of Gaussian samples 5 % leave in the first round.
+ * not dropped for being imprecise. Of Gaussian samples 5 % are excluded in the first round.
  */
 public final class TwoSigma {
   /** Fewer samples have no scatter to speak of. */
@@ -24,7 +24,7 @@ public final class TwoSigma {
    * One round.
    *
    * @param samples of one parameter
-   * @return the same samples in the same order, those that leave dropped with a reason
+   * @return the same samples in the same order, those that are excluded with a reason
    */
   public static List<Sample> once(List<Sample> samples) {
     Average average = Average.of(samples);
@@ -45,11 +45,11 @@ public final class TwoSigma {
   }
 
   /**
-   * So many rounds, or fewer when nothing leaves any more.
+   * So many rounds, or fewer when no sample is excluded any more.
    *
    * @param samples of one parameter
    * @param rounds 0 or more; empty for as many as it takes
-   * @return the same samples in the same order, those that leave dropped with a reason
+   * @return the same samples in the same order, those that are excluded with a reason
    */
   public static List<Sample> rounds(List<Sample> samples, OptionalInt rounds) {
     if (rounds.isEmpty()) {
@@ -67,10 +67,10 @@ public final class TwoSigma {
   }
 
   /**
-   * Rounds until nothing leaves.
+   * Rounds until no sample is excluded any more.
    *
    * @param samples of one parameter
-   * @return the same samples in the same order, those that leave dropped with a reason
+   * @return the same samples in the same order, those that are excluded with a reason
    */
   public static List<Sample> repeated(List<Sample> samples) {
     List<Sample> now = samples;

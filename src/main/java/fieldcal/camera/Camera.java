@@ -91,7 +91,7 @@ public final class Camera {
     Pinhole pinhole = Pinhole.of(c);
     String why;
     if (pinhole == null) {
-      why = "rotation or focal length is no pose";
+      why = "rotation and focal length give no pose";
     } else if (!isPlace(pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ)) {
       why = "the pose puts the camera at " + pinhole.position() + ", not above the field";
     } else if (!positionUsable) {

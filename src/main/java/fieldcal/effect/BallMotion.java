@@ -118,7 +118,7 @@ public final class BallMotion {
   }
 
   /**
-   * Time since the session's begin.
+   * Time since the beginning of the session.
    *
    * @return s
    */

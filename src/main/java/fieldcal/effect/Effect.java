@@ -59,7 +59,7 @@ public interface Effect {
   }
 
   /**
-   * Whether it grows with the time since the session's begin, so that a clock is needed to predict with it.
+   * Whether it grows with the time since the beginning of the session, so that a clock is needed to predict with it.
    *
    * @return false unless an effect says otherwise
    */

@@ -56,11 +56,11 @@ public final class EffectParameters {
   /**
    * An instant; not estimated.
    *
-   * @param value s since the session's begin
+   * @param value s since the beginning of the session
    * @return the parameter
    */
   public static Parameter instant(double value) {
-    return place("at", "s", value, 0, LONGEST_SESSION, "time since the session's begin");
+    return place("at", "s", value, 0, LONGEST_SESSION, "time since the beginning of the session");
   }
 
   /**

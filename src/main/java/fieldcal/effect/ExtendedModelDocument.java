@@ -153,7 +153,8 @@ public final class ExtendedModelDocument {
       values[i] = EffectFields.number(kind + "." + name, fields.get(name));
     }
     if (!unknown.isEmpty()) {
-      throw new IllegalArgumentException(kind + "." + unknown.iterator().next() + ": is no field");
+      throw new IllegalArgumentException(
+          kind + "." + unknown.iterator().next() + ": is not a known field");
     }
     try {
       return Optional.of(maker.apply(values));

@@ -88,7 +88,7 @@ public interface MeasurementEffect extends Effect {
      * Time stamp minus the time at which the ball was where it was seen.
      *
      * @param camera the camera
-     * @param sessionTime the time stamp, s since the session's begin
+     * @param sessionTime the time stamp, s since the beginning of the session
      * @param pixelRow where in the image the ball was seen, pixels; not above 0 or NaN = unknown
      * @return s, positive = the stamp is late
      */
@@ -103,7 +103,7 @@ public interface MeasurementEffect extends Effect {
      * @param camera the camera
      * @param x where the ball is reported without such errors, m
      * @param y where the ball is reported without such errors, m
-     * @param sessionTime the time stamp, s since the session's begin; NaN = unknown, then what depends on it is left out
+     * @param sessionTime the time stamp, s since the beginning of the session; NaN = unknown, then what depends on it is left out
      * @param ground receives the error; add x to the element {@code at} and y to the next, m
      * @param at index
      */

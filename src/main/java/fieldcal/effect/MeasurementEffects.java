@@ -59,7 +59,7 @@ public final class MeasurementEffects {
    * When the ball was where a camera saw it.
    *
    * @param camera camera id
-   * @param stamp the detection's time stamp, s since the session's begin
+   * @param stamp the detection's time stamp, s since the beginning of the session
    * @param pixelRow the detection's row in the image, pixels; not above 0 or NaN = unknown, then nothing that depends on the row is corrected
    * @return session time, s
    */
@@ -128,7 +128,7 @@ public final class MeasurementEffects {
    * Where a camera reports a ball.
    *
    * @param camera camera id
-   * @param stamp the detection's time stamp, s since the session's begin
+   * @param stamp the detection's time stamp, s since the beginning of the session
    * @param ball x, y and height (0 = on the carpet) at {@link #ballTime}, m
    * @param ground receives x and y, m; NaN when the ball is not below the camera
    */

@@ -108,7 +108,7 @@ final class View {
     return timings.length > 0;
   }
 
-  /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on; the stamp since the session's begin, s, NaN = unknown. */
+  /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on; the stamp since the beginning of the session, s, NaN = unknown. */
   void report(double ballX, double ballY, double ballZ, double stamp, double[] ground, int at) {
     project(ballX, ballY, ballZ, ground, at);
     if (displacements.length > 0) {

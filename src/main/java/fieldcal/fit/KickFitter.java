@@ -61,7 +61,7 @@ public final class KickFitter {
     }
     if (!seesHeights(problem)) {
       String reason =
-          "is no simple flat kick, and without the cameras' geometry no chip can be fitted";
+          "is not a simple flat kick, and without the cameras' geometry no chip can be fitted";
       return KickFit.failed(problem.kick(), KickKind.FLAT, reason, flat.statistics().seed());
     }
     KickFit chip = fit(problem, KickKind.CHIP);

@@ -276,7 +276,7 @@ public final class GameLogReader implements Closeable {
       throw new GameLogException(
           file,
           0,
-          "is no SSL game log (it does not start with SSL_LOG_FILE); choose a .log or .log.gz"
+          "is not an SSL game log (it does not start with SSL_LOG_FILE); choose a .log or .log.gz"
               + " file");
     }
     if (available < FILE_HEADER_LENGTH) {

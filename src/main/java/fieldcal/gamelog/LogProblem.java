@@ -17,13 +17,13 @@ public enum LogProblem implements ProblemKind {
   DAMAGED_RECORD(
       "a record has a wrong length; reading goes on with the record that starts within it"),
   /** Bytes that are no record. */
-  GARBAGE("some bytes are no record; reading goes on with the next record"),
+  GARBAGE("some bytes are not a record; reading goes on with the next record"),
   /** A message of a type that has no name. */
   UNKNOWN_MESSAGE_TYPE("a message is of an unknown type; it is skipped"),
   /** A referee message that is none. */
-  MALFORMED_REFEREE("a packet is no referee message; it is skipped"),
+  MALFORMED_REFEREE("a packet is not a referee message; it is skipped"),
   /** A message of a tracker that is none. */
-  MALFORMED_TRACKER("a packet is no message of a tracker; it is skipped"),
+  MALFORMED_TRACKER("a packet is not a message of a tracker; it is skipped"),
   /** Detections came before the first geometry. */
   FRAME_BEFORE_GEOMETRY("a frame comes before the first geometry"),
   /** A camera sends detections but the geometry does not know it. */

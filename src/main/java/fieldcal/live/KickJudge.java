@@ -122,10 +122,10 @@ final class KickJudge {
 
   private static String tooShort(KickEnd end) {
     return switch (end) {
-      case TOUCHED_ROBOT -> "touched too early to say anything";
-      case LEFT_FIELD -> "left the field too early to say anything";
-      case LOST -> "out of sight too early to say anything";
-      case STOPPED, RECORDING_ENDED -> "too short to say anything";
+      case TOUCHED_ROBOT -> "touched too early to determine a parameter";
+      case LEFT_FIELD -> "left the field too early to determine a parameter";
+      case LOST -> "out of sight too early to determine a parameter";
+      case STOPPED, RECORDING_ENDED -> "too short to determine a parameter";
     };
   }
 

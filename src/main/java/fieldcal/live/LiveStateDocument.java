@@ -71,7 +71,7 @@ public final class LiveStateDocument {
       String place = "samples." + entry.getKey();
       BallParameter parameter =
           BallParameter.ofId(String.valueOf(entry.getKey()))
-              .orElseThrow(() -> new IllegalArgumentException(place + ": is no parameter"));
+              .orElseThrow(() -> new IllegalArgumentException(place + ": is not a parameter"));
       if (!(entry.getValue() instanceof List<?> list)) {
         throw new IllegalArgumentException(place + ": must be a list");
       }

@@ -49,7 +49,7 @@ public record TurnLimits(
   private static LimitEstimate tooFew(long seen) {
     return LimitEstimate.undetermined(
         seen,
-        "the robots hardly ever turned by much: it needs "
+        "the robots hardly ever turned by much: this needs "
             + AccelerationLimit.FEWEST
             + " turns that change the rate by "
             + (int) TeamStatistics.LEAST_TURN

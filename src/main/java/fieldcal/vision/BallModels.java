@@ -164,7 +164,7 @@ public record BallModels(Optional<FlatModel> flat, Optional<ChipModel> chip) {
       return builder.buildPartial();
     } catch (InvalidProtocolBufferException | TextFormat.ParseException e) {
       throw new IllegalArgumentException(
-          "is no SSL_GeometryModels, neither binary nor text: " + e.getMessage(), e);
+          "is not SSL_GeometryModels, neither binary nor text: " + e.getMessage(), e);
     }
   }
 

@@ -5,7 +5,7 @@ import java.util.Locale;
 /** What can be wrong with a vision packet. */
 public enum DecodingProblem implements ProblemKind {
   /** The bytes are no protobuf message, or end within one. */
-  MALFORMED_PACKET("a packet is no vision message; it is skipped"),
+  MALFORMED_PACKET("a packet is not a vision message; it is skipped"),
   /** The frame lacks its capture time or its camera. */
   INCOMPLETE_FRAME("a frame has no capture time or no camera; it is skipped"),
   /** The camera number is beyond {@link VisionDecoder#MAX_CAMERA_ID}. */

@@ -38,8 +38,8 @@ class DamagedLogTest {
 
   @Test
   void whatIsNoLogIsOneLine() {
-    assertFatal(file("hello, world".getBytes()), "is no SSL game log");
-    assertFatal(file(LogBuilder.gzip("hello, world".getBytes())), "is no SSL game log");
+    assertFatal(file("hello, world".getBytes()), "is not an SSL game log");
+    assertFatal(file(LogBuilder.gzip("hello, world".getBytes())), "is not an SSL game log");
     assertFatal(file("PK\3\4 and so on".getBytes()), "is a zip archive; unpack it first");
     assertFatal(file(new byte[] {0x1f, (byte) 0x8b, 8}), "gzip header is cut off");
     assertFatal(file("SSL_LOG_FILE".getBytes()), "(byte 12): ends within the header");
@@ -198,7 +198,7 @@ class DamagedLogTest {
     assertThat(read.problems.kinds()).containsExactly(LogProblem.GARBAGE);
     assertThat(read.problems.lines().get(0))
         .isEqualTo(
-            "1 × some bytes are no record; reading goes on with the next record; first at byte "
+            "1 × some bytes are not a record; reading goes on with the next record; first at byte "
                 + at
                 + " (216 bytes)");
   }

@@ -62,7 +62,7 @@ class LiveStateDocumentTest {
         new Object[] {Map.of(), "schema: must be"},
         new Object[] {Map.of("schema", "fieldcal.calibration/1"), "fieldcal.calibration/1"},
         new Object[] {noSamples, "samples: must be an object"},
-        new Object[] {with("acc_rol", List.of()), "samples.acc_rol: is no parameter"},
+        new Object[] {with("acc_rol", List.of()), "samples.acc_rol: is not a parameter"},
         new Object[] {with("acc_roll", "none"), "samples.acc_roll: must be a list"},
         new Object[] {with("acc_roll", List.of(3)), "samples.acc_roll[0]: must be an object"},
         new Object[] {

@@ -1,17 +1,17 @@
 package fieldcal.app.calibrate;
 
+import fieldcal.app.wording.WordList;
 import fieldcal.calibration.Calibration;
-import fieldcal.fit.CameraView;
 import fieldcal.fit.JointFit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -47,21 +47,13 @@ public final class CalibrationWarnings {
    */
   public List<String> list() {
     List<String> warnings = new ArrayList<>(notes);
-    Map<Integer, JointFit.Offset> offsets = new HashMap<>();
-    calibration.joint().ifPresent(j -> offsets.putAll(j.offsets()));
-    for (CameraView view : calibration.cameras().all()) {
-      JointFit.Offset o = offsets.get(view.id());
-      double size = o == null ? 0 : 1000 * Math.hypot(o.x(), o.y());
-      if (size > NOTABLE_OFFSET_MM) {
-        warnings.add(
-            String.format(
-                Locale.ROOT,
-                "Camera %d reports everything %.0f mm off from the mean of all cameras. This offset"
-                    + " is taken out here, but not in a match: calibrate the camera again.",
-                view.id(),
-                size));
-      }
-    }
+    Map<Integer, Double> sizes = new TreeMap<>();
+    calibration
+        .joint()
+        .map(JointFit::offsets)
+        .orElse(Map.of())
+        .forEach((camera, o) -> sizes.put(camera, 1000 * Math.hypot(o.x(), o.y())));
+    offsets(sizes).ifPresent(warnings::add);
     uncompared(
             calibration.kicks().stream()
                 .filter(k -> k.fit().failure().isEmpty())
@@ -103,6 +95,40 @@ public final class CalibrationWarnings {
             + named
             + "). By how much these disagree is not known and taken to be nothing: kick from one"
             + " view into the other.");
+  }
+
+  /**
+   * One sentence for all cameras: one that is off puts the others off from the mean.
+   *
+   * @param sizes of the cameras' offsets, mm
+   */
+  static Optional<String> offsets(Map<Integer, Double> sizes) {
+    Map<Integer, Double> notable = new TreeMap<>(sizes);
+    notable.values().removeIf(size -> !(size > NOTABLE_OFFSET_MM));
+    if (notable.isEmpty()) {
+      return Optional.empty();
+    }
+    double least = Collections.min(notable.values());
+    double most = Collections.max(notable.values());
+    boolean one = notable.size() == 1;
+    String text =
+        Math.round(least) == Math.round(most)
+            ? String.format(Locale.ROOT, "%.0f mm", most)
+            : notable.entrySet().stream()
+                    .map(e -> String.format(Locale.ROOT, "%.0f", e.getValue()))
+                    .collect(Collectors.collectingAndThen(Collectors.toList(), WordList::of))
+                + " mm";
+    return Optional.of(
+        String.format(
+            Locale.ROOT,
+            "%s %s %s %s off from the mean of all cameras. %s taken out here, but not in a match:"
+                + " calibrate the %s again.",
+            one ? "Camera" : "Cameras",
+            WordList.of(notable.keySet().stream().map(String::valueOf).toList()),
+            one ? "reports everything" : "report everything",
+            text,
+            one ? "This offset is" : "These offsets are",
+            one ? "camera" : "cameras"));
   }
 
   private void addLackOfFit(List<String> warnings) {

@@ -57,8 +57,11 @@ public final class JsonFiles {
     if (!Files.exists(file)) {
       throw new InputException(file + ": no such file");
     }
+    if (Files.isDirectory(file)) {
+      throw new InputException(file + ": is a directory; name a file in it");
+    }
     if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
-      throw new InputException(file + ": cannot be read as a file");
+      throw new InputException(file + ": cannot be read; check its permissions");
     }
     return Files.readAllBytes(file);
   }

@@ -4,6 +4,7 @@ import fieldcal.app.report.CalibrationReport;
 import fieldcal.app.report.FittedPath;
 import fieldcal.app.report.Observations;
 import fieldcal.app.report.PathEvent;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipTrajectory;
@@ -90,7 +91,7 @@ final class KickReportBuilder {
             .map(e -> parameter(e, calibrated.samples()))
             .toList(),
         calibrated.selected(),
-        calibrated.rejected().orElse(""),
+        calibrated.rejected().map(ParameterWords::spelledOut).orElse(""),
         seen,
         path,
         events);
@@ -103,6 +104,7 @@ final class KickReportBuilder {
               .filter(s -> s.parameter().equals(e.name()))
               .findFirst()
               .flatMap(Sample::dropped)
+              .map(ParameterWords::spelledOut)
               .orElse("");
       return new CalibrationReport.KickParameter(
           e.name(), e.value(), e.standardError(), "", dropped);

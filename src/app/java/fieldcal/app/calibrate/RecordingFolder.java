@@ -3,9 +3,8 @@ package fieldcal.app.calibrate;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.ReadableRecordings;
 import fieldcal.app.recording.RecordingChoice;
-import fieldcal.app.recording.RecordingFacts;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -73,13 +72,14 @@ public final class RecordingFolder {
   /**
    * Chooses which recordings of a folder are calibrated together.
    *
-   * @param folder to look into
-   * @param opener opens the recordings
+   * @param readable those of its recordings that can be read
+   * @param folder with the decisions
    * @return the choice
-   * @throws IOException when a recording or the decisions cannot be read
+   * @throws IOException when the decisions cannot be read
    */
-  public static RecordingChoice choice(Path folder, LogOpener opener) throws IOException {
-    return RecordingChoice.of(RecordingFacts.of(logs(folder), opener), decisions(folder));
+  public static RecordingChoice choice(ReadableRecordings readable, Path folder)
+      throws IOException {
+    return RecordingChoice.of(readable.facts(), decisions(folder));
   }
 
   /**

@@ -7,8 +7,11 @@ import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.KickCollector;
 import fieldcal.app.replay.KickReplay;
 import fieldcal.app.replay.KickTables;
+import fieldcal.app.wording.PublishWords;
 import fieldcal.calibration.HandSelection;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
@@ -145,7 +148,11 @@ final class CalibrateCommand implements Callable<Integer> {
         new CalibrationSession(FitSettings.defaults().withSeed(seed), logOptions.opener());
     CalibrationOutcome outcome;
     try (WorkProgress progress = new WorkProgress()) {
-      outcome = session.run(request, progress);
+      CollectedKicks data =
+          new KickCollector(progress, logOptions.opener())
+              .collect(request.logs())
+              .withProblems(arguments.unreadable());
+      outcome = session.calibrate(data, request, progress);
     }
     if (out != null) {
       CalibrationSession.writeAll(outcome, out);
@@ -160,8 +167,12 @@ final class CalibrateCommand implements Callable<Integer> {
       new KickReplay(outcome, logOptions.opener()).write(mcap);
     }
     CalibrationText text = new CalibrationText(spec.commandLine().getOut());
-    text.print(outcome, out);
+    text.verdict(PublishWords.of(outcome.verdict()));
     arguments.tell(spec.commandLine().getOut());
+    text.details(outcome, out);
+    if (commands != null) {
+      text.commands(outcome, commands);
+    }
     return 0;
   }
 

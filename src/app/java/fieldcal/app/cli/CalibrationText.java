@@ -30,8 +30,13 @@ final class CalibrationText {
   }
 
   void print(CalibrationOutcome outcome, Path directory) {
-    Calibration calibration = outcome.calibration();
     verdict(PublishWords.of(outcome.verdict()));
+    details(outcome, directory);
+  }
+
+  /** All that stands below the verdict. */
+  void details(CalibrationOutcome outcome, Path directory) {
+    Calibration calibration = outcome.calibration();
     for (KickKind kind : KickKind.values()) {
       if (calibration.tells(kind)) {
         model(outcome, kind);
@@ -58,7 +63,7 @@ final class CalibrationText {
   }
 
   /** The decision in the first line, then why, then what to do. */
-  private void verdict(PublishWords words) {
+  void verdict(PublishWords words) {
     line("%s", words.headline());
     words.reasons().forEach(reason -> line("  ! %s", reason));
     words.notes().forEach(note -> line("  - %s", note));
@@ -162,15 +167,32 @@ final class CalibrationText {
                       ? String.format(
                           Locale.ROOT,
                           ", offset x %+.2f ± %.2f mm, y %+.2f ± %.2f mm (taken out)",
-                          1000 * o.x(),
+                          hundredths(1000 * o.x()),
                           1000 * o.errorX(),
-                          1000 * o.y(),
+                          hundredths(1000 * o.y()),
                           1000 * o.errorY())
                       : "",
                   view.camera()
                       .map(c -> c.hasPixels() ? "" : "; only its published position is used")
                       .orElse("; no geometry"));
             });
+  }
+
+  /** The file of another recording would go unnoticed: the command is only stored beside its kick. */
+  void commands(CalibrationOutcome outcome, Path file) {
+    if (!outcome.data().kicks().isEmpty()
+        && outcome.data().kicks().stream().allMatch(k -> outcome.command(k).isEmpty())) {
+      line(
+          "%nNone of the %d commands in %s belongs to a kick of these recordings. Is it the file of"
+              + " another recording, or do the clocks differ?",
+          outcome.commands().size(), file);
+      out.flush();
+    }
+  }
+
+  /** No negative zero. */
+  private static double hundredths(double value) {
+    return Math.rint(100 * value) / 100 + 0.0;
   }
 
   private void rejected(Calibration calibration) {
@@ -181,7 +203,9 @@ final class CalibrationText {
           k ->
               line(
                   "  %d (%s): %s",
-                  k.fit().kick().id(), k.fit().kind().id(), k.rejected().orElse("")));
+                  k.fit().kick().id(),
+                  k.fit().kind().id(),
+                  k.rejected().map(ParameterWords::spelledOut).orElse("")));
     }
   }
 }

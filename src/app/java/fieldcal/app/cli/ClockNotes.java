@@ -53,8 +53,8 @@ final class ClockNotes {
       notes.add(
           String.format(
               Locale.ROOT,
-              "a second of the clock takes %.3f s by the recorder's; if it is no second, all speeds"
-                  + " are wrong",
+              "a second of the clock takes %.3f s by the recorder's; if it is not a second, all"
+                  + " speeds are wrong",
               camera.clockRate()));
     }
     return notes;

@@ -114,8 +114,8 @@ final class DiagnosisText {
     boolean laws = diagnosis.learned().stream().allMatch(f -> f.kind() == LearnedFinding.Kind.LAW);
     line(
         laws
-            ? "A law that replaces one of the simple model:"
-            : "What helps and is no proven cause:");
+            ? "A law that replaces a law of the simple model:"
+            : "What helps without a proven cause:");
     for (LearnedFinding finding : diagnosis.learned()) {
       CauseText text = words.of(finding);
       wrapped("-  ", "   ", text.what() + " " + gainSentence(finding.gain()));
@@ -222,7 +222,9 @@ final class DiagnosisText {
       return "";
     }
     return fitting == 0
-        ? ", none of the " + told + " commands fits one in time (clocks?)"
+        ? ", none of which belongs to one of the "
+            + told
+            + " commands (another recording, or clocks that differ?)"
         : ", " + fitting + " with their commands";
   }
 

@@ -163,14 +163,14 @@ final class ExportCommand implements Callable<Integer> {
     if (extended != null) {
       ExportModel beside = ExportModel.read(extended);
       if (beside.extended().isEmpty()) {
-        throw new InputException(extended + ": is no extended_model.json");
+        throw new InputException(extended + ": is not an extended_model.json");
       }
       model = model.beside(beside);
     }
     if (limits != null) {
       ExportModel beside = ExportModel.read(limits);
       if (beside.limits().isEmpty()) {
-        throw new InputException(limits + ": is no limits.json");
+        throw new InputException(limits + ": is not a limits.json");
       }
       model = model.beside(beside);
     }

@@ -9,13 +9,18 @@ import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.RobotDifference;
 import fieldcal.movement.SpeedCap;
 import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Prints movement limits for the terminal. */
 final class LimitsText {
+  private static final String ROW = "%-8s %-21s %-16s %10s   %-19s%s";
+
   private final PrintWriter out;
 
   LimitsText(PrintWriter out) {
@@ -23,7 +28,7 @@ final class LimitsText {
   }
 
   void print(LimitsOutcome outcome, Path directory) {
-    line("%-8s %-16s %-16s %10s   %s", "", "", "limit", "manoeuvres", "league's estimate");
+    line(ROW, "", "", "limit", "manoeuvres", "league's estimate", "");
     for (Team team : Team.values()) {
       team(outcome.limits(team));
     }
@@ -45,20 +50,36 @@ final class LimitsText {
   }
 
   private void line(String format, Object... args) {
-    out.println(String.format(Locale.ROOT, format, args));
+    out.println(String.format(Locale.ROOT, format, args).stripTrailing());
   }
 
   private void team(TeamLimits limits) {
-    row(limits.team().label(), "velocity", limits.velocity(), limits.leagueVelocity(), "m/s");
-    row("", "acceleration", limits.acceleration(), limits.leagueAcceleration(), "m/s²");
-    row("", "braking", limits.braking(), limits.leagueBraking(), "m/s²");
-    turning("turning, rad/s", limits.turning().velocity());
-    turning("  faster, rad/s²", limits.turning().acceleration());
-    turning("  slower, rad/s²", limits.turning().braking());
+    if (isUnseen(limits)) {
+      line("%-8s no manoeuvre was seen", limits.team().label());
+      return;
+    }
+    row(limits.team().label(), "velocity, m/s", limits.velocity(), limits.leagueVelocity());
+    row("", "acceleration, m/s²", limits.acceleration(), limits.leagueAcceleration());
+    row("", "braking, m/s²", limits.braking(), limits.leagueBraking());
+    TurnLimits turning = limits.turning();
+    if (turning.velocity().known() || turning.acceleration().known() || turning.braking().known()) {
+      turning("turning, rad/s", turning.velocity());
+      turning("  speeding up, rad/s²", turning.acceleration());
+      turning("  slowing down, rad/s²", turning.braking());
+    } else {
+      turning("turning", turning.velocity());
+    }
+  }
+
+  private static boolean isUnseen(TeamLimits limits) {
+    return limits.velocity().samples() == 0
+        && limits.acceleration().samples() == 0
+        && limits.braking().samples() == 0
+        && limits.turning().turns() == 0;
   }
 
   private void turning(String name, LimitEstimate own) {
-    line("%-8s %-16s %-16s %10d   %s", "", name, value(own), own.samples(), own.note());
+    line(ROW, "", name, value(own), own.samples(), "", own.note());
   }
 
   private static String value(LimitEstimate own) {
@@ -72,16 +93,19 @@ final class LimitsText {
         : "–";
   }
 
-  private void row(String team, String name, LimitEstimate own, LimitEstimate league, String unit) {
-    String theirs =
-        league.known()
-            ? String.format(Locale.ROOT, "%.2f %s", league.value(), unit)
-            : "– (" + league.note() + ")";
-    String note = own.note().isEmpty() ? "" : "   " + own.note();
-    line("%-8s %-16s %-16s %10d   %s%s", team, name, value(own), own.samples(), theirs, note);
+  private void row(String team, String name, LimitEstimate own, LimitEstimate league) {
+    String theirs = league.known() ? String.format(Locale.ROOT, "%.2f", league.value()) : "–";
+    String note =
+        Stream.of(own.note(), league.known() ? "" : "the league's estimate " + league.note())
+            .filter(text -> !text.isEmpty())
+            .collect(Collectors.joining("; "));
+    line(ROW, team, name, value(own), own.samples(), theirs, note);
   }
 
   private void verdict(String team, TeamLimits limits) {
+    if (isUnseen(limits)) {
+      return;
+    }
     if (!limits.acceleration().known() && !limits.braking().known()) {
       line("%s: its robots were not seen for long enough.", team);
       return;

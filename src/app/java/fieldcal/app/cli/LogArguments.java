@@ -3,7 +3,9 @@ package fieldcal.app.cli;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.RecordingFolder;
+import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.ReadableRecordings;
 import fieldcal.app.recording.RecordingChoice;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -16,14 +18,17 @@ import java.util.List;
  * The recordings that a command line names: files as they are, and of folders those that the console would calibrate.
  *
  * @param logs at least one
- * @param leftOut one line for each recording of a folder that is kept apart
+ * @param leftOut one line for each recording of a folder that is kept apart or cannot be read
+ * @param unreadable those that cannot be read
  * @param folders that were named
  */
-record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
+record LogArguments(
+    List<Path> logs, List<String> leftOut, List<DataProblem> unreadable, List<Path> folders) {
 
   static LogArguments of(List<Path> named, LogOpener opener) throws IOException {
     List<Path> logs = new ArrayList<>();
     List<String> leftOut = new ArrayList<>();
+    List<DataProblem> unreadable = new ArrayList<>();
     List<Path> folders = new ArrayList<>();
     for (Path path : named) {
       if (!Files.isDirectory(path)) {
@@ -31,7 +36,8 @@ record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
         continue;
       }
       folders.add(path);
-      RecordingChoice choice = RecordingFolder.choice(path, opener);
+      ReadableRecordings readable = ReadableRecordings.of(RecordingFolder.logs(path), opener);
+      RecordingChoice choice = RecordingFolder.choice(readable, path);
       if (choice.entries().isEmpty()) {
         throw new InputException(path + ": there is no recording (*.log, *.log.gz) in this folder");
       }
@@ -42,11 +48,14 @@ record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
           leftOut.add("left out: " + entry.facts().log() + ": " + entry.words());
         }
       }
+      readable.broken().values().forEach(why -> leftOut.add("left out: " + why));
+      unreadable.addAll(readable.problems());
     }
     if (logs.isEmpty()) {
       throw new InputException(String.join("; ", leftOut) + "; nothing is left to calibrate");
     }
-    return new LogArguments(List.copyOf(logs), List.copyOf(leftOut), List.copyOf(folders));
+    return new LogArguments(
+        List.copyOf(logs), List.copyOf(leftOut), List.copyOf(unreadable), List.copyOf(folders));
   }
 
   /** What the robots were commanded: of the file that was named, or else of the folders. */
@@ -66,8 +75,14 @@ record LogArguments(List<Path> logs, List<String> leftOut, List<Path> folders) {
     return out == null && folders.size() == 1 ? folders.get(0) : out;
   }
 
+  /** Which recordings were used, where a folder had others. */
   void tell(PrintWriter out) {
-    leftOut.forEach(out::println);
+    if (!leftOut.isEmpty()) {
+      int all = logs.size() + leftOut.size();
+      out.println(logs.size() + " of " + all + " recordings used.");
+      leftOut.forEach(line -> out.println("  " + line));
+      out.println();
+    }
     out.flush();
   }
 }

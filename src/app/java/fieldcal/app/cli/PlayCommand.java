@@ -105,7 +105,7 @@ final class PlayCommand implements Callable<Integer> {
       description =
           "ends before N kicks when every parameter's standard error is below this percentage, for"
               + " example 0.5")
-  private double precision;
+  private Double precision;
 
   @Option(
       names = "--out",
@@ -369,8 +369,20 @@ final class PlayCommand implements Callable<Integer> {
             speedMin == null ? r.slowest() : speedMin,
             speedMax == null ? r.fastest() : speedMax,
             Math.toRadians(elevation))
-        .withChoice(adaptive, seed, precision / 100)
+        .withChoice(adaptive, seed, share(precision))
         .withLimits(limits, Optional.ofNullable(margin));
+  }
+
+  /** A relative standard error; none was asked for: 0. */
+  private static double share(Double percent) {
+    if (percent == null) {
+      return 0;
+    }
+    if (!(percent > 0 && percent < 100)) {
+      throw new IllegalArgumentException(
+          "--precision must be above 0 % and below 100 %, but is " + percent);
+    }
+    return percent / 100;
   }
 
   private Half half() {

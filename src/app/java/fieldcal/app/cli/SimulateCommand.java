@@ -320,6 +320,9 @@ final class SimulateCommand implements Callable<Integer> {
       throw new IllegalArgumentException(
           "unknown scenario '" + scenario + "'; known are flat, chip, mixed, match", e);
     }
+    if (scenario != null && kind != ScenarioKind.MATCH && kicks < 1) {
+      throw new IllegalArgumentException("--kicks must be 1 or more, but is " + kicks);
+    }
     ScenarioSettings s = ScenarioSettings.of(kind, kicks);
     if (speedMin != null || speedMax != null) {
       double min = speedMin == null ? s.flatSpeedMin() : speedMin;

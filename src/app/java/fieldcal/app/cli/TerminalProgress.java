@@ -8,7 +8,7 @@ import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
-/** A progress bar on the error stream, if that is a terminal; otherwise nothing. */
+/** A progress bar on the error stream, if that is a terminal; otherwise a plain line from time to time. */
 final class TerminalProgress implements AutoCloseable {
   static final int ERROR_STREAM = 2;
   private static final long MEGABYTE = 1_000_000;
@@ -16,13 +16,19 @@ final class TerminalProgress implements AutoCloseable {
 
   private final String task;
   private final boolean shown;
+  private final Heartbeat heartbeat;
+  private final boolean alone;
   private final String unit;
   private final long unitSize;
   private ProgressBar bar;
   private boolean said;
 
-  private TerminalProgress(String task, String unit, long unitSize) {
+  /** Without a heartbeat nothing is said where there is no terminal. */
+  private TerminalProgress(
+      String task, String unit, long unitSize, Heartbeat heartbeat, boolean alone) {
     this.task = task;
+    this.heartbeat = heartbeat;
+    this.alone = alone;
     this.unit = unit;
     this.unitSize = unitSize;
     shown = isTerminal(ERROR_STREAM);
@@ -30,22 +36,37 @@ final class TerminalProgress implements AutoCloseable {
 
   /** A bar that counts bytes; it appears with the first call of {@link #at}. */
   static TerminalProgress ofBytes(String task) {
-    return new TerminalProgress(task, " MB", MEGABYTE);
+    return new TerminalProgress(task, " MB", MEGABYTE, new Heartbeat(), true);
+  }
+
+  /** The same as a part of longer work. */
+  static TerminalProgress ofBytes(String task, Heartbeat heartbeat) {
+    return new TerminalProgress(task, " MB", MEGABYTE, heartbeat, false);
   }
 
   /** A bar that counts steps of the given unit; it appears with the first call of {@link #at}. */
   static TerminalProgress ofSteps(String task, String unit) {
-    return new TerminalProgress(task, unit, 1);
+    return new TerminalProgress(task, unit, 1, new Heartbeat(), true);
+  }
+
+  /** The same as a part of longer work. */
+  static TerminalProgress ofSteps(String task, String unit, Heartbeat heartbeat) {
+    return new TerminalProgress(task, unit, 1, heartbeat, false);
   }
 
   /** A bar that counts from 0 to 100; it appears with the first call of {@link #at}. */
   static TerminalProgress ofPercent(String task) {
-    return new TerminalProgress(task, " %", 1);
+    return new TerminalProgress(task, " %", 1, new Heartbeat(), true);
   }
 
-  /** No bar: says in words what is being done, see {@link #say}. */
+  /** No bar: says in words what is being done, see {@link #say}; on a terminal only. */
   static TerminalProgress ofWords() {
-    return new TerminalProgress("", "", 1);
+    return new TerminalProgress("", "", 1, null, false);
+  }
+
+  /** No bar: says in words what is being done, as a part of longer work. */
+  static TerminalProgress ofWords(Heartbeat heartbeat) {
+    return new TerminalProgress("", "", 1, heartbeat, false);
   }
 
   /** Shows what is being done in place of what was shown before. */
@@ -54,11 +75,16 @@ final class TerminalProgress implements AutoCloseable {
       System.err.print(CLEAR_LINE + what);
       System.err.flush();
       said = true;
+    } else if (heartbeat != null) {
+      heartbeat.at(what);
     }
   }
 
   void at(long done, long total) {
     if (!shown) {
+      if (heartbeat != null) {
+        heartbeat.at(task + ", " + done / unitSize + " of " + total / unitSize + unit);
+      }
       return;
     }
     if (bar == null) {
@@ -84,6 +110,9 @@ final class TerminalProgress implements AutoCloseable {
 
   @Override
   public void close() {
+    if (alone) {
+      heartbeat.close();
+    }
     if (bar != null) {
       bar.close();
     }

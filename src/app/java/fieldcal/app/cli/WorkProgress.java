@@ -5,6 +5,7 @@ import java.nio.file.Path;
 
 /** Progress of a calibration or diagnosis on the terminal: reading in bytes, one recording after the other, fitting in kicks, then in words. */
 final class WorkProgress implements DiagnosisSession.Progress, AutoCloseable {
+  private final Heartbeat heartbeat = new Heartbeat();
   private TerminalProgress bar;
   private Path reading;
   private int kicks;
@@ -14,18 +15,18 @@ final class WorkProgress implements DiagnosisSession.Progress, AutoCloseable {
   @Override
   public void read(Path log, long bytesRead, long totalBytes) {
     if (!log.equals(reading)) {
-      close();
+      end();
       reading = log;
-      bar = TerminalProgress.ofBytes("reading " + log.getFileName());
+      bar = TerminalProgress.ofBytes("reading " + log.getFileName(), heartbeat);
     }
     bar.at(bytesRead, totalBytes);
   }
 
   @Override
   public void fitting(int count) {
-    close();
+    end();
     kicks = count;
-    bar = TerminalProgress.ofSteps("fitting", " kicks");
+    bar = TerminalProgress.ofSteps("fitting", " kicks", heartbeat);
   }
 
   @Override
@@ -36,18 +37,24 @@ final class WorkProgress implements DiagnosisSession.Progress, AutoCloseable {
   @Override
   public void diagnosing(String what) {
     if (!inWords) {
-      close();
-      bar = TerminalProgress.ofWords();
+      end();
+      bar = TerminalProgress.ofWords(heartbeat);
       inWords = true;
     }
     bar.say(what);
   }
 
-  @Override
-  public void close() {
+  /** Of one bar, before the next one. */
+  private void end() {
     if (bar != null) {
       bar.close();
       bar = null;
     }
+  }
+
+  @Override
+  public void close() {
+    end();
+    heartbeat.close();
   }
 }

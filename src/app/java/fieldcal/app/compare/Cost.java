@@ -46,7 +46,7 @@ final class Cost {
     this.real = real;
   }
 
-  /** A pass along x from the centre at the begin of the session: how far it rolls, m; NaN when the model knows no flat kicks. */
+  /** A pass along x from the centre at the beginning of the session: how far it rolls, m; NaN when the model knows no flat kicks. */
   static double pass(ExtendedModel model) {
     return model.flat().isEmpty()
         ? Double.NaN

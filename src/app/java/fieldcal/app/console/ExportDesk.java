@@ -107,7 +107,7 @@ final class ExportDesk {
     } catch (InputException e) {
       throw ApiException.badRequest(e.getMessage());
     } catch (IllegalArgumentException e) {
-      throw ApiException.badRequest("the base is no file: " + e.getMessage());
+      throw ApiException.badRequest("the base is not a file: " + e.getMessage());
     }
   }
 

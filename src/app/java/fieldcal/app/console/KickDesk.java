@@ -7,26 +7,22 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.recording.CollectedKicks;
-import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.ReadableRecordings;
 import fieldcal.app.recording.RecordingChoice;
-import fieldcal.app.recording.RecordingFacts;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.HandSelection;
 import fieldcal.calibration.Sample;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
-import fieldcal.gamelog.GameLogException;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.TreeMap;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ForkJoinPool;
 import java.util.function.UnaryOperator;
@@ -186,22 +182,20 @@ final class KickDesk {
 
   private void read(Work.Progress progress) {
     try {
-      Map<Path, String> broken = new TreeMap<>();
-      RecordingChoice chosen =
-          RecordingChoice.of(
-              readable(directory.logs(), broken), RecordingFolder.decisions(directory.path()));
+      ReadableRecordings readable = ReadableRecordings.of(directory.logs(), opener);
+      RecordingChoice chosen = RecordingFolder.choice(readable, directory.path());
       List<Path> found = used(chosen);
       HandSelection selection = decided();
       if (found.isEmpty()) {
-        install(chosen, broken, Optional.empty(), selection);
+        install(chosen, readable.broken(), Optional.empty(), selection);
         return;
       }
       progress.reading(found);
       CollectedKicks data =
-          new KickCollector(progress, opener).collect(found).withProblems(problems(broken));
+          new KickCollector(progress, opener).collect(found).withProblems(readable.problems());
       CalibrationRequest request = request(found, selection);
       CalibrationOutcome calibrated = session.calibrate(data, request, progress);
-      install(chosen, broken, Optional.of(calibrated), selection);
+      install(chosen, readable.broken(), Optional.of(calibrated), selection);
     } catch (CancellationException e) {
       fail("Reading was cancelled.");
       throw e;
@@ -242,40 +236,6 @@ final class KickDesk {
       RecordingFolder.decide(directory.path(), decided);
     }
     read();
-  }
-
-  /**
-   * Recordings that can be read. One that a full disk cut off before its first byte, or that is no recording, must not take all others from the operator.
-   *
-   * @param broken is told of the others, and why they cannot be read
-   * @throws GameLogException when none can be read
-   */
-  private List<RecordingFacts> readable(List<Path> logs, Map<Path, String> broken)
-      throws IOException {
-    List<RecordingFacts> good = new ArrayList<>();
-    GameLogException last = null;
-    for (Path log : logs) {
-      try {
-        good.add(RecordingFacts.of(log, opener));
-      } catch (GameLogException e) {
-        broken.put(log, e.getMessage());
-        last = e;
-      }
-    }
-    if (good.isEmpty() && last != null) {
-      throw last;
-    }
-    return good;
-  }
-
-  /** A report that is silent about a recording would pass for one of all of them. */
-  private static List<DataProblem> problems(Map<Path, String> broken) {
-    return broken.entrySet().stream()
-        .map(
-            e ->
-                new DataProblem(
-                    e.getKey().getFileName().toString(), "cannot be read", 1, e.getValue()))
-        .toList();
   }
 
   /** Those of this run, or else what a run before left. */

@@ -78,7 +78,7 @@ public final class ProcessorHost {
   public ProcessorHost(String url) throws InputException {
     this.url = url.replaceFirst("/+$", "");
     if (!this.url.matches("https?://[^/\\s?#@]+")) {
-      throw new InputException(url + ": is no address like http://HOST:8085");
+      throw new InputException(url + ": is not an address like http://HOST:8085");
     }
     client = HttpClient.newBuilder().connectTimeout(PATIENCE).build();
   }
@@ -130,7 +130,7 @@ public final class ProcessorHost {
         && answer.path("state").path("revision").isNumber()) {
       return document;
     }
-    throw new InputException(url + ": answers, but is no host of ssl-vision-processor");
+    throw new InputException(url + ": answers, but is not a host of ssl-vision-processor");
   }
 
   private static String set(ObjectNode document, Setting setting) {
@@ -228,7 +228,7 @@ public final class ProcessorHost {
     try {
       return MAPPER.readTree(response.body());
     } catch (JsonProcessingException e) {
-      throw new InputException(url + ": answers, but is no host of ssl-vision-processor");
+      throw new InputException(url + ": answers, but is not a host of ssl-vision-processor");
     }
   }
 
@@ -245,7 +245,7 @@ public final class ProcessorHost {
       body.ifPresent(b -> request.header("Content-Type", "application/json"));
       return client.send(request.build(), BodyHandlers.ofString());
     } catch (IllegalArgumentException e) {
-      throw new InputException(url + ": is no address like http://HOST:8085");
+      throw new InputException(url + ": is not an address like http://HOST:8085");
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new InputException(url + ": interrupted");

@@ -241,7 +241,7 @@ final class MatchText {
       if (turning.velocity().known() || turning.acceleration().known()) {
         add(
             lines,
-            "          turning: %s rad/s, faster by %s, slower by %s rad/s²",
+            "          turning: %s rad/s, speeding up by %s, slowing down by %s rad/s²",
             limit(turning.velocity()),
             limit(turning.acceleration()),
             limit(turning.braking()));

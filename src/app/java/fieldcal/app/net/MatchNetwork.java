@@ -185,28 +185,31 @@ public final class MatchNetwork implements AutoCloseable {
       line.append(counts.received()).append(" packets, ").append(counts.dropped());
       line.append(" dropped");
     }
-    if (counts.silentFor() > PATIENCE) {
+    boolean silent = counts.silentFor() > PATIENCE;
+    if (silent) {
       line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
-      line.append(", joined again ").append(counts.rejoined()).append(" times");
-      if (counts.received() == 0) {
-        line.append("; ").append(advice(place));
+      if (counts.rejoined() > 0) {
+        line.append(", joined again ").append(counts.rejoined()).append(" times");
       }
     }
     counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));
+    if (silent && counts.received() == 0) {
+      line.append(". ").append(advice(place));
+    }
     return line.toString();
   }
 
   /** What to try where nothing came at all. */
   private static String advice(NetworkPlace place) {
     if (place.isBroadcast()) {
-      return "check the port, and whether the sender broadcasts";
+      return "Check the port, and whether the sender broadcasts";
     }
     if (place.isGroup()) {
-      return "check address, port and --interface; where switches drop multicast, let the sender"
+      return "Check address, port and --interface; where switches drop multicast, let the sender"
           + " broadcast and listen to 255.255.255.255:"
           + place.address().getPort();
     }
-    return "check address and port";
+    return "Check address and port";
   }
 
   /** Those who send, when there are several or something is wrong with one; who left long ago is of no interest any more. */

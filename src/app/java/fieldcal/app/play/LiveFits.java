@@ -285,12 +285,12 @@ final class LiveFits {
           : "the ball flew: a chip, not a flat kick";
     }
     if (kick.rejected().isPresent()) {
-      return kick.rejected().get();
+      return ParameterWords.spelledOut(kick.rejected().get());
     }
     // What a chip's roll is, flat kicks say.
     for (Estimate e : kick.fit().modelEstimates().subList(0, 3)) {
       if (!e.usable()) {
-        return "does not determine " + ParameterWords.inFiles(e.name());
+        return "does not determine the " + ParameterWords.of(e.name());
       }
     }
     return "";

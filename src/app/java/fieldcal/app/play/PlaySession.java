@@ -178,8 +178,8 @@ public final class PlaySession {
         throw new IOException(
             "vision sent no geometry for "
                 + (int) GEOMETRY
-                + " s; "
-                + (field.notes().isEmpty() ? "is it running?" : String.join("; ", field.notes())));
+                + " s. "
+                + (field.notes().isEmpty() ? "Is it running?" : String.join(". ", field.notes())));
       }
     }
   }

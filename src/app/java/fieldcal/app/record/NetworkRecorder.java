@@ -16,8 +16,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.time.Clock;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -25,6 +23,7 @@ import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /**
  * Records a network until it is stopped. The file begins with the first packet of vision: where none comes, there is no file, and an older one that was to be replaced is still there. What was recorded a
@@ -156,14 +155,12 @@ public final class NetworkRecorder implements Closeable {
   }
 
   private String nothingHeard() {
-    List<String> notes = new ArrayList<>(network.notes());
     return String.format(
         Locale.ROOT,
-        "no frame of vision was heard: listened for %.0f s to %s%s. Is vision running, is this its"
-            + " address, and is this machine on its network? %s",
+        "no frame of vision was heard in %.0f s on %s. Is vision running? %s. %s",
         now(),
         places,
-        notes.isEmpty() ? "" : " (" + String.join("; ", notes) + ")",
+        network.notes().stream().map(String::strip).collect(Collectors.joining(". ")),
         Files.exists(file) ? file + " is as it was." : "No file was written.");
   }
 

@@ -48,6 +48,12 @@ public record DataProblem(String where, String what, long count, String advice) 
     if (kind == LogProblem.GEOMETRY_CHANGED) {
       return "cameras that changed are treated as new ones";
     }
+    if (kind == LogProblem.TRUNCATED_GZIP || kind == LogProblem.DAMAGED_GZIP) {
+      return "kicks after that place are lost";
+    }
+    if (kind == LogProblem.TRUNCATED_RECORD) {
+      return "the recording before it is used";
+    }
     return kind == LogProblem.FRAME_BEFORE_GEOMETRY
         ? "nothing to do: the frames are used"
         : "the rest of the recording is used";

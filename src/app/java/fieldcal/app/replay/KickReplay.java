@@ -7,6 +7,7 @@ import com.google.protobuf.Timestamp;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.files.WholeFile;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.calibration.CalibratedKick;
@@ -263,7 +264,7 @@ public final class KickReplay {
         "selected",
         calibrated.selected(),
         "rejected_because",
-        calibrated.rejected().orElse(""));
+        calibrated.rejected().map(ParameterWords::spelledOut).orElse(""));
   }
 
   private static DynamicMessage pathPoint(KickFit fit, double t, double start) {

@@ -258,7 +258,7 @@ public final class NetworkPlayField implements PlayField {
     List<String> notes = new ArrayList<>(network.notes());
     notes.addAll(watch.notes());
     if (Double.isNaN(newestFrame)) {
-      notes.add("is vision running, and does it send to " + network + "?");
+      notes.add("Is vision running, and does it send to " + network + "?");
     }
     notes.addAll(client.notes());
     return notes;

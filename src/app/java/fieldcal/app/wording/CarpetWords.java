@@ -195,7 +195,7 @@ final class CarpetWords extends MotionText {
             "The carpet changes: in ten minutes rolling balls are braked %s %% %s%s.",
             Amount.of(Math.abs(percent)), percent >= 0 ? "more" : "less", numbers),
         text(
-            "A model of the session's begin lets balls come out %s later on.",
+            "A model of the beginning of the session lets balls come out %s later on.",
             percent >= 0 ? "too short" : "too long"),
         "Calibrate again shortly before the match, and look for what changes: dust, humidity, a"
             + " ball that warms up or wears.");

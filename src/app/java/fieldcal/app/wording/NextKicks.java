@@ -16,7 +16,7 @@ public final class NextKicks {
           + " longer or shorter with the spin, and rolling resistance acts on the carpet alone.";
 
   private static final String WHICH_CLOCK =
-      "Record ten flat kicks of 5–6 m/s each at the begin and at the end of a session of twenty"
+      "Record ten flat kicks of 5–6 m/s each at the beginning and at the end of a session of twenty"
           + " minutes or more, from camera to camera, half of them along the rows of the images and"
           + " half along their columns, both ways: a wrong rate grows over the session, a late"
           + " stamp stays, a rolling shutter changes with the row and not with the column.";
@@ -189,7 +189,7 @@ public final class NextKicks {
           sign(
               "drift",
               "a carpet that changes",
-              "the same flat kicks of 2–3 m/s at the begin and at the end of the session"),
+              "the same flat kicks of 2–3 m/s at the beginning and at the end of the session"),
           sign(
               "robot_kick_bias",
               "a badly calibrated kicker",
@@ -197,8 +197,8 @@ public final class NextKicks {
           sign(
               "clock_skew",
               "a clock at the wrong rate",
-              "flat kicks of 5–6 m/s from camera to camera at the begin and at the end of a session"
-                  + " of twenty minutes"),
+              "flat kicks of 5–6 m/s from camera to camera at the beginning and at the end of a"
+                  + " session of twenty minutes"),
           sign(
               "rolling_shutter",
               "a rolling shutter",
@@ -223,7 +223,7 @@ public final class NextKicks {
           sign(
               "carpet_seam",
               "a seam",
-              "flat kicks of 2–3 m/s over it, straight and aslant, both ways"));
+              "flat kicks of 2–3 m/s over it, straight and at an angle, both ways"));
 
   private NextKicks() {}
 
@@ -271,7 +271,7 @@ public final class NextKicks {
     // The pair is the same in either order.
     Sign a = sign(cause.compareTo(rival) < 0 ? cause : rival);
     Sign b = sign(cause.compareTo(rival) < 0 ? rival : cause);
-    return "Record five or more kicks of each sort: %s shows in %s; %s in %s."
+    return "Record five or more kicks of each kind: %s shows in %s; %s in %s."
         .formatted(a.name, a.kicks, b.name, b.kicks);
   }
 

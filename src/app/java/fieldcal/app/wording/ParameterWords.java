@@ -2,6 +2,8 @@ package fieldcal.app.wording;
 
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /** What people call a parameter of the ball models. */
 public final class ParameterWords {
@@ -13,6 +15,13 @@ public final class ParameterWords {
           "dampingXyFirstHop", "horizontal damping at the first impact",
           "dampingXyOtherHops", "horizontal damping at later impacts",
           "dampingZ", "vertical damping");
+
+  private static final Pattern FILE_NAME =
+      Pattern.compile(
+          WORDS.keySet().stream()
+              .map(ParameterWords::inFiles)
+              .sorted()
+              .collect(Collectors.joining("|", "\\b(", ")\\b")));
 
   private ParameterWords() {}
 
@@ -49,6 +58,16 @@ public final class ParameterWords {
         .findFirst()
         .map(ParameterWords::of)
         .orElse(name);
+  }
+
+  /**
+   * Spells out the parameters that a note of the library names as files do.
+   *
+   * @param note for example {@code acc_slide is 2.3 σ from the mean}
+   * @return for example {@code sliding deceleration (acc_slide) is 2.3 σ from the mean}
+   */
+  public static String spelledOut(String note) {
+    return FILE_NAME.matcher(note).replaceAll(found -> ofFileName(found.group()));
   }
 
   /**

@@ -130,7 +130,7 @@ public record PublishWords(
           .add("the " + ParameterWords.of(few.parameter()));
     }
     return parameters.entrySet().stream()
-        .map(e -> e.getKey() + " for " + Sentences.list(e.getValue()))
+        .map(e -> e.getKey() + " for " + WordList.of(e.getValue()))
         .collect(Collectors.joining("; "));
   }
 
@@ -256,7 +256,7 @@ public record PublishWords(
       }
     }
     if (!wanted.isEmpty()) {
-      all.add("Record " + Sentences.list(List.copyOf(wanted)) + ".");
+      all.add("Record " + WordList.of(List.copyOf(wanted)) + ".");
     }
     if (verdict.decision() == PublishDecision.PUBLISH) {
       all.add(publish(verdict.reasons()));

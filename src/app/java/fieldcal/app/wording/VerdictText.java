@@ -116,7 +116,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String text =
         text(
             held
-                ? "The model misses kicks that it has not seen by %s mm"
+                ? "The model misses kicks that were held out by %s mm"
                 : "The model misses by %s mm",
             mm(before));
     return with.isEmpty() ? text + "." : text + "; " + with + "by " + mm(after) + " mm.";
@@ -148,13 +148,13 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   private static String adequate(Diagnosis d, List<String> lines) {
     lines.add(
         text(
-            "Between the model and what the cameras saw are %s mm; their noise alone makes %s mm.",
+            "The kicks fit to %s mm rms; the noise of the cameras alone makes %s mm.",
             mm(d.base().rmsMm()), mm(d.base().noiseMm())));
     lines.add(
         text(
-            "%d sorts of causes were tried, and none of them predicts kicks that it has not seen"
-                + " any better.",
-            sorts(d)));
+            "%d kinds of causes were tried. None of them predicts kicks that were held out any"
+                + " better.",
+            kinds(d)));
     return hasFewKicks(d)
         ? "These few kicks show nothing wrong with the model."
         : "The model is right: nothing to correct.";
@@ -191,7 +191,8 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         d.causes().isEmpty()
             ? "The model is wrong, and no known cause explains it."
             : text("The model is wrong, and a part of it is explained: %s.", names(d));
-    String more = unnamed.isEmpty() ? "" : text(" What helps and has no name: %s.", unnamed);
+    String more =
+        unnamed.isEmpty() ? "" : text(" This also helps, without a known cause: %s.", unnamed);
     return found + more + laws(d) + unproven(d);
   }
 
@@ -199,9 +200,9 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     lines.add(Sentences.begin(rest(d.unexplained())));
     lines.add(
         text(
-            "None of the %d sorts of causes that were tried predicts kicks that it has not seen any"
-                + " better, so none is named: look at the pictures for what changes with it.",
-            sorts(d)));
+            "None of the %d kinds of causes that were tried predicts kicks that were held out any"
+                + " better, so none is named. The pictures show where the model errs.",
+            kinds(d)));
     d.unexplained().dependsOn().stream()
         .findFirst()
         .ifPresent(v -> lines.add(StructureWords.kicksToRecord(v)));
@@ -248,7 +249,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         .toList();
   }
 
-  private static long sorts(Diagnosis d) {
+  private static long kinds(Diagnosis d) {
     return d.candidates().stream().map(c -> c.effect().id()).distinct().count();
   }
 
@@ -275,7 +276,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
                     + " kicks to hold some out (the cameras' noise is %s mm).",
                 mm(before.rmsMm()), mm(after.rmsMm()), mm(after.noiseMm()))
             : text(
-                "With what was found in the model, kicks that it has never seen fit to %s mm"
+                "With what was found in the model, kicks that were held out fit to %s mm"
                     + " instead of %s mm (the cameras' noise is %s mm).",
                 mm(after.holdoutRmsMm()), mm(before.holdoutRmsMm()), mm(after.noiseMm()));
     return horizons.isEmpty() ? held : held + " Predictions are off by " + horizons + ".";
@@ -319,7 +320,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** What the prediction needs and nothing proves; begins with a blank. */
   private static String unproven(Diagnosis d) {
     String names = names(d, LearnedFinding.Kind.UNPROVEN);
-    return names.isEmpty() ? "" : text(" These also help and are not proven: %s.", names);
+    return names.isEmpty() ? "" : text(" This also helps, but is not proven: %s.", names);
   }
 
   private static String names(Diagnosis d, LearnedFinding.Kind kind) {

@@ -146,7 +146,7 @@ export function matchPage(app) {
     const rows = now.teams.flatMap(t => [
       el('tr', {}, el('td', {class: 'text'}, t.team + (t.beforeBreak ? ' (before the break)' : '')), ...['velocity', 'acceleration', 'braking', 'turning', 'turningFaster', 'turningSlower'].map(what => el('td', {title: t[what] && known(t[what].league) ? "the league's estimate: " + number(t[what].league, 2) : null}, limit(t[what])))),
       ...(t.deviations || []).map(words => el('tr', {}, el('td', {class: 'text wrap', colspan: 4}, words)))]);
-    content('teams').replaceChildren(table([['Team', true], ['Velocity m/s'], ['Acceleration m/s²'], ['Braking m/s²'], ['Turning rad/s'], ['faster rad/s²'], ['slower rad/s²']], rows), el('p', {class: 'note'}, '≥: never seen at the limit; the highest value that was seen.'));
+    content('teams').replaceChildren(table([['Team', true], ['Velocity, m/s'], ['Acceleration, m/s²'], ['Braking, m/s²'], ['Turning, rad/s'], ['speeding up, rad/s²'], ['slowing down, rad/s²']], rows), el('p', {class: 'note'}, '≥: never seen at the limit; the highest value that was seen.'));
   }
 
   function showCameras(now) {

@@ -29,7 +29,7 @@ export function sessionsPart(app) {
       if (typeof other.schema !== 'string' || !other.schema.startsWith(SCHEMA)) throw new Error('it has no schema ' + SCHEMA);
       view.other = other;
     } catch (wrong) {
-      view.failure = file.name + ' is no calibration of fieldcal: ' + wrong.message;
+      view.failure = file.name + ' is not a calibration of fieldcal: ' + wrong.message;
     }
     showResult();
   }

@@ -112,7 +112,7 @@ public final class ParquetFile {
     try (ParquetFileReader reader = ParquetFileReader.open(new LocalInputFile(file))) {
       MessageType schema = reader.getFileMetaData().getSchema();
       if (!schema.equals(schema(table))) {
-        throw new IOException(file + ": is no file of table " + table.name());
+        throw new IOException(file + ": is not a file of table " + table.name());
       }
       for (var pages = reader.readNextRowGroup();
           pages != null;

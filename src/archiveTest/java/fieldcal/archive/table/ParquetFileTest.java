@@ -97,6 +97,6 @@ class ParquetFileTest {
         .hasMessageContaining("a.parquet: cannot be read");
     ParquetFile.write(TABLE, rows(), file);
     assertThatThrownBy(() -> ParquetFile.read(Tables.KICKS, file))
-        .hasMessageContaining("is no file of table kicks");
+        .hasMessageContaining("is not a file of table kicks");
   }
 }

@@ -15,7 +15,7 @@ public enum Variable {
   /** Time since the kick, s. */
   TIME_SINCE_KICK("time_since_kick", "s", 1, Set.of("ground")),
 
-  /** Time since the session's begin, s. */
+  /** Time since the beginning of the session, s. */
   SESSION_TIME("session_time", "s", 1, Set.of("ground", "impact", "measurement")),
 
   /** Direction of travel, rad, 0 = along x, counter-clockwise. */

@@ -14,7 +14,7 @@ import java.util.List;
  *
  * @param xMm shift, mm
  * @param yMm shift, mm
- * @param at from when on, s since the session's begin
+ * @param at from when on, s since the beginning of the session
  * @param camera which camera, by id
  */
 public record CameraMoved(double xMm, double yMm, double at, int camera) implements Displacement {

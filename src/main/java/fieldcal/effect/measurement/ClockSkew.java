@@ -8,7 +8,7 @@ import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
 /**
- * A clock that gains: stamp = time·(1 + ppm·10⁻⁶), times since the session's begin.
+ * A clock that gains: stamp = time·(1 + ppm·10⁻⁶), times since the beginning of the session.
  *
  * @param ppm gain of the clock, 1e-6
  * @param camera which camera, by id

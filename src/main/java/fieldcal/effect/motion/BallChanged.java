@@ -13,7 +13,7 @@ import java.util.List;
  *
  * @param roll relative change of the rolling deceleration (–), 0 = none
  * @param slide relative change of the sliding friction (–), 0 = none
- * @param at from when on, s since the session's begin
+ * @param at from when on, s since the beginning of the session
  */
 public record BallChanged(double roll, double slide, double at) implements FrictionOfKick {
   private static final String ID = "ball_changed";

@@ -3,6 +3,7 @@ package fieldcal.app.calibrate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class CalibrationWarningsTest {
@@ -12,6 +13,24 @@ class CalibrationWarningsTest {
             CalibrationWarnings.uncompared(
                 List.of(new int[] {2}, new int[] {0, 1}, new int[] {1}, new int[] {2, 3})))
         .hasValueSatisfying(text -> assertThat(text).contains("(0 and 1; 2 and 3)"));
+  }
+
+  @Test
+  void oneSentenceNamesEveryCameraThatIsOff() {
+    assertThat(CalibrationWarnings.offsets(Map.of(0, 4.9, 1, 26.4)))
+        .hasValue(
+            "Camera 1 reports everything 26 mm off from the mean of all cameras. This offset is"
+                + " taken out here, but not in a match: calibrate the camera again.");
+    assertThat(CalibrationWarnings.offsets(Map.of(0, 9.6, 1, 26.4, 3, 10.1)))
+        .hasValueSatisfying(
+            text ->
+                assertThat(text)
+                    .startsWith("Cameras 0, 1 and 3 report everything 10, 26 and 10 mm off from")
+                    .contains("These offsets are")
+                    .endsWith("calibrate the cameras again."));
+    assertThat(CalibrationWarnings.offsets(Map.of(0, 20.2, 1, 20.2)).orElseThrow())
+        .startsWith("Cameras 0 and 1 report everything 20 mm off from");
+    assertThat(CalibrationWarnings.offsets(Map.of(0, 1.0))).isEmpty();
   }
 
   @Test

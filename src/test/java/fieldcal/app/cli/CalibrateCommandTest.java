@@ -67,6 +67,17 @@ class CalibrateCommandTest {
     return new Answer(exit, out.toString(), err.toString());
   }
 
+  @Test
+  void commandsOfAnotherRecordingAreTold() throws IOException {
+    Path other = folder.resolve("other.commands.csv");
+    String[] lines =
+        Files.readString(shared.resolve("mixed.commands.csv")).replace("\n1", "\n2").split("\n");
+    Files.writeString(other, String.join("\n", lines) + "\n");
+    assertThat(run("calibrate", log.toString(), "--commands=" + other).out())
+        .contains("None of the 8 commands in " + other + " belongs to a kick");
+    assertThat(text).doesNotContain("None of the");
+  }
+
   private static JsonNode json(Path file) throws IOException {
     return JSON.readTree(file.toFile());
   }

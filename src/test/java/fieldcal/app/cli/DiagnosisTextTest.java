@@ -74,7 +74,7 @@ class DiagnosisTextTest {
     String line = text.replace("\n   ", " ").replace('\n', ' ');
     assertThat(line).contains("a part of it is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");
-    assertThat(line).contains("What helps and is no proven cause: -  The carpet grips the ball");
+    assertThat(line).contains("What helps without a proven cause: -  The carpet grips the ball");
     assertThat(line).contains("the reports of camera 1 are too far").contains("It gains 1.4 mm");
     assertThat(line)
         .contains("2.90 mm beyond the noise remain unexplained, depending on the height");

@@ -111,8 +111,8 @@ class InfoCommandTest {
         .containsExactly(
             "fieldcal: "
                 + text
-                + " (byte 0): is no SSL game log (it does not start with SSL_LOG_FILE); choose a"
-                + " .log or .log.gz file");
+                + " (byte 0): is not an SSL game log (it does not start with SSL_LOG_FILE); choose"
+                + " a .log or .log.gz file");
     assertThat(run("info", folder.resolve("none.log").toString())).isEqualTo(1);
   }
 

@@ -184,7 +184,7 @@ class LimitsCommandTest {
     assertThat(root.at("/teams/yellow/notes/acceleration_max").asText()).isNotEmpty();
     Path out = folder.resolve("out");
     Answer answer = run("limits", log, "--out=" + out);
-    assertThat(answer.out()).contains("were not seen for long enough");
+    assertThat(answer.out()).contains("yellow   no manoeuvre was seen");
     assertThat(out.resolve("limits.html")).exists();
   }
 

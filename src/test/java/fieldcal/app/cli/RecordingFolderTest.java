@@ -47,6 +47,33 @@ class RecordingFolderTest {
     assertThat(mixed.toString()).contains("simulated_field");
   }
 
+  /** A full disk cut one off before its first byte, another is no recording: the console calibrates the others, and so does this. */
+  @Test
+  void whatCannotBeReadIsLeftOutAndNamed() throws IOException {
+    Files.copy(REAL, folder.resolve("real.log.gz"));
+    Files.createFile(folder.resolve("empty.log"));
+    Files.writeString(folder.resolve("notes.log"), "hello");
+    String text = run("calibrate", folder.toString(), "--out=" + folder.resolve("out"));
+    assertThat(text)
+        .startsWith("Verdict: ")
+        .contains("1 of 3 recordings used.")
+        .contains("left out: " + folder.resolve("empty.log") + " (byte 0): is empty")
+        .contains("left out: " + folder.resolve("notes.log") + " (byte 0): is not an SSL game log");
+    assertThat(Files.readString(folder.resolve("out/report.html"))).contains("empty.log");
+    String diagnosed = run("diagnose", folder.toString());
+    assertThat(diagnosed).contains("left out: " + folder.resolve("empty.log"));
+  }
+
+  @Test
+  void aFolderOfNothingReadableIsOneClearError() throws IOException {
+    Files.writeString(folder.resolve("notes.log"), "hello");
+    StringWriter err = new StringWriter();
+    CommandLine commands = Main.commandLine();
+    commands.setErr(new PrintWriter(err));
+    assertThat(commands.execute("calibrate", folder.toString())).isEqualTo(1);
+    assertThat(err.toString()).contains("notes.log (byte 0): is not an SSL game log");
+  }
+
   @Test
   void anEmptyFolderIsOneClearError() {
     StringWriter err = new StringWriter();

@@ -50,10 +50,31 @@ class UsageErrorTest {
   }
 
   @Test
-  void theParserSaysErrorOnce() {
+  void oneOfTwoOptionsIsAskedFor() {
     assertThat(run("monitor")).isEqualTo(2);
     assertThat(err.toString())
-        .startsWith("fieldcal: Missing required argument (specify one of these): ([--log=LOG");
+        .startsWith("fieldcal: give one of these: [--log=LOG")
+        .contains("--multicast=ADDR:PORT");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "calibrate x.log --seed x | 'x' is not a whole number",
+        "simulate --scenario flat --kicks 0 --out x.log | --kicks must be 1 or more, but is 0",
+        "play --sim --kind flat --kicks 3 --precision 0 | --precision must be above 0 %",
+        "play --sim --kind flat --kicks 3 --precision x | 'x' is not a number",
+      })
+  void aValueThatCannotBeIsNamed(String line, String words) {
+    assertThat(run(line.split(" "))).isEqualTo(2);
+    assertThat(err.toString()).contains(words).doesNotContain("Exception");
+  }
+
+  @Test
+  void noCommandAtAll() {
+    assertThat(run()).isEqualTo(2);
+    assertThat(err.toString()).startsWith("fieldcal: name a command");
   }
 
   /** A recording of another name would not be found by any folder's command afterwards. */

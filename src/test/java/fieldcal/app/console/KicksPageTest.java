@@ -173,7 +173,7 @@ class KicksPageTest {
         .contains("switch to rolling (k_switch)");
     Path none = Files.writeString(folder.resolve("none.json"), "{}");
     browser.find("#sessions-file").sendKeys(none.toString());
-    browser.awaitText("#sessions", "none.json is no calibration of fieldcal");
+    browser.awaitText("#sessions", "none.json is not a calibration of fieldcal");
     browser.assertNoComplaints();
   }
 

@@ -170,7 +170,7 @@ class SimulateCommandTest {
         "--scenario=tennis | unknown scenario 'tennis'",
         "--preset=moon | unknown preset 'moon'; known are lab",
         "--cameras=9 | count must lie in",
-        "--kicks=-1 | kicks must lie in",
+        "--kicks=0 | --kicks must be 1 or more, but is 0",
         "--division=C | division must be A or B",
         "--flat-model=1,2 | takes three numbers",
         "--blue-limits=1,-2,3 | limit must be positive",

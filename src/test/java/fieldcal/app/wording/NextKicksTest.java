@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What is proposed to record when causes cannot be told apart. */
 class NextKicksTest {
-  private static final String GENERAL = "Record five or more kicks of each sort";
+  private static final String GENERAL = "Record five or more kicks of each kind";
   private static final String UNKNOWN = "kicks of different speeds, places";
 
   static Stream<List<String>> pairs() {

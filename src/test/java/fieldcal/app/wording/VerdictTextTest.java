@@ -26,7 +26,7 @@ class VerdictTextTest {
             "The model is wrong, and 2 causes are found: camera offset, camera 1; air drag.");
     assertThat(text.lines())
         .containsExactly(
-            "With what was found in the model, kicks that it has never seen fit to 1.6 mm instead"
+            "With what was found in the model, kicks that were held out fit to 1.6 mm instead"
                 + " of 14.6 mm (the cameras' noise is 1.5 mm). Predictions are off by 5.1 mm"
                 + " instead of 21 mm 0.5 s ahead, 12 mm instead of 38 mm 1 s ahead, 29 mm instead"
                 + " of 65 mm 2 s ahead.");
@@ -38,9 +38,10 @@ class VerdictTextTest {
     assertThat(text.first())
         .isEqualTo(
             "Passes are predicted 13 mm wrong after 1 s. The model is right: nothing to correct.");
-    assertThat(text.lines().get(0)).contains("are 1.5 mm; their noise alone makes 1.5 mm");
+    assertThat(text.lines().get(0))
+        .contains("fit to 1.5 mm rms; the noise of the cameras alone makes 1.5 mm");
     assertThat(text.lines().get(1))
-        .startsWith(EffectCatalogue.all().size() + " sorts of causes were tried");
+        .startsWith(EffectCatalogue.all().size() + " kinds of causes were tried");
   }
 
   @Test
@@ -68,8 +69,9 @@ class VerdictTextTest {
     assertThat(text.headline())
         .isEqualTo("Passes are predicted 50 cm wrong after 1 s; with what was found 9 cm.");
     assertThat(text.verdict())
-        .startsWith("The model is wrong, and a part of it is explained: air drag. What helps")
-        .contains("and has no name: braking that depends on the speed; height of bounces")
+        .startsWith("The model is wrong, and a part of it is explained: air drag. This also")
+        .contains(
+            "helps, without a known cause: braking that depends on the speed; height of bounces")
         .endsWith("Another law applies in the extended model: bounces that build up spin.");
     assertThat(text.lines().get(1))
         .isEqualTo(
@@ -86,7 +88,7 @@ class VerdictTextTest {
     Quality base = new Quality(14.2, 1.5, 14.6, Map.of(0.5, 5.2, 1.0, 12.9));
     assertThat(headline(d, base))
         .isEqualTo(
-            "The model misses kicks that it has not seen by 14.6 mm; with what was found by 1.6"
+            "The model misses kicks that were held out by 14.6 mm; with what was found by 1.6"
                 + " mm.");
     Quality few = new Quality(14.2, 1.5, Double.NaN, Map.of());
     assertThat(headline(d, few))
