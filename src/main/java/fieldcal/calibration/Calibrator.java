@@ -99,7 +99,7 @@ public final class Calibrator {
   }
 
   /**
-   * The same fits under other decisions: which kicks and samples are used, and their averages. Takes milliseconds, since nothing is fitted anew; the joint
+   * The same fits under other decisions: which kicks and samples are used, and their averages. Takes milliseconds, since nothing is fitted again; the joint
    * fit and the offsets of the cameras remain those of the decisions before, as long as nobody calibrates again.
    *
    * @param calibration the fits

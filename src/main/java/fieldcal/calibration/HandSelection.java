@@ -95,7 +95,7 @@ public final class HandSelection {
   /**
    * These decisions with another number of rounds of the 2σ rule.
    *
-   * @param rounds 0 or more; empty for as many as it takes until nothing leaves
+   * @param rounds 0 or more; empty for as many as it takes until none is excluded
    * @return the changed copy
    * @throws IllegalArgumentException if the number is negative
    */
@@ -110,7 +110,7 @@ public final class HandSelection {
   /**
    * How often the 2σ rule is applied.
    *
-   * @return rounds, 0 or more; empty for as many as it takes until nothing leaves
+   * @return rounds, 0 or more; empty for as many as it takes until none is excluded
    */
   public OptionalInt twoSigmaRounds() {
     return twoSigmaRounds;

@@ -93,7 +93,7 @@ final class Selection {
     return HandSelection.key(decisions.epoch().unixSeconds(fit.kick().time()));
   }
 
-  /** Every kick with its samples; the 2σ rule applied to each parameter until nothing leaves. */
+  /** Every kick with its samples; the 2σ rule applied to each parameter until no value is excluded any more. */
   static List<CalibratedKick> select(List<KickFit> fits, Decisions decisions) {
     Map<String, List<Sample>> byParameter = new LinkedHashMap<>();
     Map<KickFit, Optional<String>> distrusted = new HashMap<>();

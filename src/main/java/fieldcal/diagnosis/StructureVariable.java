@@ -22,7 +22,7 @@ public enum StructureVariable {
   IMAGE_COLUMN("px"),
   /** Row in the image. */
   IMAGE_ROW("px"),
-  /** Time since the begin of the session. */
+  /** Time since the beginning of the session. */
   SESSION_TIME("s"),
   /** Which robot kicked. */
   ROBOT("");

@@ -15,7 +15,7 @@ final class CauchyLoss {
   private double product;
   private double sum;
 
-  /** Begins anew. */
+  /** Begins again. */
   void reset(double scale) {
     squaredScale = scale * scale;
     inverse = 1 / squaredScale;

@@ -137,7 +137,7 @@ public final class BallMonitor {
     finder.accept(frame);
   }
 
-  /** Time begins anew: kicks under way end, and what comes is on another clock. */
+  /** Time begins again: kicks under way end, and what comes is on another clock. */
   public void restart() {
     finder.finish();
     now = Double.NEGATIVE_INFINITY;

@@ -42,7 +42,7 @@ public interface LiveListener {
   default void estimate(ParameterEstimate estimate) {}
 
   /**
-   * A team's movement limits were estimated anew.
+   * A team's movement limits were estimated again.
    *
    * @param team which
    * @param limits the new estimate

@@ -17,7 +17,7 @@ import java.util.Optional;
  * @param cameras each camera that sent frames, by id
  * @param frames taken from all cameras
  * @param strayFrames left out because their time fits to no other camera's
- * @param clockJumps how often time began anew
+ * @param clockJumps how often time began again
  * @param listenerFailures how often a listener threw, or a piece of the work of {@link LiveMonitor#poll} broke
  */
 public record LiveSnapshot(

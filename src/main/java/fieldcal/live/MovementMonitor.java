@@ -17,7 +17,7 @@ import java.util.Objects;
 /**
  * Measures the movement limits of both teams while they play, own robots like others: it reports and changes nothing.
  *
- * <p>Frames and phases come from one thread; {@link #poll} estimates on another, some tenths of a second each time. In breaks and timeouts, when robots may be changed, counting begins anew; the last estimate
+ * <p>Frames and phases come from one thread; {@link #poll} estimates on another, some tenths of a second each time. In breaks and timeouts, when robots may be changed, counting begins again; the last estimate
  * before stays beside the new one. Without a referee everything counts. {@link #snapshot} may be called from any thread.
  */
 public final class MovementMonitor {
@@ -125,7 +125,7 @@ public final class MovementMonitor {
     }
   }
 
-  /** Time begins anew: nothing is concluded from what was before to what comes. */
+  /** Time begins again: nothing is concluded from what was before to what comes. */
   public void restart() {
     observer.finish();
     due = Double.NEGATIVE_INFINITY;

@@ -9,10 +9,10 @@ import java.util.Map;
  * What is known of how the robots move.
  *
  * @param limits newest estimate of each team; a team is missing before its first
- * @param beforeBreak last estimate before the last break, when counting began anew; empty before the first
+ * @param beforeBreak last estimate before the last break, when counting began again; empty before the first
  * @param countingSince when counting began, Unix time, s; NaN before the first frame
  * @param estimatedAt up to when the newest estimate counts, Unix time, s; NaN without one
- * @param breaks how often counting began anew
+ * @param breaks how often counting began again
  * @param counted detections since then while movements counted
  * @param refused detections since then that cannot have been the robot they name
  * @param warnings limits that are not as configured, see {@link LiveMonitor#configured}

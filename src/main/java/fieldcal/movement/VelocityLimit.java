@@ -95,7 +95,7 @@ final class VelocityLimit {
     for (int bin = histogram.bins() - 1; bin * histogram.width() > slowest; bin--) {
       double centre = (bin + 0.5) * histogram.width();
       if (histogram.count(bin) > 0 && within(histogram, centre).samples() >= needed) {
-        // Down to where most are: the mean of a window, centred anew.
+        // Down to where most are: the mean of a window, centred again.
         Plateau plateau = within(histogram, centre);
         for (int i = 0; i < 5; i++) {
           plateau = within(histogram, plateau.speed());

@@ -120,7 +120,7 @@ final class Expectations {
     return "expected " + was.written() + ", but was " + is.text() + ", off by " + number(off);
   }
 
-  /** Writes the names that begin so anew; tolerances that stand there stay, and so do all other lines. */
+  /** Writes the names that begin so again; tolerances that stand there stay, and so do all other lines. */
   void accept(String prefix, Map<String, Value> now, String recording) throws IOException {
     TreeMap<String, Value> all = new TreeMap<>(values);
     all.keySet().removeIf(name -> name.startsWith(prefix));

@@ -15,7 +15,7 @@ import java.util.Optional;
  * @param logs at least one recording
  * @param kind when present, all kicks are of that kind
  * @param initial where to start; without it, from what the recordings publish, or typical values
- * @param model effects under which the parameters are to hold; those that grow with time do so from the begin of the recordings
+ * @param model effects under which the parameters are to hold; those that grow with time do so from the beginning of the recordings
  * @param selection decisions by hand
  * @param commands what the robots were told; may be empty
  */

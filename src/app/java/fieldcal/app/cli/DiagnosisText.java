@@ -198,9 +198,10 @@ final class DiagnosisText {
   private void recordings(DiagnosisOutcome outcome, Path directory) {
     line("");
     line(
-        "%d of %d kicks used%s, seed %d",
+        "%d of %d %s used%s, seed %d",
         outcome.problem().fits().size(),
         outcome.calibration().data().kicks().size(),
+        outcome.calibration().data().kicks().size() == 1 ? "kick" : "kicks",
         commands(outcome),
         outcome.diagnosis().seed());
     List<DataProblem> problems = outcome.calibration().data().problems();

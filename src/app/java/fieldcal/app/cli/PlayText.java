@@ -77,6 +77,9 @@ final class PlayText {
     }
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
       progress.say("");
+      if (told == 0) {
+        line("kick, robot, kind, commanded → measured speed, residual; accelerations are in m/s²");
+      }
       goodWhenTold.add(s.kicks().get(told).good());
       kick(s.kicks().get(told++));
     }

@@ -15,10 +15,10 @@ final class GeometryDifference {
   /** Sizes are published in whole millimetres; less than that much nobody means, m. */
   private static final double SAME_SIZE = 0.005;
 
-  /** Published numbers are 32-bit; a camera that was calibrated anew moves by far more, m. */
+  /** Published numbers are 32-bit; a camera that was calibrated again moves by far more, m. */
   private static final double SAME_PLACE = 0.002;
 
-  /** Angle between two published rotations that says the camera was calibrated anew, rad: 1 mm on the ground below a camera at 4 m. */
+  /** Angle between two published rotations that says the camera was calibrated again, rad: 1 mm on the ground below a camera at 4 m. */
   private static final double SAME_ROTATION = 0.00025;
 
   /** Relative change of the focal length, and change of the distortion, that rounding does not make. */

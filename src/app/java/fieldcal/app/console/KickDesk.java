@@ -70,7 +70,7 @@ final class KickDesk {
    * What the desk holds at one moment.
    *
    * @param version grows with every change
-   * @param fits grows when kicks are fitted anew
+   * @param fits grows when kicks are fitted again
    * @param decisions how many were made
    * @param outcome what is calibrated; empty before the first time
    * @param selection the decisions

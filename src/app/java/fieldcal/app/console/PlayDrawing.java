@@ -113,7 +113,7 @@ final class PlayDrawing {
     ArrayNode model = root.putArray("model");
     for (Map.Entry<String, Average> e : new TreeMap<>(s.model()).entrySet()) {
       ObjectNode node = model.addObject().put("name", ParameterWords.inFiles(e.getKey()));
-      node.put("words", ParameterWords.of(e.getKey())).put("n", e.getValue().n());
+      node.put("words", ParameterWords.withUnit(e.getKey())).put("n", e.getValue().n());
       put(node, "mean", e.getValue().mean(), 6);
       put(node, "error", e.getValue().standardError(), 6);
     }
@@ -164,7 +164,7 @@ final class PlayDrawing {
     node.put("good", k.verdict().orElse(null));
     node.put("reason", k.reason());
     ArrayNode says = node.putArray("says");
-    k.parameters().forEach(p -> says.add(ParameterWords.inFiles(p.name())));
+    k.parameters().forEach(p -> says.add(ParameterWords.of(p.name())));
     return node;
   }
 

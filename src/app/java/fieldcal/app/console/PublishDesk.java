@@ -39,7 +39,7 @@ final class PublishDesk {
 
   private static final long PATIENCE_MS = 2000;
 
-  /** Before the sort of packet, the target of an entry of the history. */
+  /** Before the kind of packet, the target of an entry of the history. */
   private static final String PACKET = "packet:";
 
   private static final Logger LOG = LoggerFactory.getLogger(PublishDesk.class);
@@ -73,7 +73,7 @@ final class PublishDesk {
     live = new LiveSession("sending of the model", changed);
   }
 
-  /** What sort of packet is sent. */
+  /** What kind of packet is sent. */
   enum Format {
     /** {@code SSL_WrapperPacket}, as vision sends it: its geometry, or else that of the recordings, with the new models in it. */
     WRAPPER,

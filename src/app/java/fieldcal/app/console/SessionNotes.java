@@ -88,7 +88,7 @@ record SessionNotes(
    *
    * @param unix when, Unix time in s
    * @param to address and port
-   * @param format what sort of packet
+   * @param format what kind of packet
    * @param text the model as protobuf's text
    */
   @JsonIgnoreProperties(ignoreUnknown = true)

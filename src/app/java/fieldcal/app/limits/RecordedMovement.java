@@ -53,7 +53,7 @@ record RecordedMovement(
     List<DataProblem> list = new ArrayList<>();
     ProblemAccount account = summary.problems();
     for (ProblemKind kind : account.kinds()) {
-      // Cameras that are calibrated anew change nothing here: each piece has a constant of its own
+      // Cameras that are calibrated again change nothing here: each piece has a constant of its own
       // for each camera.
       if (kind != LogProblem.GEOMETRY_CHANGED) {
         list.add(DataProblem.of(log, account, kind));

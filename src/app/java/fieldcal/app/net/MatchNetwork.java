@@ -13,7 +13,7 @@ public final class MatchNetwork implements AutoCloseable {
   /** How many packets may wait: four cameras send so many in a second; who pauses longer misses some, and never lags. */
   private static final int CAPACITY = 300;
 
-  /** After a silence of that many seconds the group is joined anew; vision sends 70 times a second, the referee 10 times. */
+  /** After a silence of that many seconds the group is joined again; vision sends 70 times a second, the referee 10 times. */
   private static final double PATIENCE = 2;
 
   /** A sender that was silent for longer than the others is no longer told of, s. */

@@ -22,7 +22,7 @@ import java.util.Optional;
 
 /**
  * Receives UDP packets on a thread of its own, and keeps the newest of them until somebody takes them. Nobody waits for a slow taker: what does not fit is dropped, the oldest first, and counted, so that what
- * is taken is never old. When nothing comes for a while, or the network goes away, it joins the group anew until packets come again.
+ * is taken is never old. When nothing comes for a while, or the network goes away, it joins the group again until packets come again.
  */
 public final class PacketReceiver implements AutoCloseable {
   private static final int LARGEST = 65_536;
@@ -55,7 +55,7 @@ public final class PacketReceiver implements AutoCloseable {
    *
    * @param place where
    * @param capacity how many packets may wait: what arrives in the longest pause of the taker that shall do no harm
-   * @param patience after how long a silence the group is joined anew, s
+   * @param patience after how long a silence the group is joined again, s
    * @throws IOException when the port cannot be opened at all, with place and reason; that no interface is there yet is no reason
    */
   public PacketReceiver(NetworkPlace place, int capacity, double patience) throws IOException {

@@ -16,7 +16,7 @@ final class Sources<D> {
   static final long SILENCE = 2_000_000_000L;
 
   /**
-   * So many senders are remembered. Vision that is started anew sends from another port, so it is a sender of its own each time; whoever has been silent the longest makes room for it. More than that at once
+   * So many senders are remembered. Vision that is started again sends from another port, so it is a sender of its own each time; whoever has been silent the longest makes room for it. More than that at once
    * are no network of the league's but an attack or a broken router: then whoever never sent a message that can be read makes room first, so that senders of junk do not keep vision out.
    */
   private static final int MOST = 16;

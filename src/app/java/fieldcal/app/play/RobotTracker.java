@@ -119,7 +119,7 @@ final class RobotTracker {
         tracks.entrySet().stream().map(e -> view(e.getKey(), e.getValue())).toList());
   }
 
-  /** A camera into whose view it drives need not learn its velocity anew. */
+  /** A camera into whose view it drives need not learn its velocity again. */
   private void inherit(Track begun) {
     Track best = best();
     if (best != begun && Math.hypot(best.x - begun.x, best.y - begun.y) < GATE) {

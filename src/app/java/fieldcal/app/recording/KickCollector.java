@@ -39,7 +39,7 @@ import java.util.stream.Collectors;
 /**
  * Reads recordings and finds their kicks.
  *
- * <p>Camera ids repeat from field to field, and a camera may be calibrated anew midway. Such a camera is another one for the fit:
+ * <p>Camera ids repeat from field to field, and a camera may be calibrated again midway. Such a camera is another one for the fit:
  * it gets a number of its own, from 100 on, and the operator is told. Reads once.
  */
 public final class KickCollector {
@@ -300,7 +300,7 @@ public final class KickCollector {
     private final Map<Integer, Integer> numbers = new HashMap<>();
     private final Map<Integer, Long> ballsBefore = new HashMap<>();
 
-    /** Ids as sent, so that a camera that was calibrated anew midway counts once. */
+    /** Ids as sent, so that a camera that was calibrated again midway counts once. */
     private final Set<Integer> ids = new HashSet<>();
 
     private final Set<Integer> seen = new HashSet<>();

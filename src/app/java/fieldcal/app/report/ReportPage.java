@@ -14,7 +14,7 @@ import java.util.stream.Stream;
  * A report's page: one HTML file with charts, styles, scripts and data inside, which opens without a network. All reports share the frame: heading, what they
  * were made from, problems in the data, light and dark, printing.
  *
- * @param heading what sort of report it is
+ * @param heading what kind of report it is
  * @param numbers the file that holds the numbers, for readers whose browser runs no scripts
  * @param main resource with the sections of the page
  * @param style resource with the style of these sections

@@ -35,7 +35,7 @@ public final class NetworkPlayField implements PlayField {
   /** A ball that was laid down is left alone for a while, s. */
   private static final double BETWEEN_TELEPORTS = 1;
 
-  /** A clock that goes back by more was set anew, s. */
+  /** A clock that goes back by more was set again, s. */
   private static final double CLOCK_JUMP = 1;
 
   private final Epoch epoch;

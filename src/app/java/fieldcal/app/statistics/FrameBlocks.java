@@ -91,7 +91,7 @@ final class FrameBlocks {
     block.clear();
   }
 
-  /** Balls per frame, from the begin of a kick's detections to their end, that are not the kick's. */
+  /** Balls per frame, from the beginning of a kick's detections to their end, that are not the kick's. */
   static double falseBalls(RecordedFrames frames, Kick kick) {
     Observations seen = kick.observations();
     double from = seen.size() == 0 ? kick.time() : seen.time(0);

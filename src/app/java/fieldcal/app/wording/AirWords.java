@@ -53,7 +53,7 @@ final class AirWords extends MotionText {
             .map(
                 c ->
                     text(
-                        "A pass at %s m/s that way comes %s in %s s than in still air.",
+                        "A pass at %s m/s that way travels %s in %s s than in still air.",
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElseGet(() -> chip("in still air")),
         "Close the doors and switch off fans near the field; otherwise predict with the extended"

@@ -51,7 +51,7 @@ final class CarpetWords extends MotionText {
         slow.isEmpty()
             ? ""
             : text(
-                "A pass at %s m/s that way comes %s mm less far in %s s than one the other way.",
+                "A pass at %s m/s that way travels %s mm less far in %s s than one the other way.",
                 whole(PASS), Amount.of(fast.get().along() - slow.get().along()), whole(PASS_TIME)),
         EXTENDED);
   }
@@ -130,7 +130,7 @@ final class CarpetWords extends MotionText {
             .map(
                 c ->
                     text(
-                        "A pass at %s m/s that begins there and goes through it comes %s in %s s"
+                        "A pass at %s m/s that begins there and goes through it travels %s in %s s"
                             + " than elsewhere.",
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElse(""),
@@ -169,7 +169,7 @@ final class CarpetWords extends MotionText {
             .map(
                 c ->
                     text(
-                        "A pass at %s m/s straight across it comes %s in %s s than without the"
+                        "A pass at %s m/s straight across it travels %s in %s s than without the"
                             + " seam, and %s mm to the %s.",
                         whole(PASS),
                         far(c.along()),
@@ -222,7 +222,7 @@ final class CarpetWords extends MotionText {
             .map(
                 c ->
                     text(
-                        "A pass at %s m/s comes %s in %s s than with the ball before.",
+                        "A pass at %s m/s travels %s in %s s than with the ball before.",
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElse(""),
         "Keep to balls of one make and wear, and calibrate again with the ball of the match.");

@@ -18,7 +18,7 @@ public final class EffectName {
   private EffectName() {}
 
   /**
-   * The name of a sort of effect, or of one camera's.
+   * The name of a kind of effect, or of one camera's.
    *
    * @param id as in files; also with a camera, for example "camera_offset of camera 1"
    * @return a few words in lower case; of an unknown id, the id with blanks

@@ -198,7 +198,7 @@ public final class LearnedWords {
     return switch (formula.kind()) {
       case NONE ->
           text(
-              "%s changes with %s by no more than its error.",
+              "%s changes a little with %s, nowhere by more than its error.",
               Sentences.begin(subject(curve)), variable(variable));
       case SLOPE -> text("The %s: by %s for each %s.", change, eachSize, each(variable));
       case QUADRATIC ->

@@ -48,7 +48,7 @@ abstract class MotionText {
         .map(
             c ->
                 text(
-                    "A pass at %s m/s comes %s in %s s than it would %s.",
+                    "A pass at %s m/s travels %s in %s s than it would %s.",
                     whole(speed), far(c.along()), whole(after), without))
         .orElseGet(() -> chip(without));
   }
@@ -59,7 +59,7 @@ abstract class MotionText {
         .map(
             c ->
                 text(
-                    "A chip at %s m/s, 45° steep, comes %s in %s s than it would %s.",
+                    "A chip at %s m/s, 45° steep, travels %s in %s s than it would %s.",
                     whole(CHIP), far(c.along()), Amount.decimals(CHIP_TIME, 1), without))
         .orElse("");
   }

@@ -242,7 +242,7 @@ public final class NextKicks {
    *
    * @param cause id of the effect that is named
    * @param rivals ids of those that would explain the same; "id of camera n" where another camera would
-   * @return a sentence or two for each sort of rival; empty without rivals
+   * @return a sentence or two for each kind of rival; empty without rivals
    */
   public static String toTellApart(String cause, List<String> rivals) {
     return rivals.stream()

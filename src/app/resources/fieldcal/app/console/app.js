@@ -170,6 +170,7 @@ function showAll() {
   showEmpty();
   for (const page of PAGES) $('page-' + page.id).hidden = page !== current || !ready();
   if (ready()) current.show();
+  Frame.fitAll();
 }
 
 // ---- pages, colours, keys ----
@@ -236,7 +237,7 @@ let resizing = 0;
 window.addEventListener('resize', () => {
   cancelAnimationFrame(resizing);
   resizing = requestAnimationFrame(() => {
-    for (const chart of Frame.charts.values()) chart.resize();
+    Frame.fitAll();
     if (ready() && current.resized) current.resized();
   });
 });

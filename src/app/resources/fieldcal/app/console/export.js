@@ -114,11 +114,18 @@ export function exportPart(app) {
     return el('div', {id: 'history-compare'}, el('div', {class: 'bar'}, el('span', {}, 'Compare '), choice(0), el('span', {}, ' with '), choice(1)), differences(chosen(0), chosen(1)));
   }
 
+  /** What people call a parameter that files call so. */
+  function words(name) {
+    const models = app.state.calibration ? app.state.calibration.report.models : [];
+    const known = models.flatMap(model => model.parameters).find(p => Plots.inFiles(p.name) === name);
+    return known ? known.words + (known.unit ? ', ' + known.unit : '') : name;
+  }
+
   function differences(a, b) {
     const names = [...new Set([...ORDER, ...Object.keys(a.model), ...Object.keys(b.model)])].filter(n => known(a.model[n]) || known(b.model[n]));
     const rows = names.map(n => {
       const percent = known(a.model[n]) && known(b.model[n]) && a.model[n] ? (b.model[n] / a.model[n] - 1) * 100 : NaN;
-      return el('tr', {'data-parameter': n}, el('td', {class: 'text'}, n), el('td', {}, known(a.model[n]) ? number(a.model[n], 5) : '–'), el('td', {}, known(b.model[n]) ? number(b.model[n], 5) : '–'),
+      return el('tr', {'data-parameter': n}, el('td', {class: 'text name'}, words(n)), el('td', {}, known(a.model[n]) ? number(a.model[n], 5) : '–'), el('td', {}, known(b.model[n]) ? number(b.model[n], 5) : '–'),
         el('td', {}, known(percent) ? (Math.abs(percent) < 0.005 ? 'the same' : signed(percent, 2) + ' %') : '–'));
     });
     return table([['Parameter', true], ['First'], ['Second'], ['Change']], rows);

@@ -45,7 +45,7 @@ export function matchPage(app) {
         select('watch-recording', recordings.map(name => [name, name]), order.recording, value => { order.recording = value; }),
         select('watch-speed', [['0', 'as fast as possible'], ['1', 'at its own speed'], ['10', '10 times as fast']], order.speed, value => { order.speed = value; })]),
       ...(app.state.calibration ? [el('label', {title: 'instead of what vision publishes'}, el('input', {type: 'checkbox', id: 'watch-own', checked: order.own ? '' : null, onchange: event => { order.own = event.target.checked; }}), " compare with this session's model")] : []),
-      ...['yellow', 'blue'].map(team => el('label', {title: 'what the robots of ' + team + ' are configured to do: velocity m/s, acceleration and braking m/s²; warns when they move differently'}, team + ' limits ', text(team, 15, 'speed, acc., braking'))),
+      ...['yellow', 'blue'].map(team => el('label', {title: 'what the robots of ' + team + ' are configured to do: velocity m/s, acceleration and braking m/s²; warns when they move differently'}, team + ' limits, m/s and m/s² ', text(team, 15, 'speed, acc., braking'))),
       el('button', {type: 'submit', id: 'watch-start', class: 'strong'}, 'Watch'));
   }
 

@@ -10,16 +10,21 @@ export function button(label, press, {key, title, disabled, id, pressed, strong}
   }, label);
 }
 
-/** Shows a question; resolves to true when it is confirmed. */
+/** Shows a question; resolves to true when it is confirmed. Who asked has the focus again afterwards, also when the page drew that button anew meanwhile. */
 export function confirmed(title, contents, yes) {
   const dialog = document.getElementById('dialog');
+  const asked = document.activeElement, near = asked && asked.closest('section');
   return new Promise(resolve => {
-    const end = result => () => { dialog.close(); resolve(result); };
+    const end = result => () => {
+      dialog.close();
+      if (asked && !asked.isConnected) focusOn(asked.id, near);
+      resolve(result);
+    };
     const confirm = button(yes, end(true), {strong: true, id: 'confirm'});
     dialog.replaceChildren(
       el('h2', {id: 'dialog-title'}, title), ...contents,
       el('div', {class: 'bar'}, confirm, button('Cancel', end(false), {id: 'refuse'})));
-    dialog.oncancel = () => resolve(false);
+    dialog.oncancel = event => { event.preventDefault(); end(false)(); };
     dialog.showModal();
     document.getElementById('refuse').focus();
   });
@@ -89,10 +94,14 @@ function drawNext() {
 export function refill(box, ...nodes) {
   const had = box.contains(document.activeElement) ? document.activeElement.id : null;
   box.replaceChildren(...nodes);
-  if (had === null) return;
-  const same = had && document.getElementById(had), near = box.closest('section');
-  const next = same && !same.matches(':disabled') ? same
-    : box.querySelector('button:enabled') || (near && near.querySelector('button:enabled')) || document.querySelector('nav a[aria-current]');
+  if (had !== null) focusOn(had, box, box.closest('section'));
+}
+
+/** The part of that name gets the focus, or else the first button in one of the places. */
+function focusOn(id, ...places) {
+  const same = id && document.getElementById(id);
+  const button = () => places.map(place => place && place.querySelector('button:enabled')).find(Boolean);
+  const next = same && !same.matches(':disabled') ? same : button() || document.querySelector('nav a[aria-current]');
   if (next) next.focus({preventScroll: true});
 }
 

@@ -41,8 +41,8 @@ export function playPage(app) {
       field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator']], order.field, choose('field'))),
       field('Kicks', select('order-kind', [['flat', 'flat'], ['chip', 'chips']], order.kind, choose('kind'))),
       field('Good kicks', figure('kicks', 1, 200, 1, 5)),
-      field('Slowest m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest m/s', figure('fastest', 0.7, 8, 0.1, 5)), field('Speeds', select('order-choice', CHOICES, order.choice, value => { order.choice = value; })),
-      ...(chip ? [field('Elevation °', figure('elevation', 15, 75, 1, 5)), field('Line at x m', figure('across', -6, 6, 0.1, 5))] : [field('Part of the field', select('order-half', [['whole', 'all of it'], ['negative', 'half at −x'], ['positive', 'half at +x']], order.half, choose('half')))]),
+      field('Slowest, m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest, m/s', figure('fastest', 0.7, 8, 0.1, 5)), field('Speeds', select('order-choice', CHOICES, order.choice, value => { order.choice = value; })),
+      ...(chip ? [field('Elevation, °', figure('elevation', 15, 75, 1, 5)), field('Line at x, m', figure('across', -6, 6, 0.1, 5))] : [field('Part of the field', select('order-half', [['whole', 'all of it'], ['negative', 'half at −x'], ['positive', 'half at +x']], order.half, choose('half')))]),
       field('First robot', text('first')), field('Second robot', text('second')),
       field('Seed', figure('seed', 0, 999999, 1, 6)),
       ...(network ? [field('Host', text('host')), field('Control port', figure('port', 1, 65533, 1, 6)), field('Its vision', text('vision')), field('Referee', text('referee', 'none'))]
@@ -108,7 +108,7 @@ export function playPage(app) {
       rows.push(el('p', {id: 'play-line'}, el('b', {}, now.good + ' of ' + now.wanted + ' kicks'), ', ' + now.made + ' made' + (now.unjudged ? ', ' + now.unjudged + ' being fitted' : '') + ' · ' + number(now.time, 0) + ' s'), el('progress', {max: now.wanted, value: now.good}));
       rows.push(el('p', {id: 'play-phase'}, now.paused ? badge('warn', '❙❙ paused') : badge(now.over ? (now.good >= now.wanted ? 'good' : 'warn') : 'good', now.phase), now.nextSpeed && !now.over ? ' next: ' + number(now.nextSpeed, 1) + ' m/s' : ''));
       if (now.waiting) rows.push(el('p', {class: 'notice warn', id: 'play-waiting'}, now.waiting));
-      if (now.model.length) rows.push(table([['So far', true], ['Mean ± s.e.'], ['n']], now.model.map(m => el('tr', {}, el('td', {class: 'text', title: m.words}, m.name), el('td', {class: 'big'}, withError(m.mean, m.error)), el('td', {}, m.n)))));
+      if (now.model.length) rows.push(table([['So far', true], ['Mean ± s.e.'], ['n']], now.model.map(m => el('tr', {}, el('td', {class: 'text wrap'}, m.words), el('td', {class: 'big'}, withError(m.mean, m.error)), el('td', {}, m.n)))));
       if (now.over && !play().running) rows.push(el('p', {class: 'note'}, 'The recording is part of the session now: see ', el('a', {href: '#kicks'}, 'Kicks'), '.'));
     } else if (!play().running) rows.push(el('p', {class: 'note'}, 'Two robots kick the ball to each other until there are enough good kicks. Everything is recorded into the session.'));
     $('play-state').replaceChildren(...rows);
@@ -125,7 +125,7 @@ export function playPage(app) {
     const verdict = k => k.good === null ? badge('warn', '…') : k.good ? badge('good', '✔') : badge('bad', '✘');
     const rows = kicks.map(k => el('tr', {}, el('td', {}, k.number), el('td', {class: 'text'}, verdict(k)), el('td', {class: 'text'}, k.robot), el('td', {}, number(k.wanted, 1)), el('td', {}, number(k.speed, 2)), el('td', {}, number(k.rmsMm, 1)), el('td', {class: 'text'}, k.end),
       el('td', {class: 'text wrap'}, k.good === false ? k.reason : k.says.join(', '))));
-    content('play-kicks').replaceChildren(rows.length ? table([['#'], ['', true], ['Robot', true], ['Commanded m/s'], ['Measured m/s'], ['mm', false, 'Residual per axis'], ['End', true], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
+    content('play-kicks').replaceChildren(rows.length ? table([['#'], ['', true], ['Robot', true], ['Commanded, m/s'], ['Measured, m/s'], ['rms, mm', false, 'Residual per axis'], ['End', true], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
   }
 
   // ---- the field ----

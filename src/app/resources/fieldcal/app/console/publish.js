@@ -83,9 +83,9 @@ export function publishPage(app) {
   /** The new model beside what vision publishes now and what the recordings, or the operator's file, say. */
   function changes(short) {
     const now = heard() && heard().geometry ? heard().values : null, before = state().model.compared;
-    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text', title: p.words}, Plots.inFiles(p.name), p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
+    const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text name'}, p.words, p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
       ...(now ? [el('td', {}, Plots.asPublished(now[p.name]))] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
-    return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'Your file' : 'Recordings', false, 'what the new model was compared with']]), ...(now ? [['Vision now']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
+    return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'In your file' : 'Published', false, before === 'file' ? 'the model that the console was started with' : 'what vision published in the recordings']]), ...(now ? [['Published now', false, 'what vision publishes at this moment']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
   }
 
   function showSend() {

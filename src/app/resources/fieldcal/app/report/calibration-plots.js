@@ -94,7 +94,7 @@ const Plots = (() => {
     option.yAxis.axisLabel.showMinLabel = option.yAxis.axisLabel.showMaxLabel = false;
     option.yAxis.splitNumber = 4;
     option.yAxis.axisLabel.formatter = value => number(value, Math.max(1, Math.min(4, Math.ceil(-Math.log10((high - low) / 4)))));
-    option.grid.left = 58;
+    option.grid.left = 66;
     if (horizontal.minInterval) option.xAxis.minInterval = 1;
     const shown = p => {
       const y = p.undetermined ? low : Math.max(low, Math.min(high, p.value));

@@ -49,11 +49,11 @@ const CalibrationViews = (() => {
     const digits = Charts.decimals(parameter.standardError);
     return el('tr', {},
       el('td', {class: 'text wrap'}, parameter.words, parameter.unit ? el('small', {}, ' ' + parameter.unit) : ''),
-      el('td', {class: 'big', title: known(parameter.sigma) ? 'scatter between the kicks beyond their own errors: ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
-      el('td', {}, parameter.n),
-      el('td', {}, withError(parameter.joint, parameter.jointStandardError)),
-      el('td', {}, Plots.asPublished(parameter.published)),
-      el('td', {title: parameter.note || null}, difference(parameter)));
+      el('td', {class: 'big', 'data-label': 'mean', title: known(parameter.sigma) ? 'scatter between the kicks beyond their own errors: ' + number(parameter.sigma, digits) : null}, withError(parameter.mean, parameter.standardError)),
+      el('td', {'data-label': 'n'}, parameter.n),
+      el('td', {'data-label': 'joint fit'}, withError(parameter.joint, parameter.jointStandardError)),
+      el('td', {'data-label': 'published'}, Plots.asPublished(parameter.published)),
+      el('td', {'data-label': 'difference', title: parameter.note || null}, difference(parameter)));
   }
 
   /** The same for a spreadsheet: values between tabulators, SI units. */
@@ -70,7 +70,7 @@ const CalibrationViews = (() => {
     const body = report.models.flatMap(model => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
-      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + ' kicks used, each for the parameters that it determines (n)' + (known(model.jointRmsMm) ? ', joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used, each for the parameters that it determines (n)' + (known(model.jointRmsMm) ? ', joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
       return [el('tr', {class: 'group'}, el('th', {colspan: 6}, el('span', {}, group))), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
@@ -102,7 +102,7 @@ const CalibrationViews = (() => {
           el('td', {class: 'text'}, swatch(style.symbol, style.colour), ' ' + camera.id),
           el('td', {}, number(camera.noiseMm, 1)), el('td', {}, number(camera.rateHz, 1)), 
           el('td', {}, withError(camera.offsetXMm, camera.offsetXErrorMm)), el('td', {}, withError(camera.offsetYMm, camera.offsetYErrorMm))),
-        el('tr', {}, el('td', {class: 'text wrap', colspan: 5}, badge(apart.startsWith('reports') ? 'warn' : 'good', 'camera ' + camera.id + ' ' + apart), ' ' + camera.observations + ' observations' + (camera.note ? '; ' + camera.note : ''))),
+        el('tr', {}, el('td', {class: 'text wrap', colspan: 5}, el('div', {class: 'fits'}, badge(apart.startsWith('reports') ? 'warn' : 'good', 'camera ' + camera.id + ' ' + apart), ' ' + camera.observations + ' observations' + (camera.note ? '; ' + camera.note : '')))),
       ];
     });
     const head = [['', ''], ['Noise', 'mm'], ['Rate', 'Hz'], ['Offset x', 'mm'], ['Offset y', 'mm']];
@@ -161,11 +161,13 @@ const CalibrationViews = (() => {
   function kickParameterRow(report, kick, parameter) {
     const model = report.models.find(m => m.kind === kick.kind);
     const mean = model && model.parameters.find(p => p.name === parameter.name);
-    const sigmas = mean && known(parameter.value) ? Plots.sigmas(mean, parameter) : NaN;
+    // One kick is its own mean.
+    const sigmas = mean && mean.n > 1 && known(parameter.value) ? Plots.sigmas(mean, parameter) : NaN;
+    const name = el('td', {class: 'text name'}, mean ? mean.words : Plots.inFiles(parameter.name));
     if (!known(parameter.value)) {
-      return el('tr', {}, el('td', {class: 'text', title: mean ? mean.words : null}, Plots.inFiles(parameter.name)), el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
+      return el('tr', {}, name, el('td', {class: 'text wrap', colspan: 2}, 'undetermined: ' + (parameter.undetermined || 'no reason given')));
     }
-    return el('tr', {}, el('td', {class: 'text', title: mean ? mean.words : null}, Plots.inFiles(parameter.name)), el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
+    return el('tr', {}, name, el('td', {}, withError(parameter.value, parameter.standardError, mean ? mean.unit : '')),
       el('td', {}, known(sigmas) ? el('span', {title: parameter.dropped || null}, badge(parameter.dropped ? 'bad' : Math.abs(sigmas) > 2 ? 'warn' : 'good', (parameter.dropped ? '✘ ' : '') + signed(sigmas, 1) + ' σ')) : ''));
   }
 
@@ -180,7 +182,8 @@ const CalibrationViews = (() => {
         el('p', {}, 'By ' + Plots.robotName(kick) + ', towards ' + number(Plots.kickDirection(kick), 0) + '°' + (kick.kind === 'CHIP' ? ', ' + number(elevation, 0) + '° steep' : '') + '; ' + Plots.endWords(kick.end) + ' after ' + number(Plots.prepare(kick).end, 1) + '\u00a0s.'),
         el('p', {}, kick.observations + ' observations, ' + kick.rejected + ' left out as outliers; residual ' + number(kick.rmsMm, 2) + ' mm per axis.'),
         el('p', {class: 'note', title: kick.source}, Charts.fileName(kick.source) + (known(kick.unix) ? ', ' + new Date(kick.unix * 1000).toISOString().slice(11, 23) + ' UTC' : ''))),
-      el('table', {}, el('tbody', {}, kick.parameters.map(p => kickParameterRow(report, kick, p)))),
+      el('table', {}, el('thead', {}, el('tr', {}, el('th', {scope: 'col', class: 'text'}, 'Parameter'), el('th', {scope: 'col'}, 'This kick ± s.e.'), el('th', {scope: 'col', title: 'distance from the mean of the kicks, in standard deviations; ✘: excluded'}, 'From the mean'))),
+        el('tbody', {}, kick.parameters.map(p => kickParameterRow(report, kick, p)))),
     ];
   }
 

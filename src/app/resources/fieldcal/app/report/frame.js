@@ -18,9 +18,19 @@ const Frame = (() => {
       chart = echarts.init(box, null, {renderer: 'canvas', devicePixelRatio: screen.pixelRatio});
       charts.set(box, chart);
       if (onClick) chart.on('click', onClick);
+    } else {
+      fit(box, chart);
     }
     chart.setOption(option, true);
   }
+
+  /** Gives a chart the size of its box; one that is hidden has none, and keeps what it had until it is seen again. */
+  function fit(box, chart) {
+    const {clientWidth: width, clientHeight: height} = box;
+    if (width > 0 && (chart.getWidth() !== width || chart.getHeight() !== height)) chart.resize();
+  }
+
+  const fitAll = () => { for (const [box, chart] of charts) fit(box, chart); };
 
   function forget(container) {
     for (const [box, chart] of charts) {
@@ -147,12 +157,12 @@ const Frame = (() => {
     window.addEventListener('resize', () => {
       cancelAnimationFrame(resizing);
       resizing = requestAnimationFrame(() => {
-        for (const chart of charts.values()) chart.resize();
+        fitAll();
         page.resized();
       });
     });
     page.showAll();
   }
 
-  return {$, content, charts, screen, draw, forget, figure, choices, badge, swatch, copyButton, showProvenance, showProblems, start};
+  return {$, content, charts, screen, draw, fitAll, forget, figure, choices, badge, swatch, copyButton, showProvenance, showProblems, start};
 })();

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A stretch of matches at one venue, on one carpet with one sort of ball.
+ * A stretch of matches at one venue, on one carpet with one kind of ball.
  *
  * @param venue its name
  * @param name of the venue, and a running number

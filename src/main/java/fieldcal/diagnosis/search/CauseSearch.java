@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a wrong valley: while something is left, others begin anew in another manner (a
+ * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a wrong valley: while something is left, others begin again in another manner (a
  * multi-start, as for any function with many minima), and the best of them is revised. Evidence is not divided by what is still unexplained, or the second of two strong causes would never look worth it. Not thread-safe; used once.
  */
 public final class CauseSearch {
@@ -19,7 +19,7 @@ public final class CauseSearch {
   /** Share of the kicks that must be explained. */
   private static final double MOST_KICKS = 0.85;
 
-  /** A pursuit that begins anew must leave that share at most of what an earlier one leaves: where no component is right, each leaves another rest, and the least of them means nothing. */
+  /** A pursuit that begins again must leave that share at most of what an earlier one leaves: where no component is right, each leaves another rest, and the least of them means nothing. */
   private static final double ANEW = 0.5;
 
   /**

@@ -21,6 +21,11 @@ import org.openqa.selenium.Keys;
 
 /** A person's whole session in a browser. */
 class BrowserTest {
+  /** Answers when the page has drawn twice. */
+  private static final String DRAWN =
+      "const done = arguments[arguments.length - 1];"
+          + " requestAnimationFrame(() => requestAnimationFrame(() => done(true)))";
+
   /** Notes of a session whose diagnosis wants more kicks. */
   private static final String UNDECIDED =
       """
@@ -377,6 +382,62 @@ class BrowserTest {
       browser.awaitText("#watch-line", "ended");
       browser.awaitFocus("#watch-start");
       browser.assertNoComplaints();
+    }
+  }
+
+  /** What a question was asked from may be drawn anew while it is answered; the keyboard goes on there all the same. */
+  @Test
+  void aQuestionGivesTheFocusBack() throws IOException {
+    Path session = folder.resolve("question");
+    SampleSession.copy(SampleSession.small(), session);
+    try (RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#play");
+      browser.find("#play-start");
+      browser.tabToAndEnter("#play-start");
+      browser.awaitFocus("#play-pause");
+      browser.tabToAndEnter("#play-abort");
+      browser.awaitFocus("#refuse");
+      // Somebody in another window pauses the play.
+      browser.script(
+          "import('/assets/server.js').then(server => server.act('play/word', {word: 'pause'}))");
+      browser.find("#play-resume");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#play-abort");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#refuse");
+      browser.pressHere(Keys.ESCAPE);
+      browser.awaitFocus("#play-abort");
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#refuse");
+      browser.pressHere(Keys.SHIFT, Keys.TAB);
+      browser.pressHere(Keys.ENTER);
+      browser.awaitFocus("#play-start");
+      browser.assertNoComplaints();
+    }
+  }
+
+  /** A window may be made larger while another page is shown. */
+  @Test
+  void thePlaysFieldFitsAfterTheWindowHasChanged() throws IOException {
+    Path session = folder.resolve("window");
+    SampleSession.copy(SampleSession.small(), session);
+    try (RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#play");
+      browser.find("#play-field canvas");
+      browser.pressHere("6");
+      browser.find("#recordings-list table");
+      browser.resize(1600, 900);
+      browser.scriptThatAnswers(DRAWN, "");
+      browser.pressHere("2");
+      browser.find("#play-start");
+      browser.scriptThatAnswers(DRAWN, "");
+      assertThat(
+              browser.script(
+                  "const box = document.querySelector('#play-field .chart');"
+                      + " return box.querySelector('canvas').clientWidth === box.clientWidth"))
+          .isEqualTo(true);
+    } finally {
+      browser.resize(1280, 720);
     }
   }
 

@@ -243,12 +243,12 @@ class CauseWordsTest {
   @Test
   void whatTheModelDoesToAKickIsComputed() {
     assertThat(WORDS.of(new AirDrag(0.47), Map.of()).consequence())
-        .matches("A pass at 6 m/s comes \\d+ mm less far in 1 s than it would without air\\.");
+        .matches("A pass at 6 m/s travels \\d+ mm less far in 1 s than it would without air\\.");
     assertThat(WORDS.of(new KickSpin(-0.25), Map.of()).consequence())
         .contains("mm less far in 2 s than it would without spin")
         .contains("rolls from 58 % of its speed on instead of 66 %");
     assertThat(WORDS.of(new CarpetNap(0.08, 0), Map.of()).consequence())
-        .matches("A pass at 4 m/s that way comes [1-9]\\d* mm less far in 2 s than one .*");
+        .matches("A pass at 4 m/s that way travels [1-9]\\d* mm less far in 2 s than one .*");
     // Seen from 5 m, a plane 8.5 mm too high moves a ball 3 m aside by 8.5·3/5 mm.
     assertThat(WORDS.of(new BallHeightError(8.5), Map.of()).consequence())
         .containsPattern("by [2-5]\\.\\d mm on average, by up to [5-9]\\.\\d mm");

@@ -17,6 +17,7 @@ import fieldcal.app.wording.CauseWords;
 import fieldcal.app.wording.Certainty;
 import fieldcal.app.wording.EffectName;
 import fieldcal.app.wording.NextKicks;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -269,7 +270,7 @@ public final class DiagnosisReportBuilder {
     for (int i = 0; i < all.size(); i++) {
       Parameter p = all.get(i);
       double was = i < old.size() ? old.get(i).value() : Double.NaN;
-      rows.add(new ParameterRow(kind, p.name(), p.unit(), was, p.value()));
+      rows.add(new ParameterRow(kind, ParameterWords.of(p.name()), p.unit(), was, p.value()));
     }
   }
 }
