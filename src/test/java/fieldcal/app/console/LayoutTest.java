@@ -40,7 +40,7 @@ class LayoutTest {
       return cut;
       """;
 
-  /** Headings and buttons that lie over each other: the boxes of a heading's words and of a button. */
+  /** Headings and buttons that lie over each other: the boxes of a heading's words and of a button. A question lies over its page on purpose. */
   private static final String OVERLAP =
       """
       const over = [];
@@ -48,7 +48,7 @@ class LayoutTest {
         const words = document.createRange();
         words.selectNodeContents(heading);
         for (const line of words.getClientRects()) {
-          for (const button of heading.closest('section, main, body').querySelectorAll('button')) {
+          for (const button of heading.closest('dialog, section, main, body').querySelectorAll('button')) {
             const box = button.getBoundingClientRect();
             if (box.width > 0 && box.left < line.right - 1 && box.right > line.left + 1 && box.top < line.bottom - 1 && box.bottom > line.top + 1) over.push(heading.textContent + ' and ' + button.textContent);
           }
