@@ -1,6 +1,7 @@
 package fieldcal.app.calibrate;
 
 import fieldcal.app.recording.CameraStream;
+import fieldcal.app.recording.DataProblem;
 import fieldcal.app.report.CalibrationReport;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
@@ -89,7 +90,7 @@ public final class ReportBuilder {
         calibration.kicks().stream().map(kicks).toList(),
         PublishWords.of(outcome.verdict()),
         new CalibrationWarnings(outcome).list(),
-        outcome.data().problems().stream().map(Problem::of).toList());
+        DataProblem.folded(outcome.data().problems()).stream().map(Problem::of).toList());
   }
 
   private CalibrationReport.Model model(KickKind kind) {

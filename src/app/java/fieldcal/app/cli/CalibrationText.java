@@ -51,7 +51,7 @@ final class CalibrationText {
     rejected(calibration);
     if (!outcome.data().problems().isEmpty()) {
       line("%nIn the data:");
-      for (DataProblem p : outcome.data().problems()) {
+      for (DataProblem p : DataProblem.folded(outcome.data().problems())) {
         line("  %s", p);
       }
     }

@@ -204,7 +204,7 @@ final class DiagnosisText {
         outcome.calibration().data().kicks().size() == 1 ? "kick" : "kicks",
         commands(outcome),
         outcome.diagnosis().seed());
-    List<DataProblem> problems = outcome.calibration().data().problems();
+    List<DataProblem> problems = DataProblem.folded(outcome.calibration().data().problems());
     for (DataProblem p : problems.subList(0, Math.min(MOST_PROBLEMS, problems.size()))) {
       wrapped("in the data: ", "  ", p.toString());
     }

@@ -1,10 +1,17 @@
 package fieldcal.app.recording;
 
+import fieldcal.app.wording.WordList;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.ProblemAccount;
 import fieldcal.vision.ProblemKind;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Something that was wrong with the data, in one line for the operator.
@@ -15,6 +22,7 @@ import java.util.Objects;
  * @param advice what it means or what to do
  */
 public record DataProblem(String where, String what, long count, String advice) {
+  private static final Pattern ONE_CAMERA = Pattern.compile(", camera (\\d+)$");
 
   /**
    * Checks that the texts are there. {@inheritDoc}
@@ -42,6 +50,40 @@ public record DataProblem(String where, String what, long count, String advice) 
     String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
     String place = log + ", byte " + first.offset();
     return new DataProblem(place, kind.text() + detail, account.count(kind), advice(kind));
+  }
+
+  /**
+   * The same about several cameras in one line: with eight cameras, the lines of one problem would hide all others.
+   *
+   * @param problems in order
+   * @return the same, where those that differ by the camera alone are one
+   */
+  public static List<DataProblem> folded(List<DataProblem> problems) {
+    Map<List<Object>, List<DataProblem>> alike = new LinkedHashMap<>();
+    for (DataProblem p : problems) {
+      String rest = ONE_CAMERA.matcher(p.where).replaceFirst("");
+      alike
+          .computeIfAbsent(List.of(rest, p.what, p.count, p.advice), key -> new ArrayList<>())
+          .add(p);
+    }
+    return alike.values().stream().map(DataProblem::ofCameras).toList();
+  }
+
+  private static DataProblem ofCameras(List<DataProblem> same) {
+    DataProblem first = same.get(0);
+    List<String> cameras =
+        same.stream()
+            .map(p -> ONE_CAMERA.matcher(p.where))
+            .filter(Matcher::find)
+            .map(found -> found.group(1))
+            .distinct()
+            .toList();
+    if (cameras.size() < 2) {
+      return first;
+    }
+    String where =
+        ONE_CAMERA.matcher(first.where).replaceFirst("") + ", cameras " + WordList.of(cameras);
+    return new DataProblem(where, first.what, first.count, first.advice);
   }
 
   private static String advice(ProblemKind kind) {

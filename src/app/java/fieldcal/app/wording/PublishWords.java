@@ -271,6 +271,15 @@ public record PublishWords(
                 r ->
                     r instanceof Reason.DiffersFromPublished
                         || r instanceof Reason.NothingPublished);
+    boolean simulated =
+        reasons.stream()
+            .anyMatch(r -> r instanceof Reason.SimulatedField s && s.simulated() == s.recordings());
+    if (simulated) {
+      return changes
+          ? "Use the numbers on this simulated field only; for a real one, record kicks there."
+          : "Nothing has to be changed on this simulated field: the published model is right"
+              + " there.";
+    }
     return changes
         ? "Enter the numbers in SSL-Vision, or send them from the console."
         : "Nothing has to be changed: the published model is right.";
@@ -292,7 +301,7 @@ public record PublishWords(
       return "Calibrate without --kind chip.";
     }
     if (reason instanceof Reason.SeveralFields || reason instanceof Reason.OtherCameras) {
-      return "Calibrate the recordings of each field by themselves.";
+      return "Calibrate each field on its own.";
     }
     if (reason instanceof Reason.SimulatedField) {
       return "Leave the simulated recordings out.";

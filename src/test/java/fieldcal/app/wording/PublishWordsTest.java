@@ -33,4 +33,21 @@ class PublishWordsTest {
             "Verdict: record more. Record fast flat kicks (4 to 6.5 m/s), flat kicks that roll"
                 + " until they stop (2 to 4 m/s) and flat kicks that roll for two metres or more.");
   }
+
+  /** Who rehearses must not carry the rehearsal's numbers to the field. */
+  @Test
+  void aRehearsalIsNotForSslVision() {
+    List<Reason> real = List.of(new Reason.NothingPublished(KickKind.FLAT));
+    List<Reason> rehearsed =
+        List.of(new Reason.NothingPublished(KickKind.FLAT), new Reason.SimulatedField(2, 2));
+    assertThat(headline(real)).contains("SSL-Vision");
+    assertThat(headline(rehearsed))
+        .isEqualTo(
+            "Verdict: publish. Use the numbers on this simulated field only; for a real one, record"
+                + " kicks there.");
+  }
+
+  private static String headline(List<Reason> reasons) {
+    return PublishWords.of(new PublishVerdict(PublishDecision.PUBLISH, reasons, false)).headline();
+  }
 }

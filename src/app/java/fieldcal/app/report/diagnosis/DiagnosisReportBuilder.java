@@ -1,6 +1,7 @@
 package fieldcal.app.report.diagnosis;
 
 import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.DataProblem;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
 import fieldcal.app.report.Provenance;
@@ -101,7 +102,7 @@ public final class DiagnosisReportBuilder {
         cameras(),
         diagnosis.kicks().stream().map(kicks::of).toList(),
         parameters(),
-        data.problems().stream().map(Problem::of).toList());
+        DataProblem.folded(data.problems()).stream().map(Problem::of).toList());
   }
 
   private CauseRow cause(Cause cause) {
