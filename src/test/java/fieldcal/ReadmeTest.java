@@ -53,6 +53,12 @@ class ReadmeTest {
     assertThat(lines).contains("./gradlew test");
   }
 
+  /** Whoever stands at the field reads it once; everything else is in docs/. */
+  @Test
+  void theReadmeIsShort() throws IOException {
+    assertThat(Files.readString(README).strip().split("\\s+")).hasSizeLessThanOrEqualTo(1500);
+  }
+
   @Test
   void everyCommandIsInTheReadme() throws IOException {
     String readme = Files.readString(README);

@@ -27,7 +27,7 @@ public record LimitEstimate(
    * No value.
    *
    * @param samples how many observations there were
-   * @param why they say nothing
+   * @param why they do not determine it
    * @return an estimate without a value
    */
   public static LimitEstimate undetermined(long samples, String why) {

@@ -258,7 +258,7 @@ final class MatchText {
     String since =
         String.format(
             Locale.ROOT,
-            "  since %s%s; in brackets: the league's estimate, with noise",
+            "  since %s%s; in brackets: the league's estimate, which includes noise",
             clock(movement.countingSince()),
             movement.breaks() > 0 ? " (last break)" : "");
     lines.add(since);
