@@ -128,7 +128,11 @@ class NetworkPlayFieldTest {
           assertSame(outcome.last().model(), inProcess().last().model());
           assertThat(recordedCommands(outcome.log().orElseThrow()))
               .contains(Referee.Command.NORMAL_START);
-          assertThat(field.complaints()).isEmpty();
+          // Silences and jumps of vision's clock are those of a machine that has other things to
+          // do.
+          assertThat(field.complaints())
+              .filteredOn(complaint -> !complaint.startsWith("vision"))
+              .isEmpty();
         });
   }
 
