@@ -1,7 +1,7 @@
 package fieldcal.calibration;
 
 import fieldcal.fit.Estimate;
-import java.util.Comparator;
+import fieldcal.fit.RobustCentre;
 import java.util.List;
 
 /**
@@ -20,15 +20,6 @@ import java.util.List;
 public record Average(double mean, double standardError, double scatter, int n) {
   /** A sample that is farther from the mean, in what is expected of it, is something else: it counts as that (one of 16 000 Gaussian ones). */
   private static final double FARTHEST = 4;
-
-  /** Variance of a median over that of the mean of Gaussian samples: π/2. */
-  private static final double MEDIAN_VARIANCE = Math.PI / 2;
-
-  /** Mean and median of Gaussian samples differ by √(π/2 − 1) = 0.756 standard errors; one in twenty by 1.96 times that: the median costs little. */
-  private static final double SKEWED = 1.96 * 0.756;
-
-  /** Fewer samples do not show two sides. */
-  private static final int FEWEST_FOR_A_MEDIAN = 6;
 
   /**
    * Averages.
@@ -111,47 +102,20 @@ public record Average(double mean, double standardError, double scatter, int n) 
   }
 
   /**
-   * The same, robust against samples that come from two sides: the first hops of balls with and without spin, for example. Where the mean lies farther from the weighted median than nineteen in
-   * twenty symmetric scatters bring it, the median is taken, with an error that covers both.
+   * The same, robust against samples that come from two sides ({@link RobustCentre}).
    *
    * @param samples from which it was averaged
    * @return this average, or the median with a larger standard error
    */
   public Average robust(List<Sample> samples) {
-    List<Sample> used =
-        samples.stream()
-            .filter(s -> s.dropped().isEmpty())
-            .sorted(Comparator.comparingDouble(Sample::value))
-            .toList();
-    if (used.size() < FEWEST_FOR_A_MEDIAN || !(standardError > 0)) {
-      return this;
-    }
-    double median = weightedMedian(used);
-    double apart = mean - median;
-    if (Math.abs(apart) < SKEWED * standardError) {
-      return this;
-    }
-    return new Average(
-        median, Math.hypot(Math.sqrt(MEDIAN_VARIANCE) * standardError, apart), scatter, n);
-  }
-
-  /** Where half of the weight lies on either side; between two samples the middle. */
-  private double weightedMedian(List<Sample> sorted) {
-    double[] weights = new double[sorted.size()];
-    double total = 0;
-    for (int i = 0; i < weights.length; i++) {
-      weights[i] = 1 / (Math.pow(sorted.get(i).standardError(), 2) + scatter * scatter);
-      total += weights[i];
-    }
-    double below = 0;
-    int i = 0;
-    while (below + weights[i] < total / 2) {
-      below += weights[i++];
-    }
-    boolean between = Math.abs(below + weights[i] - total / 2) < 1e-9 * total;
-    return between && i + 1 < weights.length
-        ? (sorted.get(i).value() + sorted.get(i + 1).value()) / 2
-        : sorted.get(i).value();
+    List<Sample> used = samples.stream().filter(s -> s.dropped().isEmpty()).toList();
+    RobustCentre centre =
+        RobustCentre.of(
+            used.stream().mapToDouble(Sample::value).toArray(),
+            used.stream().mapToDouble(s -> Math.hypot(s.standardError(), scatter)).toArray(),
+            mean,
+            standardError);
+    return new Average(centre.value(), centre.standardError(), scatter, n);
   }
 
   /**

@@ -145,10 +145,7 @@ final class Selection {
               .flatMap(k -> k.samples().stream())
               .filter(s -> s.parameter().equals(name))
               .toList();
-      Average mean = Average.of(samples);
-      // Spin divides first hops into two sides: with it a ball loses more than without.
-      Average robust = name.equals("dampingXyFirstHop") ? mean.robust(samples) : mean;
-      averages.put(name, robust.widened(spread(samples)));
+      averages.put(name, Average.of(samples).robust(samples).widened(spread(samples)));
     }
     return averages;
   }

@@ -162,8 +162,23 @@ public final class JointFitter {
 
     /** By how much an error is larger whose scatter few kicks have shown. */
     private double student(int parameter) {
-      boolean scatters = Arrays.stream(scattering).anyMatch(k -> k == parameter);
-      return scatters ? Estimate.student(known(parameter).size()) : 1;
+      return randomOf(parameter) >= 0 ? Estimate.student(known(parameter).size()) : 1;
+    }
+
+    /** Which random effect scatters a parameter; −1 for none. */
+    private int randomOf(int parameter) {
+      return Arrays.binarySearch(scattering, parameter);
+    }
+
+    /** A normal scatter has its mean between kicks of two sides, where none of them is. */
+    private RobustCentre centre(SharedSolution<double[]> solution, int parameter, double error) {
+      double scatter = solution.scatters()[randomOf(parameter)];
+      List<Estimate> known = known(parameter);
+      return RobustCentre.of(
+          known.stream().mapToDouble(Estimate::value).toArray(),
+          known.stream().mapToDouble(e -> Math.hypot(e.standardError(), scatter)).toArray(),
+          solution.globals().get(parameter).value(),
+          error);
     }
 
     private static double squares(List<Estimate> known, double scatter) {
@@ -361,6 +376,11 @@ public final class JointFitter {
             p.estimated() && covariance.isPresent()
                 ? student(k) * Math.sqrt(covariance.get()[k][k])
                 : Double.NaN;
+        if (randomOf(k) >= 0) {
+          RobustCentre centre = centre(solution, k, error);
+          p = p.withValue(centre.value());
+          error = centre.standardError();
+        }
         boolean bound = p.estimated() && (p.value() <= p.min() || p.value() >= p.max());
         boolean unknown = p.estimated() && !(error < DETERMINED * p.scale());
         Optional<String> reason = unknown ? Optional.of("no kick determines it") : Optional.empty();

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 
 /**
  * Fits the two-phase flat or the bouncing chip trajectory to the detections of one kick.
@@ -33,7 +34,7 @@ public final class KickFitter {
 
   /**
    * Share of the squared residuals of a flat fit that a true flight leaves at most where neither explains the kick: cameras see a ball that flies decimetres off its way on the ground. Simulated chips with strong unknown causes left at most
-   * 0.036, flat kicks with such causes at least 0.25.
+   * 0.036, flat kicks with such causes at least 0.25; of the squares along the way such flat kicks left at least 0.17.
    */
   private static final double NEARLY_ALL_EXPLAINED = 0.1;
 
@@ -73,7 +74,7 @@ public final class KickFitter {
 
   /**
    * Whether a chip stands for what was seen rather than a flat kick. When it explains the kick down to the noise, it has to do so clearly better. When neither does, something else is wrong, too, that a chip with its two parameters
-   * more will take up in part; a true flight then explains nearly all.
+   * more will take up in part; a true flight then explains nearly all. Spin about the direction of travel bends the way of a ball on the ground and at each impact, which no model of ours follows: then along the way, where it bends nothing, a true flight explains nearly all.
    */
   private boolean isChip(FitProblem problem, KickFit chip, KickFit flat) {
     if (chip.statistics().explained()) {
@@ -81,7 +82,20 @@ public final class KickFitter {
       return loss(chip, data) < CLEARLY * loss(flat, data);
     }
     double ratio = chip.rmsMm() / flat.rmsMm();
-    return ratio * ratio < NEARLY_ALL_EXPLAINED;
+    double vx = chip.estimate("vx").value();
+    double vy = chip.estimate("vy").value();
+    return Math.min(ratio * ratio, squaresAlong(chip, vx, vy) / squaresAlong(flat, vx, vy))
+        < NEARLY_ALL_EXPLAINED;
+  }
+
+  /** Mean square of the residuals along a direction of any length, over the detections that the fit used. */
+  private static double squaresAlong(KickFit fit, double dx, double dy) {
+    return IntStream.range(0, fit.kick().observations().size())
+        .filter(fit::used)
+        .mapToDouble(i -> fit.residualX(i) * dx + fit.residualY(i) * dy)
+        .map(along -> along * along)
+        .average()
+        .orElse(Double.NaN);
   }
 
   /** Cauchy's loss, outliers included. */

@@ -71,7 +71,7 @@ class AverageTest {
   void symmetricSamplesKeepTheirMean() {
     List<Sample> one = samples(0.70, 0.702, 0.698, 0.705, 0.695, 0.701, 0.699);
     Average mean = Average.of(one);
-    assertThat(mean.robust(one)).isSameAs(mean);
+    assertThat(mean.robust(one)).isEqualTo(mean);
     assertThat(Average.of(samples(1, 2)).robust(samples(1, 2)).mean()).isEqualTo(1.5);
   }
 

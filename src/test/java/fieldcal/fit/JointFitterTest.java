@@ -35,12 +35,16 @@ class JointFitterTest {
   private final JointFitter joint = new JointFitter(FitSettings.defaults());
 
   private IdealKicks.Sample draw(KickKind kind, int id) {
+    return draw(kind, id, CHIP);
+  }
+
+  private IdealKicks.Sample draw(KickKind kind, int id, ChipModel chip) {
     double[] truth =
         kind == KickKind.FLAT
             ? IdealKicks.flatTruth(random.split())
             : IdealKicks.chipTruth(random.split());
     double[] model =
-        (kind == KickKind.FLAT ? FLAT.parameters() : CHIP.parameters())
+        (kind == KickKind.FLAT ? FLAT.parameters() : chip.parameters())
             .stream().mapToDouble(p -> p.value()).toArray();
     System.arraycopy(model, 0, truth, FlightLayout.kickSize(kind), model.length);
     return source.observe(kind, truth, id, CLEAN, random.split());
@@ -155,6 +159,25 @@ class JointFitterTest {
     assertThat(fit.chip()).isEmpty();
     assertThat(fit.rmsChipMm()).isNaN();
     assertThat(fit.rmsFlatMm()).isEqualTo(fit.rmsMm());
+  }
+
+  /** A third of the chips has backspin: between the two sides, where a normal scatter has its mean, no kick is. */
+  @Test
+  void kicksOfTwoSidesGiveTheMedianAndAnErrorThatCoversBoth() {
+    ChipModel spun = new ChipModel(0.70, 0.90, 0.52, -0.28);
+    List<KickFit> fits = new ArrayList<>();
+    for (int id = 1; id <= 12; id++) {
+      Kick kick = draw(KickKind.CHIP, id, id % 3 == 0 ? spun : CHIP).kick();
+      fits.add(fit(kick, source.views(), KickKind.CHIP));
+    }
+    JointFit fit = solve(fits, source.views());
+    Estimate first = fit.chip("dampingXyFirstHop").orElseThrow();
+    Estimate others = fit.chip("dampingXyOtherHops").orElseThrow();
+    assertThat(first.value()).isEqualTo(0.74, within(0.003));
+    assertThat(first.standardError()).isBetween(0.012, 0.04);
+    assertThat(others.value()).isEqualTo(0.93, within(0.002));
+    assertThat(others.standardError()).isBetween(0.009, 0.03);
+    assertThat(fit.chip("dampingZ").orElseThrow().value()).isEqualTo(0.52, within(0.005));
   }
 
   @Test
