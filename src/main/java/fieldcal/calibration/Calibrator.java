@@ -150,7 +150,8 @@ public final class Calibrator {
    */
   public static CameraViews measured(List<Kick> kicks, CameraViews cameras) {
     CameraViews usable = LensCheck.usable(kicks, cameras);
-    Map<Integer, Double> noise = CameraNoise.atRest(kicks, usable);
+    Map<Integer, Double> atRest = CameraNoise.atRest(kicks, usable);
+    Map<Integer, Double> noise = atRest.isEmpty() ? CameraNoise.inMotion(kicks, usable) : atRest;
     // A camera that saw too little at rest is taken to be as good as the others.
     double typical =
         noise.values().stream()

@@ -9,9 +9,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.analysis.polynomials.PolynomialFunction;
+import org.apache.commons.math3.fitting.PolynomialCurveFitter;
+import org.apache.commons.math3.fitting.WeightedObservedPoints;
 
 /**
- * Measures each camera's noise on the ball that rests before a kick: there every deviation from the mean is noise.
+ * Measures each camera's noise on the ball that rests before a kick: there every deviation from the mean is noise. Where no ball rested, since kickers pushed it first, deviations from short smooth stretches of its way are.
  *
  * <p>The scale is the median of the squared whitened deviations, so that a few false detections do not matter. It is never below {@link #FLOOR}, nor below what a
  * grid of the coordinates adds: a ball that rests in one cell of a grid does not scatter at all, and is half a cell off.
@@ -37,6 +41,17 @@ public final class CameraNoise {
 
   /** So many different coordinates that have a common divisor by chance are all even once in four thousand cameras. */
   private static final int FEWEST_VALUES = 12;
+
+  /** Detections of a stretch of a moving ball; with fewer a parabola leaves little. */
+  private static final int STRETCH = 8;
+
+  /** Over a longer stretch a ball does not move on a parabola, s; eight detections at 50 Hz. */
+  private static final double LONGEST_STRETCH = 0.16;
+
+  /** Time stamps jitter by up to 1.3 ms (ten matches of 2026): a slower ball moves less than the noise of good cameras meanwhile, m/s. */
+  private static final double SLOW = 0.5;
+
+  private static final PolynomialCurveFitter PARABOLA = PolynomialCurveFitter.create(2);
 
   private CameraNoise() {}
 
@@ -131,7 +146,11 @@ public final class CameraNoise {
         }
       }
     }
-    Map<Integer, Double> least = least(kicks);
+    return noise(squares, least(kicks));
+  }
+
+  private static Map<Integer, Double> noise(
+      Map<Integer, List<Double>> squares, Map<Integer, Double> least) {
     Map<Integer, Double> noise = new TreeMap<>();
     squares.forEach(
         (camera, values) -> {
@@ -171,6 +190,65 @@ public final class CameraNoise {
       double r2 = data.w21[i] * (x[k] - mx) + data.w22[i] * (y[k] - my);
       squares.add((r1 * r1 + r2 * r2) * correction);
     }
+  }
+
+  /**
+   * Noise per axis on the moving ball, at least its {@link #least}: what is left of short stretches of each camera once a parabola was taken out. Slow stretches, if there are enough: jitter of the time stamps moves a fast ball.
+   *
+   * @param kicks any kind
+   * @param views the cameras; their own noise is not used
+   * @return m, by camera id; cameras that saw too little are missing
+   */
+  public static Map<Integer, Double> inMotion(List<Kick> kicks, CameraViews views) {
+    CameraViews unit = views.map(v -> v.withNoise(1));
+    Map<Integer, List<Double>> slow = new TreeMap<>();
+    Map<Integer, List<Double>> all = new TreeMap<>();
+    for (Kick kick : kicks) {
+      Observations seen = kick.observations();
+      FlightData data = FlightData.of(seen, unit);
+      for (int camera : seen.cameras()) {
+        int[] index = IntStream.range(0, data.size).filter(i -> data.camera[i] == camera).toArray();
+        for (int from = 0; from + STRETCH <= index.length; from += STRETCH) {
+          int[] stretch = Arrays.copyOfRange(index, from, from + STRETCH);
+          double span = data.time[stretch[STRETCH - 1]] - data.time[stretch[0]];
+          if (span > 0 && span < LONGEST_STRETCH) {
+            List<Double> squares = offParabola(data, stretch);
+            all.computeIfAbsent(camera, c -> new ArrayList<>()).addAll(squares);
+            if (length(data, stretch) < SLOW * span) {
+              slow.computeIfAbsent(camera, c -> new ArrayList<>()).addAll(squares);
+            }
+          }
+        }
+      }
+    }
+    all.replaceAll((c, s) -> slow.getOrDefault(c, List.of()).size() >= FEWEST ? slow.get(c) : s);
+    return noise(all, least(kicks));
+  }
+
+  private static double length(FlightData data, int[] stretch) {
+    int first = stretch[0];
+    int last = stretch[STRETCH - 1];
+    return Math.hypot(data.x[last] - data.x[first], data.y[last] - data.y[first]);
+  }
+
+  /** Squared whitened distances from the parabola through a stretch; it takes three of its coordinates with it. */
+  private static List<Double> offParabola(FlightData data, int[] stretch) {
+    WeightedObservedPoints x = new WeightedObservedPoints();
+    WeightedObservedPoints y = new WeightedObservedPoints();
+    double start = data.time[stretch[0]];
+    for (int i : stretch) {
+      x.add(data.time[i] - start, data.x[i]);
+      y.add(data.time[i] - start, data.y[i]);
+    }
+    PolynomialFunction px = new PolynomialFunction(PARABOLA.fit(x.toList()));
+    PolynomialFunction py = new PolynomialFunction(PARABOLA.fit(y.toList()));
+    double correction = STRETCH / (STRETCH - 3.0);
+    List<Double> squares = new ArrayList<>();
+    for (int i : stretch) {
+      double t = data.time[i] - start;
+      squares.add(correction * data.squared(i, data.x[i] - px.value(t), data.y[i] - py.value(t)));
+    }
+    return squares;
   }
 
   private static double median(double[] values, int n) {

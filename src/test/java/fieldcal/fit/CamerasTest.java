@@ -80,6 +80,25 @@ class CamerasTest {
     assertThat(CameraNoise.atRest(List.of(moving, moving, moving), views(2))).isEmpty();
   }
 
+  /** Kickers that push the ball first leave no rest; 1.5 mm were then taken for measured, whatever the cameras were. */
+  @Test
+  void whereNoBallRestedTheNoiseIsThatOfTheMovingBall() {
+    double[] truth = {0.0007, 0.0042};
+    double[][] offsets = {{0.02, 0}, {-0.02, 0}};
+    List<Kick> kicks = new ArrayList<>();
+    for (int id = 1; id <= 20; id++) {
+      Kick kick = kick(id, new int[] {0, 1}, truth, offsets, 0.02);
+      Observations after = kick.observations().between(kick.time(), kick.endTime());
+      kicks.add(FitSupport.with(kick, false, after));
+    }
+    Map<Integer, Double> noise = CameraNoise.inMotion(kicks, views(2));
+    assertThat(noise.get(0)).isEqualTo(truth[0], within(0.12 * truth[0]));
+    assertThat(noise.get(1)).isEqualTo(truth[1], within(0.12 * truth[1]));
+    List<Kick> few =
+        List.of(kicks.get(0).withObservations(kicks.get(0).observations().between(0.6, 0.8)));
+    assertThat(CameraNoise.inMotion(few, views(2))).isEmpty();
+  }
+
   @Test
   void noCameraIsWithoutNoise() {
     double[][] offsets = {{0, 0}};
