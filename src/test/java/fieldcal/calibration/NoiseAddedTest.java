@@ -24,6 +24,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * A simulator without any noise, whose ball slides otherwise than the model says: cleaner data must not give fewer kicks. Of the 20 there were 0, 1, 5, 9, 14, 20
  * when outliers were those far from the path alone.
+ *
+ * <p>The limit that is nearest is that of the screening, three times the median residual: without noise the fastest kick, in which the law shows most, fits to 4.74 mm, the median kick to 1.64 mm, so that it is used up to 4.92 mm. The
+ * margin of 4 % is that of seeds 17 to 20 at all these noises; fits differ by less than a thousandth from machine to machine, since all end in the same minimum of least squares.
  */
 class NoiseAddedTest {
   private static CollectedKicks recorded;
