@@ -31,14 +31,17 @@ final class SimulatorClient implements RobotLink {
   private final CommandChannel yellow;
   private final Complaints complaints = new Complaints("simulator");
   private final String silence;
+  private final String name;
   private int sent;
   private int unreachable;
   private int answers;
+  private int unanswered;
   private boolean silent;
+  private int silences;
 
   SimulatorClient(String host, SimulatorPorts ports) throws IOException {
     InetAddress address = CommandChannel.resolved(host);
-    String name = host + ", ports " + ports.control() + " to " + ports.yellow();
+    name = host + ", ports " + ports.control() + " to " + ports.yellow();
     silence = "no simulator answers at " + name + ": check the host and --port";
     control = new CommandChannel(address, ports.control());
     blue = new CommandChannel(address, ports.blue());
@@ -94,6 +97,9 @@ final class SimulatorClient implements RobotLink {
 
   private void send(CommandChannel channel, byte[] message) throws IOException {
     sent++;
+    if (++unanswered == ENOUGH_TO_ANSWER && answers > 0) {
+      silences++;
+    }
     if (!channel.send(message)) {
       // It may be starting; vision tells when it is there.
       unreachable++;
@@ -107,6 +113,7 @@ final class SimulatorClient implements RobotLink {
           channel.answers(
               answer -> {
                 answers++;
+                unanswered = 0;
                 complaints.add(errors(answer, channel == control));
               });
       unreachable += reachable ? 0 : 1;
@@ -135,8 +142,15 @@ final class SimulatorClient implements RobotLink {
     if (answers == 0 && isSilent()) {
       notes.add(silence);
     }
+    if (silences > 0) {
+      notes.add(stopped() + (silences > 1 ? ", " + silences + " times" : ""));
+    }
     notes.addAll(complaints.counted());
     return notes;
+  }
+
+  private String stopped() {
+    return "the simulator at " + name + " stopped answering";
   }
 
   private boolean isSilent() {
@@ -149,6 +163,9 @@ final class SimulatorClient implements RobotLink {
     List<String> all = new ArrayList<>();
     if (isSilent()) {
       all.add(silence);
+    }
+    if (silences > 0) {
+      all.add(stopped());
     }
     all.addAll(complaints.all());
     return all;
