@@ -209,15 +209,13 @@ public final class Calibrator {
                 return fit;
               }
               FitProblem typical = FitProblem.of(fit.kick(), views, flat, chip);
+              // A chip held at a rolling that is not its own looks like a flat kick.
+              KickKind kind = problem.kind().orElseGet(() -> fitter.fit(typical).kind());
               FitProblem one =
                   roll.isPresent() ? typical.withChipRollFixed(roll.getAsDouble()) : typical;
-              KickFit again =
-                  problem
-                      .kind()
-                      .map(kind -> fitter.fit(one, kind))
-                      .orElseGet(() -> fitter.fit(one));
-              boolean better = again.failure().isEmpty() && again.rmsMm() < fit.rmsMm();
-              return better ? again : fit;
+              KickFit again = fitter.fit(one, kind);
+              boolean better = kind != fit.kind() || again.rmsMm() < fit.rmsMm();
+              return again.failure().isEmpty() && better ? again : fit;
             })
         .toList();
   }

@@ -48,6 +48,16 @@ public record FitProblem(
   }
 
   /**
+   * The same of another kick, or of a part of it.
+   *
+   * @param other kick, seen by the same cameras
+   * @return the changed copy
+   */
+  public FitProblem with(Kick other) {
+    return new FitProblem(other, cameras, flat, chip);
+  }
+
+  /**
    * The same with accRoll of chips held at what flat kicks said.
    *
    * @param accRoll m/s², negative
