@@ -11,6 +11,7 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.FreshFit;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.ModelState;
@@ -351,7 +352,11 @@ public final class Diagnoser {
         HoldOut heldBase) {}
 
     private Decision decision() {
-      return new Decision(settings, fitter, alternatives(), problem.seed());
+      return new Decision(settings, fresh(), alternatives(), problem.seed());
+    }
+
+    private FreshFit fresh() {
+      return new FreshFit(fitter, base, solver);
     }
 
     private Alternatives alternatives() {
@@ -366,7 +371,7 @@ public final class Diagnoser {
       long seed = problem.seed();
       HoldOut heldBase = HoldOut.of(base, true, seed);
       ModelChoice choice =
-          new ModelChoice(fitter, dictionary(), settings, problem, heldBase, solver, trace);
+          new ModelChoice(fresh(), dictionary(), settings, problem, heldBase, solver, trace);
       Weighed best = new Weighed(base, List.of(), heldBase);
       if (!found.model().components().isEmpty()) {
         best = choice.of(found);
@@ -473,6 +478,7 @@ public final class Diagnoser {
     /** The library of smooth terms, and the laws: with what was hidden before in the model, one may be right after all. */
     private List<Effect> learnedAndLaws() {
       List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
+      all.addAll(EffectCatalogue.unnamed());
       catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
       return all;
     }

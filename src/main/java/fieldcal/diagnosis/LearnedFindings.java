@@ -24,7 +24,7 @@ final class LearnedFindings {
 
   /** Whether an effect is a learned curve, not a law or an effect of the catalogue. */
   static boolean isLearned(Effect effect) {
-    return effect instanceof LearnedTerm;
+    return effect instanceof LearnedTerm || effect.differsFromKickToKick() && !effect.hasOwnMean();
   }
 
   static LearnedFinding of(FittedModel model, int component, Judgement j, Arena arena) {

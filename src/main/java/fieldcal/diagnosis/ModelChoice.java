@@ -7,6 +7,7 @@ import fieldcal.diagnosis.decision.Judgement.Outcome;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.FreshFit;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Alternatives;
@@ -31,6 +32,7 @@ final class ModelChoice {
   /** A component that explains less than that share of what the largest explains does not decide about others. */
   private static final double LITTLE = 0.05;
 
+  private final FreshFit fresh;
   private final ModelFitter fitter;
   private final Dictionary dictionary;
   private final DecisionSettings settings;
@@ -42,7 +44,7 @@ final class ModelChoice {
   private final List<SearchStep> trace;
 
   /**
-   * @param fitter of the kicks
+   * @param fresh fits of the kicks from the simple model on
    * @param dictionary of the catalogue
    * @param settings every number that decides
    * @param problem for its seed and the most causes
@@ -51,14 +53,15 @@ final class ModelChoice {
    * @param trace to which simplifications are added
    */
   ModelChoice(
-      ModelFitter fitter,
+      FreshFit fresh,
       Dictionary dictionary,
       DecisionSettings settings,
       DiagnosisProblem problem,
       HoldOut heldBase,
       SharedSolver solver,
       List<SearchStep> trace) {
-    this.fitter = fitter;
+    this.fresh = fresh;
+    fitter = fresh.fitter();
     this.dictionary = dictionary;
     this.settings = settings;
     this.heldBase = heldBase;
@@ -66,7 +69,7 @@ final class ModelChoice {
     this.trace = trace;
     maxCauses = problem.maxCauses();
     seed = problem.seed();
-    decision = new Decision(settings, fitter, new Alternatives(fitter, dictionary), seed);
+    decision = new Decision(settings, fresh, new Alternatives(fitter, dictionary), seed);
   }
 
   /** A value for each kick helps where the kick has been seen, and may harm where it is predicted: then the model is taken without. */
@@ -166,7 +169,8 @@ final class ModelChoice {
       }
     }
     EffectModel start = at.model().startingAt(at.solution().values(), new double[0]).with(kept);
-    return fitter.fit(start, at, Weighing.ALIKE, solver);
+    FittedModel next = fitter.fit(start, at, Weighing.ALIKE, solver);
+    return going.stream().anyMatch(j -> j.component().isLaw()) ? fresh.orBetter(next) : next;
   }
 
   /** Of the models on the way the last that predicts held-out kicks as well as any; what is in it and has no name must pay for its place. */

@@ -117,6 +117,15 @@ public interface Effect {
   }
 
   /**
+   * Whether the mean of what differs from kick to kick is a number of its own, not one of the ball's parameters by another name.
+   *
+   * @return true unless an effect says otherwise
+   */
+  default boolean hasOwnMean() {
+    return true;
+  }
+
+  /**
    * Effects without which this one does nothing, at usual values: there is no wind without drag. A search proposes them together.
    *
    * @return empty unless an effect says otherwise

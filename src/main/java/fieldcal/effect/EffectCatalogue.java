@@ -19,6 +19,7 @@ import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Magnus;
 import fieldcal.effect.motion.RobotKickBias;
+import fieldcal.effect.motion.RollScatter;
 import fieldcal.effect.motion.SideSpin;
 import fieldcal.effect.motion.SlipDependentFriction;
 import fieldcal.effect.motion.SpeedDependentRestitution;
@@ -59,6 +60,8 @@ public final class EffectCatalogue {
           new ContactImpacts(0, 0, 0, 0),
           new CarpetSeam(0, 0, 0, 0));
 
+  private static final List<Effect> UNNAMED = List.of(new RollScatter(0));
+
   private EffectCatalogue() {}
 
   /**
@@ -68,6 +71,15 @@ public final class EffectCatalogue {
    */
   public static List<Effect> all() {
     return ALL;
+  }
+
+  /**
+   * What can differ from kick to kick without a cause: not to be named, and not part of an {@link ExtendedModel}.
+   *
+   * @return absent effects without a mean of their own
+   */
+  public static List<Effect> unnamed() {
+    return UNNAMED;
   }
 
   /**

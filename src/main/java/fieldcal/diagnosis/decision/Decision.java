@@ -4,6 +4,7 @@ import fieldcal.diagnosis.decision.Judgement.Outcome;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.FreshFit;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Alternatives;
@@ -35,6 +36,7 @@ public final class Decision {
 
   private final DecisionSettings settings;
   private final ModelFitter fitter;
+  private final FreshFit fresh;
   private final Alternatives alternatives;
   private final SharedSolver solver;
   private final long seed;
@@ -43,14 +45,14 @@ public final class Decision {
    * A judge.
    *
    * @param settings every number that decides
-   * @param fitter of the kicks
+   * @param fresh fits of the kicks from the simple model on
    * @param alternatives what else could stand for a component
    * @param seed of the parts of the kicks that are held out
    */
-  public Decision(
-      DecisionSettings settings, ModelFitter fitter, Alternatives alternatives, long seed) {
+  public Decision(DecisionSettings settings, FreshFit fresh, Alternatives alternatives, long seed) {
     this.settings = settings;
-    this.fitter = fitter;
+    this.fresh = fresh;
+    fitter = fresh.fitter();
     this.alternatives = alternatives;
     this.seed = seed;
     solver = SharedSolver.withDefaults().withMaxIterations(20);
@@ -105,7 +107,8 @@ public final class Decision {
     }
     EffectModel start =
         model.model().startingAt(model.solution().values(), new double[0]).with(rest);
-    return fitter.fit(start, model, Weighing.ALIKE, solver);
+    FittedModel fitted = fitter.fit(start, model, Weighing.ALIKE, solver);
+    return model.model().components().get(i).isLaw() ? fresh.orBetter(fitted) : fitted;
   }
 
   private Judgement judge(

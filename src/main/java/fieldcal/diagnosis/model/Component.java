@@ -17,6 +17,9 @@ public final class Component {
   /** Width of what is expected of a magnitude before seeing data, in the parameter's scales: a common value of the effect. */
   private static final double EXPECTED = 4;
 
+  /** The same of a mean that is none: a parameter of the ball has its place. */
+  private static final double NO_MEAN = 0.001;
+
   /** One magnitude, with the index of its direction or -1. */
   private record Axis(int magnitude, int direction) {
     int coordinates() {
@@ -68,7 +71,7 @@ public final class Component {
     // Along an axis a magnitude has either sign.
     double min = axis.isEmpty() ? p.min() : -p.max();
     coordinates.add(named(p.withBounds(min, p.max()).withValue(value).free(), axis));
-    double deviation = EXPECTED * p.scale();
+    double deviation = (perKick && !template.hasOwnMean() ? NO_MEAN : EXPECTED) * p.scale();
     // A law that replaces another has no absence to be near to: about where it starts.
     double mean = template.starts().isEmpty() ? 0 : value;
     priors.add(new Prior(mean, 1 / (deviation * deviation)));

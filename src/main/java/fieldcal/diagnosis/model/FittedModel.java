@@ -2,6 +2,7 @@ package fieldcal.diagnosis.model;
 
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolution;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -117,5 +118,19 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
    */
   public double evenCost() {
     return solution.costWith(Weighing.ALIKE.of(this));
+  }
+
+  /**
+   * The components from the numbers that were found.
+   *
+   * @return in the model's order
+   */
+  public List<Component> started() {
+    List<Effect> now = effects();
+    List<Component> components = new ArrayList<>();
+    for (int i = 0; i < now.size(); i++) {
+      components.add(model.components().get(i).startingAt(now.get(i)));
+    }
+    return components;
   }
 }

@@ -1,5 +1,6 @@
 package fieldcal.diagnosis.model;
 
+import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedProblem;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
@@ -79,6 +80,36 @@ public final class ModelFitter {
       starts.add(startWith(own, model, same ? before.model() : null, kicks.get(k)));
     }
     return solve(model, terms, starts, weights, solver);
+  }
+
+  /**
+   * Fits the places of a model's components together with everything else, and holds them there again.
+   *
+   * @param from the model, fitted to the same kicks
+   * @param weighing how much kicks count that it does not explain
+   * @param solver how
+   * @return the same when nothing in it has a place
+   */
+  public FittedModel fitPlaces(FittedModel from, Weighing weighing, SharedSolver solver) {
+    if (from.model().components().stream().noneMatch(Component::hasPlace)) {
+      return from;
+    }
+    List<Component> freed = new ArrayList<>();
+    List<Effect> now = from.effects();
+    for (int i = 0; i < now.size(); i++) {
+      Component c = from.model().components().get(i).startingAt(now.get(i));
+      freed.add(c.hasPlace() ? c.withPlaceFree() : c);
+    }
+    FittedModel moved = fit(start(from).with(freed), from, weighing, solver);
+    List<Component> held = new ArrayList<>();
+    for (int i = 0; i < freed.size(); i++) {
+      held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
+    }
+    return fit(start(from).with(held), moved, weighing, solver);
+  }
+
+  private static EffectModel start(FittedModel from) {
+    return from.model().startingAt(from.solution().values(), new double[0]);
   }
 
   /** A kick's own parameters for another model: the values of random effects that both have stay, others start at their mean. */

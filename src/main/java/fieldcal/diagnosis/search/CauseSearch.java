@@ -26,16 +26,22 @@ public final class CauseSearch {
    * How a pursuit goes about it.
    *
    * @param weighing how much kicks count that are not explained yet
-   * @param sharedFirst whether what all kicks share comes first: values of each kick's own take up something of anything
+   * @param order what comes first
    */
-  private record Manner(Weighing weighing, boolean sharedFirst) {}
+  private record Manner(Weighing weighing, Pursuit.Order order) {}
 
   /** In the order in which they are tried; each ends some recordings that the others do not. */
   private static final List<Manner> MANNERS =
-      Stream.of(false, true)
+      Stream.of(Pursuit.Order.BEST, Pursuit.Order.SHARED)
           .flatMap(
-              shared -> Stream.of(Weighing.values()).map(weighing -> new Manner(weighing, shared)))
+              order -> Stream.of(Weighing.values()).map(weighing -> new Manner(weighing, order)))
           .toList();
+
+  /** When not all is searched: what differs at random may be all there is, and curves would take up much of it. */
+  private static final List<Manner> SHORT =
+      List.of(
+          new Manner(Weighing.EXPLAINED_FIRST, Pursuit.Order.BEST),
+          new Manner(Weighing.EXPLAINED_FIRST, Pursuit.Order.RANDOM));
 
   private final ModelFitter fitter;
   private final Dictionary dictionary;
@@ -79,9 +85,10 @@ public final class CauseSearch {
     FittedModel best = start;
     Refits refits = refits(Weighing.EXPLAINED_FIRST);
     boolean free = revises && start.model().components().isEmpty();
-    for (Manner manner : free ? MANNERS : MANNERS.subList(0, 1)) {
+    boolean random = !dictionary.random(start.model()).isEmpty();
+    for (Manner manner : free ? MANNERS : SHORT.subList(0, random ? 2 : 1)) {
       Refits own = refits(manner.weighing);
-      FittedModel grown = pursuit(own).grown(start, manner.sharedFirst);
+      FittedModel grown = pursuit(own).grown(start, manner.order);
       if (Price.total(grown) < (best == start ? 1 : ANEW) * Price.total(best)) {
         best = grown;
         refits = own;

@@ -42,6 +42,9 @@ public final class Dictionary {
     for (Effect candidate : effect.candidates(arena)) {
       if (effect.differsFromKickToKick() && candidate instanceof MotionEffect) {
         everywhere.add(Proposal.of(Component.perKick(candidate)));
+        if (!effect.hasOwnMean()) {
+          continue;
+        }
       }
       for (List<String> magnitudes : effect.choices()) {
         Component c = Component.of(candidate, magnitudes);
@@ -65,6 +68,13 @@ public final class Dictionary {
   /** Proposals without a place to be searched, that fit beside what a model has. */
   List<Proposal> everywhere(EffectModel model) {
     return everywhere.stream().filter(p -> isPossible(p, model)).toList();
+  }
+
+  /** Of these the values of each kick's own whose mean is a parameter of the ball. */
+  List<Proposal> random(EffectModel model) {
+    return everywhere(model).stream()
+        .filter(p -> !p.components().get(0).template().hasOwnMean())
+        .toList();
   }
 
   /** Proposals with a place, one list for each family. */

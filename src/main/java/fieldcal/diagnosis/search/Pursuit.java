@@ -68,11 +68,24 @@ final class Pursuit {
     price = new Price(refits.weighing());
   }
 
-  /** Adds to a model whatever pays; what all kicks share comes first if wanted. */
-  FittedModel grown(FittedModel start, boolean sharedFirst) {
+  /** What comes first. */
+  enum Order {
+    /** Whatever gains most. */
+    BEST,
+    /** What all kicks share: values of each kick's own take up something of anything. */
+    SHARED,
+    /** What differs from kick to kick and has no mean of its own. */
+    RANDOM
+  }
+
+  /** Adds to a model whatever pays. */
+  FittedModel grown(FittedModel start, Order order) {
     best = start;
+    if (order == Order.RANDOM) {
+      dictionary.random(start.model()).forEach(c -> tryAdding(c.components(), List.of(c), 0));
+    }
     addLaws();
-    if (sharedFirst) {
+    if (order == Order.SHARED) {
       onlyShared = true;
       grow(MOST_AT_ONCE);
       onlyShared = false;

@@ -49,18 +49,7 @@ final class Refits {
   /** The same components with their places fitted together with everything else, and held there again. */
   FittedModel fitPlaces(FittedModel from) {
     count++;
-    List<Component> freed = new ArrayList<>();
-    List<Effect> now = from.effects();
-    for (int i = 0; i < now.size(); i++) {
-      Component c = from.model().components().get(i).startingAt(now.get(i));
-      freed.add(c.hasPlace() ? c.withPlaceFree() : c);
-    }
-    FittedModel moved = fitter.fit(start(from).with(freed), from, weighing, solver);
-    List<Component> held = new ArrayList<>();
-    for (int i = 0; i < freed.size(); i++) {
-      held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
-    }
-    return fitter.fit(start(from).with(held), moved, weighing, solver);
+    return fitter.fitPlaces(from, weighing, solver);
   }
 
   private static EffectModel start(FittedModel from) {

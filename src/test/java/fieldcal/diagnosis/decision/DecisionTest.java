@@ -8,6 +8,7 @@ import fieldcal.diagnosis.decision.Judgement.Outcome;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.FreshFit;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
@@ -43,7 +44,8 @@ class DecisionTest {
         fitter.fit(simple.model().with(components), simple, Weighing.ALIKE, FittedField.SOLVER);
     Alternatives alternatives =
         new Alternatives(fitter, new Dictionary(List.of(effects), field.arena()));
-    return new Decision(DecisionSettings.defaults(), fitter, alternatives, SEED)
+    FreshFit fresh = new FreshFit(fitter, simple, FittedField.SOLVER);
+    return new Decision(DecisionSettings.defaults(), fresh, alternatives, SEED)
         .judge(model, HoldOut.of(model, false, SEED));
   }
 

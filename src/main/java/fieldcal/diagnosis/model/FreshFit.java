@@ -1,0 +1,40 @@
+package fieldcal.diagnosis.model;
+
+import fieldcal.fit.joint.SharedSolver;
+import java.util.List;
+
+/**
+ * Fits models from the simple model on, wherever another search had led. A law that takes the place of another bends the ball's parameters, the numbers of flights and the places of other causes; once it is gone, all of them together hold each other where they are.
+ * Immutable and thread-safe.
+ *
+ * @param fitter of the kicks
+ * @param simple the simple model, fitted to the same kicks
+ * @param solver how
+ */
+public record FreshFit(ModelFitter fitter, FittedModel simple, SharedSolver solver) {
+
+  /**
+   * Fits a model of these components, their places with everything else.
+   *
+   * @param components with the numbers to start from
+   * @return the fit, all kicks alike
+   */
+  public FittedModel of(List<Component> components) {
+    SharedSolver settling = solver.settlingVariants();
+    EffectModel start =
+        simple.model().startingAt(simple.solution().values(), new double[0]).with(components);
+    FittedModel fitted = fitter.fit(start, simple, Weighing.ALIKE, settling);
+    return fitter.fitPlaces(fitted, Weighing.ALIKE, settling);
+  }
+
+  /**
+   * The better of a fit and of the same components fitted afresh.
+   *
+   * @param fitted from where the other search had led
+   * @return the one that leaves less
+   */
+  public FittedModel orBetter(FittedModel fitted) {
+    FittedModel fresh = of(fitted.started());
+    return fresh.evenCost() < fitted.evenCost() ? fresh : fitted;
+  }
+}
