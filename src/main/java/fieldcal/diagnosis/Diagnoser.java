@@ -636,6 +636,7 @@ public final class Diagnoser {
     private ExtendedModel model(FittedModel f, List<Cause> kickers) {
       ModelState state = f.solution().state();
       List<Effect> effects = new ArrayList<>(f.effects());
+      effects.removeIf(e -> !e.hasOwnMean());
       kickers.forEach(c -> effects.add(c.effect()));
       return new ExtendedModel(
           arena.flats() ? Optional.of(state.flat()) : Optional.empty(),

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * Something that improves the prediction of held-out kicks without being a named cause: a learned curve, a law that takes the place of the simple model's, or an effect that is not proven.
+ * Something that improves the prediction of held-out kicks without being a named cause: a learned curve, a law that takes the place of the simple model's, what differs from kick to kick by chance, or an effect that is not proven.
  *
  * @param effect the term as the extended model holds it
  * @param actsOn "ground", "impact", "kick" or "measurement"
@@ -18,6 +18,7 @@ import java.util.OptionalInt;
  * @param camera the camera whose reports it changes; empty for all else
  * @param curves one for each component, over the range of the data; empty for all but a learned curve
  * @param formula the best simple formula of the first curve; empty for all but a learned curve
+ * @param scatter standard deviation from kick to kick, in the unit of the effect's magnitude; NaN for what all kicks share
  * @param gain on kicks that were held out
  */
 public record LearnedFinding(
@@ -27,6 +28,7 @@ public record LearnedFinding(
     OptionalInt camera,
     List<LearnedCurve> curves,
     Optional<SimpleFormula> formula,
+    double scatter,
     Gain gain) {
 
   /** Copies the lists. {@inheritDoc} */
@@ -42,6 +44,8 @@ public record LearnedFinding(
     CURVE,
     /** A law that takes the place of the simple model's. */
     LAW,
+    /** What differs from kick to kick by chance, and has no mean of its own. */
+    SCATTER,
     /** An effect of the catalogue without which kicks are predicted worse, and which is not proven to be a cause. */
     UNPROVEN
   }
@@ -54,6 +58,9 @@ public record LearnedFinding(
   public Kind kind() {
     if (effect instanceof LearnedTerm) {
       return Kind.CURVE;
+    }
+    if (!effect.hasOwnMean()) {
+      return Kind.SCATTER;
     }
     return effect.starts().isEmpty() ? Kind.UNPROVEN : Kind.LAW;
   }

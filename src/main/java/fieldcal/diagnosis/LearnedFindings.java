@@ -22,9 +22,9 @@ import java.util.OptionalInt;
 final class LearnedFindings {
   private LearnedFindings() {}
 
-  /** Whether an effect is a learned curve, not a law or an effect of the catalogue. */
+  /** Whether an effect is a learned curve or what differs by chance, not a law or an effect of the catalogue. */
   static boolean isLearned(Effect effect) {
-    return effect instanceof LearnedTerm || effect.differsFromKickToKick() && !effect.hasOwnMean();
+    return effect instanceof LearnedTerm || !effect.hasOwnMean();
   }
 
   static LearnedFinding of(FittedModel model, int component, Judgement j, Arena arena) {
@@ -37,6 +37,7 @@ final class LearnedFindings {
           OptionalInt.empty(),
           List.of(),
           Optional.empty(),
+          j.scatter(),
           gain);
     }
     List<LearnedCurve> curves = curves(model, component, term, arena);
@@ -47,6 +48,7 @@ final class LearnedFindings {
         term.camera(),
         curves,
         curves.isEmpty() ? Optional.empty() : Optional.of(SimpleFormula.of(curves.get(0))),
+        j.scatter(),
         gain);
   }
 

@@ -8,6 +8,7 @@ import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.ExtraLaw;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** A cause that no effect of the catalogue describes is learned, and predicts, without a name. */
@@ -42,5 +43,31 @@ class UnnamedCauseTest {
     }
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.4 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
+
+  /** Rolls another way in each kick, by chance. */
+  private record Whims() implements ExtraLaw {
+    static final double SCATTER = 0.15;
+
+    @Override
+    public double rollingFactor(BallMoment m) {
+      long kick = Math.round(m.sessionTime() - m.sinceKick());
+      return 1 + SCATTER * new SplittableRandom(kick).nextGaussian();
+    }
+  }
+
+  @Test
+  void whatDiffersFromKickToKickByChanceIsNotTakenForCauses() {
+    SimulationSettings world =
+        FittedField.SOUND
+            .withScenario(ScenarioKind.CHIP, 12)
+            .withPhysics(FittedField.SOUND.physics().withExtra(new Whims()));
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.learned()).isEmpty();
+    LearnedFinding found = diagnosis.learned().get(0);
+    assertThat(found.kind()).isEqualTo(LearnedFinding.Kind.SCATTER);
+    assertThat(found.scatter()).isCloseTo(Whims.SCATTER, within(2 * Whims.SCATTER / Math.sqrt(24)));
+    assertThat(diagnosis.model().effects()).as("nothing to predict with").isEmpty();
+    assertThat(diagnosis.unexplained().significant()).isFalse();
   }
 }

@@ -149,6 +149,9 @@ final class DiagnosisJson {
     node.put(
         "formula", main.map(c -> SimpleFormula.of(c).text()).orElse(finding.effect().sentence()));
     node.set("points", main.map(this::points).orElseGet(nodes::arrayNode));
+    if (!Double.isNaN(finding.scatter())) {
+      node.put("scatter", finding.scatter());
+    }
     put(node, "holdout_gain_mm", finding.gain().mm());
     put(node, "holdout_gain_percent", finding.gain().percent());
     CauseText text = words.of(finding);

@@ -76,12 +76,25 @@ public final class CauseWords {
   }
 
   /**
-   * Something that has no name: a learned curve, or a law that takes the place of the simple model's.
+   * Something that has no name: a learned curve, a law that takes the place of the simple model's, or what differs by chance.
    *
    * @param finding of the diagnosis
    * @return its text; the strength is the formula of a curve, the numbers of a law
    */
   public CauseText of(LearnedFinding finding) {
+    if (finding.kind() == LearnedFinding.Kind.SCATTER) {
+      String percent = Amount.of(100 * finding.scatter());
+      return new CauseText(
+          EffectName.of(finding.effect()),
+          text(
+              "The rolling deceleration differs by %s %% from kick to kick, and nothing that was"
+                  + " recorded says why.",
+              percent),
+          "",
+          "No model predicts it: leave a margin on long passes. See whether several balls are in"
+              + " play, or one that is dirty or out of round.",
+          text("scatter %s %% of the rolling deceleration (acc_roll)", percent));
+    }
     return finding.effect() instanceof LearnedTerm term
         ? LearnedWords.of(term, finding.curves())
         : of(finding.effect(), Map.of());

@@ -42,6 +42,9 @@ public final class EffectName {
       return LearnedWords.name(term);
     }
     List<String> names = effect.parameters().stream().map(Parameter::name).toList();
+    if (!effect.hasOwnMean()) {
+      return "rolling that differs from kick to kick";
+    }
     String name = of(effect.id());
     if (effect.id().equals("kick_spin") && !effect.isAbsent()) {
       return effect.value("fraction") < 0 ? "backspin from the kicker" : "topspin from the kicker";

@@ -176,7 +176,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         d.causes().size() == 1
             ? text("The model is wrong, and the cause is found: %s.", names(d))
             : text("The model is wrong, and %d causes are found: %s.", d.causes().size(), names(d));
-    return found + laws(d) + unproven(d);
+    return found + laws(d) + chance(d) + unproven(d);
   }
 
   private static String partly(Diagnosis d, List<String> lines) {
@@ -193,7 +193,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
             : text("The model is wrong, and a part of it is explained: %s.", names(d));
     String more =
         unnamed.isEmpty() ? "" : text(" This also helps, without a known cause: %s.", unnamed);
-    return found + more + laws(d) + unproven(d);
+    return found + more + laws(d) + chance(d) + unproven(d);
   }
 
   private static String unexplained(Diagnosis d, List<String> lines) {
@@ -315,6 +315,12 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   private static String laws(Diagnosis d) {
     String names = names(d, LearnedFinding.Kind.LAW);
     return names.isEmpty() ? "" : text(" Another law applies in the extended model: %s.", names);
+  }
+
+  /** What no model predicts; begins with a blank. */
+  private static String chance(Diagnosis d) {
+    String names = names(d, LearnedFinding.Kind.SCATTER);
+    return names.isEmpty() ? "" : text(" Chance plays a part: %s.", names);
   }
 
   /** What the prediction needs and nothing proves; begins with a blank. */

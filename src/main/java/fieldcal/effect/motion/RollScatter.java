@@ -30,7 +30,7 @@ public record RollScatter(double change) implements FrictionOfKick {
 
   @Override
   public String sentence() {
-    return "Balls roll a different way from kick to kick, and nothing says why.";
+    return "Rolling deceleration differs from kick to kick by chance.";
   }
 
   @Override
@@ -60,6 +60,11 @@ public record RollScatter(double change) implements FrictionOfKick {
   @Override
   public boolean hasOwnMean() {
     return false;
+  }
+
+  @Override
+  public List<String> dependsOn() {
+    return List.of("kick");
   }
 
   @Override

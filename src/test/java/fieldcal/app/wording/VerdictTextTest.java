@@ -72,7 +72,8 @@ class VerdictTextTest {
         .startsWith("The model is wrong, and a part of it is explained: air drag. This also")
         .contains(
             "helps, without a known cause: braking that depends on the speed; height of bounces")
-        .endsWith("Another law applies in the extended model: bounces that build up spin.");
+        .contains("Another law applies in the extended model: bounces that build up spin.")
+        .endsWith("Chance plays a part: rolling that differs from kick to kick.");
     assertThat(text.lines().get(1))
         .isEqualTo(
             "Still unexplained: balls are off by 2.9 mm beyond the noise, depending on the height"

@@ -174,7 +174,7 @@ public record DiagnosisReport(
    * @param what what it does, a sentence with numbers
    * @param advice what to do; may be empty
    * @param formula the best simple formula of a curve, the numbers of all else
-   * @param kind "curve", "law" (takes the place of the simple model's) or "unproven" (an effect that is not proven to be a cause); only curves have pictures
+   * @param kind "curve", "law" (takes the place of the simple model's) "scatter" (differs from kick to kick by chance) or "unproven" (an effect that is not proven to be a cause); only curves have pictures
    * @param gainMm what kicks that were held out gain, root mean square, mm
    * @param gainPercent the same in per cent
    * @param gainLowMm lower bound, 2.5 %

@@ -71,7 +71,7 @@
   function learnedItem(box, finding) {
     const item = el('article', {},
       el('p', {class: 'what'}, finding.what),
-      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'A law with ', unproven: 'Not proven to be a cause. Its size: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
+      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'A law with ', unproven: 'Not proven to be a cause. Its size: ', scatter: 'How much: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
       el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.'),
       finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
       el('div', {class: 'charts two'}));

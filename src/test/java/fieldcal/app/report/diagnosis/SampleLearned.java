@@ -13,6 +13,7 @@ import fieldcal.effect.learned.Quantity;
 import fieldcal.effect.learned.SimpleFormula;
 import fieldcal.effect.learned.Variable;
 import fieldcal.effect.motion.ContactImpacts;
+import fieldcal.effect.motion.RollScatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -35,7 +36,17 @@ public final class SampleLearned {
             OptionalInt.empty(),
             List.of(),
             Optional.empty(),
+            Double.NaN,
             new Gain(3.2, 20, 2.1, 4.0)),
+        new LearnedFinding(
+            new RollScatter(0),
+            "ground",
+            List.of("kick"),
+            OptionalInt.empty(),
+            List.of(),
+            Optional.empty(),
+            0.1,
+            new Gain(5, 40, 4, 6)),
         learned(Quantity.ACCELERATION_ALONG, Variable.SPEED, Support.of(0, 6)),
         learned(Quantity.VERTICAL_RESTITUTION, Variable.PLACE, new Support(-6, 6, -4.5, 4.5)),
         learned(Quantity.SHIFT, Variable.IMAGE_POSITION, new Support(-3, 3, -3, 3)));
@@ -73,6 +84,7 @@ public final class SampleLearned {
         term.camera(),
         curves,
         Optional.of(SimpleFormula.of(curves.get(0))),
+        Double.NaN,
         new Gain(1.4, 12, 0.8, 1.9));
   }
 }
