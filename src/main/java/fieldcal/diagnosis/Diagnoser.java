@@ -293,10 +293,14 @@ public final class Diagnoser {
       Arena whole = arena;
       fitter = new ModelFitter(flats, problem.sessionStart());
       arena = arena(flats);
-      FittedModel alone = fitter.fit(base.model().forKinds(true, false), solver);
-      FittedModel found = search(alone, catalogue, problem.maxCauses() + SPARE, true);
-      fitter = all;
-      arena = whole;
+      FittedModel found;
+      try {
+        FittedModel alone = fitter.fit(base.model().forKinds(true, false), solver);
+        found = search(alone, catalogue, problem.maxCauses() + SPARE, true);
+      } finally {
+        fitter = all;
+        arena = whole;
+      }
       if (found.solution().reducedChiSquare() > EXPLAINED) {
         return base;
       }

@@ -169,7 +169,9 @@ final class Pursuit {
     double share = PlaceSearch.FIRST_STEP;
     for (int round = 0; round < RELOCATIONS; round++) {
       Component now = at.model().components().get(index).startingAt(at.effects().get(index));
+      // Steps beyond what the kicks reach leave its own place alone.
       List<Component> tried = PlaceSearch.neighbours(now, share);
+      tried.add(now);
       Scorer scorer = new Scorer(at, tried, refits.weighing());
       Sweep sweep = scorer.without(List.of(index));
       Component top =

@@ -82,7 +82,7 @@ class DiagnosisFilesTest {
     JsonNode root = written(SampleDiagnosis.partly(8));
     assertThat(root.get("verdict").textValue()).isEqualTo("partly_explained");
     JsonNode learned = root.get("learned");
-    assertThat(learned).hasSize(4);
+    assertThat(learned).hasSize(5);
     for (JsonNode one : learned) {
       assertThat(one.get("acts_on").textValue()).isIn("ground", "impact", "kick", "measurement");
       assertThat(one.get("depends_on").isArray()).isTrue();
@@ -98,12 +98,14 @@ class DiagnosisFilesTest {
     assertThat(learned.get(3).get("camera").intValue()).isEqualTo(1);
     assertThat(learned.get(3).get("points")).as("of one component").hasSize(81);
     assertThat(learned.get(3).get("curves")).hasSize(2);
+    assertThat(learned.get(3).has("scatter")).isFalse();
+    assertThat(learned.get(4).get("scatter").doubleValue()).isEqualTo(0.1);
   }
 
   @Test
   void learnedTermsAndLawsComeBackWithTheModel() throws IOException {
     Diagnosis d = SampleDiagnosis.partly(4);
-    assertThat(d.model().effects()).hasSize(5);
+    assertThat(d.model().effects()).as("not what is chance").hasSize(5);
     DiagnosisSession.writeAll(SampleOutcome.of(d, 0), folder);
     Path file = folder.resolve("extended_model.json");
     assertThat(ExtendedModelFile.read(file, SampleOutcome.EPOCH)).isEqualTo(d.model());

@@ -169,12 +169,14 @@ class DiagnosisReportTest {
     keep("unexplained", write(unexplained));
     DiagnosisReport partly = report(SampleDiagnosis.partly(24), "session.log.gz", true);
     assertThat(partly.verdict().id()).isEqualTo("partly_explained");
-    assertThat(partly.learned()).hasSize(4);
+    assertThat(partly.learned()).hasSize(5);
     assertThat(partly.learned().get(0).kind()).isEqualTo("law");
     assertThat(partly.learned().get(1).curves()).hasSize(1);
     assertThat(partly.learned().get(1).curves().get(0).axes()).containsExactly("speed");
     assertThat(partly.learned().get(2).curves().get(0).axes()).containsExactly("x", "y");
     assertThat(partly.learned().get(3).curves()).hasSize(2);
+    assertThat(partly.learned().get(4).kind()).isEqualTo("scatter");
+    assertThat(partly.learned().get(4).curves()).isEmpty();
     keep("partly", write(partly));
     assertThat(PageChecks.found(write(unexplained), "NaN|Infinity\\b(?!;)").size())
         .as("of the scripts only")

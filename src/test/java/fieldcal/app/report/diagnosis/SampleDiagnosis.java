@@ -87,7 +87,7 @@ public final class SampleDiagnosis {
     List<KickResiduals> residuals = SampleKicks.of(kicks, 10, List.of(DRAG), true);
     List<LearnedFinding> learned = SampleLearned.findings();
     List<Effect> effects = new ArrayList<>(List.of(DRAG));
-    learned.forEach(f -> effects.add(f.effect()));
+    learned.stream().map(LearnedFinding::effect).filter(Effect::hasOwnMean).forEach(effects::add);
     return new Diagnosis(
         Verdict.PARTLY_EXPLAINED,
         new Quality(24.2, 1.5, 25.1, Map.of(0.5, 121.3, 1.0, 502.0, 2.0, 864.9)),

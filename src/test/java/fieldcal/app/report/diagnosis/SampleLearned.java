@@ -19,7 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/** Things without a name: a law of the bounce, a curve, a table over the field, and the reports of a camera over its image. */
+/** Things without a name: a law of the bounce, a curve, a table over the field, the reports of a camera over its image, and what differs from kick to kick by chance. */
 public final class SampleLearned {
   private static final double NONE = Double.NaN;
   private static final double ERROR = 0.01;
@@ -38,6 +38,9 @@ public final class SampleLearned {
             Optional.empty(),
             Double.NaN,
             new Gain(3.2, 20, 2.1, 4.0)),
+        learned(Quantity.ACCELERATION_ALONG, Variable.SPEED, Support.of(0, 6)),
+        learned(Quantity.VERTICAL_RESTITUTION, Variable.PLACE, new Support(-6, 6, -4.5, 4.5)),
+        learned(Quantity.SHIFT, Variable.IMAGE_POSITION, new Support(-3, 3, -3, 3)),
         new LearnedFinding(
             new RollScatter(0),
             "ground",
@@ -46,10 +49,7 @@ public final class SampleLearned {
             List.of(),
             Optional.empty(),
             0.1,
-            new Gain(5, 40, 4, 6)),
-        learned(Quantity.ACCELERATION_ALONG, Variable.SPEED, Support.of(0, 6)),
-        learned(Quantity.VERTICAL_RESTITUTION, Variable.PLACE, new Support(-6, 6, -4.5, 4.5)),
-        learned(Quantity.SHIFT, Variable.IMAGE_POSITION, new Support(-3, 3, -3, 3)));
+            new Gain(5, 40, 4, 6)));
   }
 
   /** A term of the library with numbers that grow, and its curves. */
