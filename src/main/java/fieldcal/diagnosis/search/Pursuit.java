@@ -169,15 +169,18 @@ final class Pursuit {
     double share = PlaceSearch.FIRST_STEP;
     for (int round = 0; round < RELOCATIONS; round++) {
       Component now = at.model().components().get(index).startingAt(at.effects().get(index));
-      // Steps beyond what the kicks reach leave its own place alone.
       List<Component> tried = PlaceSearch.neighbours(now, share);
-      tried.add(now);
+      if (tried.isEmpty()) {
+        // All such steps leave the range.
+        share *= PlaceSearch.SHRINK;
+        continue;
+      }
       Scorer scorer = new Scorer(at, tried, refits.weighing());
       Sweep sweep = scorer.without(List.of(index));
       Component top =
           tried.stream()
               .max(Comparator.comparingDouble(c -> scorer.gain(Proposal.of(c), sweep)))
-              .orElse(now);
+              .orElseThrow();
       List<Component> moved = new ArrayList<>(at.model().components());
       moved.set(index, scorer.estimated(top, sweep));
       FittedModel next = refits.fitPlaces(refits.fit(at, moved));

@@ -21,7 +21,7 @@ class DiagnosisTextTest {
     new DiagnosisText(new PrintWriter(text))
         .print(SampleOutcome.of(diagnosis, problems), Path.of("out"));
     List<String> lines = text.toString().lines().toList();
-    assertThat(lines).hasSizeLessThanOrEqualTo(40);
+    assertThat(lines).hasSizeLessThanOrEqualTo(45);
     assertThat(lines).allSatisfy(line -> assertThat(line.length()).isLessThanOrEqualTo(100));
     assertThat(text.toString()).doesNotContain("NaN").doesNotContain("null");
     return lines;
