@@ -27,6 +27,7 @@ public final class CalibrationPlay {
   private final Driver driver;
   private final Safety safety;
   private final List<Motion> motions = List.of(new Motion(), new Motion());
+  private final List<Following> following;
 
   private Step step;
   private Optional<String> waiting = Optional.empty();
@@ -55,6 +56,8 @@ public final class CalibrationPlay {
     ledger = new Ledger(plan, chooser, listener);
     driver = new Driver(new PathPlanner(plan.area()), plan.limits().braking());
     safety = new Safety(plan.area(), plan.limits());
+    double braking = plan.limits().braking();
+    following = List.of(new Following(braking), new Following(braking));
     step = new CheckStep(ledger, -1);
   }
 
@@ -72,10 +75,10 @@ public final class CalibrationPlay {
       return standStill();
     }
     ball.update(world.ball(), world.time());
-    Situation s = new Situation(plan, ball, driver, safety, motions, world);
+    Situation s = new Situation(plan, ball, driver, safety, motions, following, world);
     Optional<Hold> hold = reasonToHold(s);
     if (hold.isPresent()) {
-      return hold(s, hold.get());
+      return followed(s, hold(s, hold.get()), span);
     }
     release();
     Step next = step.tick(s);
@@ -85,7 +88,21 @@ public final class CalibrationPlay {
     waitingFor = step.phase().over() ? waitingFor : s.waitingFor();
     PlayAnswer answer = s.answer();
     watchProgress(s, answer, Double.isNaN(span) ? 0 : span);
-    return step.phase().over() ? standStill() : answer;
+    return followed(s, step.phase().over() ? standStill() : answer, span);
+  }
+
+  /** The answer, after it was noted how robots follow it. */
+  private PlayAnswer followed(Situation s, PlayAnswer answer, double span) {
+    for (int i = 0; i < 2; i++) {
+      following
+          .get(i)
+          .update(
+              s.robot(i),
+              s.sees(i),
+              answer.orders().get(i).velocity(),
+              Double.isNaN(span) ? 0 : span);
+    }
+    return answer;
   }
 
   private PlayAnswer standStill() {

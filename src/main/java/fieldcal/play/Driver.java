@@ -25,15 +25,22 @@ final class Driver {
     this.braking = braking;
   }
 
-  /** Empty when there is no way. */
-  Optional<Velocity> to(Robot robot, Pose target, double maxSpeed, List<Circle> obstacles) {
-    return to(robot, target, maxSpeed, braking, obstacles);
+  /** Empty when there is no way. With the part of the usual gains that the robot bears. */
+  Optional<Velocity> to(
+      Robot robot, Pose target, double maxSpeed, double calm, List<Circle> obstacles) {
+    return to(robot, target, maxSpeed, braking, calm, obstacles);
   }
 
   /** The same with another deceleration before the target, m/s². */
   Optional<Velocity> to(
-      Robot robot, Pose target, double maxSpeed, double braking, List<Circle> obstacles) {
-    return way(robot, target, obstacles).map(way -> along(way, robot, target, maxSpeed, braking));
+      Robot robot,
+      Pose target,
+      double maxSpeed,
+      double braking,
+      double calm,
+      List<Circle> obstacles) {
+    return way(robot, target, obstacles)
+        .map(way -> along(way, robot, target, maxSpeed, braking, calm));
   }
 
   /** The way to a pose; empty when there is none. */
@@ -42,17 +49,20 @@ final class Driver {
   }
 
   private static Velocity along(
-      Way way, Robot robot, Pose target, double maxSpeed, double braking) {
+      Way way, Robot robot, Pose target, double fastest, double hardest, double calm) {
+    double braking = calm * hardest;
+    // As far as it needs to stop otherwise.
+    double maxSpeed = Math.sqrt(calm) * fastest;
     double dx = way.x() - robot.x();
     double dy = way.y() - robot.y();
     double distance = Math.hypot(dx, dy);
-    double angular = turn(robot.orientation(), target.orientation());
+    double angular = turn(robot.orientation(), target.orientation(), calm);
     if (distance < 0.002) {
       return new Velocity(0, 0, angular);
     }
     double speed = Math.min(maxSpeed, Math.sqrt(2 * braking * way.length()));
     if (way.corner() < -0.999) {
-      speed = Math.min(speed, GAIN * distance);
+      speed = Math.min(speed, calm * GAIN * distance);
     } else {
       double round = 0.4 + 0.8 * Math.max(0, way.corner());
       speed = Math.min(speed, Math.sqrt(round * round + 2 * braking * distance));
@@ -60,12 +70,12 @@ final class Driver {
     return new Velocity(speed * dx / distance, speed * dy / distance, angular);
   }
 
-  static double turn(double from, double to) {
+  static double turn(double from, double to, double calm) {
     double turn = Math.IEEEremainder(to - from, 2 * Math.PI);
     double rate =
         Math.min(
-            Math.min(TURN_MAX, TURN_GAIN * Math.abs(turn)),
-            Math.sqrt(2 * TURN_BRAKING * Math.abs(turn)));
+            Math.min(TURN_MAX, calm * TURN_GAIN * Math.abs(turn)),
+            Math.sqrt(2 * calm * TURN_BRAKING * Math.abs(turn)));
     return Math.copySign(rate, turn);
   }
 }

@@ -108,7 +108,7 @@ final class FetchStep extends TaskStep {
       return notFetched(s.plan().robot(i) + " drove past the ball without getting hold of it");
     }
     boolean gone = s.ball().distance(ballX, ballY) > 0.5;
-    return gone ? lookAgain("the ball rolled away from " + s.plan().robot(i)) : this;
+    return gone ? movedAway("the ball rolled away from " + s.plan().robot(i)) : this;
   }
 
   private Step notFetched(String reason) {
@@ -123,7 +123,7 @@ final class FetchStep extends TaskStep {
 
   private Step approach(Situation s, int i) {
     if (s.ball().distance(ballX, ballY) > 0.08) {
-      return lookAgain("the ball moved before " + s.plan().robot(i) + " was at it");
+      return movedAway("the ball moved before " + s.plan().robot(i) + " was at it");
     }
     Pose behind = Task.behind(ballX, ballY, facing, Task.BEHIND);
     boolean hasWay = s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);

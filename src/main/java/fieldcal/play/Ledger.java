@@ -124,6 +124,12 @@ final class Ledger {
     notFetched++;
   }
 
+  /** The ball moved away before a robot had got at it. */
+  void movedAway(String reason) {
+    notFetched++;
+    lastReason = reason;
+  }
+
   /** A robot had the ball and lost it on the way; perhaps while it pushed it straight ahead. */
   void lost(int robot, boolean pushed, String reason) {
     losses[robot]++;

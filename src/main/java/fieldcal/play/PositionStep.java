@@ -27,11 +27,11 @@ final class PositionStep extends TaskStep {
   Step tick(Situation s, int i) {
     s.drive(i, task.behind(), s.limits().driveSpeed(), Task.AROUND);
     driveReceiver(s);
-    if (s.ball().distance(task.x(), task.y()) > 0.05 || s.ballUnseen() > 0.5) {
-      return lookAgain(
-          s.ballUnseen() > 0.5
-              ? "the ball was not seen any more"
-              : "the ball moved before " + s.plan().robot(i) + " was behind it");
+    if (s.ballUnseen() > 0.5) {
+      return lookAgain("the ball was not seen any more");
+    }
+    if (s.ball().distance(task.x(), task.y()) > 0.05) {
+      return movedAway("the ball moved before " + s.plan().robot(i) + " was behind it");
     }
     boolean ready = ready(s);
     if (age(s) > TIMEOUT || s.time() - blocked > BLOCKED) {

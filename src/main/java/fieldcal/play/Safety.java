@@ -8,7 +8,7 @@ import java.util.List;
  * The last word on every velocity: no robot closes in on another, or on the edge of the area, faster than it can still brake. A robot that somebody else drives into ours is given way to.
  */
 final class Safety {
-  /** From camera to wheel and back, s. */
+  /** From camera to wheel and back, s; more for robots that follow later. */
   private static final double DELAY = 0.06;
 
   /** How fast robots that are too close move apart, m/s. */
@@ -35,21 +35,26 @@ final class Safety {
     clearance = limits.clearance();
   }
 
-  /** The velocity nearest to the wanted one that is safe. */
-  Velocity limited(Robot robot, Velocity wanted, List<Robot> others, List<Robot> ours) {
+  /** What a robot can do about it, s and m/s². */
+  private record Able(double delay, double braking) {}
+
+  /** The velocity nearest to the wanted one that is safe for a robot that follows its orders so late. */
+  Velocity limited(
+      Robot robot, Velocity wanted, Following following, List<Robot> others, List<Robot> ours) {
     double[] v = {wanted.vx(), wanted.vy()};
+    Able able = new Able(Math.max(DELAY, following.late()), following.calm() * braking);
     for (int round = 0; round < ROUNDS; round++) {
       for (Robot other : others) {
         if (!other.id().equals(robot.id())) {
-          keepApart(robot, other, ours.contains(other), v);
+          keepApart(robot, other, ours.contains(other), able, v);
         }
       }
-      keepInside(robot, v);
+      keepInside(robot, able, v);
     }
     return new Velocity(v[0], v[1], wanted.angular());
   }
 
-  private void keepApart(Robot robot, Robot other, boolean ours, double[] v) {
+  private void keepApart(Robot robot, Robot other, boolean ours, Able able, double[] v) {
     double dx = other.x() - robot.x();
     double dy = other.y() - robot.y();
     double distance = Math.hypot(dx, dy);
@@ -61,14 +66,14 @@ final class Safety {
     double theirs = -(other.vx() * nx + other.vy() * ny);
     double mine = robot.vx() * nx + robot.vy() * ny;
     double gap = distance - 2 * PlayArea.ROBOT_RADIUS - 0.5 * clearance;
-    double ahead = gap - Math.max(0, mine + theirs) * DELAY;
+    double ahead = gap - Math.max(0, mine + theirs) * able.delay();
     double allowed;
     if (ahead < 0) {
       allowed = -APART * Math.min(1, -ahead / 0.03) - (ours ? 0 : Math.max(0, theirs));
     } else {
       // Two of ours share the way that is left; what others do is theirs, and is taken off.
       double share = ours && theirs > 0.02 ? 0.5 : 1;
-      allowed = share * Math.sqrt(2 * braking * ahead) - (ours ? 0 : Math.max(0, theirs));
+      allowed = share * Math.sqrt(2 * able.braking() * ahead) - (ours ? 0 : Math.max(0, theirs));
       allowed = Math.min(allowed, 8 * ahead);
     }
     if (mine > Math.max(0, allowed) + LATE) {
@@ -84,20 +89,21 @@ final class Safety {
     }
   }
 
-  private void keepInside(Robot robot, double[] v) {
-    v[0] = inside(robot.x(), robot.vx(), v[0], area.length() / 2 + area.margin());
-    v[1] = inside(robot.y(), robot.vy(), v[1], area.width() / 2 + area.margin());
+  private void keepInside(Robot robot, Able able, double[] v) {
+    v[0] = inside(robot.x(), robot.vx(), able, v[0], area.length() / 2 + area.margin());
+    v[1] = inside(robot.y(), robot.vy(), able, v[1], area.width() / 2 + area.margin());
   }
 
-  private double inside(double position, double speed, double wanted, double limit) {
-    double low = -outward(position + limit, -speed);
-    double high = outward(limit - position, speed);
+  private static double inside(
+      double position, double speed, Able able, double wanted, double limit) {
+    double low = -outward(position + limit, -speed, able);
+    double high = outward(limit - position, speed, able);
     return Math.max(low, Math.min(high, wanted));
   }
 
   /** Fastest outward when there is so much room; inward when there is none. */
-  private double outward(double room, double speed) {
-    double ahead = room - 0.75 * PlayArea.RESERVE - Math.max(0, speed) * DELAY;
-    return ahead < 0 ? Math.max(-APART, PUSH_BACK * ahead) : Math.sqrt(braking * ahead);
+  private static double outward(double room, double speed, Able able) {
+    double ahead = room - 0.75 * PlayArea.RESERVE - Math.max(0, speed) * able.delay();
+    return ahead < 0 ? Math.max(-APART, PUSH_BACK * ahead) : Math.sqrt(able.braking() * ahead);
   }
 }

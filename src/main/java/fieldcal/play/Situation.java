@@ -20,6 +20,7 @@ final class Situation {
   private final Driver driver;
   private final Safety safety;
   private final List<Motion> motions;
+  private final List<Following> following;
   private final PlayWorld world;
   private final List<Robot> seen;
   private final Robot[] ours = new Robot[2];
@@ -37,12 +38,14 @@ final class Situation {
       Driver driver,
       Safety safety,
       List<Motion> motions,
+      List<Following> following,
       PlayWorld world) {
     this.plan = plan;
     this.ball = ball;
     this.driver = driver;
     this.safety = safety;
     this.motions = motions;
+    this.following = following;
     this.world = world;
     // A robot that somebody took off stays an obstacle for some seconds only.
     seen = world.robots().stream().filter(r -> world.time() - r.seen() < 3 && isFinite(r)).toList();
@@ -157,7 +160,12 @@ final class Situation {
    */
   boolean drive(int index, Pose target, double speed, double ballClearance) {
     Optional<Velocity> driven =
-        driver.to(ours[index], target, speed, obstacles(index, ballClearance));
+        driver.to(
+            ours[index],
+            target,
+            speed,
+            following.get(index).calm(),
+            obstacles(index, ballClearance));
     velocities[index] = driven.orElse(Velocity.ZERO);
     targets[index] = target;
     if (driven.isEmpty()) {
@@ -178,7 +186,13 @@ final class Situation {
   Velocity carry(int index, Pose target, Grip grip, Velocity before, double span) {
     Velocity wanted =
         driver
-            .to(ours[index], target, grip.speed(), grip.acceleration(), obstacles(index))
+            .to(
+                ours[index],
+                target,
+                grip.speed(),
+                grip.acceleration(),
+                following.get(index).calm(),
+                obstacles(index))
             .orElse(Velocity.ZERO);
     double dx = wanted.vx() - before.vx();
     double dy = wanted.vy() - before.vy();
@@ -194,7 +208,8 @@ final class Situation {
 
   /** Drives straight, whatever is there. */
   void creep(int index, double vx, double vy, double orientation) {
-    double angular = Driver.turn(ours[index].orientation(), orientation);
+    double angular =
+        Driver.turn(ours[index].orientation(), orientation, following.get(index).calm());
     velocities[index] = new Velocity(vx, vy, angular);
     targets[index] = null;
   }
@@ -245,7 +260,7 @@ final class Situation {
               ? RobotOrder.stop(plan.robot(i))
               : new RobotOrder(
                   plan.robot(i),
-                  safety.limited(ours[i], velocities[i], seen, both),
+                  safety.limited(ours[i], velocities[i], following.get(i), seen, both),
                   Optional.ofNullable(targets[i]),
                   kicks[i],
                   dribblers[i]));

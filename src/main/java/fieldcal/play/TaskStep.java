@@ -62,6 +62,12 @@ abstract class TaskStep implements Step {
     return lookAgain();
   }
 
+  /** The ball moved away from who was on the way to it: looks again what to do. When that goes on, it sticks to a robot, or robots push it. */
+  final Step movedAway(String reason) {
+    ledger.movedAway(reason);
+    return lookAgain();
+  }
+
   final Step lookAgain() {
     return new CheckStep(ledger, -1);
   }

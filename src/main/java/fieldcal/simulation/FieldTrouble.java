@@ -32,6 +32,8 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
     BALL_HIDDEN,
     /** The ball lies beside a robot. */
     BALL_AT_ROBOT,
+    /** The ball sticks to the back of a robot, until it falls off or a hand takes it. */
+    BALL_STUCK,
     /** A robot is taken off and comes back. */
     ROBOT_GONE,
     /** A robot does not move: it fell over. */
@@ -102,7 +104,7 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
       case MISSED_KICK, WEAK_KICK -> 4 + 6 * share;
       case BALL_OUTSIDE, BALL_IN_CORNER, BALL_IN_GOAL, BALL_AT_ROBOT -> 0;
       case BALL_HIDDEN -> 0.5 + 4 * share;
-      case ROBOT_GONE, ROBOT_STUCK -> 1 + 12 * share;
+      case ROBOT_GONE, ROBOT_STUCK, BALL_STUCK -> 1 + 12 * share;
       case THIRD_ROBOT -> 5 + 15 * share;
       case HALT -> 1 + 7 * share;
       case NO_VISION -> 0.3 + 4 * share;

@@ -37,6 +37,12 @@ public final class InteractiveField {
 
   private static final double THIRD_SPEED = 1;
 
+  /** From a robot's centre to that of a ball that touches it, m. */
+  private static final double STUCK_BEHIND = 0.112;
+
+  /** Between the centres of robots with a hand's breadth between them, m. */
+  private static final double TWO_ROBOTS = 0.28;
+
   private final SimulationSettings settings;
   private final Simulation simulation;
   private final SimulatedWorld world;
@@ -49,6 +55,7 @@ public final class InteractiveField {
   private final Map<RobotId, RobotCommand> wanted = new HashMap<>();
   private final Set<RobotCharacter> characters = EnumSet.noneOf(RobotCharacter.class);
   private double[] thirdTarget;
+  private FieldTrouble stuck;
 
   private record Sent(double arrives, RobotId robot, RobotCommand command) {}
 
@@ -195,7 +202,9 @@ public final class InteractiveField {
   }
 
   private void beforeTick() {
-    while (!onTheWay.isEmpty() && onTheWay.peek().arrives() <= world.time()) {
+    Set<RobotCharacter> now = charactersNow();
+    double later = now.contains(RobotCharacter.SLUGGISH) ? RobotCharacter.HEARS_LATER : 0;
+    while (!onTheWay.isEmpty() && onTheWay.peek().arrives() + later <= world.time()) {
       Sent sent = onTheWay.poll();
       wanted.put(sent.robot(), sent.command());
     }
@@ -204,17 +213,34 @@ public final class InteractiveField {
         begin(trouble);
       }
     }
-    Set<RobotCharacter> now = charactersNow();
     world.robotsLike(now);
     for (SimulatedRobot robot : world.robots()) {
       RobotCommand command = obeyed(robot);
-      robot.command(
-          now.contains(RobotCharacter.DRIFTING) && !absent.containsKey(robot.id())
-              ? drifting(robot.id(), command)
-              : command);
+      boolean present = !absent.containsKey(robot.id());
+      if (now.contains(RobotCharacter.DRIFTING) && present) {
+        command = drifting(robot.id(), command);
+      }
+      if (now.contains(RobotCharacter.SLUGGISH) && present) {
+        command = sluggish(robot, command);
+      }
+      robot.command(command);
     }
     bringBack();
     driveThird();
+    stick();
+  }
+
+  private void stick() {
+    if (stuck == null || !stuck.covers(world.time())) {
+      return;
+    }
+    RobotId robot = players.get(stuck.robot() % 2);
+    if (!absent.containsKey(robot)) {
+      SimulatedRobot at = find(robot).orElseThrow();
+      world.placeBall(
+          at.x() - STUCK_BEHIND * Math.cos(at.orientation()),
+          at.y() - STUCK_BEHIND * Math.sin(at.orientation()));
+    }
   }
 
   private Set<RobotCharacter> charactersNow() {
@@ -246,6 +272,21 @@ public final class InteractiveField {
             v.vx() * cos - v.vy() * sin + RobotCharacter.CREEP,
             v.vx() * sin + v.vy() * cos,
             v.angular());
+    return new RobotCommand(driven, command.kick(), command.dribbler());
+  }
+
+  /** A velocity on the way from that of the robot to the one that it was told. */
+  private RobotCommand sluggish(SimulatedRobot robot, RobotCommand command) {
+    if (!players.contains(robot.id()) || !(command.motion() instanceof RobotCommand.Velocity v)) {
+      return command;
+    }
+    double dx = v.vx() - robot.vx();
+    double dy = v.vy() - robot.vy();
+    double change = Math.hypot(dx, dy) / RobotCharacter.FOLLOWS;
+    double share = SimulatedWorld.TICK / RobotCharacter.FOLLOWS;
+    share *= change > RobotCharacter.WEAK ? RobotCharacter.WEAK / change : 1;
+    RobotCommand.Velocity driven =
+        new RobotCommand.Velocity(robot.vx() + share * dx, robot.vy() + share * dy, v.angular());
     return new RobotCommand(driven, command.kick(), command.dribbler());
   }
 
@@ -289,6 +330,7 @@ public final class InteractiveField {
           find(concerned)
               .filter(r -> Math.abs(r.x()) < x && Math.abs(r.y()) < y)
               .ifPresent(r -> world.placeBall(r.x() - 0.13 * sideX, r.y() + 0.02 * sideY));
+      case BALL_STUCK -> stuck = trouble;
       case ROBOT_GONE -> setPresent(concerned, false);
       case THIRD_ROBOT ->
           thirdTarget =
@@ -305,10 +347,16 @@ public final class InteractiveField {
     for (RobotId player : players) {
       boolean gone = troubled(FieldTrouble.Kind.ROBOT_GONE, player);
       boolean taken = begun.stream().anyMatch(t -> t.kind() == FieldTrouble.Kind.ROBOT_GONE);
-      if (taken && !gone && absent.containsKey(player)) {
+      if (taken && !gone && absent.containsKey(player) && isFree(absent.get(player))) {
         setPresent(player, true);
       }
     }
+  }
+
+  /** Nobody puts a robot onto another. */
+  private boolean isFree(double[] pose) {
+    return world.robots().stream()
+        .allMatch(r -> Math.hypot(r.x() - pose[0], r.y() - pose[1]) > TWO_ROBOTS);
   }
 
   /** A bystander with somewhere to go; it stops before it would hit anybody. */
@@ -385,6 +433,7 @@ public final class InteractiveField {
    * @param seconds how long that takes, s
    */
   public void handBall(double x, double y, double seconds) {
+    stuck = null;
     world.carryBall(x, y, seconds);
   }
 

@@ -21,12 +21,15 @@ public enum VisionCharacter {
   /** Detections without noise to speak of, 0.01 mm, as those of simulators without a noise model. */
   NOISELESS,
   /** One frame of twenty is lost, and each camera stalls every ten seconds for 0.05 to 0.4 s, as on a busy network. */
-  STALLING;
+  STALLING,
+  /** One robot's pattern of fifty is misread, as that of another number or as turned by 90°, as where the light is poor. */
+  MISREADING;
 
   private static final double DISAGREEMENT = 0.04;
   private static final double LITTLE = 1e-5;
   private static final double LOST = 0.05;
   private static final double STALLS_PER_SECOND = 0.1;
+  private static final double MISREAD = 0.02;
 
   /**
    * Its name on the command line.
@@ -102,8 +105,10 @@ public enum VisionCharacter {
                 n.stampNoise(),
                 n.duplicates(),
                 n.shadows(),
-                n.outages()));
+                n.outages(),
+                n.robotMisread()));
       }
+      case MISREADING -> settings.withNuisance(settings.nuisance().withRobotMisread(MISREAD));
     };
   }
 }

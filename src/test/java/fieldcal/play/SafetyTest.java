@@ -23,6 +23,7 @@ class SafetyTest {
   void nobodyIsHit(long seed) {
     Random random = new Random(seed);
     Safety safety = new Safety(AREA, PlayLimits.DEFAULT);
+    Following following = new Following(PlayLimits.DEFAULT.braking());
     Robot standing = new Robot(FakeField.THIRD, 0, 0, 0, 0, 0, 0);
     double x = -1.5;
     double y = 0.1;
@@ -38,7 +39,8 @@ class SafetyTest {
         wanted = new Velocity(speed * Math.cos(angle), speed * Math.sin(angle), 0);
       }
       Robot robot = new Robot(FakeField.YELLOW, x, y, 0, vx, vy, 0);
-      onTheWay.add(safety.limited(robot, wanted, List.of(robot, standing), List.of(robot)));
+      onTheWay.add(
+          safety.limited(robot, wanted, following, List.of(robot, standing), List.of(robot)));
       if (onTheWay.size() > DELAY) {
         Velocity told = onTheWay.remove();
         double dx = told.vx() - vx;

@@ -158,9 +158,35 @@ class InteractiveFieldTest {
     field.placeRobot(FIRST, -2, -2, 0);
     field.command(FIRST, new RobotCommand(new Velocity(1, 0, 0), Kick.NONE, false));
     run(field, 2);
-    SimulatedRobot robot =
-        field.world().robots().stream().filter(r -> r.id().equals(FIRST)).findFirst().orElseThrow();
-    assertThat(robot.y() + 2).isBetween(0.08, 0.16);
+    assertThat(robot(field).y() + 2).isBetween(0.08, 0.16);
+  }
+
+  @Test
+  void aSluggishRobotStopsLate() {
+    double[] way = new double[2];
+    for (int sluggish = 0; sluggish < 2; sluggish++) {
+      InteractiveField field = field();
+      if (sluggish == 1) {
+        field.robotsLike(Set.of(RobotCharacter.SLUGGISH));
+      }
+      field.placeRobot(FIRST, -2, -2, 0);
+      field.command(FIRST, new RobotCommand(new Velocity(1, 0, 0), Kick.NONE, false));
+      run(field, 2);
+      double from = robot(field).x();
+      field.command(FIRST, RobotCommand.HALT);
+      run(field, 2);
+      way[sluggish] = robot(field).x() - from;
+    }
+    // At 3.5 m/s² after 20 ms; at 1.5 m/s² and with 0.1 s of lag after 70 ms.
+    assertThat(way[0]).isCloseTo(0.16, within(0.02));
+    assertThat(way[1]).isCloseTo(0.42, within(0.04));
+  }
+
+  private static SimulatedRobot robot(InteractiveField field) {
+    return field.world().robots().stream()
+        .filter(r -> r.id().equals(FIRST))
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test

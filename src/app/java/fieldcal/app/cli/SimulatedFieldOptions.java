@@ -43,7 +43,8 @@ final class SimulatedFieldOptions {
       paramLabel = "NAME[,NAME]",
       description =
           "simulated field: what its vision is like; ideal, simultaneous (cameras stamp the same"
-              + " times), disagreeing (40 mm apart), noiseless, stalling")
+              + " times), disagreeing (40 mm apart), noiseless, stalling, misreading (patterns of"
+              + " robots)")
   private String vision = "ideal";
 
   @Option(
@@ -51,7 +52,7 @@ final class SimulatedFieldOptions {
       paramLabel = "NAME[,NAME]",
       description =
           "simulated field that is played on or served: what its robots are like; ideal,"
-              + " slipping-dribbler, late-kicker, drifting")
+              + " slipping-dribbler, late-kicker, drifting, sluggish")
   private String robots = "ideal";
 
   Set<RobotCharacter> robots() {

@@ -83,6 +83,15 @@ public interface PlayField extends Closeable {
   }
 
   /**
+   * Why nothing that comes from now on belongs to the same session: vision's clock was set anew, for example. What came before is whole.
+   *
+   * @return for the operator; empty as long as the session can go on
+   */
+  default Optional<String> over() {
+    return Optional.empty();
+  }
+
+  /**
    * Whether time goes on while nobody asks for the next tick.
    *
    * @return false for a simulation that is stepped: then it may wait for whatever takes long, and does the same every time

@@ -174,6 +174,9 @@ public final class PlaySession {
       if (abortReason != null) {
         throw new IOException("aborted before it began: " + abortReason);
       }
+      if (field.over().isPresent()) {
+        throw new IOException(field.over().get());
+      }
       if (now - first > GEOMETRY) {
         throw new IOException(
             "vision sent no geometry for "
@@ -242,6 +245,7 @@ public final class PlaySession {
     if (abortReason != null) {
       play.abort(abortReason);
     }
+    field.over().ifPresent(play::abort);
     play.hold(field.hold());
     PlayPhase before = play.state().phase();
     PlayWorld world = model.at(now, field.permission());

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 
 /**
  * Follows one robot: for each camera an α-β filter on position and orientation (Benedict and Bordner 1962), joined where cameras overlap, less the cameras' offsets. Cameras that disagree, at the same
- * time stamp above all, do not make a robot that stands move.
+ * time stamp above all, do not make a robot that stands move. A pattern counts as soon as a camera has seen it {@link #SURE} times in a row: vision misreads one now and then.
  */
 final class RobotTracker {
   /** Gains for 3 mm of noise at 70 Hz and robots that accelerate at 3 m/s². */
@@ -20,8 +20,17 @@ final class RobotTracker {
   /** Farther off than that is another pattern taken for this robot, m. */
   private static final double GATE = 0.3;
 
+  /** Farther turned than that is a pattern whose colours were mixed up, rad: less than half of the 90° between two neighbouring blobs. */
+  private static final double TURN_GATE = 0.6;
+
   private static final int ENOUGH_ELSEWHERE = 4;
   private static final double FORGET = 0.5;
+
+  /** A pattern that was seen so often in a row is there: of patterns that are misread now and then, none is. */
+  private static final int SURE = 4;
+
+  /** What is not sure yet must be seen again within that time, s: three frames at 30 Hz. */
+  private static final double SOON = 0.1;
 
   /**
    * A robot that is not seen drives on as it did for so long, s: so long may robots drive unseen before the play stops them, and what was thought to stand where it was seen last would not be braked
@@ -39,6 +48,7 @@ final class RobotTracker {
   private final CameraOffsets offsets;
   private final Map<Integer, Track> tracks = new TreeMap<>();
   private double time = Double.NaN;
+  private Robot last;
 
   /** The robot as one camera sees it. */
   private static final class Track {
@@ -52,10 +62,15 @@ final class RobotTracker {
     private int seen;
     private int elsewhere;
 
+    boolean sure() {
+      return seen >= SURE;
+    }
+
     /** Takes a detection; false when it is another pattern. */
     boolean accept(RobotDetection detection, double t) {
       double dt = t - time;
-      if (Double.isNaN(time) || dt > FORGET || elsewhere >= ENOUGH_ELSEWHERE) {
+      boolean lost = dt > (sure() ? FORGET : SOON);
+      if (Double.isNaN(time) || lost || elsewhere >= ENOUGH_ELSEWHERE) {
         start(detection, t);
         return true;
       }
@@ -66,7 +81,7 @@ final class RobotTracker {
       double errorY = detection.y() - (y + dt * vy);
       double turn =
           Math.IEEEremainder(detection.orientation() - (orientation + dt * angular), 2 * Math.PI);
-      if (Math.hypot(errorX, errorY) > GATE) {
+      if (Math.hypot(errorX, errorY) > GATE || Math.abs(turn) > TURN_GATE) {
         elsewhere++;
         return false;
       }
@@ -106,23 +121,37 @@ final class RobotTracker {
       return;
     }
     Track track = tracks.computeIfAbsent(camera, c -> new Track());
-    boolean begins = Double.isNaN(track.time) || t - track.time > FORGET;
     if (!track.accept(seen, t)) {
       return;
     }
-    time = Double.isNaN(time) ? t : Math.max(time, t);
-    if (begins && time - t < PRESENT) {
+    if (track.seen == 1 && t - time < PRESENT) {
       inherit(track);
     }
+    if (!track.sure()) {
+      return;
+    }
+    time = Double.isNaN(time) ? t : Math.max(time, t);
+    last =
+        new Robot(
+            id,
+            track.x - offsets.x(camera),
+            track.y - offsets.y(camera),
+            track.orientation,
+            0,
+            0,
+            time);
     offsets.learn(
         view(camera, track),
-        tracks.entrySet().stream().map(e -> view(e.getKey(), e.getValue())).toList());
+        tracks.entrySet().stream()
+            .filter(e -> e.getValue().sure())
+            .map(e -> view(e.getKey(), e.getValue()))
+            .toList());
   }
 
   /** A camera into whose view it drives need not learn its velocity again. */
   private void inherit(Track begun) {
     Track best = best();
-    if (best != begun && Math.hypot(best.x - begun.x, best.y - begun.y) < GATE) {
+    if (best != null && Math.hypot(best.x - begun.x, best.y - begun.y) < GATE) {
       begun.vx = best.vx;
       begun.vy = best.vy;
       begun.angular = best.angular;
@@ -137,14 +166,14 @@ final class RobotTracker {
   private Track best() {
     Track best = null;
     for (Track t : tracks.values()) {
-      if (time - t.time < PRESENT && (best == null || t.seen > best.seen)) {
+      if (t.sure() && time - t.time < PRESENT && (best == null || t.seen > best.seen)) {
         best = t;
       }
     }
     return best;
   }
 
-  /** Whether any camera has seen it with its orientation. */
+  /** Whether any camera has surely seen it with its orientation. */
   boolean known() {
     return !Double.isNaN(time);
   }
@@ -152,11 +181,15 @@ final class RobotTracker {
   /** Where it is now, if it went on as it did; beyond {@link #GOES_ON} it is taken to stand. */
   Robot at(double now) {
     Track best = best();
+    if (best == null) {
+      // It was put elsewhere, where no camera is sure of it yet.
+      return last;
+    }
     double[] sum = new double[7];
     for (Map.Entry<Integer, Track> entry : tracks.entrySet()) {
       Track t = entry.getValue();
       boolean here = Math.hypot(t.x - best.x, t.y - best.y) < GATE;
-      if (time - t.time < PRESENT && here) {
+      if (t.sure() && time - t.time < PRESENT && here) {
         double weight = Math.min(SETTLED, t.seen);
         double ahead = now - time < GOES_ON ? Math.max(0, now - t.time) : time - t.time;
         double turned = Math.IEEEremainder(t.orientation - best.orientation, 2 * Math.PI);

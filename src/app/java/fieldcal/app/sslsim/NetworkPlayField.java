@@ -23,6 +23,7 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** A simulator on the network, or real robots behind a bridge: vision comes by multicast, commands go by the league's simulation protocol. */
@@ -56,14 +57,25 @@ public final class NetworkPlayField implements PlayField {
   private Permission permission = Permission.RUN;
   private double refereeHeard = Double.NEGATIVE_INFINITY;
   private double teleported = Double.NEGATIVE_INFINITY;
-  private boolean clockJumped;
+  private Optional<String> over = Optional.empty();
 
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
       watch.frame(frame.captureTime(), network.lastFrame() * 1e-9);
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
-      clockJumped |= sent < newestFrame - CLOCK_JUMP;
+      if (over.isEmpty() && sent < newestFrame - CLOCK_JUMP) {
+        over =
+            Optional.of(
+                String.format(
+                    Locale.ROOT,
+                    "vision's clock went back by %.0f s: vision or the simulator was restarted;"
+                        + " play again for the kicks that are missing",
+                    newestFrame - sent));
+      }
+      if (over.isPresent()) {
+        return;
+      }
       if (!(sent <= newestFrame)) {
         newestFrame = sent;
         newestArrived = System.nanoTime();
@@ -169,6 +181,11 @@ public final class NetworkPlayField implements PlayField {
     return client.hold();
   }
 
+  @Override
+  public Optional<String> over() {
+    return over;
+  }
+
   private double wallClock() {
     return startTime + (System.nanoTime() - startNanos) * 1e-9;
   }
@@ -196,9 +213,6 @@ public final class NetworkPlayField implements PlayField {
       throw new InterruptedIOException("interrupted");
     }
     client.listen();
-    if (clockJumped) {
-      throw new IOException("vision's clock went back; was vision or the simulator restarted?");
-    }
     double since = (System.nanoTime() - newestArrived) * 1e-9;
     double estimate = Double.isNaN(newestFrame) ? wallClock() : newestFrame + since;
     now = Math.max(now, estimate);

@@ -16,6 +16,7 @@ import java.util.List;
  * @param duplicates share of frames that arrive twice
  * @param shadows whether robots hide the ball
  * @param outages cameras that are gone for a while
+ * @param robotMisread share of robots whose pattern is misread: as that of another number, or as turned by 90°
  */
 public record Nuisance(
     double falseBallRate,
@@ -28,7 +29,8 @@ public record Nuisance(
     double stampNoise,
     double duplicates,
     boolean shadows,
-    List<Outage> outages) {
+    List<Outage> outages,
+    double robotMisread) {
 
   /** Nothing goes wrong. */
   public static final Nuisance NONE = new Nuisance(0, 0, 0, 0, 0, 0, 0, 0, 0, false, List.of());
@@ -45,7 +47,9 @@ public record Nuisance(
    */
   public Nuisance {
     outages = List.copyOf(outages);
-    double[] shares = {falseBallRate, falseClusterRate, ballMiss, robotMiss, frameDrop, duplicates};
+    double[] shares = {
+      falseBallRate, falseClusterRate, ballMiss, robotMiss, frameDrop, duplicates, robotMisread
+    };
     for (double share : shares) {
       if (!(share >= 0 && share <= 1)) {
         throw new IllegalArgumentException("share must lie in [0, 1], but is " + share);
@@ -60,6 +64,48 @@ public record Nuisance(
               + ", "
               + stampNoise);
     }
+  }
+
+  /**
+   * Trouble without misread patterns.
+   *
+   * @param falseBallRate single false balls per frame
+   * @param falseClusterRate starts of a series of false balls at one place near a robot, per frame
+   * @param ballMiss share of balls that vision misses
+   * @param robotMiss share of robots that vision misses
+   * @param frameDrop share of frames that are lost
+   * @param burstRate interruptions of a camera of 0.05 to 0.4 s, per second
+   * @param jitter standard deviation of the exposure from the regular beat, s
+   * @param stampNoise standard deviation of the time stamp from the exposure, s
+   * @param duplicates share of frames that arrive twice
+   * @param shadows whether robots hide the ball
+   * @param outages cameras that are gone for a while
+   */
+  public Nuisance(
+      double falseBallRate,
+      double falseClusterRate,
+      double ballMiss,
+      double robotMiss,
+      double frameDrop,
+      double burstRate,
+      double jitter,
+      double stampNoise,
+      double duplicates,
+      boolean shadows,
+      List<Outage> outages) {
+    this(
+        falseBallRate,
+        falseClusterRate,
+        ballMiss,
+        robotMiss,
+        frameDrop,
+        burstRate,
+        jitter,
+        stampNoise,
+        duplicates,
+        shadows,
+        outages,
+        0);
   }
 
   /**
@@ -112,6 +158,29 @@ public record Nuisance(
         stampNoise,
         duplicates,
         shadows,
-        list);
+        list,
+        robotMisread);
+  }
+
+  /**
+   * The same trouble with other misread patterns.
+   *
+   * @param share of robots whose pattern is misread
+   * @return the changed nuisance
+   */
+  public Nuisance withRobotMisread(double share) {
+    return new Nuisance(
+        falseBallRate,
+        falseClusterRate,
+        ballMiss,
+        robotMiss,
+        frameDrop,
+        burstRate,
+        jitter,
+        stampNoise,
+        duplicates,
+        shadows,
+        outages,
+        share);
   }
 }

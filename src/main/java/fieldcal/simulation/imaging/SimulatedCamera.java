@@ -6,6 +6,7 @@ import fieldcal.simulation.RandomStream;
 import fieldcal.simulation.physics.Region;
 import fieldcal.vision.BallDetection;
 import fieldcal.vision.RobotDetection;
+import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,6 +18,9 @@ public final class SimulatedCamera {
 
   private static final double LATENCY_SPREAD = 0.0008;
 
+  /** Numbers that a robot's pattern can have (rules of the league). */
+  private static final int PATTERNS = 16;
+
   private final CameraCalibration trueCalibration;
   private final CameraCalibration publishedCalibration;
   private final Camera trueCamera;
@@ -26,6 +30,7 @@ public final class SimulatedCamera {
   private final double rollingShutter;
   private final double ballPlane;
   private final Nuisance nuisance;
+  private final RandomStream misreads;
   private final boolean noiseInImage;
 
   /** Pixels where it is in the image, else m. */
@@ -79,6 +84,7 @@ public final class SimulatedCamera {
             : timing;
     sensor = RandomStream.of(seed, "balls" + name);
     robotSensor = RandomStream.of(seed, "robots" + name);
+    misreads = RandomStream.of(seed, "misread patterns" + name);
     falseBalls = new FalseBalls(nuisance, RandomStream.of(seed, "false balls" + name));
     // A session may begin late on its clock.
     index = (long) Math.ceil((beat.from() - installed.phase()) * installed.rate()) - 1;
@@ -395,10 +401,19 @@ public final class SimulatedCamera {
     if (!inView(x, y)) {
       return;
     }
-    double turn = Math.IEEEremainder(robot.orientation() + noiseAngle, 2 * Math.PI);
+    RobotId id = robot.id();
+    double orientation = robot.orientation() + noiseAngle;
+    if (misreads.happens(nuisance.robotMisread())) {
+      if (misreads.happens(0.5)) {
+        id = new RobotId(id.team(), (id.number() + 1 + misreads.below(PATTERNS - 1)) % PATTERNS);
+      } else {
+        orientation += misreads.happens(0.5) ? Math.PI / 2 : -Math.PI / 2;
+      }
+    }
+    double turn = Math.IEEEremainder(orientation, 2 * Math.PI);
     detections.add(
         new RobotDetection(
-            robot.id(),
+            id,
             Millimetres.rounded(x),
             Millimetres.rounded(y),
             (float) turn,

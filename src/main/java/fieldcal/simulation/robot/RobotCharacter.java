@@ -15,7 +15,9 @@ public enum RobotCharacter {
   /** The kicker fires some hundredths of a second after the ball has touched it, which is pushed meanwhile; the robot's speed adds to the ball's. */
   LATE_KICKER,
   /** The robot drives 4° beside and 5 % slower than it is told, and creeps a little when it is to stand. */
-  DRIFTING;
+  DRIFTING,
+  /** The robot hears its orders 50 ms later, follows them with a time constant of 0.1 s, and gains and loses no more than 1.5 m/s each second. */
+  SLUGGISH;
 
   /** Largest acceleration that friction gives a ball towards the robot and to its sides, m/s² (chosen: a third of what robots do). */
   public static final double HELD_ACCELERATION = 1.2;
@@ -43,6 +45,15 @@ public enum RobotCharacter {
 
   /** Speed of a robot that is to stand, m/s. */
   public static final double CREEP = 0.01;
+
+  /** What a slow radio and a slow control loop add to the way of an order, s (chosen). */
+  public static final double HEARS_LATER = 0.05;
+
+  /** Time constant of a velocity control with a low gain, s (chosen). */
+  public static final double FOLLOWS = 0.1;
+
+  /** What slipping wheels or weak motors leave, m/s² (chosen: half of what good robots do). */
+  public static final double WEAK = 1.5;
 
   /**
    * Its name on the command line.

@@ -7,15 +7,26 @@ import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.kick.KickKind;
+import fieldcal.play.PlayAnswer.BallRequest;
 import fieldcal.play.PlayPhase;
+import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.RobotOrder;
+import fieldcal.simulation.FieldTrouble;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.robot.RobotCharacter;
+import fieldcal.vision.Epoch;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Sessions on the embedded field, as fast as they run. */
 class PlaySessionTest {
@@ -84,5 +95,110 @@ class PlaySessionTest {
     assertThat(outcome.last().state().waiting()).contains("enough for today");
     assertThat(outcome.last().time()).isLessThan(4);
     assertThat(field.field().world().robots()).allSatisfy(r -> assertThat(r.speed()).isLessThan(1));
+  }
+
+  /** Driven as all others, they overshoot and push the ball away: the first kick came after 16 s, and with a radio as slow again none in 120 s. */
+  @ParameterizedTest
+  @ValueSource(longs = {801_000, 801_002})
+  void robotsThatFollowLateAreDrivenMoreCalmly(long seed) throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 6).withChoice(false, seed);
+    EmbeddedPlayField field = field(request, seed);
+    field.field().robotsLike(Set.of(RobotCharacter.SLUGGISH));
+    double[] first = {Double.NaN};
+    PlaySession[] session = new PlaySession[1];
+    session[0] =
+        new PlaySession(
+            request,
+            field,
+            s -> {
+              if (s.state().made() > 0) {
+                first[0] = s.time();
+                session[0].abort("seen enough");
+              }
+            });
+    session[0].run();
+    assertThat(first[0]).isLessThan(8);
+  }
+
+  /** It is not in the way of a robot that drives to it, but goes with it: without a hand that takes it off nothing would ever change. */
+  @Test
+  void aBallThatSticksToARobotIsAskedToBeTakenOff() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 1);
+    FieldTrouble sticks = new FieldTrouble(FieldTrouble.Kind.BALL_STUCK, 0.5, 300, 0);
+    InteractiveField field =
+        InteractiveField.of(
+            SimulationSettings.DEFAULT.withSeed(4),
+            request.first(),
+            request.second(),
+            List.of(sticks));
+    List<String> reasons = new ArrayList<>();
+    PlaySession session =
+        new PlaySession(
+            request,
+            new EmbeddedPlayField(field, Double.POSITIVE_INFINITY),
+            s ->
+                s.state().waiting().filter(w -> !s.ballWanted().isEmpty()).ifPresent(reasons::add));
+    PlaySession.Outcome outcome = session.run();
+    assertThat(outcome.last().state().waiting()).isEmpty();
+    assertThat(outcome.complete()).isTrue();
+    assertThat(outcome.last().time()).isLessThan(60);
+    assertThat(reasons).anyMatch(r -> r.contains("the ball moved before"));
+  }
+
+  /** A vision that is started anew has another clock: what was recorded before is calibrated all the same. */
+  @Test
+  void aFieldThatCannotGoOnEndsThePlayWithItsReasonAndAModel() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 12).into(directory);
+    EmbeddedPlayField inner = field(request, 3);
+    boolean[] restarted = new boolean[1];
+    PlayField field =
+        new PlayField() {
+          @Override
+          public Epoch epoch() {
+            return inner.epoch();
+          }
+
+          @Override
+          public double next(Receiver receiver) throws IOException {
+            return inner.next(receiver);
+          }
+
+          @Override
+          public Optional<String> over() {
+            return restarted[0] ? Optional.of("vision was started anew") : Optional.empty();
+          }
+
+          @Override
+          public void order(List<RobotOrder> orders) {
+            inner.order(orders);
+          }
+
+          @Override
+          public void layBall(BallRequest request) {
+            inner.layBall(request);
+          }
+
+          @Override
+          public Permission permission() {
+            return inner.permission();
+          }
+
+          @Override
+          public boolean goesOnByItself() {
+            return inner.goesOnByItself();
+          }
+
+          @Override
+          public void close() {
+            inner.close();
+          }
+        };
+    PlaySession session =
+        new PlaySession(request, field, s -> restarted[0] |= s.state().good() >= 2);
+    PlayRun.Result result = PlayRun.run(session, directory, (file, done, total) -> {});
+    assertThat(result.session().complete()).isFalse();
+    assertThat(result.session().last().state().waiting()).contains("vision was started anew");
+    assertThat(result.calibration().orElseThrow().calibration().kicks()).hasSize(2);
+    assertThat(inner.field().world().robots()).allSatisfy(r -> assertThat(r.speed()).isLessThan(1));
   }
 }

@@ -20,6 +20,7 @@ import fieldcal.vision.VisionDecoder;
 import fieldcal.vision.VisionFrame;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -89,7 +90,7 @@ class WorldModelTest {
       double t = 0.015 * i;
       model.accept(frame(0, t, 1, -2));
       model.accept(frame(1, t, 1.04, -2));
-      assertThat(first(model, t).speed()).isLessThan(1e-9);
+      assertThat(i < 3 || first(model, t).speed() < 1e-9).isTrue();
     }
     assertThat(first(model, 4.5).x()).isCloseTo(1.02, within(1e-6));
     // Out of the sight of one: it does not jump.
@@ -127,7 +128,9 @@ class WorldModelTest {
       if (i > 50 && i < 60) {
         model.accept(frame(1, t + 0.003, -3, 1));
       }
-      assertThat(first(model, t + 0.003).x()).isCloseTo(1, within(1e-6));
+      if (i > 10) {
+        assertThat(first(model, t + 0.003).x()).isCloseTo(1, within(1e-6));
+      }
     }
   }
 
@@ -161,5 +164,48 @@ class WorldModelTest {
     assertThat(seen.stream().map(VisionFrame::captureTime).distinct().count())
         .isLessThan(seen.size() / 3);
     assertThat(fastest).isLessThan(0.07);
+  }
+
+  /** Without them, one pattern in fifty makes a robot that stands turn by 27° and puts eight that are not there in the way. */
+  @Test
+  void patternsThatAreMisreadMakeNoRobotsAndTurnNone() {
+    SimulationSettings settings =
+        VisionCharacter.apply(
+            Set.of(VisionCharacter.MISREADING), SimulationSettings.DEFAULT.withSeed(3));
+    InteractiveField field = InteractiveField.of(settings, FIRST, SECOND, List.of());
+    WorldModel model = new WorldModel();
+    Set<RobotId> detected = new HashSet<>();
+    for (int i = 0; i < 4000; i++) {
+      field.step(
+          p ->
+              p.packet()
+                  .frame()
+                  .ifPresent(
+                      f -> {
+                        model.accept(f);
+                        f.robots().forEach(r -> detected.add(r.id()));
+                      }));
+      double now = field.world().time();
+      if (now > 0.5) {
+        PlayWorld world = model.at(now, Permission.RUN);
+        assertThat(world.robots()).hasSize(4);
+        assertThat(first(model, now).orientation()).isCloseTo(0, within(0.05));
+      }
+    }
+    assertThat(detected).hasSizeGreaterThan(12);
+  }
+
+  @Test
+  void aRobotThatWasPutElsewhereIsThereWhenItWasSeenFourTimes() {
+    WorldModel model = new WorldModel();
+    for (int i = 0; i < 100; i++) {
+      double t = 0.014 * i;
+      boolean moved = i >= 50;
+      model.accept(frame(0, t, moved ? -2 : 1, 1));
+      if (i > 10) {
+        // Four that do not fit, four that are sure.
+        assertThat(first(model, t).x()).isCloseTo(i < 57 ? 1 : -2, within(1e-6));
+      }
+    }
   }
 }

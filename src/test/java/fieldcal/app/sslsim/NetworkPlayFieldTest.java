@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.play.EmbeddedPlayField;
+import fieldcal.app.play.PlayField;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.calibration.Average;
@@ -20,6 +21,9 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
+import fieldcal.vision.VisionEncoder;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -274,6 +278,34 @@ class NetworkPlayFieldTest {
           });
     }
     return commands;
+  }
+
+  @Test
+  void aVisionWhoseClockGoesBackEndsTheSession() throws Exception {
+    NetworkPlace vision = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    List<Double> heard = new ArrayList<>();
+    try (NetworkPlayField field =
+            new NetworkPlayField("127.0.0.1", freePorts(), vision, Optional.empty());
+        DatagramSocket socket = new DatagramSocket()) {
+      PlayField.Receiver receiver =
+          (time, packet, payload) -> packet.frame().ifPresent(f -> heard.add(f.captureTime()));
+      VisionEncoder encoder = new VisionEncoder(field.epoch());
+      // Two frames, a restart, and a frame of the new clock that looks like one of the old.
+      for (double time : new double[] {100, 100.5, 3.5, 100.75}) {
+        assertThat(field.over().isPresent()).isEqualTo(heard.size() == 2 && time > 100.6);
+        VisionFrame frame = new VisionFrame(0, 1, time, time, Double.NaN, List.of(), List.of());
+        byte[] packet = encoder.encode(VisionPacket.of(frame));
+        socket.send(new DatagramPacket(packet, packet.length, vision.address()));
+        for (int i = 0; i < 200 && heard.size() < 2 || i < 20; i++) {
+          field.next(receiver);
+          if (!heard.isEmpty() && heard.get(heard.size() - 1) == time) {
+            break;
+          }
+        }
+      }
+      assertThat(field.over().orElseThrow()).contains("went back by 97 s");
+    }
+    assertThat(heard).containsExactly(100.0, 100.5);
   }
 
   @Test

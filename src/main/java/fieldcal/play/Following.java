@@ -1,0 +1,113 @@
+package fieldcal.play;
+
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Velocity;
+
+/**
+ * How late a robot follows its orders, measured while it slows down: the way that it goes too far, per speed that it was ordered to lose. Radios, motors and weak brakes all count, and so does what
+ * vision is late. Who follows late is driven more calmly: the same gains would make it overshoot.
+ */
+final class Following {
+  /** What the gains of {@link Driver} are made for, s: 60 ms from camera to wheel, and what the robot's velocity is seen late. */
+  static final double USUAL = 0.1;
+
+  /** What a robot is taken for until it has slowed down, s: those of a slow radio and weak brakes. */
+  private static final double FEARED = 0.25;
+
+  /** What that counts as, in speed lost, m/s: a quarter of a drive across the field. */
+  private static final double KNOWN = 0.5;
+
+  /** What was lost in speed since then has made a measurement half as old, m/s: two drives across the field. */
+  private static final double MEMORY = 5;
+
+  /** A robot that goes on for longer than that after it was to stand is pushed or carried, s. */
+  private static final double AFTERWARDS = 1;
+
+  /** A slower robot's direction is noise, m/s. */
+  private static final double SLOW = 0.1;
+
+  /** Nobody is driven more calmly than that. */
+  private static final double CALMEST = 0.2;
+
+  /** A rise by more is an order to drive faster again, not noise, m/s. */
+  private static final double FASTER = 0.1;
+
+  private final double braking;
+  private double reference;
+  private double standsSince;
+  private double overrun = KNOWN * FEARED;
+  private double lost = KNOWN;
+  private double overrunNow;
+  private double lostNow;
+
+  /** With the deceleration that robots are ordered and counted on, m/s². */
+  Following(double braking) {
+    this.braking = braking;
+  }
+
+  /**
+   * One tick more.
+   *
+   * @param robot as it was seen last; null when it was never seen
+   * @param seen whether it is seen now; else nothing is learned of what it does
+   * @param ordered its velocity, m/s
+   * @param span since the last tick, s
+   */
+  void update(Robot robot, boolean seen, Velocity ordered, double span) {
+    if (robot == null || !seen) {
+      reference = 0;
+      learn(-lostNow);
+      return;
+    }
+    double speed = robot.speed();
+    if (speed < SLOW) {
+      // Only if it was to stop.
+      learn(lostNow > 0 ? reference : 0);
+      reference = 0;
+      return;
+    }
+    double along = (ordered.vx() * robot.vx() + ordered.vy() * robot.vy()) / speed;
+    // An order to stop at once is one to brake as hard as is counted on.
+    double next = Math.max(Math.max(0, along), reference - braking * span);
+    boolean turnsRound = along < -FASTER;
+    boolean goesOn = next > reference + FASTER;
+    if (turnsRound || goesOn) {
+      // Who is to turn round brakes harder than who is to stop, and who goes on has not slowed down
+      // yet, perhaps.
+      boolean slowedDown = !turnsRound && speed < reference + FASTER;
+      learn(slowedDown ? 0 : -lostNow);
+      reference = Math.min(next, speed);
+    } else if (next >= speed) {
+      learn(0);
+      reference = speed;
+    } else {
+      standsSince = next > 0 ? 0 : standsSince + span;
+      overrunNow += standsSince > AFTERWARDS ? 0 : (speed - next) * span;
+      lostNow += reference - next;
+      reference = next;
+    }
+  }
+
+  /** From what it did since it was ordered to slow down, and a last loss of speed. */
+  private void learn(double more) {
+    double loses = lostNow + more;
+    if (loses > SLOW) {
+      double keeps = Math.pow(0.5, loses / MEMORY);
+      overrun = keeps * overrun + overrunNow;
+      lost = keeps * lost + loses;
+    }
+    overrunNow = 0;
+    lostNow = 0;
+    standsSince = 0;
+  }
+
+  /** How late it follows, s. */
+  double late() {
+    return overrun / lost;
+  }
+
+  /** The part of the usual gains and decelerations that it bears: 1 for who follows as usual or better. */
+  double calm() {
+    return Math.max(CALMEST, Math.min(1, USUAL / late()));
+  }
+}
