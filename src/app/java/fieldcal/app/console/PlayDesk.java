@@ -10,7 +10,6 @@ import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.simulation.TruthJson;
-import fieldcal.app.sslsim.NetworkPlayField;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.vision.FieldGeometry;
@@ -51,7 +50,7 @@ final class PlayDesk {
   /** The plan of an order as a drawing: on the simulated field, or on the one of the recordings, or one as large. */
   ObjectNode plan(PlayOrder order) {
     Optional<FieldGeometry> recorded =
-        order.simulator().isEmpty()
+        order.network().isEmpty()
             ? Optional.empty()
             : kicks.view().outcome().flatMap(outcome -> outcome.data().geometry());
     FieldGeometry geometry = recorded.orElseGet(() -> field(order.request(), 0).geometry());
@@ -73,15 +72,22 @@ final class PlayDesk {
     Set<Path> before = Set.copyOf(directory.logs());
     Predicate<Path> its =
         log -> log.getFileName().toString().startsWith("session-") && !before.contains(log);
-    if (order.simulator().isPresent()) {
-      PlayOrder.Simulator at = order.simulator().get();
-      PlayField open = new NetworkPlayField(at.host(), at.ports(), at.vision(), at.referee());
-      begin(new PlaySession(request, open, this::tell), its, Optional.empty());
+    if (order.network().isPresent()) {
+      begin(
+          new PlaySession(request, open(order.network().get()), this::tell), its, Optional.empty());
     } else {
       int earlier = PlayRun.logs(directory.path()).size();
       InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
       PlayField open = new EmbeddedPlayField(field, order.pace());
       begin(new PlaySession(request, open, this::tell), its, Optional.of(field));
+    }
+  }
+
+  private static PlayField open(PlayOrder.Network network) throws IOException {
+    try {
+      return network.open();
+    } catch (IllegalArgumentException e) {
+      throw ApiException.badRequest(e.getMessage());
     }
   }
 

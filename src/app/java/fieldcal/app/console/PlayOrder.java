@@ -2,12 +2,15 @@ package fieldcal.app.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.play.PlayField;
 import fieldcal.app.play.SessionRequest;
+import fieldcal.app.sslsim.NetworkPlayField;
 import fieldcal.app.sslsim.SimulatorPorts;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayLine.Half;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
+import java.io.IOException;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -17,9 +20,9 @@ import java.util.regex.Pattern;
  *
  * @param request what is wanted
  * @param pace of the simulated field, times real time; infinite for as fast as it can
- * @param simulator on the network; empty for the simulated field in this process
+ * @param network where the robots are; empty for the simulated field in this process
  */
-record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simulator) {
+record PlayOrder(SessionRequest request, double pace, Optional<Network> network) {
   private static final int LONGEST_PLACE = 200;
 
   private static final Pattern ROBOT = Pattern.compile("(yellow|blue)(\\d{1,2})");
@@ -29,7 +32,21 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
     /** On the simulated field in this process. */
     SIMULATED,
     /** On a simulator that speaks the league's simulation protocol. */
-    SIMULATOR
+    SIMULATOR,
+    /** On the field, with the robots behind a team's bridge. */
+    ROBOTS
+  }
+
+  /** Robots on the network. */
+  @FunctionalInterface
+  interface Network {
+    /**
+     * Begins to listen and to talk.
+     *
+     * @throws IOException when the host is unknown or a port cannot be opened
+     * @throws IllegalArgumentException when there can be no such place
+     */
+    PlayField open() throws IOException;
   }
 
   /** How the next kick is chosen. */
@@ -40,30 +57,27 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
     ADAPTIVE
   }
 
-  /**
-   * A simulator on the network.
-   *
-   * @param host where it runs
-   * @param ports where it listens
-   * @param vision where its vision sends to
-   * @param referee where a referee sends to whose HALT and STOP are obeyed
-   */
-  record Simulator(
-      String host, SimulatorPorts ports, NetworkPlace vision, Optional<NetworkPlace> referee) {
-    static Simulator of(JsonNode body) {
-      String host = Requests.text(body, "host", LONGEST_PLACE).strip();
-      if (host.isEmpty()) {
-        throw ApiException.badRequest("host must name the machine of the simulator");
-      }
-      long port = Requests.number(body, "port").orElse(SimulatorPorts.LEAGUE.control());
-      String vision = Requests.text(body, "vision", LONGEST_PLACE).strip();
-      String referee = Requests.text(body, "referee", LONGEST_PLACE).strip();
-      return new Simulator(
-          host,
-          new SimulatorPorts((int) Math.max(-1, Math.min(port, 100_000))),
-          NetworkPlace.parse(vision, null),
-          referee.isEmpty() ? Optional.empty() : Optional.of(NetworkPlace.parse(referee, null)));
+  private static Network network(Field field, JsonNode body, SessionRequest request) {
+    NetworkPlace vision = NetworkPlace.parse(place(body, "vision"), null);
+    String whistle = place(body, "referee");
+    Optional<NetworkPlace> referee =
+        whistle.isEmpty() ? Optional.empty() : Optional.of(NetworkPlace.parse(whistle, null));
+    if (field == Field.ROBOTS) {
+      String bridge = place(body, "bridge");
+      return () ->
+          NetworkPlayField.ofRobots(bridge, request.first(), request.second(), vision, referee);
     }
+    String host = place(body, "host");
+    if (host.isEmpty()) {
+      throw ApiException.badRequest("host must name the machine of the simulator");
+    }
+    long port = Requests.number(body, "port").orElse(SimulatorPorts.LEAGUE.control());
+    SimulatorPorts ports = new SimulatorPorts((int) Math.max(-1, Math.min(port, 100_000)));
+    return () -> new NetworkPlayField(host, ports, vision, referee);
+  }
+
+  private static String place(JsonNode body, String field) {
+    return Requests.text(body, field, LONGEST_PLACE).strip();
   }
 
   /**
@@ -87,7 +101,12 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
                   value(body, "slowest", usual.slowest()),
                   value(body, "fastest", usual.fastest()),
                   Math.toRadians(value(body, "elevation", 45)))
-              .withChoice(choice == Choice.ADAPTIVE, Requests.number(body, "seed").orElse(1));
+              .withChoice(choice == Choice.ADAPTIVE, Requests.number(body, "seed").orElse(1))
+              .withLimits(
+                  usual
+                      .limits()
+                      .withDriveSpeed(value(body, "driveSpeed", usual.limits().driveSpeed())),
+                  usual.margin());
       double pace = value(body, "pace", 0);
       if (!(pace >= 0 && pace <= 100)) {
         throw ApiException.badRequest("pace must be 0 (as fast as possible) to 100");
@@ -96,7 +115,7 @@ record PlayOrder(SessionRequest request, double pace, Optional<Simulator> simula
       return new PlayOrder(
           request,
           pace == 0 ? Double.POSITIVE_INFINITY : pace,
-          field == Field.SIMULATOR ? Optional.of(Simulator.of(body)) : Optional.empty());
+          field == Field.SIMULATED ? Optional.empty() : Optional.of(network(field, body, request)));
     } catch (IllegalArgumentException e) {
       throw ApiException.badRequest(e.getMessage());
     }

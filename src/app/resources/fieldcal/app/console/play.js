@@ -9,7 +9,7 @@ const CHOICES = [['spread', 'spread'], ['adaptive', 'most informative']];
 
 export function playPage(app) {
   const page = {id: 'play', title: 'Play', always: true, show, told: showStatus, resized: () => showField(true), keys: {}, keyWords: [['p', 'pause the play, or resume it']], badge: () => app.state && app.state.play && play().running ? ' ●' : ''};
-  const order = {field: 'simulated', host: 'localhost', port: 10300, vision: '224.5.23.2:10020', referee: '', kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, choice: 'spread', seed: 1, pace: '4'};
+  const order = {field: 'simulated', host: 'localhost', port: 10300, bridge: '127.0.0.1:10400', driveSpeed: 2.5, vision: '224.5.23.2:10020', referee: '', kind: 'flat', kicks: 12, first: 'yellow0', second: 'yellow1', half: 'whole', across: 0, slowest: 2, fastest: 6.5, elevation: 45, choice: 'spread', seed: 1, pace: '4'};
   let theme, built = '', plan = null, planFailure = null, shape = '', planning = 0;
 
   const play = () => app.state.play;
@@ -33,19 +33,20 @@ export function playPage(app) {
     const keep = name => event => { order[name] = event.target.type === 'number' ? Number(event.target.value) : event.target.value; ask(); };
     const figure = (name, min, max, step, size) => el('input', {id: 'order-' + name, type: 'number', min, max, step, value: order[name], style: 'width: ' + size + 'em', oninput: keep(name)});
     const text = (name, placeholder) => el('input', {id: 'order-' + name, value: order[name], size: 8, maxlength: 100, placeholder, oninput: keep(name)});
-    const network = order.field === 'simulator';
+    const robots = order.field === 'robots';
+    const place = robots ? [field('Bridge', text('bridge')), field('Fastest drive, m/s', figure('driveSpeed', 0.2, 5, 0.1, 5)), field('Vision', text('vision'))] : [field('Host', text('host')), field('Control port', figure('port', 1, 65533, 1, 6)), field('Its vision', text('vision'))];
     const chip = order.kind === 'chip';
-    const choose = name => value => { order[name] = value; if (name === 'kind') Object.assign(order, value === 'chip' ? {slowest: 3, fastest: 5.5} : {slowest: 2, fastest: 6.5}); built = ''; buildForm(); ask(); };
+    const choose = name => value => { order[name] = value; if (name === 'field') Object.assign(order, value === 'robots' ? {vision: '224.5.23.2:10006', driveSpeed: 0.5} : {vision: '224.5.23.2:10020', driveSpeed: 2.5}); if (name === 'kind') Object.assign(order, value === 'chip' ? {slowest: 3, fastest: 5.5} : {slowest: 2, fastest: 6.5}); built = ''; buildForm(); ask(); };
     $('order-form').onsubmit = event => { event.preventDefault(); start(); };
     refill($('order-form'), el('fieldset', {disabled: play().running ? '' : null},
-      field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator']], order.field, choose('field'))),
+      field('Field', select('order-field', [['simulated', 'simulated here'], ['simulator', 'a simulator'], ['robots', 'your field: robots at a bridge']], order.field, choose('field'))),
       field('Kicks', select('order-kind', [['flat', 'flat'], ['chip', 'chips']], order.kind, choose('kind'))),
       field('Good kicks', figure('kicks', 1, 200, 1, 5)),
       field('Slowest, m/s', figure('slowest', 0.7, 8, 0.1, 5)), field('Fastest, m/s', figure('fastest', 0.7, 8, 0.1, 5)), field('Speeds', select('order-choice', CHOICES, order.choice, value => { order.choice = value; })),
       ...(chip ? [field('Elevation, °', figure('elevation', 15, 75, 1, 5)), field('Line at x, m', figure('across', -6, 6, 0.1, 5))] : [field('Part of the field', select('order-half', [['whole', 'all of it'], ['negative', 'half at −x'], ['positive', 'half at +x']], order.half, choose('half')))]),
       field('First robot', text('first')), field('Second robot', text('second')),
       field('Seed', figure('seed', 0, 999999, 1, 6)),
-      ...(network ? [field('Host', text('host')), field('Control port', figure('port', 1, 65533, 1, 6)), field('Its vision', text('vision')), field('Referee', text('referee', 'none'))]
+      ...(order.field !== 'simulated' ? [...place, field('Referee', text('referee', 'none'))]
         : [field('Pace', select('order-pace', PACES, order.pace, value => { order.pace = value; }))]),
       el('button', {type: 'submit', id: 'play-start', class: 'strong'}, 'Start')));
   }

@@ -304,6 +304,35 @@ class BrowserTest {
     }
   }
 
+  /** The served field takes robot commands and answers them, as a team's bridge does. */
+  @Test
+  void robotsBehindABridgeArePlayedWith() throws IOException {
+    Path session = Files.createDirectory(folder.resolve("robots"));
+    try (ServedKicks field = new ServedKicks();
+        RunningConsole console = RunningConsole.start(session)) {
+      browser.open(console.url() + "#play");
+      browser.find("#play-field canvas");
+      browser.script(
+          "const s = document.getElementById('order-field'); s.value = 'robots';"
+              + " s.dispatchEvent(new Event('change'))");
+      // Nobody listens there.
+      browser.type("#order-bridge", "127.0.0.1:1");
+      browser.type("#order-vision", field.vision());
+      browser.click("#play-start");
+      browser.awaitText("#play-waiting", "does not answer");
+      browser.click("#play-abort");
+      browser.click("#confirm");
+      browser.awaitGone("#play-abort");
+      browser.type("#order-bridge", "127.0.0.1:" + (field.port() + 2));
+      browser.click("#play-start");
+      browser.awaitText("#play-phase", "moving into position");
+      browser.awaitGone("#play-waiting");
+      browser.click("#play-abort");
+      browser.click("#confirm");
+      browser.awaitGone("#play-abort");
+    }
+  }
+
   /** The words beside each ring that is drawn. */
   private static List<?> waitedFor() {
     return (List<?>)

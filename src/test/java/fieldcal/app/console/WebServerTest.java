@@ -263,12 +263,16 @@ class WebServerTest {
       ",\"field\":\"moon\"",
       ",\"field\":\"simulator\"",
       ",\"field\":\"simulator\",\"host\":\"localhost\",\"vision\":\"nowhere\"",
-      ",\"field\":\"simulator\",\"host\":\"localhost\",\"vision\":\"224.5.23.2:1\",\"port\":0"
+      ",\"field\":\"simulator\",\"host\":\"localhost\",\"vision\":\"224.5.23.2:1\",\"port\":0",
+      ",\"field\":\"robots\",\"bridge\":\"127.0.0.1:10400\",\"vision\":\"nowhere\"",
+      ",\"driveSpeed\":0"
     };
     for (String more : wrong) {
       assertRefused(console.post("/api/play/plan", order.formatted(more)), 400);
       assertRefused(console.post("/api/play", order.formatted(more)), 400);
     }
+    String nowhere = ",\"field\":\"robots\",\"bridge\":\"nowhere\",\"vision\":\"127.0.0.1:0\"";
+    assertRefused(console.post("/api/play", order.formatted(nowhere)), 400);
     assertRefused(console.post("/api/play/word", "{\"word\":\"pause\"}"), 409);
     assertRefused(console.post("/api/play/word", "{\"word\":\"dance\"}"), 400);
     Answer plan =
