@@ -9,7 +9,7 @@ import fieldcal.play.RobotOrder.Velocity;
  */
 final class Following {
   /** What the gains of {@link Driver} are made for, s: 60 ms from camera to wheel, and what the robot's velocity is seen late. */
-  static final double USUAL = 0.1;
+  static final double USUAL = 0.13;
 
   /** What a robot is taken for until it has slowed down, s: those of a slow radio and weak brakes. */
   private static final double FEARED = 0.25;

@@ -50,7 +50,7 @@ class FollowingTest {
 
   @Test
   void whoIsNotKnownIsDrivenCalmly() {
-    assertThat(following.calm()).isCloseTo(0.4, within(0.01));
+    assertThat(following.calm()).isCloseTo(0.52, within(0.01));
     drives(5, 2);
     assertThat(following.calm()).isEqualTo(1);
   }
