@@ -8,7 +8,7 @@ import fieldcal.play.RobotOrder.Velocity;
  * vision is late. Who follows late is driven more calmly: the same gains would make it overshoot.
  */
 final class Following {
-  /** What the gains of {@link Driver} are made for, s: 60 ms from camera to wheel, and what the robot's velocity is seen late. */
+  /** What the gains of {@link Driver} are made for, s: robots that hear after 20 ms measure 0.05 to 0.13, of which vision's filter is half. */
   static final double USUAL = 0.13;
 
   /** What a robot is taken for until it has slowed down, s: those of a slow radio and weak brakes. */
