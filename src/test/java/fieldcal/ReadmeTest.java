@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 
 import fieldcal.app.cli.Main;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +14,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
@@ -51,6 +54,37 @@ class ReadmeTest {
     List<String> lines = Documents.code(README, "sh");
     assertThat(lines).anyMatch(line -> line.startsWith("./fieldcal calibrate test-data/"));
     assertThat(lines).contains("./gradlew test");
+  }
+
+  /** The first thing that a newcomer types: it must end soon, and as the README says. */
+  @Test
+  void theFirstExampleEndsAsTheReadmeSays(@TempDir Path folder) throws IOException {
+    List<String> lines = commandsOf(README).subList(0, 2);
+    assertThat(Files.readString(README)).contains("The verdict is *check first*.", ": air drag.");
+    assertThat(output(lines.get(0), folder)).startsWith("Verdict: check first. Run diagnose");
+    assertThat(output(lines.get(1), folder)).contains("cause is found: air drag");
+    assertThat(folder).isDirectoryContaining("glob:**/report.html");
+  }
+
+  private static List<String> commandsOf(Path document) throws IOException {
+    return Documents.code(document, "sh").stream()
+        .filter(l -> l.startsWith("./fieldcal "))
+        .toList();
+  }
+
+  /** What a command prints, with its results in another folder. */
+  private static String output(String line, Path folder) {
+    List<String> words =
+        Arrays.stream(line.split("\\s+"))
+            .skip(1)
+            .map(w -> w.startsWith("test-data/") ? Documents.PROJECT.resolve(w).toString() : w)
+            .map(w -> w.equals("out") ? folder.toString() : w)
+            .toList();
+    StringWriter out = new StringWriter();
+    CommandLine program = Main.commandLine();
+    program.setOut(new PrintWriter(out));
+    assertThat(program.execute(words.toArray(String[]::new))).as(line).isZero();
+    return out.toString().replaceAll("\\s+", " ");
   }
 
   /** Whoever stands at the field reads it once; everything else is in docs/. */

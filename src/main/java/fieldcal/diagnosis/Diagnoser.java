@@ -120,7 +120,7 @@ public final class Diagnoser {
   /** One diagnosis; used once. */
   private final class Run {
     private final DiagnosisProblem problem;
-    private final Consumer<String> progress;
+    private final DiagnosisProgress progress;
     private final SharedSolver solver =
         SharedSolver.withDefaults().withMaxIterations(FIT_ITERATIONS).settlingVariants();
 
@@ -137,18 +137,17 @@ public final class Diagnoser {
 
     Run(DiagnosisProblem problem, Consumer<String> progress) {
       this.problem = problem;
-      this.progress = progress;
+      this.progress = new DiagnosisProgress(progress);
     }
 
     Diagnosis diagnose() {
-      progress.accept("fitting all kicks together");
+      progress.stage("fitting all kicks together");
       List<KickRecord> kicks = screenAndFit();
       FittedModel found = base;
       if (problem.maxCauses() > 0) {
-        progress.accept("testing every known effect");
         found = guarded("the search for causes", base, () -> searchNamed(kicks));
       }
-      progress.accept("weighing the explanations");
+      progress.stage("weighing the explanations");
       Answer answer = decide(found);
       return result(answer);
     }
@@ -180,7 +179,7 @@ public final class Diagnoser {
       EffectModel simple = simple(fits, kicks);
       screen = new KickScreen(noise, simple, problem.sessionStart(), fitSettings());
       for (int round = 0; round < BASE_ROUNDS; round++) {
-        fitter = new ModelFitter(kicks, problem.sessionStart());
+        fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
         base = fitter.fit(simple(fits, kicks), solver);
         List<KickRecord> revised = screen.revise(base, false);
         if (revised.equals(kicks)) {
@@ -189,7 +188,7 @@ public final class Diagnoser {
         kicks = revised;
       }
       if (!fitter.kicks().equals(kicks)) {
-        fitter = new ModelFitter(kicks, problem.sessionStart());
+        fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
         base = fitter.fit(simple(fits, kicks), solver);
       }
       arena = arena(kicks);
@@ -251,6 +250,7 @@ public final class Diagnoser {
     private FittedModel searchNamed(List<KickRecord> kicks) {
       FittedModel best = flatsFirst(kicks);
       for (int round = 0; round < SCREENINGS; round++) {
+        progress.stage(round == 0 ? "searching for causes" : "searching for causes again");
         best = search(best, catalogue, problem.maxCauses() + SPARE, true);
         List<KickRecord> before = fitter.kicks();
         List<KickRecord> revised = screen.revise(best, true);
@@ -260,14 +260,14 @@ public final class Diagnoser {
         if (revised.size() == before.size() && revised.equals(before)) {
           break;
         }
-        progress.accept("looking again at kicks that stand out");
+        progress.stage("looking again at kicks that stand out");
         best = refit(best, revised);
       }
       return best;
     }
 
     private FittedModel refit(FittedModel best, List<KickRecord> kicks) {
-      fitter = new ModelFitter(kicks, problem.sessionStart());
+      fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
       arena = arena(kicks);
       EffectModel start =
           best.model()
@@ -291,11 +291,12 @@ public final class Diagnoser {
       }
       ModelFitter all = fitter;
       Arena whole = arena;
-      fitter = new ModelFitter(flats, problem.sessionStart());
+      fitter = new ModelFitter(flats, problem.sessionStart(), progress::fitted);
       arena = arena(flats);
       FittedModel found;
       try {
         FittedModel alone = fitter.fit(base.model().forKinds(true, false), solver);
+        progress.stage("searching for causes in the flat kicks");
         found = search(alone, catalogue, problem.maxCauses() + SPARE, true);
       } finally {
         fitter = all;
@@ -316,7 +317,8 @@ public final class Diagnoser {
         FittedModel start, List<? extends Effect> effects, int most, boolean revises) {
       int n = start.kickCount();
       if (n <= SEARCHED_KICKS) {
-        CauseSearch search = new CauseSearch(fitter, new Dictionary(effects, arena), most, coarse);
+        CauseSearch search =
+            new CauseSearch(fitter, new Dictionary(effects, arena), most, coarse, progress::part);
         FittedModel found = search.search(start, revises);
         trace.addAll(search.trace());
         return evenly(found);
@@ -325,14 +327,15 @@ public final class Diagnoser {
       for (int i = 0; i < SEARCHED_KICKS; i++) {
         some.add(fitter.kicks().get((int) ((long) i * n / SEARCHED_KICKS)));
       }
-      ModelFitter few = new ModelFitter(some, problem.sessionStart());
+      ModelFitter few = new ModelFitter(some, problem.sessionStart(), progress::fitted);
       FittedModel begin =
           few.fit(
               start.model().startingAt(start.solution().values(), start.solution().scatters()),
               start.restrictedTo(some),
               Weighing.ALIKE,
               solver);
-      CauseSearch search = new CauseSearch(few, new Dictionary(effects, arena), most, coarse);
+      CauseSearch search =
+          new CauseSearch(few, new Dictionary(effects, arena), most, coarse, progress::part);
       FittedModel found = search.search(begin, revises);
       trace.addAll(search.trace());
       EffectModel model =
@@ -375,13 +378,14 @@ public final class Diagnoser {
       long seed = problem.seed();
       HoldOut heldBase = HoldOut.of(base, true, seed);
       ModelChoice choice =
-          new ModelChoice(fresh(), dictionary(), settings, problem, heldBase, solver, trace);
+          new ModelChoice(
+              fresh(), dictionary(), settings, problem, heldBase, solver, trace, progress::part);
       Weighed best = new Weighed(base, List.of(), heldBase);
       if (!found.model().components().isEmpty()) {
         best = choice.of(found);
       }
       if (Leftover.of(best.model()).isSignificant()) {
-        progress.accept("describing what has no name");
+        progress.stage("describing what has no name");
         best = described(best, choice, heldBase);
       }
       if (!(best.held().rmsMm() <= heldBase.rmsMm())) {

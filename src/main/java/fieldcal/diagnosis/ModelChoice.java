@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /**
  * Which of the components that a search found stay in the model: those with a name, and those without which kicks that were held out are predicted worse. Not thread-safe.
@@ -42,6 +43,7 @@ final class ModelChoice {
   private final long seed;
   private final SharedSolver solver;
   private final List<SearchStep> trace;
+  private final Consumer<String> progress;
 
   /**
    * @param fresh fits of the kicks from the simple model on
@@ -51,6 +53,7 @@ final class ModelChoice {
    * @param heldBase how the simple model does on kicks that were held out
    * @param solver of the refits
    * @param trace to which simplifications are added
+   * @param progress told in words which part of the choice begins
    */
   ModelChoice(
       FreshFit fresh,
@@ -59,7 +62,8 @@ final class ModelChoice {
       DiagnosisProblem problem,
       HoldOut heldBase,
       SharedSolver solver,
-      List<SearchStep> trace) {
+      List<SearchStep> trace,
+      Consumer<String> progress) {
     this.fresh = fresh;
     fitter = fresh.fitter();
     this.dictionary = dictionary;
@@ -67,6 +71,7 @@ final class ModelChoice {
     this.heldBase = heldBase;
     this.solver = solver;
     this.trace = trace;
+    this.progress = progress;
     maxCauses = problem.maxCauses();
     seed = problem.seed();
     decision = new Decision(settings, fresh, new Alternatives(fitter, dictionary), seed);
@@ -119,6 +124,7 @@ final class ModelChoice {
     FittedModel at = found;
     boolean simplified = false;
     while (true) {
+      progress.accept("judging " + counted(at.model().components().size()));
       HoldOut held = HoldOut.of(at, true, seed);
       List<Judgement> judged = decision.judge(at, held);
       way.add(new Weighed(at, judged, held));
@@ -130,7 +136,8 @@ final class ModelChoice {
       if (simplified) {
         return best(way);
       }
-      CauseSearch search = new CauseSearch(fitter, dictionary, maxCauses, solver);
+      progress.accept("looking for simpler models");
+      CauseSearch search = new CauseSearch(fitter, dictionary, maxCauses, solver, progress);
       FittedModel simpler = search.simplified(at);
       simplified = true;
       if (simpler == at) {
@@ -139,6 +146,10 @@ final class ModelChoice {
       trace.addAll(search.trace());
       at = fitter.fit(startingAt(simpler), simpler, Weighing.ALIKE, solver);
     }
+  }
+
+  private static String counted(int components) {
+    return components == 1 ? "one effect" : components + " effects";
   }
 
   /** Without the weakest that failed, and without what is little beside the largest, unless these stand for each other. */

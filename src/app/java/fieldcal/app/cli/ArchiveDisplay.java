@@ -2,31 +2,26 @@ package fieldcal.app.cli;
 
 import fieldcal.app.archive.ArchiveEngine;
 import fieldcal.app.archive.ArchiveProgress;
+import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.Locale;
 
-/** How far an archive is: a bar over the logs on a terminal, a line now and then elsewhere. */
+/** How far an archive is: logs done, throughput, and the time that is left. */
 final class ArchiveDisplay implements ArchiveEngine.Progress, AutoCloseable {
-  /** Between two lines where there is no terminal, s: often enough to see that it lives, seldom enough for a log file. */
-  private static final double LINE_EVERY = 30;
-
-  private final boolean terminal = TerminalProgress.isTerminal(TerminalProgress.ERROR_STREAM);
-  private final TerminalProgress bar = TerminalProgress.ofSteps("archive", " logs");
+  private final Heartbeat heartbeat;
+  private final TerminalProgress bar;
   private final long begin = System.nanoTime();
-  private double lastLine;
+
+  /** A bar on a terminal; otherwise a line now and then in the command's output. */
+  ArchiveDisplay(PrintWriter out) {
+    heartbeat = Heartbeat.in(out);
+    bar = TerminalProgress.ofSteps("archive", " logs", heartbeat);
+  }
 
   @Override
   public synchronized void at(ArchiveProgress progress) {
-    double elapsed = (System.nanoTime() - begin) * 1e-9;
-    if (terminal) {
-      bar.at(progress.logsDone(), progress.logs());
-      bar.note(words(progress, elapsed));
-    } else if (elapsed - lastLine >= LINE_EVERY) {
-      lastLine = elapsed;
-      System.err.printf(
-          "archive: %d of %d logs%s%n",
-          progress.logsDone(), progress.logs(), words(progress, elapsed));
-    }
+    bar.note(words(progress, (System.nanoTime() - begin) * 1e-9));
+    bar.at(progress.logsDone(), progress.logs());
   }
 
   /** Throughput, and the time left by the bytes that are left. */
@@ -52,5 +47,6 @@ final class ArchiveDisplay implements ArchiveEngine.Progress, AutoCloseable {
   @Override
   public void close() {
     bar.close();
+    heartbeat.close();
   }
 }

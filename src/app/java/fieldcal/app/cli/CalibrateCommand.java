@@ -147,7 +147,8 @@ final class CalibrateCommand implements Callable<Integer> {
     CalibrationSession session =
         new CalibrationSession(FitSettings.defaults().withSeed(seed), logOptions.opener());
     CalibrationOutcome outcome;
-    try (WorkProgress progress = new WorkProgress()) {
+    try (WorkProgress progress =
+        new WorkProgress(Heartbeat.in(spec.commandLine().getOut(), json))) {
       CollectedKicks data =
           new KickCollector(progress, logOptions.opener())
               .collect(request.logs())

@@ -77,8 +77,9 @@ final class CompareCommand implements Callable<Integer> {
     List<CommandFile.Command> simTold =
         simCommands == null ? List.of() : CommandFile.read(simCommands);
     CompareSession.Outcome outcome;
-    try (WorkProgress first = new WorkProgress();
-        WorkProgress second = new WorkProgress()) {
+    Heartbeat heartbeat = Heartbeat.in(spec.commandLine().getOut(), json);
+    try (WorkProgress first = new WorkProgress(heartbeat);
+        WorkProgress second = new WorkProgress(heartbeat)) {
       outcome =
           new CompareSession(FitSettings.defaults().withSeed(seed), logOptions.opener())
               .run(real, told, sim, simTold, List.of(first, second));

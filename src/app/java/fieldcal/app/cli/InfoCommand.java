@@ -34,10 +34,11 @@ final class InfoCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     RecordingInfo info;
-    try (TerminalProgress progress = TerminalProgress.ofBytes("reading")) {
+    PrintWriter out = spec.commandLine().getOut();
+    try (Heartbeat heartbeat = json ? Heartbeat.none() : Heartbeat.in(out);
+        TerminalProgress progress = TerminalProgress.ofBytes("reading", heartbeat)) {
       info = RecordingInfo.of(log, logOptions.opener(), progress);
     }
-    PrintWriter out = spec.commandLine().getOut();
     if (json) {
       out.println(new InfoJson().of(info));
       out.flush();

@@ -46,7 +46,8 @@ final class LimitsCommand implements Callable<Integer> {
     LimitsSession session =
         new LimitsSession(Runtime.getRuntime().availableProcessors(), logOptions.opener());
     LimitsOutcome outcome;
-    try (TerminalProgress bar = TerminalProgress.ofBytes("reading")) {
+    try (Heartbeat heartbeat = Heartbeat.in(spec.commandLine().getOut(), json);
+        TerminalProgress bar = TerminalProgress.ofBytes("reading", heartbeat)) {
       outcome = session.run(logs, bar::at);
     }
     if (out != null) {

@@ -260,8 +260,8 @@ final class PlayCommand implements Callable<Integer> {
       throws IOException {
     PlayText text = new PlayText(spec.commandLine().getOut());
     PlayRun.Result result;
-    try (TerminalProgress progress = TerminalProgress.ofWords();
-        WorkProgress fitting = new WorkProgress()) {
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none());
+        WorkProgress fitting = new WorkProgress(Heartbeat.in(spec.commandLine().getOut()))) {
       PlaySession session = new PlaySession(request, field, s -> follow(s, field, text, progress));
       PrintWriter err = spec.commandLine().getErr();
       Runnable cleanUp = () -> forgetUnlessKept(directory);

@@ -98,7 +98,7 @@ final class RecordCommand implements Callable<Integer> {
       text.printf("recording %s%s to %s%n", vision, also(whistle), out);
       text.flush();
       RecordStatus last;
-      try (TerminalProgress progress = TerminalProgress.ofWords()) {
+      try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
         last = recorder.run(limit, s -> show(s, vision, progress, text));
       } finally {
         forget(atExit);

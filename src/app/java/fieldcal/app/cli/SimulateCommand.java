@@ -229,10 +229,11 @@ final class SimulateCommand implements Callable<Integer> {
     }
     RecordingFiles files = RecordingFiles.besides(out);
     Truth truth;
-    try (TerminalProgress progress = TerminalProgress.ofPercent("simulating")) {
+    PrintWriter print = spec.commandLine().getOut();
+    try (Heartbeat heartbeat = Heartbeat.in(print);
+        TerminalProgress progress = TerminalProgress.ofPercent("simulating", heartbeat)) {
       truth = files.write(settings, share -> progress.at(Math.round(100 * share), 100));
     }
-    PrintWriter print = spec.commandLine().getOut();
     int kicks = truth.commandedKicks().size();
     print.printf(
         Locale.ROOT,

@@ -8,7 +8,7 @@ import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
-/** A progress bar on the error stream, if that is a terminal; otherwise a plain line from time to time. */
+/** A progress bar on the error stream, if that is a terminal; otherwise a {@link Heartbeat}, which is the caller's to close. */
 final class TerminalProgress implements AutoCloseable {
   static final int ERROR_STREAM = 2;
   private static final long MEGABYTE = 1_000_000;
@@ -17,56 +17,38 @@ final class TerminalProgress implements AutoCloseable {
   private final String task;
   private final boolean shown;
   private final Heartbeat heartbeat;
-  private final boolean alone;
   private final String unit;
   private final long unitSize;
   private ProgressBar bar;
+  private String note = "";
   private boolean said;
 
-  /** Without a heartbeat nothing is said where there is no terminal. */
-  private TerminalProgress(
-      String task, String unit, long unitSize, Heartbeat heartbeat, boolean alone) {
+  private TerminalProgress(String task, String unit, long unitSize, Heartbeat heartbeat) {
     this.task = task;
     this.heartbeat = heartbeat;
-    this.alone = alone;
     this.unit = unit;
     this.unitSize = unitSize;
     shown = isTerminal(ERROR_STREAM);
   }
 
   /** A bar that counts bytes; it appears with the first call of {@link #at}. */
-  static TerminalProgress ofBytes(String task) {
-    return new TerminalProgress(task, " MB", MEGABYTE, new Heartbeat(), true);
-  }
-
-  /** The same as a part of longer work. */
   static TerminalProgress ofBytes(String task, Heartbeat heartbeat) {
-    return new TerminalProgress(task, " MB", MEGABYTE, heartbeat, false);
+    return new TerminalProgress(task, " MB", MEGABYTE, heartbeat);
   }
 
   /** A bar that counts steps of the given unit; it appears with the first call of {@link #at}. */
-  static TerminalProgress ofSteps(String task, String unit) {
-    return new TerminalProgress(task, unit, 1, new Heartbeat(), true);
-  }
-
-  /** The same as a part of longer work. */
   static TerminalProgress ofSteps(String task, String unit, Heartbeat heartbeat) {
-    return new TerminalProgress(task, unit, 1, heartbeat, false);
+    return new TerminalProgress(task, unit, 1, heartbeat);
   }
 
   /** A bar that counts from 0 to 100; it appears with the first call of {@link #at}. */
-  static TerminalProgress ofPercent(String task) {
-    return new TerminalProgress(task, " %", 1, new Heartbeat(), true);
+  static TerminalProgress ofPercent(String task, Heartbeat heartbeat) {
+    return new TerminalProgress(task, " %", 1, heartbeat);
   }
 
-  /** No bar: says in words what is being done, see {@link #say}; on a terminal only. */
-  static TerminalProgress ofWords() {
-    return new TerminalProgress("", "", 1, null, false);
-  }
-
-  /** No bar: says in words what is being done, as a part of longer work. */
+  /** No bar: says in words what is being done, see {@link #say}. */
   static TerminalProgress ofWords(Heartbeat heartbeat) {
-    return new TerminalProgress("", "", 1, heartbeat, false);
+    return new TerminalProgress("", "", 1, heartbeat);
   }
 
   /** Shows what is being done in place of what was shown before. */
@@ -75,16 +57,14 @@ final class TerminalProgress implements AutoCloseable {
       System.err.print(CLEAR_LINE + what);
       System.err.flush();
       said = true;
-    } else if (heartbeat != null) {
+    } else {
       heartbeat.at(what);
     }
   }
 
   void at(long done, long total) {
     if (!shown) {
-      if (heartbeat != null) {
-        heartbeat.at(task + ", " + done / unitSize + " of " + total / unitSize + unit);
-      }
+      heartbeat.at(task + ", " + done / unitSize + " of " + total / unitSize + unit + note);
       return;
     }
     if (bar == null) {
@@ -103,6 +83,7 @@ final class TerminalProgress implements AutoCloseable {
 
   /** Shows more behind the bar. */
   void note(String what) {
+    note = what;
     if (bar != null) {
       bar.setExtraMessage(what);
     }
@@ -110,9 +91,6 @@ final class TerminalProgress implements AutoCloseable {
 
   @Override
   public void close() {
-    if (alone) {
-      heartbeat.close();
-    }
     if (bar != null) {
       bar.close();
     }

@@ -5,12 +5,17 @@ import java.nio.file.Path;
 
 /** Progress of a calibration or diagnosis on the terminal: reading in bytes, one recording after the other, fitting in kicks, then in words. */
 final class WorkProgress implements DiagnosisSession.Progress, AutoCloseable {
-  private final Heartbeat heartbeat = new Heartbeat();
+  private final Heartbeat heartbeat;
   private TerminalProgress bar;
   private Path reading;
   private int kicks;
   private int fitted;
   private boolean inWords;
+
+  /** With plain lines on a heartbeat where there is no terminal; it is closed with this. */
+  WorkProgress(Heartbeat heartbeat) {
+    this.heartbeat = heartbeat;
+  }
 
   @Override
   public void read(Path log, long bytesRead, long totalBytes) {

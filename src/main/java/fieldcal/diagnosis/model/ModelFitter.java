@@ -6,11 +6,13 @@ import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 
-/** Fits models with effects to the same kicks, one from where another ended. Immutable and thread-safe. */
+/** Fits models with effects to the same kicks, one from where another ended. Immutable, and as thread-safe as who watches. */
 public final class ModelFitter {
   private final List<KickRecord> kicks;
   private final double sessionStart;
+  private final Consumer<FittedModel> watcher;
 
   /**
    * A fitter.
@@ -19,8 +21,20 @@ public final class ModelFitter {
    * @param sessionStart begin of the session on the kicks' clock, s
    */
   public ModelFitter(List<KickRecord> kicks, double sessionStart) {
+    this(kicks, sessionStart, fitted -> {});
+  }
+
+  /**
+   * A fitter that is watched.
+   *
+   * @param kicks at least one
+   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param watcher told of every fit, from the thread that asked for it
+   */
+  public ModelFitter(List<KickRecord> kicks, double sessionStart, Consumer<FittedModel> watcher) {
     this.kicks = List.copyOf(kicks);
     this.sessionStart = sessionStart;
+    this.watcher = watcher;
   }
 
   /**
@@ -138,7 +152,7 @@ public final class ModelFitter {
     return weights;
   }
 
-  private static FittedModel solve(
+  private FittedModel solve(
       EffectModel model,
       List<EffectKick> terms,
       List<double[]> starts,
@@ -147,6 +161,8 @@ public final class ModelFitter {
     SharedProblem<ModelState> problem =
         new SharedProblem<>(
             model, terms, starts, model.globals(), model.priors(), model.randoms(), weights);
-    return new FittedModel(model, solver.solve(problem));
+    FittedModel fitted = new FittedModel(model, solver.solve(problem));
+    watcher.accept(fitted);
+    return fitted;
   }
 }

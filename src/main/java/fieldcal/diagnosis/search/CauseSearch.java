@@ -6,6 +6,7 @@ import fieldcal.diagnosis.model.Weighing;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
@@ -47,6 +48,7 @@ public final class CauseSearch {
   private final Dictionary dictionary;
   private final int maxComponents;
   private final SharedSolver solver;
+  private final Consumer<String> progress;
   private final List<SearchStep> trace = new ArrayList<>();
 
   /**
@@ -56,13 +58,19 @@ public final class CauseSearch {
    * @param dictionary what may be proposed
    * @param maxComponents how many components a model may have
    * @param solver of the refits
+   * @param progress told in words which part of the search begins
    */
   public CauseSearch(
-      ModelFitter fitter, Dictionary dictionary, int maxComponents, SharedSolver solver) {
+      ModelFitter fitter,
+      Dictionary dictionary,
+      int maxComponents,
+      SharedSolver solver,
+      Consumer<String> progress) {
     this.fitter = fitter;
     this.dictionary = dictionary;
     this.maxComponents = maxComponents;
     this.solver = solver;
+    this.progress = progress;
   }
 
   /**
@@ -86,7 +94,9 @@ public final class CauseSearch {
     Refits refits = refits(Weighing.EXPLAINED_FIRST);
     boolean free = revises && start.model().components().isEmpty();
     boolean random = !dictionary.random(start.model()).isEmpty();
-    for (Manner manner : free ? MANNERS : SHORT.subList(0, random ? 2 : 1)) {
+    List<Manner> manners = free ? MANNERS : SHORT.subList(0, random ? 2 : 1);
+    for (Manner manner : manners) {
+      progress.accept("attempt " + (manners.indexOf(manner) + 1) + " of at most " + manners.size());
       Refits own = refits(manner.weighing);
       FittedModel grown = pursuit(own).grown(start, manner.order);
       if (Price.total(grown) < (best == start ? 1 : ANEW) * Price.total(best)) {
@@ -102,8 +112,10 @@ public final class CauseSearch {
       return simplification.withLawForOther(best).orElse(best);
     }
     if (!isExplained(best)) {
+      progress.accept("exchanging early choices");
       best = pursuit(refits).revised(best);
     }
+    progress.accept("looking for simpler models");
     return simplification.simplified(best, maxComponents);
   }
 

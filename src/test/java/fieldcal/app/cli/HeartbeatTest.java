@@ -4,30 +4,33 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 /** What who reads a pipe sees of long work. */
 class HeartbeatTest {
-  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+  private final StringWriter out = new StringWriter();
   private long nanos;
 
   private Heartbeat heartbeat() {
-    return new Heartbeat(new PrintStream(out, true, StandardCharsets.UTF_8), () -> nanos);
+    return new Heartbeat(new PrintWriter(out), () -> nanos);
   }
 
   @Test
   void aLineSaysForHowLongAndWhat() {
     try (Heartbeat heartbeat = heartbeat()) {
       heartbeat.at("reading flat.log, 45 of 300 MB");
-      nanos = 20_400_000_000L;
-      heartbeat.tell();
-      heartbeat.at("the search for causes");
       nanos = 30_400_000_000L;
       heartbeat.tell();
+      heartbeat.at("the search for causes");
+      nanos = 60_400_000_000L;
+      heartbeat.tell();
     }
-    assertThat(out.toString(StandardCharsets.UTF_8).lines())
-        .containsExactly("  20 s  reading flat.log, 45 of 300 MB", "  30 s  the search for causes");
+    assertThat(out.toString().lines())
+        .containsExactly("  30 s  reading flat.log, 45 of 300 MB", "  60 s  the search for causes");
   }
 
   @Test
@@ -35,6 +38,53 @@ class HeartbeatTest {
     try (Heartbeat heartbeat = heartbeat()) {
       heartbeat.at("fitting, 1 of 20 kicks");
     }
-    assertThat(out.size()).isZero();
+    assertThat(out.toString()).isEmpty();
+  }
+
+  /** The result may be printed already, and its first line is the verdict. */
+  @Test
+  void nothingIsSaidOnceTheWorkHasEnded() {
+    Heartbeat ended = heartbeat();
+    ended.at("fitting, 20 of 20 kicks");
+    ended.close();
+    ended.tell();
+    assertThat(out.toString()).isEmpty();
+  }
+
+  @Test
+  void jsonInTheOutputIsNotInterrupted() {
+    try (Heartbeat heartbeat = Heartbeat.in(new PrintWriter(out), Path.of("/dev/stdout"))) {
+      heartbeat.at("fitting, 1 of 20 kicks");
+      heartbeat.tell();
+    }
+    assertThat(out.toString()).isEmpty();
+    try (Heartbeat heartbeat = Heartbeat.in(new PrintWriter(out), Path.of("out.json"))) {
+      heartbeat.at("fitting, 1 of 20 kicks");
+      heartbeat.tell();
+    }
+    assertThat(out.toString()).endsWith("fitting, 1 of 20 kicks" + System.lineSeparator());
+  }
+
+  /** Progress on the error stream is for a terminal only. */
+  @Test
+  void theErrorStreamOfAPipeStaysEmpty() {
+    ByteArrayOutputStream errors = new ByteArrayOutputStream();
+    PrintStream before = System.err;
+    System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
+    try (Heartbeat heartbeat = heartbeat();
+        TerminalProgress bar = TerminalProgress.ofBytes("reading", heartbeat);
+        TerminalProgress words = TerminalProgress.ofWords(heartbeat)) {
+      bar.note(", 2 of 3 recordings");
+      bar.at(45_000_000, 300_000_000);
+      heartbeat.tell();
+      words.say("the search for causes");
+      heartbeat.tell();
+    } finally {
+      System.setErr(before);
+    }
+    assertThat(out.toString().lines())
+        .containsExactly(
+            "   0 s  reading, 45 of 300 MB, 2 of 3 recordings", "   0 s  the search for causes");
+    assertThat(errors.size()).isZero();
   }
 }

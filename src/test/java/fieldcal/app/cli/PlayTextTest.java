@@ -54,7 +54,7 @@ class PlayTextTest {
   @Test
   void aCauseThatLastsIsToldOnce() {
     PlayText text = text(true);
-    try (TerminalProgress progress = TerminalProgress.ofWords()) {
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
       for (int i = 0; i < 100; i++) {
         text.follow(
             at(0.1 * i, i < 50 ? "yellow 1 does not stand still" : "", List.of()), progress);
@@ -69,7 +69,7 @@ class PlayTextTest {
   @Test
   void whoeverHasToLayTheBallIsToldWhere() {
     PlayText text = text(true);
-    try (TerminalProgress progress = TerminalProgress.ofWords()) {
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
       for (int i = 0; i < 30; i++) {
         text.follow(at(0.1 * i, "the ball is in the goal", List.of(1.0, -2.5)), progress);
       }
@@ -81,7 +81,7 @@ class PlayTextTest {
   @Test
   void whoReadsAFileSeesALineEveryFewSeconds() {
     PlayText text = text(false);
-    try (TerminalProgress progress = TerminalProgress.ofWords()) {
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
       for (int i = 0; i < 200; i++) {
         nanos += 100_000_000L;
         text.follow(at(0.1 * i, "", List.of()), progress);

@@ -19,7 +19,8 @@ class CauseSearchTest {
         field.fitter(),
         new Dictionary(EffectCatalogue.all(), field.arena()),
         MOST,
-        FittedField.SOLVER);
+        FittedField.SOLVER,
+        part -> {});
   }
 
   @Test
