@@ -28,7 +28,7 @@ public record Sample(
    * @return true when its value is the reason
    */
   public boolean leftForItsValue() {
-    return dropped.isPresent() && dropped.get().startsWith(fieldName() + " is ");
+    return dropped.isPresent() && dropped.get().startsWith(fieldName() + " ");
   }
 
   /** The parameter's name in the league's message, for people: {@code acc_slide}. */

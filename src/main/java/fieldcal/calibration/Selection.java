@@ -116,10 +116,15 @@ final class Selection {
     }
     Map<Integer, List<Sample>> byKick = new HashMap<>();
     for (List<Sample> samples : byParameter.values()) {
-      List<Sample> judged = TwoSigma.rounds(samples, decisions.selection().twoSigmaRounds());
+      List<Sample> judged =
+          new ArrayList<>(TwoSigma.rounds(samples, decisions.selection().twoSigmaRounds()));
       for (int i = 0; i < judged.size(); i++) {
-        // A kick kept by hand keeps its samples.
-        Sample sample = kept.contains(judged.get(i).kickId()) ? samples.get(i) : judged.get(i);
+        if (kept.contains(judged.get(i).kickId())) {
+          // A kick kept by hand keeps its samples.
+          judged.set(i, samples.get(i));
+        }
+      }
+      for (Sample sample : TwoSigma.restated(judged)) {
         byKick.computeIfAbsent(sample.kickId(), id -> new ArrayList<>()).add(sample);
       }
     }

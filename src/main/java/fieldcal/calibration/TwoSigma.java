@@ -16,7 +16,8 @@ public final class TwoSigma {
   /** Fewer samples have no scatter to speak of. */
   private static final int FEWEST = 4;
 
-  private static final double LIMIT = 2;
+  /** Standard deviations beyond which a sample is excluded. */
+  public static final double LIMIT = 2;
 
   private TwoSigma() {}
 
@@ -35,13 +36,30 @@ public final class TwoSigma {
     for (Sample s : samples) {
       double sigmas = average.sigmas(s);
       boolean leaves = s.dropped().isEmpty() && sigmas > LIMIT;
-      next.add(
-          leaves
-              ? s.drop(
-                  String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.fieldName(), sigmas))
-              : s);
+      next.add(leaves ? s.drop(distance(s, sigmas)) : s);
     }
     return next;
+  }
+
+  /**
+   * The same samples with reasons that speak of the mean that is given in the end. The mean by which a sample was excluded moves on with each sample that follows.
+   *
+   * @param samples of one parameter, after all rounds
+   * @return the same samples in the same order
+   */
+  public static List<Sample> restated(List<Sample> samples) {
+    Average average = Average.of(samples).robust(samples);
+    return samples.stream()
+        .map(
+            s ->
+                s.leftForItsValue() && average.n() > 0 ? s.drop(distance(s, average.sigmas(s))) : s)
+        .toList();
+  }
+
+  private static String distance(Sample s, double sigmas) {
+    return sigmas > LIMIT
+        ? String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.fieldName(), sigmas)
+        : s.fieldName() + " was more than 2 σ from the mean until other values were excluded, too";
   }
 
   /**

@@ -1,6 +1,7 @@
 package fieldcal.verdict;
 
 import fieldcal.calibration.Calibration;
+import fieldcal.kick.KickKind;
 import fieldcal.vision.BallModels;
 import java.util.List;
 import java.util.Objects;
@@ -13,6 +14,7 @@ import java.util.Optional;
  * @param published the model in use; may hold none
  * @param effects ids of the effects that the parameters are valid together with; empty for the simple model
  * @param surroundings where the recordings come from
+ * @param forced the kind that all kicks were taken to be of, whatever they look like; empty when each was told by its path
  * @param finding of a diagnosis of these kicks; empty when there is none that still holds
  */
 public record Evidence(
@@ -20,6 +22,7 @@ public record Evidence(
     BallModels published,
     List<String> effects,
     Surroundings surroundings,
+    Optional<KickKind> forced,
     Optional<Finding> finding) {
   /** Copies the list and checks that nothing is missing. {@inheritDoc} */
   public Evidence {
@@ -27,6 +30,7 @@ public record Evidence(
     Objects.requireNonNull(published, "published");
     effects = List.copyOf(effects);
     Objects.requireNonNull(surroundings, "surroundings");
+    Objects.requireNonNull(forced, "forced");
     Objects.requireNonNull(finding, "finding");
   }
 
@@ -38,6 +42,12 @@ public record Evidence(
    * @return evidence of the simple model, without a diagnosis and without knowledge of the recordings
    */
   public static Evidence of(Calibration calibration, BallModels published) {
-    return new Evidence(calibration, published, List.of(), Surroundings.UNKNOWN, Optional.empty());
+    return new Evidence(
+        calibration,
+        published,
+        List.of(),
+        Surroundings.UNKNOWN,
+        Optional.empty(),
+        Optional.empty());
   }
 }

@@ -142,6 +142,33 @@ public sealed interface Reason {
     }
   }
 
+  /**
+   * All kicks were taken to be of one kind, and do not move like that: some may be of the other kind.
+   *
+   * @param kind that was asked for
+   */
+  record ForcedKind(KickKind kind) implements Reason {
+    /** Checks that the kind is there. {@inheritDoc} */
+    public ForcedKind {
+      Objects.requireNonNull(kind, "kind");
+    }
+
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "forced_kind";
+    }
+
+    @Override
+    public Optional<KickKind> model() {
+      return Optional.of(kind);
+    }
+  }
+
   /** The joint fit did not converge. */
   record NotConverged() implements Reason {
     @Override

@@ -105,7 +105,8 @@ public final class VerdictRule {
                 r ->
                     r instanceof Reason.MeanAgainstJoint || r instanceof Reason.ResidualAboveNoise);
     boolean diagnosed = evidence.finding().isPresent() || !evidence.effects().isEmpty();
-    return PublishVerdict.of(reasons, suspicious && !diagnosed);
+    boolean misled = reasons.stream().anyMatch(r -> r instanceof Reason.ForcedKind);
+    return PublishVerdict.of(reasons, suspicious && !diagnosed && !misled);
   }
 
   /** One model; false when it has too few kicks to ask whether it holds for all of them. */
@@ -210,6 +211,9 @@ public final class VerdictRule {
     double ratio = Math.sqrt(joint.map(JointFit::reducedChiSquare).orElse(0.0));
     if (ratio > FitStatistics.EXPLAINED_SCALE) {
       boolean far = ratio > FAR_ABOVE_NOISE && !explained;
+      if (far) {
+        evidence.forced().ifPresent(kind -> reasons.add(new Reason.ForcedKind(kind)));
+      }
       reasons.add(
           new Reason.ResidualAboveNoise(
               ratio, far ? PublishDecision.CHECK_FIRST : PublishDecision.PUBLISH));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -43,6 +44,31 @@ class TwoSigmaTest {
     List<Sample> after = TwoSigma.repeated(before);
     assertThat(left(after)).doesNotContain(10, 11).hasSize(9);
     assertThat(TwoSigma.repeated(after)).isEqualTo(after);
+  }
+
+  /** The reason stands beside the distance from the mean, which moves on with each value that is excluded later. */
+  @Test
+  void reasonsSpeakOfTheMeanThatIsGiven() {
+    List<Sample> before =
+        samples(0.05, -3.0, -3.02, -2.98, -3.01, -2.99, -3.05, -2.95, -3.03, -2.97, -3.6, -12);
+    List<Sample> rounds = TwoSigma.repeated(before);
+    List<Sample> after = TwoSigma.restated(rounds);
+    assertThat(left(after)).isEqualTo(left(rounds));
+    Average mean = Average.of(after);
+    assertThat(after.get(10).dropped())
+        .contains(
+            String.format(
+                Locale.ROOT, "acc_slide is %.1f σ from the mean", mean.sigmas(after.get(10))))
+        .isNotEqualTo(rounds.get(10).dropped());
+    assertThat(after.get(10).leftForItsValue()).isTrue();
+
+    List<Sample> near = samples(0.05, -3.0, -3.02, -2.98, -3.01, -2.99);
+    near.set(4, near.get(4).drop("acc_slide is 2.3 σ from the mean"));
+    Sample restated = TwoSigma.restated(near).get(4);
+    assertThat(restated.dropped())
+        .contains(
+            "acc_slide was more than 2 σ from the mean until other values were excluded, too");
+    assertThat(restated.leftForItsValue()).isTrue();
   }
 
   @Test

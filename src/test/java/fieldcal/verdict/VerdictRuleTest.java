@@ -223,11 +223,33 @@ class VerdictRuleTest {
 
   private static PublishVerdict judged(Surroundings surroundings) {
     return VerdictRule.judge(
-        new Evidence(good(1), PUBLISHED, List.of(), surroundings, Optional.empty()));
+        new Evidence(
+            good(1), PUBLISHED, List.of(), surroundings, Optional.empty(), Optional.empty()));
   }
 
   private static Evidence evidence(List<String> effects, Optional<Finding> finding) {
-    return new Evidence(good(3), PUBLISHED, effects, Surroundings.UNKNOWN, finding);
+    return new Evidence(
+        good(3), PUBLISHED, effects, Surroundings.UNKNOWN, Optional.empty(), finding);
+  }
+
+  /** Before a cause is looked for, the kicks must be what they are taken for. */
+  @Test
+  void aKindThatWasGivenIsTheFirstSuspect() {
+    PublishVerdict bad = VerdictRule.judge(forced(3));
+    assertThat(bad.reasons().get(0)).isEqualTo(new Reason.ForcedKind(KickKind.FLAT));
+    assertThat(bad.decision()).isEqualTo(PublishDecision.CHECK_FIRST);
+    assertThat(bad.diagnose()).isFalse();
+    assertThat(VerdictRule.judge(forced(1)).decision()).isEqualTo(PublishDecision.PUBLISH);
+  }
+
+  private static Evidence forced(double ratio) {
+    return new Evidence(
+        good(ratio),
+        PUBLISHED,
+        List.of(),
+        Surroundings.UNKNOWN,
+        Optional.of(KickKind.FLAT),
+        Optional.empty());
   }
 
   private static Calibration good(double ratio) {

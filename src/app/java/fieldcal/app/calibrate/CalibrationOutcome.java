@@ -10,6 +10,7 @@ import fieldcal.effect.Effect;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
 import fieldcal.verdict.Evidence;
 import fieldcal.verdict.Finding;
 import fieldcal.verdict.PublishVerdict;
@@ -33,6 +34,7 @@ import java.util.Optional;
  * @param calibration the result
  * @param extended how it came about when it was made under an extended model
  * @param surroundings where the recordings come from
+ * @param forced the kind that all kicks were taken to be of; empty when each was told by its path
  * @param finding of a diagnosis of these kicks; empty when there is none that still holds
  */
 public record CalibrationOutcome(
@@ -44,6 +46,7 @@ public record CalibrationOutcome(
     Calibration calibration,
     Optional<ExtendedCalibration> extended,
     Surroundings surroundings,
+    Optional<KickKind> forced,
     Optional<Finding> finding) {
   /** Largest error of the finder's time of a kick from rest, measured on simulated flat kicks (3 ms) and chips (14 ms), s. */
   private static final double FINDER_ERROR = 0.015;
@@ -70,6 +73,7 @@ public record CalibrationOutcome(
         Calibrator.reselect(calibration, data.epoch(), decisions),
         extended,
         surroundings,
+        forced,
         finding);
   }
 
@@ -90,6 +94,7 @@ public record CalibrationOutcome(
         calibration,
         extended,
         new Surroundings(surroundings.recordings(), vision),
+        forced,
         found);
   }
 
@@ -101,7 +106,8 @@ public record CalibrationOutcome(
   public PublishVerdict verdict() {
     List<String> effects =
         extended.stream().flatMap(e -> e.model().effects().stream()).map(Effect::id).toList();
-    return VerdictRule.judge(new Evidence(calibration, initial, effects, surroundings, finding));
+    return VerdictRule.judge(
+        new Evidence(calibration, initial, effects, surroundings, forced, finding));
   }
 
   /**

@@ -119,6 +119,7 @@ public final class CalibrationSession {
         calibration,
         extended,
         RecordingFacts.surroundings(data.recordings()),
+        request.kind(),
         Optional.empty());
   }
 

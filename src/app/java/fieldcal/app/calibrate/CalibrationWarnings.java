@@ -1,8 +1,13 @@
 package fieldcal.app.calibrate;
 
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.WordList;
+import fieldcal.calibration.Average;
 import fieldcal.calibration.Calibration;
+import fieldcal.calibration.Sample;
+import fieldcal.calibration.TwoSigma;
 import fieldcal.fit.JointFit;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -14,6 +19,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What somebody should know beside the verdict, in sentences; for the report, the terminal and the JSON alike. */
 public final class CalibrationWarnings {
@@ -61,7 +67,39 @@ public final class CalibrationWarnings {
                 .toList())
         .ifPresent(warnings::add);
     addLackOfFit(warnings);
+    medians(Stream.of(KickKind.values()).flatMap(kind -> oneSided(kind).stream()).toList())
+        .ifPresent(warnings::add);
     return warnings;
+  }
+
+  /** Parameters of which a median is given, so that values are used that lie more than 2 σ from it. */
+  private List<String> oneSided(KickKind kind) {
+    List<String> names = new ArrayList<>();
+    Map<String, Average> averages = kind == KickKind.FLAT ? calibration.flat() : calibration.chip();
+    averages.forEach(
+        (name, average) -> {
+          List<Sample> used =
+              calibration.kicks(kind).stream()
+                  .flatMap(k -> k.samples().stream())
+                  .filter(s -> s.parameter().equals(name) && s.dropped().isEmpty())
+                  .toList();
+          boolean isMedian = average.n() > 0 && average.mean() != Average.of(used).mean();
+          if (isMedian && used.stream().anyMatch(s -> average.sigmas(s) > TwoSigma.LIMIT)) {
+            names.add(ParameterWords.of(name));
+          }
+        });
+    return names;
+  }
+
+  /** Why values are used that lie far from the mean. */
+  static Optional<String> medians(List<String> names) {
+    return names.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "More kicks lie to one side of the mean than to the other for "
+                + WordList.of(names)
+                + ", as where some kicks have spin. The median is given instead, with an error that"
+                + " covers both sides.");
   }
 
   /**

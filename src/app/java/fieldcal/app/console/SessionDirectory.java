@@ -50,17 +50,14 @@ final class SessionDirectory {
     this.path = path;
   }
 
-  /** Opens the directory, which is made if its parent is there. */
+  /** Opens the directory. It is not made: a name that is mistyped would be an empty session. */
   static SessionDirectory open(Path path) throws IOException {
     if (Files.exists(path) && !Files.isDirectory(path)) {
       throw new InputException(path + ": is a file; the console needs a directory");
     }
     if (!Files.exists(path)) {
-      Path parent = path.toAbsolutePath().normalize().getParent();
-      if (parent == null || !Files.isDirectory(parent)) {
-        throw new InputException(path + ": no such directory, nor is there " + parent);
-      }
-      Files.createDirectory(path);
+      throw new InputException(
+          path + ": no such directory; for a new session, make an empty one first");
     }
     if (!Files.isReadable(path) || !Files.isExecutable(path)) {
       throw new InputException(path + ": is not a directory that can be read");

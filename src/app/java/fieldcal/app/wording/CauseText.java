@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 /**
  * One cause in an operator's words. Plain text; names in it may hold anything.
  *
- * @param name a few words in lower case, for example "camera offset, camera 1"
+ * @param name a few words in lower case, for example "offset of camera 1"
  * @param what what is wrong, one sentence with numbers
  * @param consequence what it does to the game, one sentence; empty when that cannot be told
  * @param advice what to do about it, one sentence

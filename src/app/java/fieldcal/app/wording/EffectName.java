@@ -26,16 +26,22 @@ public final class EffectName {
   public static String of(String id) {
     Optional<Rival> ofCamera = Rival.ofCamera(id);
     if (ofCamera.isPresent()) {
-      return of(ofCamera.get().id()) + ", camera " + ofCamera.get().camera();
+      return of(ofCamera.get().id(), "camera " + ofCamera.get().camera());
     }
     return EffectWords.of(id).map(EffectWords::name).orElseGet(() -> id.replace('_', ' '));
+  }
+
+  private static String of(String id, String camera) {
+    return EffectWords.of(id)
+        .map(words -> words.name(camera))
+        .orElseGet(() -> of(id) + " of " + camera);
   }
 
   /**
    * The name of one effect, with the camera, robot or place that it is about.
    *
    * @param effect the effect
-   * @return for example "camera offset, camera 1"
+   * @return for example "offset of camera 1"
    */
   public static String of(Effect effect) {
     if (effect instanceof LearnedTerm term) {
@@ -51,8 +57,8 @@ public final class EffectName {
     }
     if (names.contains("camera")) {
       int camera = (int) effect.value("camera");
-      return name
-          + (camera == EffectParameters.ALL_CAMERAS ? ", all cameras" : ", camera " + camera);
+      return of(
+          effect.id(), camera == EffectParameters.ALL_CAMERAS ? "all cameras" : "camera " + camera);
     }
     if (names.contains("robot")) {
       return name + ", " + robot(effect);

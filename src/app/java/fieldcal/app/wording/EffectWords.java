@@ -38,23 +38,32 @@ final class EffectWords {
               "bounces that depend on spin",
               BounceWords::bounceSpinCoupling),
           bounce("contact_impacts", "bounces that build up spin", BounceWords::contactImpacts),
-          camera("camera_offset", "camera offset", "is shifted", CameraWords::offset),
+          camera(
+              "camera_offset", "camera offset", "offset of %s", "is shifted", CameraWords::offset),
           camera(
               "camera_time_offset",
               "wrong time stamps",
+              "wrong time stamps of %s",
               "has wrong time stamps",
               CameraWords::timeOffset),
-          camera("camera_pose_error", "misplaced camera", "is misplaced", CameraWords::poseError),
-          camera("camera_moved", "knocked camera", "was knocked", CameraWords::moved),
+          camera(
+              "camera_pose_error",
+              "misplaced camera",
+              "misplaced %s",
+              "is misplaced",
+              CameraWords::poseError),
+          camera("camera_moved", "knocked camera", "knocked %s", "was knocked", CameraWords::moved),
           camera(
               "lens_distortion_error",
               "wrong lens distortion",
+              "wrong lens distortion of %s",
               "has the wrong lens distortion",
               CameraWords::lensDistortion),
           camera("ball_height_error", "wrong ball height in vision", CameraWords::ballHeight),
           camera(
               "clock_skew",
               "camera clock at the wrong rate",
+              "clock of %s at the wrong rate",
               "has a clock at the wrong rate",
               CameraWords::clockSkew),
           camera("rolling_shutter", "rolling shutter", CameraWords::rollingShutter));
@@ -62,12 +71,16 @@ final class EffectWords {
   /** What is said of a camera whose effect has no words for that. */
   private static final String AFFECTED = "has the fault";
 
+  private static final String OF_CAMERA = " of %s";
+
   private final String name;
+  private final String ofCamera;
   private final String predicate;
   private final Maker maker;
 
-  private EffectWords(String name, String predicate, Maker maker) {
+  private EffectWords(String name, String ofCamera, String predicate, Maker maker) {
     this.name = name;
+    this.ofCamera = ofCamera;
     this.predicate = predicate;
     this.maker = maker;
   }
@@ -100,18 +113,22 @@ final class EffectWords {
 
   private static Map.Entry<String, EffectWords> camera(
       String id, String name, Function<CameraWords, Sentences> words) {
-    return camera(id, name, AFFECTED, words);
+    return camera(id, name, name + OF_CAMERA, AFFECTED, words);
   }
 
-  /** The predicate is that of one camera: "camera 1 is shifted". */
+  /** The name and the predicate of one camera: "offset of camera 1", "camera 1 is shifted". */
   private static Map.Entry<String, EffectWords> camera(
-      String id, String name, String predicate, Function<CameraWords, Sentences> words) {
+      String id,
+      String name,
+      String ofCamera,
+      String predicate,
+      Function<CameraWords, Sentences> words) {
     Maker maker = (e, errors, k, shifts) -> words.apply(new CameraWords(e, errors, shifts));
-    return Map.entry(id, new EffectWords(name, predicate, maker));
+    return Map.entry(id, new EffectWords(name, ofCamera, predicate, maker));
   }
 
   private static Map.Entry<String, EffectWords> entry(String id, String name, Maker maker) {
-    return Map.entry(id, new EffectWords(name, AFFECTED, maker));
+    return Map.entry(id, new EffectWords(name, name + OF_CAMERA, AFFECTED, maker));
   }
 
   /** Empty for an effect that has no words of its own. */
@@ -122,6 +139,11 @@ final class EffectWords {
   /** A few words in lower case. */
   String name() {
     return name;
+  }
+
+  /** The name of what one camera has, or all of them: "offset of camera 1". */
+  String name(String camera) {
+    return ofCamera.formatted(camera);
   }
 
   /** What is said of one camera of several: "camera 1" and this. */

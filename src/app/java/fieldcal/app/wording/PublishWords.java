@@ -177,6 +177,11 @@ public record PublishWords(
   }
 
   private static String rest(Reason reason) {
+    if (reason instanceof Reason.ForcedKind forced) {
+      return forced.kind() == KickKind.FLAT
+          ? "All kicks were fitted as flat kicks, because --kind flat was given."
+          : "All kicks were fitted as chips, because --kind chip was given.";
+    }
     if (reason instanceof Reason.NotConverged) {
       return "The joint fit did not converge.";
     }
@@ -293,6 +298,12 @@ public record PublishWords(
       return none.found() == 0
           ? "Record kicks of a ball that rests in view of a camera before it is kicked."
           : "Look at the reasons in the table of kicks, then record more kicks.";
+    }
+    if (reason instanceof Reason.ForcedKind forced) {
+      return "Calibrate without --kind "
+          + forced.kind().id()
+          + ": some kicks may be "
+          + (forced.kind() == KickKind.FLAT ? "chips." : "flat.");
     }
     if (reason instanceof Reason.NotConverged) {
       return "Look at the kicks with the largest residuals, and drop those that went wrong.";

@@ -34,6 +34,17 @@ class CalibrationWarningsTest {
   }
 
   @Test
+  void whyFarValuesAreUsedIsSaid() {
+    assertThat(CalibrationWarnings.medians(List.of())).isEmpty();
+    assertThat(CalibrationWarnings.medians(List.of("switch to rolling (k_switch)")))
+        .hasValueSatisfying(
+            text ->
+                assertThat(text)
+                    .contains("for switch to rolling (k_switch), as where")
+                    .contains("The median is given"));
+  }
+
+  @Test
   void linksGoOnFromKickToKick() {
     List<int[]> kicks = List.of(new int[] {0, 1}, new int[] {2, 3}, new int[] {3, 0});
     assertThat(CalibrationWarnings.uncompared(kicks)).isEmpty();

@@ -44,7 +44,7 @@ class DiagnosisTextTest {
     assertThat(text)
         .startsWith("Passes are predicted 38 mm wrong after 1 s; with what was found 12 mm. The");
     assertThat(text.replace('\n', ' '))
-        .contains("The model is wrong, and 2 causes are found: camera offset, camera 1; air drag.");
+        .contains("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
     assertThat(text).contains("21.20 ± 0.12").contains("12 mm (12 to 13), 83 %");
     assertThat(text).contains("; certain; gains");

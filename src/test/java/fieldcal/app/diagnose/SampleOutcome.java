@@ -65,6 +65,7 @@ public final class SampleOutcome {
                 List.of(), Map.of(), Map.of(), Optional.empty(), cameras, diagnosis.seed()),
             Optional.empty(),
             Surroundings.UNKNOWN,
+            Optional.empty(),
             Optional.empty());
     DiagnosisProblem problem =
         new DiagnosisProblem(

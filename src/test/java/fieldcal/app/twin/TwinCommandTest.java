@@ -78,7 +78,7 @@ class TwinCommandTest {
     assertThat(answer.exit()).as(answer.err()).isZero();
     assertThat(answer.out())
         .contains("10 of 10 kicks were found again")
-        .contains("- camera offset, camera 0 (x −20");
+        .contains("- offset of camera 0 (x −20");
     JsonNode twin = json(twin());
     assertThat(twin.get("schema").asText()).isEqualTo("fieldcal.twin/1");
     assertThat(twin.get("cameras")).hasSize(2);

@@ -233,7 +233,7 @@ class CauseWordsTest {
   @Test
   void placesAreInTheName() {
     assertThat(EffectName.of(new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS)))
-        .isEqualTo("wrong lens distortion, all cameras");
+        .isEqualTo("wrong lens distortion of all cameras");
     assertThat(EffectName.of(new CarpetSeam(0.1, 0, 0, 1.5)))
         .isEqualTo("seam of the carpet at x = 1.5 m");
     assertThat(EffectName.of(new CarpetSeam(0.1, 0, Math.PI / 4, -1)))
@@ -314,14 +314,17 @@ class CauseWordsTest {
             "These kicks cannot tell whether camera 0, camera 2 or camera 10 has wrong time stamps."
                 + " Another cause would explain these kicks as well: rolling shutter.");
     assertThat(rivals(new BallHeightError(8), "camera_offset of camera 1"))
-        .startsWith("Another cause would explain these kicks as well: camera offset, camera 1.");
+        .startsWith("Another cause would explain these kicks as well: offset of camera 1.");
     assertThat(
             rivals(
                 new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS),
                 "lens_distortion_error of camera 1"))
         .startsWith(
-            "Another cause would explain these kicks as well: wrong lens distortion, camera 1.");
-    assertThat(EffectName.of("camera_offset of camera 1")).isEqualTo("camera offset, camera 1");
+            "Another cause would explain these kicks as well: wrong lens distortion of camera 1.");
+    assertThat(EffectName.of("camera_offset of camera 1")).isEqualTo("offset of camera 1");
+    assertThat(EffectName.of("camera_pose_error of camera 1")).isEqualTo("misplaced camera 1");
+    assertThat(EffectName.of("clock_skew of camera 2"))
+        .isEqualTo("clock of camera 2 at the wrong rate");
   }
 
   private static String rivals(Effect effect, String... rivals) {

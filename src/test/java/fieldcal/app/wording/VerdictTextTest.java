@@ -22,8 +22,7 @@ class VerdictTextTest {
     assertThat(text.headline())
         .isEqualTo("Passes are predicted 38 mm wrong after 1 s; with what was found 12 mm.");
     assertThat(text.verdict())
-        .isEqualTo(
-            "The model is wrong, and 2 causes are found: camera offset, camera 1; air drag.");
+        .isEqualTo("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text.lines())
         .containsExactly(
             "With what was found in the model, kicks that were held out fit to 1.6 mm instead"
