@@ -44,7 +44,8 @@ export function progress(done, total) {
 
 /** A table: heads are [label, title]; those of text are left-aligned. */
 export function table(heads, rows, more = {}) {
-  return el('table', more, el('thead', {}, el('tr', {}, heads.map(([label, left, title]) => el('th', {scope: 'col', class: left ? 'text' : null, title}, label)))), el('tbody', {}, rows));
+  const made = el('table', more, el('thead', {}, el('tr', {}, heads.map(([label, left, title]) => el('th', {scope: 'col', class: left ? 'text' : null, title}, label)))), el('tbody', {}, rows));
+  return heads.length > 3 ? Frame.cards(made) : made;
 }
 
 /** A field of a form with its label. */

@@ -112,6 +112,16 @@ const Frame = (() => {
     $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Keys: ' + keys + ', t changes between light and dark.';
   }
 
+  /** On a phone the columns of a wide table do not fit beside each other: there each cell says what it is. */
+  function cards(table) {
+    const heads = [...table.querySelectorAll('thead th')].map(head => head.textContent.trim());
+    for (const row of table.querySelectorAll('tbody tr')) {
+      [...row.children].forEach((cell, i) => { if (cell.colSpan === 1 && heads[i]) cell.dataset.head = heads[i]; });
+    }
+    table.classList.add('cards');
+    return table;
+  }
+
   function showProblems(problems) {
     const box = content('problems');
     if (problems.length === 0) {
@@ -119,7 +129,7 @@ const Frame = (() => {
       return;
     }
     const rows = problems.map(problem => el('tr', {}, el('td', {}, problem.count + ' ×'), el('td', {class: 'text wrap'}, problem.what), el('td', {class: 'text wrap'}, problem.where), el('td', {class: 'text wrap'}, problem.advice)));
-    box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, ['Count', 'What', 'Where', 'What it means'].map((h, i) => el('th', {scope: 'col', class: i ? 'text' : null}, h)))), el('tbody', {}, rows)));
+    box.replaceChildren(cards(el('table', {}, el('thead', {}, el('tr', {}, ['Count', 'What', 'Where', 'What it means'].map((h, i) => el('th', {scope: 'col', class: i ? 'text' : null}, h)))), el('tbody', {}, rows))));
   }
 
   // ---- theme, paper, keys ----
@@ -164,5 +174,5 @@ const Frame = (() => {
     page.showAll();
   }
 
-  return {$, content, charts, screen, draw, fitAll, forget, figure, choices, badge, swatch, copyButton, showProvenance, showProblems, start};
+  return {$, content, charts, screen, draw, fitAll, forget, figure, choices, badge, swatch, copyButton, cards, showProvenance, showProblems, start};
 })();

@@ -60,8 +60,8 @@
         el('td', {class: 'league'}, known(league.value) ? number(league.value, 2) + ' ' + unit : '–'), el('td', {class: 'league'}, league.samples === undefined ? '–' : String(league.samples)),
         el('td', {class: 'text wrap'}, own.note || league.note || ''));
     }));
-    content('limits').replaceChildren(el('table', {},
-      el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 || i === 7 ? 'text' : null}, h)))), el('tbody', {}, rows)),
+    content('limits').replaceChildren(Frame.cards(el('table', {},
+      el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 || i === 7 ? 'text' : null}, h)))), el('tbody', {}, rows))),
       el('p', {class: 'note'}, 'Estimate: where fitted manoeuvres cluster, with its standard error. The league’s estimate: percentiles 99.5, 75 and 95 of differences of frames five apart; it contains the noise of the cameras.'));
   }
 
@@ -133,9 +133,9 @@
     const rows = Array.from({length: 36}, (_, k) => k).filter(k => columns.some(([team, kind]) => cell(team, kind, k) !== '–'));
     const table = $('own-frame').querySelector('.table');
     if (rows.length === 0) { table.replaceChildren(); return; }
-    table.replaceChildren(el('details', {}, el('summary', {}, 'Limits by direction (manoeuvres at the limit)'), el('table', {},
+    table.replaceChildren(el('details', {}, el('summary', {}, 'Limits by direction (manoeuvres at the limit)'), Frame.cards(el('table', {},
       el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'Direction'), columns.map(([team, kind]) => el('th', {scope: 'col'}, team.team + ', ' + kind)))),
-      el('tbody', {}, rows.map(k => el('tr', {}, el('td', {}, k * 10 + '°'), columns.map(([team, kind]) => el('td', {}, cell(team, kind, k)))))))),
+      el('tbody', {}, rows.map(k => el('tr', {}, el('td', {}, k * 10 + '°'), columns.map(([team, kind]) => el('td', {}, cell(team, kind, k))))))))),
       el('p', {class: 'note'}, '0° is the front, 90° the left. Directions in which the robots hardly ever used all they have are missing.'));
   }
 

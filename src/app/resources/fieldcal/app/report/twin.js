@@ -21,7 +21,7 @@
 
   function table(id, head, rows, note) {
     content(id).replaceChildren(
-      el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i === 0 ? 'text' : null}, h)))), el('tbody', {}, rows)),
+      Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i === 0 ? 'text' : null}, h)))), el('tbody', {}, rows))),
       el('p', {class: 'note'}, note));
   }
 

@@ -156,4 +156,19 @@ class OddFilesTest {
     assertThat(link).isSymbolicLink();
     assertThat(Files.readString(target)).contains("fieldcal.calibration/1");
   }
+
+  /** A name that is mistyped would be an empty session. */
+  @Test
+  void aConsoleOfNoDirectoryIsAnError() throws Exception {
+    Path typo = folder.resolve("sesion");
+    File out = folder.resolve("console.txt").toFile();
+    Ended ended = run(out, "console", typo.toString(), "--port=0");
+    assertThat(ended.status()).isEqualTo(1);
+    assertThat(ended.err().lines())
+        .containsExactly(
+            "fieldcal: "
+                + typo
+                + ": no such directory; for a new session, make an empty one first");
+    assertThat(typo).doesNotExist();
+  }
 }

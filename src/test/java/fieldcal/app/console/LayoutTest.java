@@ -32,6 +32,10 @@ class LayoutTest {
         }
         if (!(scrolls && narrow) && (box.right > innerWidth + 1 || box.left < -1)) cut.push(node.textContent.trim() + ' in the window');
       }
+      for (const table of document.querySelectorAll('table')) {
+        const box = table.getBoundingClientRect();
+        if (narrow && box.width > 0 && box.right > innerWidth + 1) cut.push('a table that ends at ' + Math.round(box.right) + ' px in ' + (table.closest('[id]') || table).id + ': ' + table.textContent.trim().slice(0, 60));
+      }
       for (const cell of document.querySelectorAll('td')) {
         const box = cell.getBoundingClientRect();
         if (box.height > 260 && !cell.querySelector('canvas, table, pre')) cut.push('a cell of ' + Math.round(box.height) + ' px height: ' + cell.textContent.trim());
@@ -91,6 +95,7 @@ class LayoutTest {
   static void start() throws IOException {
     Path session = folder.resolve("session");
     SampleSession.copy(SampleSession.small(), session);
+    SampleSession.recordMatch(session);
     console = RunningConsole.start(session);
     console.settled();
     browser = new Browser();
@@ -141,10 +146,25 @@ class LayoutTest {
   }
 
   @Test
+  void aMatchIsWholeOnAPhone() {
+    browser.resize(390, 844);
+    browser.open(console.url() + "#match");
+    browser.script(
+        "const s = document.getElementById('watch-source'); s.value = 'recording';"
+            + " s.dispatchEvent(new Event('change'))");
+    browser.click("#watch-start");
+    browser.awaitText("#watch-line", "ended");
+    browser.find("#last-kicks tbody tr");
+    browser.find("#teams tbody tr");
+    assertWhole("match");
+    browser.assertNoComplaints();
+  }
+
+  @Test
   void theReportsOfOtherCommandsAreWholeOnAPhone() throws IOException {
     Path match = folder.resolve("match");
-    SampleSession.recordMatch(match);
-    SampleSession.run("limits", match.resolve("matches/match.log.gz").toString(), "--out=" + match);
+    SampleSession.run(
+        "limits", folder.resolve("session/matches/match.log.gz").toString(), "--out=" + match);
     Path kicks = folder.resolve("kicks");
     SampleSession.run("diagnose", SampleSession.small().toString(), "--out=" + kicks);
     browser.resize(390, 844);

@@ -229,7 +229,7 @@
       el('td', {}, words(share(c))),
       el('td', {class: 'text'}, c.named ? badge('warn', '✔ cause') : '')));
     const head = ['Possible cause', 'Explains alone', 'of the best', ''];
-    content('candidates').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null}, h)))), el('tbody', {}, rows))),
+    content('candidates').replaceChildren(el('div', {class: 'scroll'}, Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null}, h)))), el('tbody', {}, rows)))),
       el('p', {class: 'note'}, 'How much of the misfit each would explain if it were the only cause, and how strong it would then be. What looks like a true cause explains much of the same; a cause is named for what it adds to all others, on kicks that were held out.'));
     const more = report.candidates.length - CANDIDATES;
     if (more > 0) choices('candidates-shown', [[false, 'best ' + CANDIDATES], [true, 'all ' + report.candidates.length]], state.all, all => { state.all = all; showCandidates(); });
@@ -266,7 +266,7 @@
         el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), el('td', {}, number(p.before, 4)), ...(found ? [el('td', {class: 'big'}, number(p.after, 4)), el('td', {}, signed(p.after - p.before, 4))] : [])))];
     });
     const head = ['Parameter', found ? 'before' : 'Value', ...(found ? ['after', 'change'] : [])];
-    content('parameters').replaceChildren(el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows))),
+    content('parameters').replaceChildren(el('div', {class: 'scroll'}, Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows)))),
       el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for what it leaves out; with that in it they are the ball\'s own.' : '.')));
   }
 
