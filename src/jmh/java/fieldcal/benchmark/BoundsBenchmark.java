@@ -40,7 +40,7 @@ final class BoundsBenchmark {
                       .withLimits(yellow, blue));
       double apart = random.uniform(0, 0.025);
       s = s.withCameras(s.cameras().withNoise(0.002, noise).withRegistration(0.0215, apart));
-      LimitMatch match = LimitMatch.play(s, MovementObserver::accept);
+      LimitMatch match = LimitMatch.play(LimitMatch.enlarging(s), MovementObserver::accept);
       for (Team team : Team.values()) {
         RobotLimits truth = team == Team.YELLOW ? yellow : blue;
         TeamLimits found = match.limits(team);

@@ -3,14 +3,17 @@ package fieldcal.benchmark;
 import fieldcal.movement.MovementObserver;
 import fieldcal.movement.PlayPhase;
 import fieldcal.movement.TeamLimits;
+import fieldcal.simulation.RandomStream;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionFrame;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.BiConsumer;
 
@@ -19,7 +22,26 @@ final class LimitMatch {
   private final MovementObserver observer = new MovementObserver();
   private final Map<Team, Double> driven = new EnumMap<>(Map.of(Team.YELLOW, 0.0, Team.BLUE, 0.0));
 
+  /** What calibrations and lenses enlarge by, in parts, at most: a camera of 5 m that hangs 5 mm elsewhere than published. */
+  private static final double ENLARGED = 0.001;
+
   private LimitMatch() {}
+
+  /** Cameras that each enlarge what they see a little, or make it smaller: an error of the estimates covers that, too. */
+  static SimulationSettings enlarging(SimulationSettings settings) {
+    RandomStream random = RandomStream.of(settings.seed(), "enlarging");
+    double most = 1000 * ENLARGED * settings.cameras().height();
+    List<String> effects = new ArrayList<>();
+    for (int camera = 0; camera < settings.cameras().count(); camera++) {
+      effects.add(
+          String.format(
+              Locale.ROOT,
+              "camera_pose_error:height_mm=%.3f,camera=%d",
+              random.uniform(-most, most),
+              camera));
+    }
+    return settings.withEffects(effects.toArray(String[]::new));
+  }
 
   /** Simulates a match; frames reach the observer by the given way. */
   static LimitMatch play(

@@ -30,6 +30,7 @@ final class LimitScore {
   private int covered;
   private int falseBounds;
   private double deviations;
+  private double squares;
 
   LimitScore(String name) {
     this.name = name;
@@ -43,6 +44,7 @@ final class LimitScore {
     if (ours.reached()) {
       reached++;
       deviations += ours.value() / truth - 1;
+      squares += Math.pow((ours.value() - truth) / ours.standardError(), 2);
       covered += Math.abs(ours.value() - truth) < two ? 1 : 0;
     } else {
       falseBounds += ours.value() - two > truth ? 1 : 0;
@@ -87,7 +89,8 @@ final class LimitScore {
     out.printf(
         Locale.ROOT,
         "%-14s %d of %d reached: bias %+.2f %%  (%s)  %s; %.0f %% (%.0f to %.0f %%) within two"
-            + " standard errors  (%s)  %s; false lower bounds %d of %d  (%s)  %s%n",
+            + " standard errors  (%s)  %s, rms %.2f of them; false lower bounds %d of %d  (%s) "
+            + " %s%n",
         name,
         reached,
         own.size(),
@@ -99,6 +102,7 @@ final class LimitScore {
         high,
         COVERED,
         Goal.verdict(low <= COVERED.highest() && high >= COVERED.lowest()),
+        Math.sqrt(squares / trials),
         falseBounds,
         own.size() - reached,
         NEVER_FALSE,

@@ -10,8 +10,11 @@ final class ParameterTrack {
   /** Medians that are remembered for pictures; when there are more, every other one is forgotten. */
   private static final int HISTORY = 240;
 
-  /** With fewer samples of either kind there is nothing to compare. */
+  /** From so many samples of either kind on they are compared … */
   private static final int COMPARABLE = 5;
+
+  /** … and from so many on where as many in all scatter so little that a difference that matters would show. One ball that spun unnoticed does not move the median of three. */
+  private static final int FEWEST_COMPARABLE = 3;
 
   /** Samples that differ by more than so many standard errors are not of the same kind … */
   private static final double DIFFERENT = 2.5;
@@ -59,12 +62,16 @@ final class ParameterTrack {
   }
 
   private boolean comparable() {
-    return clean.size() >= COMPARABLE && spinning.size() >= COMPARABLE;
+    int fewer = Math.min(clean.size(), spinning.size());
+    return fewer >= COMPARABLE
+        || fewer >= FEWEST_COMPARABLE
+            && clean.size() + spinning.size() >= 2 * COMPARABLE
+            && DIFFERENT * errorOfDifference() <= matters();
   }
 
   /** Most of what counts may be of spinning balls, and nobody can tell. */
   private boolean maybeSpun() {
-    return clean.size() < COMPARABLE && spinning.size() > clean.size();
+    return spinning.size() > clean.size() && !comparable();
   }
 
   /**
@@ -76,6 +83,16 @@ final class ParameterTrack {
   }
 
   private boolean agree() {
+    return Math.abs(clean.median() - spinning.median())
+        <= Math.max(matters(), DIFFERENT * errorOfDifference());
+  }
+
+  private double matters() {
+    return MATTERS * Math.abs(clean.median());
+  }
+
+  /** Standard error of the difference between balls that may have spun and those that did not; both scatter alike, or those that spun more. */
+  private double errorOfDifference() {
     double[] deviations = new double[clean.size() + spinning.size()];
     int n = 0;
     for (SampleTree tree : List.of(clean, spinning)) {
@@ -83,11 +100,8 @@ final class ParameterTrack {
         deviations[n++] = Math.abs(sample.value() - tree.median());
       }
     }
-    double error =
-        WarningRule.errorOfDifference(
-            WarningRule.scatter(deviations), clean.size(), spinning.size());
-    double matters = MATTERS * Math.abs(clean.median());
-    return Math.abs(clean.median() - spinning.median()) <= Math.max(matters, DIFFERENT * error);
+    return WarningRule.errorOfDifference(
+        WarningRule.scatter(deviations), clean.size(), spinning.size());
   }
 
   private SampleTree both() {

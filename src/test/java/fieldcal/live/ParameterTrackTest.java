@@ -232,6 +232,42 @@ class ParameterTrackTest {
     assertThat(raised).isEqualTo(1);
   }
 
+  /** A match has three or four chips of balls that certainly did not spin. Where samples scatter little, these show whether the others spun. */
+  @Test
+  void threeKicksWithoutSpinShowThatTheOthersDidNotSpin() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 12; i++) {
+      add(track, 0.45, 0.01, true);
+    }
+    add(track, 0.45, 0.01, false);
+    add(track, 0.45, 0.01, false);
+    assertThat(raised).isZero();
+    add(track, 0.45, 0.01, false);
+    assertThat(track.estimate(PUBLISHED).maybeSpun()).isFalse();
+    assertThat(raised).isEqualTo(1);
+  }
+
+  @Test
+  void threeKicksWithoutSpinShowThatTheOthersSpun() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 20; i++) {
+      add(track, i % 6 == 5 ? 0.66 : 0.45, 0.01, i % 6 != 5);
+    }
+    assertThat(track.estimate(PUBLISHED).median()).isCloseTo(0.66, within(0.02));
+    assertThat(track.estimate(PUBLISHED).samples()).isEqualTo(3);
+    assertThat(raised).isZero();
+  }
+
+  @Test
+  void threeKicksThatScatterShowNothing() {
+    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
+    for (int i = 0; i < 15; i++) {
+      add(track, 0.45, 0.08, i % 5 != 4);
+    }
+    assertThat(track.estimate(PUBLISHED).maybeSpun()).isTrue();
+    assertThat(raised).isZero();
+  }
+
   /** Backspin makes the switch to rolling smaller, never larger. */
   @Test
   void kicksAfterDribblingWarnOfWhatBackspinDoesNotExplain() {
