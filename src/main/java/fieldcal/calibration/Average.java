@@ -18,7 +18,7 @@ import java.util.List;
  * @param n how many samples
  */
 public record Average(double mean, double standardError, double scatter, int n) {
-  /** A sample that is farther from the mean, in what is expected of it, is something else: it counts as that (one of 16 000 Gaussian ones). */
+  /** In standard deviations: a sample that lies farther from the mean counts as one that lies so far, since it is no part of the scatter (one of 16 000 Gaussian samples lies farther). */
   private static final double FARTHEST = 4;
 
   /**
@@ -79,12 +79,12 @@ public record Average(double mean, double standardError, double scatter, int n) 
   }
 
   /**
-   * The same mean with an error that does not profit from the samples that left: a scatter that is cut at two standard deviations looks smaller than it is.
+   * The same mean with an error that does not shrink with the samples that were excluded: a scatter that is cut at two standard deviations looks smaller than it is.
    *
    * <p>The error grows by the root of the mean square of the distances of all samples in units of what is expected of each (Hartung and Knapp 2001), a sample that is far off counting as {@link #FARTHEST}; for samples that agree with their errors
    * that is one. Where the scatter was estimated from few samples, Student's distribution makes the error as wide as its 68 %.
    *
-   * @param all the samples used and those that left for their value
+   * @param all the samples used and those that were excluded for their value
    * @return this average, or one with a larger standard error
    */
   public Average widened(List<Sample> all) {

@@ -9,7 +9,7 @@ import java.util.Optional;
  * One kick in a calibration.
  *
  * @param fit its own fit
- * @param samples what it says of each parameter that it determines, used or dropped
+ * @param samples its value of each parameter that it determines, used or not
  * @param distrusted why its fit is not believed as a whole: it failed, fits far worse than the others, has too many outliers, or was dropped by hand; empty
  *     when it is, even if none of its samples is averaged
  */
@@ -24,7 +24,7 @@ public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String>
 
   /**
    * Whether its detections are those of a ball that moved freely, as far as the calibration can tell. Such a kick enters the joint fit and what
-   * comes after it, also when its single parameters left by the 2σ rule: a kick that departs from the average is what a diagnosis is about.
+   * comes after it, also when the 2σ rule excludes some of its values: a kick that departs from the average is what a diagnosis is about.
    *
    * @return true when nothing speaks against the kick as a whole
    */

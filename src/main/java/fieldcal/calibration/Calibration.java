@@ -47,7 +47,7 @@ public record Calibration(
   }
 
   /**
-   * Whether there is anything to say of a kind of kicks. A push that looks like a flat kick, among chips, determines no parameter of flat kicks.
+   * Whether the recordings have kicks of a kind. A push that looks like a flat kick, among chips, determines no parameter of flat kicks.
    *
    * @param kind flat or chip
    * @return true when there are such kicks that determine a parameter, or no kicks that do
@@ -62,7 +62,7 @@ public record Calibration(
   }
 
   /**
-   * The fits that are believed, whatever became of their single parameters: what the joint fit was made from, and what a diagnosis starts from.
+   * The fits that are believed, whether or not the 2σ rule excludes some of their values: what the joint fit was made from, and what a diagnosis starts from.
    *
    * @return in order of time
    */

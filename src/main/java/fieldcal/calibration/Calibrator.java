@@ -100,7 +100,7 @@ public final class Calibrator {
 
   /**
    * The same fits under other decisions: which kicks and samples are used, and their averages. Takes milliseconds, since nothing is fitted again; the joint
-   * fit and the offsets of the cameras remain those of the decisions before, as long as nobody calibrates again.
+   * fit and the offsets of the cameras remain those of the decisions before until {@link #calibrate} is called again.
    *
    * @param calibration the fits
    * @param epoch of their times
@@ -142,7 +142,7 @@ public final class Calibrator {
   }
 
   /**
-   * What the kicks tell of the cameras before any of them is fitted: noise and offsets.
+   * Estimates noise and offsets of the cameras from the kicks before any kick is fitted.
    *
    * @param kicks all there are
    * @param cameras as published
@@ -196,7 +196,7 @@ public final class Calibrator {
         .toList();
   }
 
-  /** What stands out may have been searched for with the wrong model, and in cameras whose offsets were not known: looks again from what the other kicks say. */
+  /** What stands out may have been searched for with the wrong model, and in cameras whose offsets were not known: so it is searched for again, starting from what the other kicks determine. */
   private List<KickFit> searchedAgain(
       CalibrationProblem problem, CameraViews views, List<KickFit> fits, OptionalDouble roll) {
     List<KickFit> fitted = fits.stream().filter(f -> f.failure().isEmpty()).toList();

@@ -96,7 +96,7 @@ public final class ExtendedCalibrator {
   private KickFit again(CalibrationProblem problem, CameraViews views, Kick kick, KickFit from) {
     FitProblem one = FitProblem.of(kick, views, problem.flat(), problem.chip());
     if (from.kind() == KickKind.CHIP) {
-      // What flat kicks said of accRoll stays.
+      // The accRoll of the flat kicks stays.
       Estimate roll = from.estimate("accRoll");
       one = roll.parameter().estimated() ? one : one.withChipRollFixed(roll.value());
     }

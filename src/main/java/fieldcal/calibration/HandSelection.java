@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /**
- * What somebody decided about kicks, whatever the rules say: which are dropped, with the reason, which are kept, and how often the 2σ rule is applied. Immutable.
+ * Decisions about kicks that a person made; they override the rules: which are dropped, with the reason, which are kept, and how often the 2σ rule is applied. Immutable.
  *
  * <p>Kicks are named by a key that survives another run over the same recordings, see {@link #key}.
  */

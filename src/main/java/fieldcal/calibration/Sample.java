@@ -5,7 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What one kick says of one parameter, and whether it is used.
+ * One parameter as one kick determines it, and whether it is used.
  *
  * @param kickId running number of the kick
  * @param parameter name as in the model's record

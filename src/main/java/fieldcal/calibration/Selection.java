@@ -155,7 +155,7 @@ final class Selection {
     return averages;
   }
 
-  /** The samples that are used and those that left for their value; not those of kicks that are not trusted. */
+  /** The samples that are used and those that were excluded for their value; not those of kicks that are not trusted. */
   private static List<Sample> spread(List<Sample> samples) {
     return samples.stream().filter(s -> s.dropped().isEmpty() || s.leftForItsValue()).toList();
   }

@@ -1,7 +1,7 @@
 package fieldcal.camera;
 
 /**
- * What a geometry packet says of one camera: SSL-Vision's pinhole model with one radial distortion coefficient.
+ * One camera as a geometry packet describes it: SSL-Vision's pinhole model with one radial distortion coefficient.
  *
  * <p>A world point P is seen at camera coordinates {@code c = R(q)·P + t}, where R turns world vectors into the camera's frame (x to the
  * right of the image, y down, z along the optical axis). Its undistorted image point is {@code (cx/cz, cy/cz)}, of radius {@code ru}; the

@@ -4,7 +4,7 @@ import fieldcal.effect.Effect;
 import java.util.Objects;
 
 /**
- * One possible cause and what speaks for it. Evidence counts less the more the named causes leave unexplained, as it does for {@link Cause#evidence}.
+ * One possible cause and the evidence for it. Evidence counts less the more the named causes leave unexplained, as it does for {@link Cause#evidence}.
  *
  * @param effect with the numbers that fit best, alone on the simple model
  * @param scoreGain by how much the score test says that chi-square would fall on the simple model

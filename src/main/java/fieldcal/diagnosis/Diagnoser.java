@@ -51,16 +51,16 @@ public final class Diagnoser {
   /** Kicks whose kind is put right before the search: each round may show others. */
   private static final int BASE_ROUNDS = 4;
 
-  /** Rounds of looking again at kicks in the light of what was found. */
+  /** How often the kicks are screened again with the model that was found. */
   private static final int SCREENINGS = 3;
 
-  /** With fewer flat kicks they say too little by themselves to begin with them. */
+  /** With fewer flat kicks the search does not begin with these alone. */
   private static final int FEWEST_FLATS = 6;
 
   /** Flat kicks whose reduced chi-square stays above that are not explained by themselves. */
   private static final double EXPLAINED = 1.5;
 
-  /** Components of a model beside those that may be named: forms of others, and what goes again. */
+  /** Components of a model beside those that may be named: forms of others, and components that are removed later. */
   private static final int SPARE = 5;
 
   /** Learned terms that a model may have; a third already describes what the first two leave. */
@@ -246,7 +246,7 @@ public final class Diagnoser {
           KickerBias.robots(problem.commands()));
     }
 
-    /** Searches among the named effects, in the light of what is found looking again at kicks that stand out. */
+    /** Searches among the named effects; kicks that stand out are then screened again with what was found. */
     private FittedModel searchNamed(List<KickRecord> kicks) {
       FittedModel best = flatsFirst(kicks);
       for (int round = 0; round < SCREENINGS; round++) {
@@ -283,7 +283,7 @@ public final class Diagnoser {
       return best.kickCount() == kicks.size() ? best : best.restrictedTo(kicks);
     }
 
-    /** Chips mask much while their bounces are not understood: where there are enough flat kicks, they say first what they show. */
+    /** Chips mask much while their bounces are not understood: where there are enough flat kicks, their causes are searched for first. */
     private FittedModel flatsFirst(List<KickRecord> kicks) {
       List<KickRecord> flats = kicks.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
       if (!arena.chips() || flats.size() < FEWEST_FLATS) {

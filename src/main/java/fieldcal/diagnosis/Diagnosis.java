@@ -9,7 +9,7 @@ import java.util.Objects;
 /**
  * The answer to a {@link DiagnosisProblem}.
  *
- * @param verdict what it comes to
+ * @param verdict whether the model is right, and whether causes were found
  * @param base the simple model under the published geometry
  * @param extended the model with all causes; the same as {@code base} when there are none
  * @param causes in the order in which they explain most

@@ -15,11 +15,11 @@ import java.util.Random;
 import org.apache.commons.math3.distribution.TDistribution;
 
 /**
- * Whether robots make something else of their commands: velocities of the fitted kicks against the commanded ones, by effects on kickers. A robot must differ from its command and from the other robots, whose common excess would be an
+ * Whether robots kick otherwise than commanded: velocities of the fitted kicks against the commanded ones, by effects on kickers. A robot must differ from its command and from the other robots, whose common excess would be an
  * error of scale and no kicker's; all robots' kicks together say how much kicks scatter.
  */
 final class KickerBias {
-  /** Fewer kicks say nothing of a robot. */
+  /** Fewer kicks do not show what a robot does. */
   private static final int FEWEST = 4;
 
   /** Chance of naming a sound robot. */
@@ -28,7 +28,7 @@ final class KickerBias {
   /** How many standard errors a robot's bias must be from the others'. */
   private static final double FROM_OTHERS = 3;
 
-  /** Smaller biases matter to nobody, in scales of the parameter: half a per cent of the speed. */
+  /** Smaller biases do not matter, in scales of the parameter: half a per cent of the speed. */
   private static final double LEAST = 0.5;
 
   /** A kick farther than that from the robot's median, in robust standard deviations, was no clean kick. */

@@ -184,7 +184,7 @@ final class ModelChoice {
     return going.stream().anyMatch(j -> j.component().isLaw()) ? fresh.orBetter(next) : next;
   }
 
-  /** Of the models on the way the last that predicts held-out kicks as well as any; what is in it and has no name must pay for its place. */
+  /** Of the models on the way the last that predicts held-out kicks as well as any; what is in it and has no name must improve the prediction. */
   private Weighed best(List<Weighed> way) {
     Weighed last = way.get(way.size() - 1);
     List<Weighed> sound =
@@ -227,7 +227,7 @@ final class ModelChoice {
     return j.outcome() != Outcome.NAMED && !pays;
   }
 
-  /** A cause stays, and so does the form of another that has no cause: a law, or a curve that pays on held-out kicks. */
+  /** A cause stays, and so does the form of another that has no cause: a law, or a curve that improves the prediction of held-out kicks. */
   private static boolean stays(Judgement j) {
     return j.outcome() == Outcome.NAMED || j.component().isLaw() && j.outcome() == Outcome.FORM;
   }

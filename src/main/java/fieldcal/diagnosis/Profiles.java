@@ -15,7 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** On what residuals depend: their means over ranges of each variable. */
+/** What residuals depend on: their means over ranges of each variable. */
 final class Profiles {
   private static final int BINS = 14;
 

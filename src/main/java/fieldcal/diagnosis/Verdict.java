@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What a diagnosis comes to. */
+/** The verdict of a diagnosis. */
 public enum Verdict {
-  /** No effect pays on kicks that were held out of the fit, and no structure is left in the residuals. */
+  /** No effect improves the prediction of kicks that were held out of the fit, and the residuals are no more than noise. */
   MODEL_ADEQUATE,
   /** Named causes explain what the model gets wrong; nothing significant is left. */
   EXPLAINED,

@@ -66,7 +66,7 @@ public final class ExtendedModelDocument {
     return p.name().replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT);
   }
 
-  /** What the AI must know to use each effect. */
+  /** What the AI must know to use each effect: times, cameras, commands. */
   private static List<String> needs(ExtendedModel model) {
     Map<String, Set<String>> needs = new LinkedHashMap<>();
     for (Effect e : model.effects()) {

@@ -51,7 +51,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * The path of a flat kick.
    *
    * @param model how the ball slides and rolls
-   * @param effects what acts besides
+   * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
    * @param x place of the kick, m
@@ -77,7 +77,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * The path of a flat kick as far as it is wanted, which costs less than the whole where the ball was seen for a part of its way only.
    *
    * @param model how the ball slides and rolls
-   * @param effects what acts besides
+   * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
    * @param x place of the kick, m
@@ -112,7 +112,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * The path of a chip, with as many flights as {@link ChipModel#MIN_HOP_HEIGHT} allows.
    *
    * @param model how the ball bounces and rolls
-   * @param effects what acts besides
+   * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
    * @param x place of the kick, m
@@ -143,7 +143,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * How many flights {@link ChipModel#MIN_HOP_HEIGHT} allows, without the way that the ball then rolls.
    *
    * @param model how the ball bounces
-   * @param effects what acts besides
+   * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
    * @param x place of the kick, m
@@ -175,7 +175,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * The path of a chip with a given number of flights, on which it depends smoothly.
    *
    * @param model how the ball bounces and rolls
-   * @param effects what acts besides
+   * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
    * @param x place of the kick, m
@@ -206,7 +206,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * The path of a chip with a given number of flights as far as it is wanted.
    *
    * @param model how the ball bounces and rolls
-   * @param effects what acts besides
+   * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
    * @param x place of the kick, m

@@ -27,7 +27,7 @@ public interface MeasurementEffect extends Effect {
   boolean concerns(ObservedCamera camera);
 
   /**
-   * Whether it can be reckoned with what is known of a camera; some need its position, lens or image size.
+   * Whether what is known of a camera suffices to compute it; some effects need its position, lens or image size.
    *
    * @param camera what is known of the camera
    * @return true unless something is missing
@@ -111,7 +111,7 @@ public interface MeasurementEffect extends Effect {
         ObservedCamera camera, double x, double y, double sessionTime, double[] ground, int at);
   }
 
-  /** An effect of the lens, other for every ray. */
+  /** An effect of the lens, different for every ray. */
   interface Refraction extends MeasurementEffect {
     /**
      * Bends the ray.

@@ -2,7 +2,7 @@ package fieldcal.effect;
 
 /**
  * An effect that changes how the ball moves. What it changes is said by the interfaces below, of which an effect implements one or
- * more: the integrator asks each only where it has something to say.
+ * more: the integrator asks each only where it may act.
  */
 public interface MotionEffect extends Effect {
   @Override
@@ -31,7 +31,7 @@ public interface MotionEffect extends Effect {
     void addAcceleration(BallMotion motion, double[] acceleration);
 
     /**
-     * The same force with what is the same everywhere worked out; the integrator asks this one.
+     * The same force, with everything that does not depend on the motion computed beforehand; the integrator asks this one.
      *
      * @return does what {@link #addAcceleration} does
      */

@@ -21,15 +21,15 @@ import org.apache.commons.math3.fitting.WeightedObservedPoints;
  * grid of the coordinates adds: a ball that rests in one cell of a grid does not scatter at all, and is half a cell off.
  */
 public final class CameraNoise {
-  /** Fewer resting detections per kick say little, since their own mean is taken off. */
+  /** Fewer resting detections per kick do not determine the noise, since their own mean is taken off. */
   private static final int FEWEST_PER_KICK = 8;
 
   /** Fewer in all leave the noise 10 % uncertain. */
   private static final int FEWEST = 50;
 
   /**
-   * Least noise of any camera per axis, m. Chosen below the 0.7 mm of good real cameras on a resting ball, and below the 1.1 mm that good fits of ten real matches
-   * leave besides (1.3 mm RMS; DESIGN, section 6): the closed forms are never right to less, so that cleaner data cannot say more.
+   * Least noise of any camera per axis, m. Chosen below the 0.7 mm of good real cameras on a resting ball, and below the 1.1 mm that good fits of ten
+   * real matches leave in addition (1.3 mm RMS; DESIGN, section 6): the closed forms are never right to less, so that cleaner data cannot determine more.
    */
   public static final double FLOOR = 3e-4;
 

@@ -16,7 +16,7 @@ import org.apache.commons.math3.linear.SingularMatrixException;
  * A start for the chip fit, hop by hop: the first flight from a linear system, then the dampings from a coarse grid.
  *
  * <p>A ball at {@code p = p0 + v·t}, {@code z = vz·t − g·t²/2} is reported at o with {@code (o − c)(H − z) = (p − c)·H}, which is
- * linear in p0, v and vz. No start from a wrong model can spoil it, and the search that follows begins in the right valley.
+ * linear in p0, v and vz. No start from a wrong model can spoil it, and the search that follows begins near the right minimum.
  */
 final class ChipStart {
   private static final double[] DAMPING_Z = {0.3, 0.38, 0.46, 0.54, 0.62, 0.7, 0.78};

@@ -14,7 +14,7 @@ import org.apache.commons.math3.optim.nonlinear.scalar.noderiv.CMAESOptimizer;
 import org.apache.commons.math3.random.MersenneTwister;
 
 /**
- * Global search for the right valley with Commons Math's CMA-ES (Hansen: evolution strategy with covariance matrix adaptation).
+ * Global search for the neighbourhood of the right minimum with Commons Math's CMA-ES (Hansen: evolution strategy with covariance matrix adaptation).
  *
  * <p>It walks in unknowns divided by their scales, within bounds; what is held is left out. The best point ever seen is kept, also
  * when the evaluations run out, which for this purpose is the normal end.

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.apache.commons.math3.distribution.TDistribution;
 
 /**
- * What a fit says of one parameter.
+ * One parameter as a fit determines it.
  *
  * @param parameter with the estimated value; {@code estimated} tells whether it was free
  * @param standardError of the value, same unit; NaN when it was fixed

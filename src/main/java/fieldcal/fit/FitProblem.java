@@ -58,7 +58,7 @@ public record FitProblem(
   }
 
   /**
-   * The same with accRoll of chips held at what flat kicks said.
+   * The same with accRoll of chips held at the value of the flat kicks.
    *
    * @param accRoll m/s², negative
    * @return the changed copy

@@ -5,7 +5,7 @@ package fieldcal.fit;
  *
  * @param seed of the random search; the same seed and data give the same fit
  * @param searchEvaluations how often CMA-ES may evaluate a kick's objective
- * @param searchObservations how many observations CMA-ES looks at: it only has to find the right valley
+ * @param searchObservations how many observations CMA-ES looks at: it only has to come near the right minimum
  * @param outlierDistance an observation that many robust standard deviations away is left out of the last fit
  * @param lossScale scale of Cauchy's loss before that, in standard deviations
  */

@@ -18,7 +18,7 @@ final class FlightFitter {
   private static final double SPREAD = 0.7;
 
   /**
-   * Scale of the loss while searching, m: the valley of a chip whose hops are missed by centimetres must still be felt. Narrowed to
+   * Scale of the loss while searching, m: a chip whose hops are missed by centimetres must still have a gradient that leads to its minimum. Narrowed to
    * the settings' scale for the last steps (graduated non-convexity, Blake and Zisserman 1987).
    */
   private static final double WIDE_LOSS = 0.02;
@@ -29,7 +29,7 @@ final class FlightFitter {
   /** Enough observations to tell numbers of flights apart. */
   private static final int MEDIUM_OBSERVATIONS = 200;
 
-  /** Outliers settle within two or three screenings; more would be a circle. */
+  /** Outliers settle within two or three screenings; further ones would only repeat these. */
   private static final int MOST_SCREENINGS = 6;
 
   private final FitProblem problem;
@@ -167,8 +167,8 @@ final class FlightFitter {
   /**
    * The objective of a chip is smooth only at a fixed number of flights, and a wrong number has minima of its own, which neighbours
    * do not lead out of. So every number near what the 10 mm rule says is tried from every start, on part of the observations, and
-   * then from the best one on all of them. The number may differ by one from what the rule says of the result, since the rule is sharp and
-   * the ball is not; not by more, or frictionless hops of a millimetre would be found to explain anything.
+   * then from the best one on all of them. The number may differ by one from what the rule says of the result, since a real ball does not stop
+   * hopping at exactly that height; not by more, or frictionless hops of a millimetre would be found to explain anything.
    */
   private Candidate bestFlights(List<double[]> starts) {
     FlightData part =
@@ -255,7 +255,7 @@ final class FlightFitter {
   }
 
   /**
-   * Parameters that the kick says little about are tied to their start, the least known first: free, they would drag the others
+   * Parameters that the kick hardly determines are tied to their start, the least known first: free, they would drag the others
    * along; held, they would make them look better known than they are.
    */
   private String[] tieUndetermined(

@@ -23,7 +23,7 @@ final class FlightTerm implements KickTerm<double[]> {
   /** Where the cameras' offsets begin in the state. */
   static final int OFFSETS = 7;
 
-  /** A number of flights may differ from the 10 mm rule's by so many, since the rule is sharp and the ball is not. */
+  /** A number of flights may differ from the 10 mm rule's by so many, since a real ball does not stop hopping at exactly that height. */
   private static final int OFF_RULE = 1;
 
   private final KickFit fit;

@@ -24,7 +24,7 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 /**
  * Fits all kicks at once: one model, one offset per camera, and position, velocity and time of each kick.
  *
- * <p>Uses what partial kicks know, each observation with its weight. The parameters of the model are random effects: each kick has its own values, scattered normally about the model's, by an amount that is estimated, too. Where nothing
+ * <p>Uses what partial kicks determine, each observation with its weight. The parameters of the model are random effects: each kick has its own values, scattered normally about the model's, by an amount that is estimated, too. Where nothing
  * scatters that is one model for all; where carpet, bounces or a wrong law make kicks differ by more than the noise, no kick counts for more than its share, however low the noise is. The closed forms are brought to the kernel of {@link
  * fieldcal.fit.joint}, which also says what the standard errors assume; outliers are judged again after each solution. Immutable and thread-safe.
  */
@@ -41,7 +41,7 @@ public final class JointFitter {
   /** How often errors alone may look like a scatter. Chosen: small, since a needless scatter only makes errors larger. */
   private static final double SCATTER_BY_CHANCE = 0.01;
 
-  /** Scatters that are looked for, in scales of the parameter: below is none, above is no model. */
+  /** Range in which a scatter is looked for, in scales of the parameter: a smaller one is none, and with a larger one the parameter means nothing. */
   private static final double SMALLEST_SCATTER = 1e-3;
 
   private static final double LARGEST_SCATTER = 5;
@@ -149,7 +149,7 @@ public final class JointFitter {
       return high;
     }
 
-    /** What the kicks' own fits say of a parameter. */
+    /** A parameter as the fits of single kicks determine it. */
     private List<Estimate> known(int parameter) {
       boolean flat = parameter < FlightTerm.CHIP;
       int k = flat ? parameter : parameter - FlightTerm.CHIP;
@@ -170,7 +170,7 @@ public final class JointFitter {
       return Arrays.binarySearch(scattering, parameter);
     }
 
-    /** A normal scatter has its mean between kicks of two sides, where none of them is. */
+    /** Where the kicks form two groups, the mean of a normal scatter lies between them, where no kick is. */
     private RobustCentre centre(SharedSolution<double[]> solution, int parameter, double error) {
       double scatter = solution.scatters()[randomOf(parameter)];
       List<Estimate> known = known(parameter);

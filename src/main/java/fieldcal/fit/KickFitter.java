@@ -14,12 +14,12 @@ import java.util.Objects;
 /**
  * Fits the two-phase flat or the bouncing chip trajectory to the detections of one kick.
  *
- * <p>CMA-ES finds the valley on a subset of the observations under a robust loss, Levenberg–Marquardt its bottom on all of them;
+ * <p>CMA-ES finds the neighbourhood of the global minimum on a subset of the observations under a robust loss, and Levenberg–Marquardt the minimum on all of them;
  * then outliers are left out and plain least squares, which is efficient, has the last word. The number of flights of a chip is
  * discrete: each plausible one is fitted, and the residuals decide. Immutable and thread-safe.
  */
 public final class KickFitter {
-  /** Fewer detections after the kick than that are not a kick that anything can be learnt from. */
+  /** A kick with fewer detections after it determines nothing. */
   private static final int FEWEST = 12;
 
   /** A ball that leaves slower upwards hops less than 13 mm: no chip, m/s. */
@@ -69,7 +69,7 @@ public final class KickFitter {
   }
 
   /**
-   * Whether a chip stands for what was seen rather than a flat kick. When neither explains the kick, something else is wrong, too, and most of it is seen where the ball rolls, which is long and says nothing of a flight: then only the
+   * Whether a chip stands for what was seen rather than a flat kick. When neither explains the kick, something else is wrong, too, and most of it is seen where the ball rolls, which is long and does not show whether it flew: then only the
    * hops that the chip claims are compared. Recordings of three other generators and engines, all with causes that the models do not know: there 111 chips left at most 0.79 of a flat kick's loss, flat kicks at least 1.0; over the whole path
    * it was up to 3.2.
    */

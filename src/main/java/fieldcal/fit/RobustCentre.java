@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 
 /**
  * A mean, or the median where the samples come from two sides: kicks with and without spin, for example. Where the mean lies farther from the weighted median than nineteen in twenty symmetric scatters bring it, the median is taken,
- * with an error that covers both: nobody knows which side is the one that is meant.
+ * with an error that covers both, since it is not known which side is meant.
  *
  * @param value of the parameter, in its unit
  * @param standardError in the same unit

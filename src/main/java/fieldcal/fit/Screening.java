@@ -28,7 +28,7 @@ public final class Screening {
   /** With fewer on a side their median may be a false detection's. */
   private static final int FEWEST_NEIGHBOURS = 3;
 
-  /** Who is off alike has one that is, too, among so many next to it on each side. */
+  /** A detection is off like its neighbours only if one of so many nearest ones on each side is off, too. */
   private static final int CLOSEST = 2;
 
   /** Neighbours are not farther away than that, s: five frames at 60 Hz and four that are lost. */

@@ -16,7 +16,7 @@ final class SharedView {
   /** Positions of a camera that are further apart in time are not interpolated, s: two frames at 60 Hz, one of them lost. */
   private static final double GAP = 0.035;
 
-  /** Fewer comparisons have no scatter worth the name. */
+  /** Fewer comparisons do not determine a scatter. */
   private static final int FEWEST = 5;
 
   /** Length of the stretches in which a moving ball is compared, s: cameras that overlap by a metre share it for that long up to 5 m/s. */

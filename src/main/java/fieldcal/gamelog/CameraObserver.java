@@ -2,7 +2,7 @@ package fieldcal.gamelog;
 
 import fieldcal.vision.VisionFrame;
 
-/** Collects what {@link CameraStatistics} tells of one camera, in constant memory. */
+/** Collects what {@link CameraStatistics} holds of one camera, in constant memory. */
 final class CameraObserver {
   private static final double NANOSECOND = 1e-9;
   private static final double MAX_INTERVAL = 1;
@@ -96,7 +96,7 @@ final class CameraObserver {
     if (intervals.total() == MIN_INTERVALS || intervals.total() % 1000 == 0) {
       pace = intervals.quantile(0.5);
     }
-    // Only intervals without a lost frame tell of pace and jitter.
+    // Only intervals without a lost frame show rate and jitter.
     if (interval > 0.5 * pace && interval < 1.5 * pace) {
       regularTime += interval;
       regularIntervals++;

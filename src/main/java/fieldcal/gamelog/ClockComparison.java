@@ -12,7 +12,7 @@ public final class ClockComparison {
   /** Nothing is received before it was captured; so much earlier may be rounding, s. */
   private static final double ROUNDING = 1e-3;
 
-  /** A rate that is off by more than that is told: it makes accelerations 1 % wrong. Quartz clocks are off by less than 0.0001. */
+  /** A rate that is off by more than that is reported: it makes accelerations 1 % wrong. Quartz clocks are off by less than 0.0001. */
   public static final double NOTABLE_RATE = 0.005;
 
   /** Delays of single frames scatter by up to 0.05 s; over so many seconds that is a tenth of the notable rate. */
@@ -90,7 +90,7 @@ public final class ClockComparison {
   }
 
   /**
-   * Whether the difference cannot be a delay: then it says nothing of the latency.
+   * Whether the difference cannot be a delay: then the latency cannot be derived from it.
    *
    * @return true when it is more than {@link #MAX_DELAY}, or negative
    */

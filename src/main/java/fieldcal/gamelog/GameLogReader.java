@@ -12,7 +12,7 @@ import java.util.Optional;
  * Reads a game log ({@code .log}, {@code .log.gz}) record by record, in constant memory.
  *
  * <p>The file is the header {@code SSL_LOG_FILE} and version 1, then records of int64 time (ns), int32 type, int32 size and the
- * message itself, all big endian. Compressed files are told by their first bytes, not by their names, and may consist of several
+ * message itself, all big endian. Compressed files are recognised by their first bytes, not by their names, and may consist of several
  * gzip members.
  *
  * <p>Damage does not end the reading: where no record can be, the next place is searched at which two records follow each other;

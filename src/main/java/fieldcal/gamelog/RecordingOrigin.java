@@ -8,7 +8,7 @@ import java.util.Arrays;
  * any name and in any folder.
  */
 public enum RecordingOrigin {
-  /** A real field, or one that nobody marked. */
+  /** A real field, or a recording without a mark. */
   FIELD,
   /** A simulated field. */
   SIMULATION;

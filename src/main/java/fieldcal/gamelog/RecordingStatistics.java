@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** Watches a recording go by and tells how good it is. Memory is constant; not thread-safe. */
+/** Collects what shows how good a recording is, while it is read. Memory is constant; not thread-safe. */
 public final class RecordingStatistics implements RecordingListener {
   /** A camera that is silent for longer has a gap, s: more than thirty frames of any camera in use. */
   public static final double GAP = 0.5;

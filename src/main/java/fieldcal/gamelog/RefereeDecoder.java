@@ -6,7 +6,7 @@ import fieldcal.vision.Epoch;
 import java.util.Objects;
 import java.util.Optional;
 
-/** From the bytes of referee messages to values. Immutable. */
+/** Decodes the bytes of referee messages. Immutable. */
 public final class RefereeDecoder {
   private static final long NANOS_PER_MICRO = 1000;
 

@@ -29,7 +29,7 @@ public record RefereeState(
     Optional<Boolean> blueOnPositiveHalf) {
 
   /**
-   * What the referee says of one team.
+   * One team as the referee reports it.
    *
    * @param name as registered; may be empty
    * @param score goals

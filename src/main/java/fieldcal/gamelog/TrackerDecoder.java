@@ -11,7 +11,7 @@ import fieldcal.vision.Team;
 import java.util.Objects;
 import java.util.Optional;
 
-/** From the bytes of trackers' messages to values. Immutable. */
+/** Decodes the bytes of trackers' messages. Immutable. */
 final class TrackerDecoder {
   /** Names are cut off there: a tracker that counts its frames in them must not fill the memory. */
   private static final int LONGEST_NAME = 60;

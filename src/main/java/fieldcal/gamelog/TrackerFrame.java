@@ -5,7 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * What a tracker says of the field at one instant: a team's software or an automatic referee. Times count from the recording's epoch, on the tracker's clock.
+ * The field at one instant as a tracker reports it: a team's software or an automatic referee. Times count from the recording's epoch, on the tracker's clock.
  *
  * @param source what the tracker calls itself; empty when it does not say
  * @param uuid tells trackers of the same name apart

@@ -10,13 +10,13 @@ final class ActiveKick {
   /** Cameras whose newest detection is that old no longer see the ball, s. */
   private static final double LIVE = 0.06;
 
-  /** Twice what cameras disagree by on the ground, and the noise, m: some 0.2 m of height. */
+  /** Twice the disagreement of cameras on the ground, and the noise, m; a height of some 0.2 m shifts as much. */
   private static final double AIRBORNE = 0.1;
 
   /** Two cameras agree on a ball in the last 0.2 m of its fall; it takes that long at 2 m/s, s. */
   private static final double FALL = 0.1;
 
-  /** Detections in a row that say so before a ball counts as in the air. */
+  /** So many detections in a row must show it before a ball counts as in the air. */
   private static final int SURELY = 3;
 
   /** A ball that was just kicked is still near the robots around its kicker, s. */
@@ -76,7 +76,7 @@ final class ActiveKick {
     return jump.time();
   }
 
-  /** Begins with the track that told of the kick, a tenth of a second late: the ball may have met a robot meanwhile. */
+  /** Begins with the track in which the kick was found, a tenth of a second late: the ball may have met a robot meanwhile. */
   void startedBy(BallTrack track, RobotPoses robots) {
     source = track;
     join(track);
@@ -90,7 +90,7 @@ final class ActiveKick {
     }
   }
 
-  /** The track that told of the kick: if it tells of another one, that is another. */
+  /** The track in which the kick was found: another jump in it is another kick. */
   BallTrack source() {
     return source;
   }
@@ -300,7 +300,7 @@ final class ActiveKick {
     return false;
   }
 
-  /** Why a kick ends whose ball nobody sees any more. */
+  /** Why a kick ends whose ball no camera sees any more. */
   KickEnd vanished(PlayingArea area, RobotPoses robots, KickEnd otherwise) {
     double t = newest.lastTime();
     double ahead = t + 0.1;

@@ -105,7 +105,7 @@ final class BallTrack {
     return fit(0, oldest, line);
   }
 
-  /** Where the camera reports, or would report, this ball at {@code t}; false when the track says nothing about that time. */
+  /** Where the camera reports, or would report, this ball at {@code t}; false when the track does not cover that time. */
   boolean positionAt(double t, double reach, LineFit scratch, double[] xy) {
     if (t > lastTime()) {
       if (t - lastTime() > reach || !fitNewest(6, 0.1, scratch)) {

@@ -21,7 +21,7 @@ final class ContactWatch {
 
   private static final double LEAST_CHANGE = 0.3;
 
-  /** And takes the ball off its way, m. */
+  /** And moves the ball off its way by so much, m. */
   private static final double LEAST_MISS = 0.03;
 
   /** A sliding ball loses up to that much of its speed on its own, m/s². */
@@ -41,7 +41,7 @@ final class ContactWatch {
 
   private static final double SPAN = 0.2;
 
-  /** After more nobody knows any more how it came, s. */
+  /** After a longer time it is not known any more how it came, s. */
   private static final double HIDDEN = 0.6;
 
   private static final int BEFORE = 8;
@@ -57,7 +57,7 @@ final class ContactWatch {
   /**
    * Watches one kick.
    *
-   * @param kicked when, s; nothing before tells how the ball came
+   * @param kicked when, s; no detection before shows how the ball came
    */
   ContactWatch(double kicked) {
     this.kicked = kicked;

@@ -33,7 +33,7 @@ final class DribbleWatch {
   /** The ball may be hidden for so long meanwhile, s. */
   private static final double HIDDEN = 0.5;
 
-  /** The kick's time is known to some milliseconds only, s. */
+  /** The kick's time is known to some milliseconds only, so the robot may have had the ball within so much of it, s. */
   private static final double BEFORE_KICK = 0.02;
 
   /** Fewer may be false, or a ball that passes by. */

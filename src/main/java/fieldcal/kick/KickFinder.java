@@ -199,7 +199,7 @@ public final class KickFinder {
     }
   }
 
-  /** Whether this is a kick's ball that comes into view, or another camera told of this kick already; then its track shows the same ball. */
+  /** Whether this is a kick's ball that comes into view, or another camera showed this kick already; then its track shows the same ball. */
   private boolean isKnown(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
     if (jump.born() && owner != null && owner.goesOn(track, jump)) {
       return true;
@@ -211,7 +211,7 @@ public final class KickFinder {
     return same != null || recent.isOver(jump, track);
   }
 
-  /** Nobody is near the ball that moves all of a sudden: it may have been hidden by its kicker at first. */
+  /** No robot is near a ball that suddenly moves: its kicker may have hidden it at first. */
   private void considerHidden(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
     RobotId robot = kickers.hiddenKicker(jump);
     if (robot == null) {

@@ -41,7 +41,7 @@ final class KickerSearch {
   }
 
   /**
-   * The robot within reach from which the ball moves away; from rest also one from which it does not seem to, since a camera projects a steep chip aside.
+   * The robot within reach from which the ball moves away; from rest also one from which it does not seem to, since a camera projects a steep chip to one side.
    *
    * @return null when there is none
    */

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** What happened to the ball a moment ago, so that another camera that tells of it later tells nothing new. */
+/** What happened to the ball a moment ago, so that it is not reported again when another camera shows it later. */
 final class RecentEvents {
   /** Two cameras see the same kick within that time and distance, s and m. */
   private static final double SAME_TIME = 0.12;
@@ -53,10 +53,10 @@ final class RecentEvents {
     }
   }
 
-  /** The kick of which another camera told already; null when there is none. */
+  /** The kick that another camera showed already; null when there is none. */
   ActiveKick sameKick(Iterable<ActiveKick> kicks, JumpDetector.Jump jump, BallTrack track) {
     for (ActiveKick kick : kicks) {
-      // A track that told of a kick tells of another one next.
+      // A track that has shown a kick shows another one next.
       if (kick.source() != track && same(kick.jump(), jump)) {
         return kick;
       }
@@ -64,7 +64,7 @@ final class RecentEvents {
     return null;
   }
 
-  /** Whether another camera told of this kick, and its ball was stopped already; or this is what a camera, or a window that straddles it, makes of a deflection. */
+  /** Whether another camera showed this kick, and its ball was stopped already; or this is what a camera, or a window that straddles it, makes of a deflection. */
   boolean isOver(JumpDetector.Jump jump, BallTrack track) {
     if (sameKick(ended, jump, track) != null) {
       return true;

@@ -88,7 +88,7 @@ final class TrackMatcher {
     return Math.hypot(dx - z * sx, dy - z * sy);
   }
 
-  /** Nobody else sees the ball now: does the track go on where the ball was heading? */
+  /** Whether a track goes on where the ball was heading, when no other camera sees the ball. */
   private boolean continues(ActiveKick kick, BallTrack track) {
     return continues(kick.newest(), track);
   }

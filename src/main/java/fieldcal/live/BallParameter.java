@@ -69,12 +69,12 @@ public enum BallParameter {
   }
 
   /**
-   * Whether spin that the ball had before it was kicked changes what a kick seems to say of it. A spinning ball slides longer or shorter, so that it rolls at another fraction of its speed, and leaves its
+   * Whether spin that the ball had before it was kicked changes the value that a kick seems to show. A spinning ball slides longer or shorter, so that it rolls at another fraction of its speed, and leaves its
    * bounces faster or slower along the carpet; while it slides or rolls, and upwards, it is braked as any other.
    *
    * <p>In matches four of five kicks come after dribbling or catching, so leaving them out would leave too few. So samples of such kicks count as well, unless they differ from those of the others: by more than
-   * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are not five of the others to compare
-   * with, they count, but begin a warning only where they are larger than published ({@link ParameterEstimate#maybeSpun}): a dribbler gives the ball backspin, which makes all of these parameters smaller.
+   * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are too few of the others to compare with (fewer than five, or
+   * than three where samples scatter so little that a difference of 5 % would show), they count, but begin a warning only where they are larger than published ({@link ParameterEstimate#maybeSpun}): a dribbler gives the ball backspin, which makes all of these parameters smaller.
    *
    * @return true for {@code kSwitch} and the horizontal dampings
    */
@@ -93,7 +93,7 @@ public enum BallParameter {
   }
 
   /**
-   * What a published model says of it.
+   * The value that a published model has.
    *
    * @param models the published models
    * @return empty when there is none of its kind

@@ -3,7 +3,7 @@ package fieldcal.live;
 import java.util.Comparator;
 
 /**
- * What one kick says of one parameter.
+ * One parameter as one kick determines it.
  *
  * @param time when the ball was kicked, Unix time, s: samples of several matches are pooled
  * @param value in the parameter's unit

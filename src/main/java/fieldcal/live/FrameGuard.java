@@ -1,7 +1,7 @@
 package fieldcal.live;
 
 /**
- * Keeps frames out whose time fits to no other, and tells when time begins again: a vision that was off, a clock that was set, a recording that starts again.
+ * Keeps out frames whose time does not fit to that of others, and recognises when time begins again: a vision that was off, a clock that was set, a recording that starts again.
  */
 final class FrameGuard {
   /** Cameras and the network are never that far apart; a longer silence is a new beginning, s. */

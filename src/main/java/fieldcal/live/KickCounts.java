@@ -8,7 +8,7 @@ package fieldcal.live;
  * @param dropped of these, those that waited too long to be fitted
  * @param waiting of these, those that wait now
  * @param used of these, those of which at least one sample counts
- * @param unused of these, those that were fitted or tried to be, and say nothing
+ * @param unused of these, those of which the fit failed or determines no parameter
  * @param possiblySpinning of the fitted ones, those after dribbling
  */
 public record KickCounts(

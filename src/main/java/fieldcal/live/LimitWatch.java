@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Compares the limits of one team with what its robots are configured to do, by the rule of the ball's parameters: a warning above 20 %, once, that ends below 15 %. What is compared is sure to three standard errors; of a
- * limit that the robots were never seen at only the most they did is known, so that they are warned about only when that is too much.
+ * Compares the limits of one team with what its robots are configured to do, by the rule of the ball's parameters: a warning above 20 %, once, that ends below 15 %. What is compared is sure to three standard errors; where the robots never reached a limit, only a lower bound is
+ * known, so that a warning begins only when the bound is too high.
  */
 final class LimitWatch {
   private static final double SURE = 3;

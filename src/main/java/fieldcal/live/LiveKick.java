@@ -10,7 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * A kick and what it said.
+ * A kick and the parameters that it determines.
  *
  * @param id running number within the watched match, from 1
  * @param time Unix time, s

@@ -67,7 +67,7 @@ public record LiveSettings(
    * What was measured to do well. A warning above 20 % is the rule of the league's teams. It ends below 15 %: of series of 150 samples of accRoll
    * whose model is off by just 20 %, 4 % are warned about more than once then, 14 % where it ends at 17 %; after a change of the carpet it is raised once in either case ({@code ./gradlew benchmark
    * -PbenchmarkArgs="live-carpets sample-tree"}). One match in a thousand with a false early warning is one in some ten tournaments, and a budget ten times as large would
-   * save less than two samples. A sample whose error is more than half of what is warned about says little. Kicks come at
+   * save less than two samples. A sample whose error is more than half of what is warned about proves little. Kicks come at
    * most every second and take a tenth of that to fit, so that 64 never wait unless the host stands still for a minute. Movement limits take some tenths of a second to estimate, and change slowly.
    *
    * @return the defaults

@@ -69,14 +69,14 @@ final class ParameterTrack {
             && DIFFERENT * errorOfDifference() <= matters();
   }
 
-  /** Most of what counts may be of spinning balls, and nobody can tell. */
+  /** Whether most samples that count are of balls that may have spun, with too few others to compare them with. */
   private boolean maybeSpun() {
     return spinning.size() > clean.size() && !comparable();
   }
 
   /**
-   * Whether spin may be why the samples differ from a published value. A dribbler pulls the top of the ball towards the robot, and such backspin makes all that depends on spin smaller ({@link BallParameter#spinSensitive}). So where nobody can tell whether
-   * most balls spun, larger samples still are a proof.
+   * Whether spin may be why the samples differ from a published value. A dribbler pulls the top of the ball towards the robot, and such backspin makes all that depends on spin smaller ({@link BallParameter#spinSensitive}). So where it is not known whether most balls spun,
+   * only larger samples prove that the published value is wrong.
    */
   private boolean mayBeBackspin(double published) {
     return maybeSpun() && !(counted.median() > published);

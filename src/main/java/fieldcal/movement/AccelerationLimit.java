@@ -171,7 +171,7 @@ final class AccelerationLimit {
   }
 
   /**
-   * Braking of a team that accelerates less aside: the same wheels brake, so that its braking depends on the direction as well, even where too few manoeuvres use all of it to show that by themselves.
+   * Braking of a team that accelerates less to the side: the same wheels brake, so that its braking depends on the direction as well, even where too few manoeuvres use all of it to show that by themselves.
    */
   static AccelerationLimit braking(
       ManoeuvreTable table, double velocity, int robots, AccelerationLimit acceleration) {

@@ -7,7 +7,7 @@ package fieldcal.movement;
  * <p>The method as in TIGERs Mannheim's team movement observer: acceleration is the length of the difference of the velocity vectors over the time of the later one; it brakes when the later one is shorter.
  */
 public final class LeagueStatistics {
-  /** Below so many values a histogram says nothing. */
+  /** A histogram of fewer values determines no percentile. */
   public static final long MIN_SAMPLES = 2000;
 
   /** Which share of the speeds lies below the limit. */

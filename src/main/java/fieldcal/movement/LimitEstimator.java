@@ -4,7 +4,7 @@ import fieldcal.vision.Team;
 import java.util.ArrayList;
 import java.util.List;
 
-/** From what was counted of a team to its limits. */
+/** Estimates a team's limits from what was counted of it. */
 public final class LimitEstimator {
   private LimitEstimator() {}
 

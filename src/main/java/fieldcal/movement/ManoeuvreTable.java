@@ -12,7 +12,7 @@ final class ManoeuvreTable {
   /** Half a per cent: bins add 0.15 % to the scatter of a manoeuvre. */
   private static final double LOG_STEP = 0.005;
 
-  /** Relative errors beyond say nothing; … */
+  /** Manoeuvres with larger relative errors determine nothing; … */
   private static final double WORST_ERROR = 0.2;
 
   /** … those below are not told apart. */
@@ -83,7 +83,7 @@ final class ManoeuvreTable {
    * Counts a manoeuvre.
    *
    * @param direction of the acceleration against the front, rad, positive to the left; NaN when unknown
-   * @return false when it is too weak or too uncertain to say anything
+   * @return false when it is too weak or too uncertain to count
    */
   boolean add(double acceleration, double error, double speed, double direction) {
     double relative = error / acceleration;

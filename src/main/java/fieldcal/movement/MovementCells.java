@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * {@link MovementStatistics} as plain cells and back, so that they can be stored, added up by anybody, and estimated from again. Integers all the way: what was taken apart and put together
+ * {@link MovementStatistics} as plain cells and back, so that they can be stored, added up elsewhere, and estimated from again. Integers all the way: what was taken apart and put together
  * again, of however many matches and in whatever order, is what {@link MovementStatistics#merge} would give.
  *
  * <p>Each cell is of one histogram. Of one robot are {@code accelerating} and {@code braking} (x: acceleration, m/s²; y: speed, m/s; the number of the cell also holds error and direction), {@code turning_faster} and {@code

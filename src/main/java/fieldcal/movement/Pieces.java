@@ -3,7 +3,7 @@ package fieldcal.movement;
 import java.util.Arrays;
 
 /**
- * Cuts a stretch of a robot's path into pieces of constant acceleration: the cut with the least sum of squared residuals plus a price per piece, found exactly by dynamic programming over a
+ * Cuts a stretch of a robot's path into pieces of constant acceleration: the cut with the least sum of squared residuals plus a penalty per piece, found exactly by dynamic programming over a
  * grid of {@link #CELL}.
  *
  * <p>Each piece is a parabola of its own, with an own constant for each camera, so that cameras may disagree about where the robot is. Sums of powers up to the cell
@@ -19,7 +19,7 @@ final class Pieces {
   private static final int SHORTEST = 2;
 
   /**
-   * Price of one more piece in units of the noise's variance, for one and for two dimensions. Six numbers of a parabola in the plane take 6 on average out of noise alone, and 99.99 % of the time less than 28; three numbers
+   * Penalty of one more piece in units of the noise's variance, for one and for two dimensions. Six numbers of a parabola in the plane take 6 on average out of noise alone, and 99.99 % of the time less than 28; three numbers
    * less than 21 (χ²).
    */
   private static final double[] PRICES = {21, 28};

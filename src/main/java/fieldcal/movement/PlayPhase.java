@@ -2,7 +2,7 @@ package fieldcal.movement;
 
 /** What the referee lets the robots do, as far as it matters for counting their movements. */
 public enum PlayPhase {
-  /** Nobody has said anything yet: everything counts. */
+  /** No message of a referee has come yet: everything counts. */
   UNKNOWN,
   /** The ball is in play: movements count. */
   RUNNING,
@@ -16,7 +16,7 @@ public enum PlayPhase {
   /**
    * Whether movements count.
    *
-   * @return true in play, and as long as nobody has told
+   * @return true in play, and as long as no referee was heard
    */
   public boolean counts() {
     return this == UNKNOWN || this == RUNNING;

@@ -317,7 +317,7 @@ final class RampFit {
     return true;
   }
 
-  /** What the detections alone say of a corner's rounding, s², and the variance of that for the given one of a detection. */
+  /** A corner's rounding as the detections alone determine it, s², and the variance of that for the given one of a detection. */
   void learn(int corner, double variance, Rounding sink) {
     int j = 2 + corner;
     Arrays.fill(gradient, 0);

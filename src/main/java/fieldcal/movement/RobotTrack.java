@@ -10,7 +10,7 @@ import fieldcal.vision.RobotId;
  * moved, and a new stretch begins. No manoeuvre spans a break.
  */
 final class RobotTrack {
-  /** What nobody sees for so long may have done anything, s. */
+  /** A robot that is not seen for so long may have done anything, s. */
   private static final double LONGEST_GAP = 0.2;
 
   /** Robots do not accelerate more, m/s² (twice of what the league's strongest do). */

@@ -13,7 +13,7 @@ import org.apache.commons.math3.linear.RealMatrix;
  * depend linearly on a few columns (speed, direction).
  *
  * <p>Modal linear regression (Yao and Li 2014): the {@linkplain #mass mass} Σ exp(−r²/2h²) is climbed by iterated weighted least squares. Each manoeuvre has a kernel of its own width h, twice its standard error
- * and three per cent of the limit, so that the noise of a manoeuvre neither moves nor hides the mode, and what is not at the limit has no say.
+ * and three per cent of the limit, so that the noise of a manoeuvre neither moves nor hides the mode, and what is not at the limit has no weight.
  */
 final class SaturationFit {
   /** The kernel in standard errors of a manoeuvre: wide enough to hold nearly all that noise does. */

@@ -11,7 +11,7 @@ final class TurnTrack {
   /** Robots do not turn faster, rad/s (twice of what the league's fastest do). */
   private static final double FASTEST = 40;
 
-  /** When nobody sees the robot for so long, it may have turned by more than π either way, s. */
+  /** A robot that is not seen for so long may have turned by more than π either way, s. */
   private static final double LONGEST_GAP = Math.PI / FASTEST;
 
   /** How far an orientation may be off for other reasons: noise, and cameras that disagree, rad. */

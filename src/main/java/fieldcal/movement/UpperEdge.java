@@ -22,7 +22,7 @@ record UpperEdge(double value, double error, double scatter, double mass, double
   /** Robots of one team, and what one does at different times, differ by so much, in parts. */
   private static final double HALF_WIDTH = 0.012;
 
-  /** Manoeuvres with a larger error say nothing on how values that are some per cent apart are distributed, in parts. */
+  /** Manoeuvres with a larger error cannot show how values that are some per cent apart are distributed, in parts. */
   private static final double WORST = 0.03;
 
   /** A window holds the limit from so many manoeuvres on … */
@@ -45,7 +45,7 @@ record UpperEdge(double value, double error, double scatter, double mass, double
    */
   private static final double FREEDOM = 4;
 
-  /** Of the errors; beyond, a value says nothing of the manoeuvre. */
+  /** In errors of a manoeuvre: it does not contribute to values farther off. */
   private static final double REACH = 8;
 
   /** Then the heaps no longer move by a tenth of a step. */
@@ -88,7 +88,7 @@ record UpperEdge(double value, double error, double scatter, double mass, double
     return sum;
   }
 
-  /** The same where nobody can tell whether a higher value is the limit: the error covers both. */
+  /** The same where it is not known whether a higher value is the limit: the error covers both. */
   private UpperEdge orUpTo(double higher) {
     double open = 0.5 * Math.max(0, higher - value);
     return new UpperEdge(value, Math.hypot(error, open), scatter, mass, share);

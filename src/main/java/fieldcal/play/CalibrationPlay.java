@@ -15,7 +15,7 @@ import java.util.function.Consumer;
  * is thrown once it runs: what goes wrong is waited out, or ends the play with a reason in {@link #state}. Not thread-safe.
  */
 public final class CalibrationPlay {
-  /** Without a frame for that long nobody knows where robots are, s. */
+  /** Without a frame for that long it is not known where robots are, s. */
   private static final double NO_VISION = 0.15;
 
   /** Waits for the last fits that long, s. */
@@ -269,7 +269,7 @@ public final class CalibrationPlay {
   }
 
   /**
-   * Whether a kick counts. Kicks that are not judged are waited for at the end. A kick may be judged again, when later ones showed it in another light.
+   * Whether a kick counts. Kicks that are not judged are waited for at the end. A kick may be judged again when later ones have changed the judgement.
    *
    * @param number of the {@link PlayedKick}
    * @param good false to make it again

@@ -20,7 +20,7 @@ final class CheckStep implements Step {
   /** After so many attempts in vain to take the ball somebody has to lay it down elsewhere. */
   private static final int FETCHES = 3;
 
-  /** Who is in the way is given time to leave by itself, s. */
+  /** A robot that is in the way is given time to leave by itself, s. */
   private static final double POLITE = 2;
 
   /** It has room to leave when ours are that far away, m. */
@@ -123,7 +123,7 @@ final class CheckStep implements Step {
         : this;
   }
 
-  /** Who is in the way may be unable to leave because ours stand in its way. */
+  /** A robot that is in the way may be unable to leave because ours stand in its way. */
   private static void giveWay(Situation s, Robot third, PlayLine line) {
     for (int i = 0; i < 2; i++) {
       Robot ours = s.robot(i);

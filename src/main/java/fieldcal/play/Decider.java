@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /** Who kicks the ball next, and from where: best from where it lies, else from the end of the line. */
 final class Decider {
-  /** Aims beside the receiver that are tried when somebody is in the way, rad. */
+  /** Aims beside the receiver that are tried when a robot is in the way, rad. */
   private static final double[] ASIDE = {0, 0.08, -0.08, 0.18, -0.18, 0.3, -0.3};
 
   /** Width of carpet along the kick that must be free, to either side, m. */
@@ -125,7 +125,7 @@ final class Decider {
     return cost[0] <= cost[1] ? 0 : 1;
   }
 
-  /** A kick from a robot's own end of the line, or from near it when somebody is there. */
+  /** A kick from a robot's own end of the line, or from near it when a robot is there. */
   static Optional<Task> fromEnd(Situation s, PlannedKick kick, int kicker) {
     PlayLine line = s.plan().lineOf(kick);
     double length = line.length();

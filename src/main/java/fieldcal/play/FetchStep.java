@@ -16,7 +16,7 @@ final class FetchStep extends TaskStep {
   /** A robot whose centre is nearer to the ball touches it, m. */
   private static final double TOUCHES = 0.125;
 
-  /** Somebody who stands too close, or in the only way, for longer is gone round in another direction, s. */
+  /** A robot that stands too close, or in the only way, for longer is avoided by taking another direction, s. */
   private static final double BLOCKED = 3;
 
   /** A ball that lies nearer to its place is not turned to, m. */
@@ -64,7 +64,7 @@ final class FetchStep extends TaskStep {
     return Optional.ofNullable(barred);
   }
 
-  /** Somebody without whom there would be room to drive up to the ball and take it. Who is beyond the ball may be near it. */
+  /** A robot without which there would be room to drive up to the ball and take it. One beyond the ball may be near it. */
   private static Optional<Robot> inTheWay(List<Robot> robots, double x, double y, double facing) {
     Pose behind = Task.behind(x, y, facing, Task.BEHIND);
     Pose taking = Task.behind(x, y, facing, PlayArea.AT_DRIBBLER);

@@ -1,7 +1,7 @@
 package fieldcal.play;
 
 /**
- * How a robot drives so that it keeps the ball at its dribbler. Nobody tells how well a dribbler holds: each loss makes its robot drive more gently.
+ * How a robot drives so that it keeps the ball at its dribbler. How well a dribbler holds is not known beforehand: each loss makes its robot drive more gently.
  *
  * @param speed fastest, m/s
  * @param acceleration up and down, m/s²

@@ -27,7 +27,7 @@ public interface KickChooser {
   }
 
   /**
-   * Tells how a kick turned out.
+   * Is told how a kick turned out.
    *
    * @param kick one that was asked for
    * @param good whether it counts

@@ -2,7 +2,7 @@ package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
 
-/** Whether a robot gets on. */
+/** Whether a robot moves when it is told to. */
 final class Motion {
   /** A robot that is told to drive and does not for that long is stuck, s. */
   private static final double STUCK = 3;

@@ -31,7 +31,7 @@ final class PlaceStep extends TaskStep {
   /** Nearer to its place the ball is not turned towards it any more, m. */
   private static final double STRAIGHT = 0.3;
 
-  /** Who would have to turn the ball by more pulls it, rad. */
+  /** A robot that would have to turn the ball by more pulls it instead, rad. */
   private static final double MOST_TURN = Math.toRadians(100);
 
   private double lost = Double.NaN;

@@ -38,7 +38,7 @@ public record PlayWorld(
     RUN,
     /** The game is stopped: the play waits. */
     STOP,
-    /** Nobody may move. */
+    /** No robot may move. */
     HALT
   }
 

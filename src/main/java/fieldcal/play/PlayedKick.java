@@ -34,7 +34,7 @@ public record PlayedKick(
     LEFT_FIELD,
     /** The receiver has it, or it bounced off a robot. */
     RECEIVED,
-    /** Nobody saw it any more. */
+    /** No camera saw it any more. */
     LOST,
     /** It took too long. */
     TIMEOUT

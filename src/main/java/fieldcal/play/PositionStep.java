@@ -8,10 +8,10 @@ import java.util.Optional;
 final class PositionStep extends TaskStep {
   private static final double TIMEOUT = 15;
 
-  /** Somebody who stands in the way for longer is kicked past, in another direction, s. */
+  /** When a robot stands in the way for longer, the kick goes past it in another direction, s. */
   private static final double BLOCKED = 3;
 
-  /** Who takes longer to get behind the ball is waited for, s. */
+  /** A robot that takes longer to get behind the ball is waited for, s. */
   private static final double SLOW = 5;
 
   /** A ball that was not seen for longer may lie elsewhere by now: nobody drives up to it, s. */
@@ -41,7 +41,7 @@ final class PositionStep extends TaskStep {
     return ready ? new KickStep(ledger, task) : this;
   }
 
-  /** What vision says of the kicker's place, for who has to find out what is wrong. */
+  /** What vision says of the kicker's place, for whoever has to find out what is wrong. */
   private String measured(Situation s) {
     Robot r = s.robot(task.kicker());
     double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);

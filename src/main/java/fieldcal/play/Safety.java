@@ -5,7 +5,7 @@ import fieldcal.play.RobotOrder.Velocity;
 import java.util.List;
 
 /**
- * The last word on every velocity: no robot closes in on another, or on the edge of the area, faster than it can still brake. A robot that somebody else drives into ours is given way to.
+ * The last word on every velocity: no robot closes in on another, or on the edge of the area, faster than it can still brake. Our robots give way to a robot that drives into them.
  */
 final class Safety {
   /** From camera to wheel and back, s; more for robots that follow later. */
@@ -17,7 +17,7 @@ final class Safety {
   /** A robot that closes in by so much faster than it may must brake and do nothing else, m/s. */
   private static final double LATE = 0.15;
 
-  /** What it keeps of its motion aside then. */
+  /** The part of its sideways motion that it keeps then. */
   private static final double ASIDE = 0.9;
 
   /** Inward speed per distance beyond, 1/s: a robot that drives 4° beside its way along the edge at 2.5 m/s is held within 2 cm. */

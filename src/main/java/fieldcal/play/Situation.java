@@ -148,13 +148,13 @@ final class Situation {
     return circles;
   }
 
-  /** Whether there is a way round everybody, and round the ball at a distance. */
+  /** Whether there is a way round all robots, and round the ball at a distance. */
   boolean hasWay(int index, Pose target, double ballClearance) {
     return driver.way(ours[index], target, obstacles(index, ballClearance)).isPresent();
   }
 
   /**
-   * Drives round everybody, and round the ball at a distance; 0 ignores the ball.
+   * Drives round all robots, and round the ball at a distance; 0 ignores the ball.
    *
    * @return false when there is no way: it stands, and the reason is known
    */
@@ -245,7 +245,7 @@ final class Situation {
     waitFor(reason, WaitingFor.place(x, y));
   }
 
-  /** What comes of it all. */
+  /** The answer of this tick. */
   PlayAnswer answer() {
     List<Robot> both = new ArrayList<>();
     for (Robot r : ours) {

@@ -59,7 +59,7 @@ final class WatchStep implements Step {
     return since > s.limits().flightTimeout() ? end(s, End.TIMEOUT, -1) : this;
   }
 
-  /** Nobody drives, for example while the referee has stopped the game; the ball rolls all the same. */
+  /** No robot drives, for example while the referee has stopped the game; the ball rolls all the same. */
   void onlyWatch(Situation s) {
     if (s.area().outside(s.ball().x(), s.ball().y()) && Double.isNaN(outside)) {
       outside = s.time();

@@ -57,7 +57,7 @@ public enum SimulatedEffect {
   BOUNCE_SPIN_COUPLING(number("coefficient", -2, 2)),
   /** Rolling resistance changes over the session. */
   DRIFT(number("percent_per_10min", -500, 500)),
-  /** One robot kicks faster or aside of its command. */
+  /** One robot kicks faster than its command, or off from it. */
   ROBOT_KICK_BIAS(number("percent", -90, 200), number("yaw", -1, 1), team(), robot()),
   /** One camera's clock runs fast. */
   CLOCK_SKEW(number("ppm", -100_000, 100_000), camera()),

@@ -9,11 +9,11 @@ import fieldcal.vision.FieldGeometry;
  * @param width along y, m
  */
 public record FieldSize(double length, double width) {
-  /** Sizes are published in whole millimetres; nobody means less than that, m. */
+  /** Sizes are published in whole millimetres, so a smaller difference is none, m. */
   private static final double SAME = 0.005;
 
   /**
-   * Of a published geometry.
+   * The size of a published field.
    *
    * @param geometry of vision
    * @return its size

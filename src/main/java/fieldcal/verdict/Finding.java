@@ -19,7 +19,7 @@ public record Finding(Verdict verdict, List<String> causes) {
   }
 
   /**
-   * Of a diagnosis.
+   * Takes what matters for publishing from a diagnosis.
    *
    * @param diagnosis of the same kicks
    * @return what matters for publishing

@@ -2,7 +2,7 @@ package fieldcal.verdict;
 
 import java.util.Locale;
 
-/** What to do with a calibrated model; in the order of gravity, the gravest last. */
+/** What to do with a calibrated model, in the order of gravity: the gravest comes last. */
 public enum PublishDecision {
   /** The model is well determined and explains the kicks. */
   PUBLISH,
@@ -10,7 +10,7 @@ public enum PublishDecision {
   RECORD_MORE,
   /** Something speaks against the model; a person, or a diagnosis, has to find out what. */
   CHECK_FIRST,
-  /** Whoever used these numbers would predict worse with them. */
+  /** These numbers predict worse than those in use. */
   DO_NOT_PUBLISH;
 
   /**

@@ -44,7 +44,7 @@ public record PublishVerdict(PublishDecision decision, List<Reason> reasons, boo
    * The decision about one of the two models.
    *
    * @param kind flat or chip
-   * @return empty when these recordings have nothing on it
+   * @return empty when no kick in these recordings is of that kind
    */
   public Optional<PublishDecision> decision(KickKind kind) {
     boolean concerned = reasons.stream().anyMatch(r -> r.model().equals(Optional.of(kind)));

@@ -7,8 +7,8 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * One reason of a {@link PublishVerdict}, with the numbers it was decided by. A reason whose decision is {@link PublishDecision#PUBLISH} holds nobody back: it
- * is something to know.
+ * One reason of a {@link PublishVerdict}, with the numbers it was decided by. A reason whose decision is {@link PublishDecision#PUBLISH} is
+ * a remark: it does not speak against publishing.
  */
 public sealed interface Reason {
 
@@ -128,7 +128,7 @@ public sealed interface Reason {
    * The kicks lie further from their fitted paths than the cameras' noise explains.
    *
    * @param ratio residual of the joint fit over the noise on the resting ball
-   * @param decision to check first where it is far above, else to know
+   * @param decision to check first where the residual is far above the noise; otherwise to publish
    */
   record ResidualAboveNoise(double ratio, PublishDecision decision) implements Reason {
     /** Checks that the decision is there. {@inheritDoc} */

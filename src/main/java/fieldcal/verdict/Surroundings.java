@@ -10,7 +10,7 @@ import java.util.Optional;
  * Where the recordings come from.
  *
  * @param recordings each of them, in order
- * @param vision what vision publishes at the moment; empty when nobody listened
+ * @param vision what vision publishes at the moment; empty when vision was not listened to
  */
 public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vision) {
   /** Nothing is known of the recordings. */
@@ -45,7 +45,7 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
     return different;
   }
 
-  /** Of the recordings and, last, of vision. */
+  /** The geometries of the recordings and, last, that of vision. */
   private List<FieldGeometry> geometries() {
     List<FieldGeometry> all = new ArrayList<>();
     recordings.forEach(r -> r.geometry().ifPresent(all::add));

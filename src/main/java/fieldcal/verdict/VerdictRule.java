@@ -19,7 +19,7 @@ import java.util.Optional;
 
 /** The one rule that decides whether a model may be published. */
 public final class VerdictRule {
-  /** Fewer kicks have no standard deviation worth selecting by. */
+  /** The scatter of fewer kicks is known too badly to exclude values by it. */
   public static final int FEWEST_KICKS = 5;
 
   /** Largest standard error of a mean, percent of it; chosen, half of the difference that the live monitor warns of. */

@@ -33,7 +33,7 @@ public record BallModels(Optional<FlatModel> flat, Optional<ChipModel> chip) {
   }
 
   /**
-   * From the message. A chip model rolls out with the flat model's {@code accRoll}; without a flat model, with the typical one.
+   * Decodes the message. A chip model rolls out with the flat model's {@code accRoll}; without a flat model, with the typical one.
    *
    * @param message the message
    * @return its models

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 
-/** From the geometry message to its value; parts that are incomplete or impossible are left out and counted. */
+/** Decodes the geometry message; parts that are incomplete or impossible are left out and counted. */
 final class GeometryReader {
   private static final double MM_PER_M = 1000.0;
 

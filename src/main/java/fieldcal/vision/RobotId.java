@@ -28,7 +28,7 @@ public record RobotId(Team team, int number) implements Comparable<RobotId> {
     }
   }
 
-  /** The same in every process, which that of an enum is not: who walks through a hash map of robots does so in the same order, and comes to the same sums. */
+  /** The same in every process, unlike that of an enum, so that hash maps of robots are iterated in the same order and give the same sums. */
   @Override
   public int hashCode() {
     return 31 * team.ordinal() + number;

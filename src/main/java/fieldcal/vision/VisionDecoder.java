@@ -12,7 +12,7 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * From the bytes of vision's packets ({@code SSL_WrapperPacket}) to values in SI units.
+ * Decodes the bytes of vision's packets ({@code SSL_WrapperPacket}) to values in SI units.
  *
  * <p>Never throws on bad data: what is unusable is left out and counted by reason. Geometry is sent over and over; while it says the same, it is the
  * same object. What some sources split over several messages is put together, see {@link FieldGeometry#updated}. Not thread-safe.

@@ -14,7 +14,7 @@ import fieldcal.proto.Vector2f;
 import java.util.Objects;
 
 /**
- * From values in SI units to vision's messages: the way back of {@link VisionDecoder}.
+ * Encodes values in SI units as vision's messages; the inverse of {@link VisionDecoder}.
  *
  * <p>The messages carry 32-bit floats in mm. A value that came from a message returns to exactly the same bits. Immutable.
  */

@@ -247,7 +247,7 @@ public final class Decision {
   }
 
   /**
-   * Whether the kicks other than the two that tell most would not show a cause of that size. What counts is what the equations let each kick tell, not by how much it was wrong: a kick that is metres wrong bends what all kicks share, and then
+   * Whether the kicks other than the two most informative ones would not show a cause of that size. What counts is what the equations let each kick tell, not by how much it was wrong: a kick that is metres wrong bends what all kicks share, and then
    * others gain, too.
    */
   private static boolean isToldByFewKicks(FittedModel model, int i, double limit) {

@@ -62,7 +62,7 @@ final class Independence {
       double f = (total - left) / p / (left / (n - p - 1));
       return f > new FDistribution(null, p, n - p - 1.0).inverseCumulativeProbability(1 - CHANCE);
     } catch (MathIllegalArgumentException e) {
-      // Kicks that do not differ in one of these say nothing of it.
+      // Kicks that do not differ in one of these do not determine it.
       return false;
     }
   }

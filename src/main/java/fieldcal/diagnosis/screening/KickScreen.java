@@ -91,7 +91,7 @@ public final class KickScreen {
   }
 
   /**
-   * The kicks as they look in the light of a model.
+   * The kicks as a model explains them.
    *
    * @param at the model, fitted to the kicks
    * @param cuts whether ends may be cut, too: where the model is known to be wrong, they would look wrong because it is
@@ -134,7 +134,7 @@ public final class KickScreen {
     double good = LIKE_THE_OTHERS * Math.max(1, median);
     List<KickRecord> parts = cuts ? parts(now) : List.of();
     if (now.usedCount() < now.whole().usedCount()) {
-      // What was cut in the light of a worse model comes back when this one explains it.
+      // What was cut because of a worse model comes back when this one explains it.
       parts = List.of(now.whole());
     }
     for (KickRecord part : parts) {

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a wrong valley: while something is left, others begin again in another manner (a
+ * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a local minimum: while something is left, others begin again in another manner (a
  * multi-start, as for any function with many minima), and the best of them is revised. Evidence is not divided by what is still unexplained, or the second of two strong causes would never look worth it. Not thread-safe; used once.
  */
 public final class CauseSearch {

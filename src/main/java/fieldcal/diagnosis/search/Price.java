@@ -17,7 +17,7 @@ record Price(Weighing weighing) {
    */
   private static final double PENALTY = 8;
 
-  /** What each coordinate must gain besides: the logarithm of the number of blocks that say something of it, some hundreds (Schwarz's criterion). */
+  /** What each coordinate must gain in addition: the logarithm of the number of blocks that determine it, some hundreds (Schwarz's criterion). */
   private static final double PENALTY_PER_COORDINATE = 6;
 
   /** What a law must gain that has no absence to be compared with: as an effect of two coordinates. */
@@ -36,7 +36,8 @@ record Price(Weighing weighing) {
         price += PENALTY;
         continue;
       }
-      // A value for each kick is paid for by the marginal likelihood; mean and scatter are two.
+      // The marginal likelihood contains the penalty of a value for each kick; mean and scatter are
+      // two.
       int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
       price += PENALTY + PENALTY_PER_COORDINATE * size;
     }

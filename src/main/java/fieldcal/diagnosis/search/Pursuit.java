@@ -20,7 +20,7 @@ final class Pursuit {
   /** What else may come at once with the best: that share of its gain. What gains less may be its shadow, and waits for the refit. */
   private static final double TOGETHER = 0.2;
 
-  /** How many come at once: beyond that, columns at the old point say little of the new one. */
+  /** How many come at once: beyond that, columns at the old point do not describe the new one. */
   private static final int MOST_AT_ONCE = 3;
 
   /** Places of a family that take part in a round. */
@@ -78,7 +78,7 @@ final class Pursuit {
     RANDOM
   }
 
-  /** Adds to a model whatever pays. */
+  /** Adds to a model whatever gains more than its penalty. */
   FittedModel grown(FittedModel start, Order order) {
     best = start;
     if (order == Order.RANDOM) {
@@ -441,7 +441,7 @@ final class Pursuit {
     }
   }
 
-  /** What the model would lose without a component, to first order; infinite where that says nothing. */
+  /** What the model would lose without a component, to first order; infinite where the first order does not show it. */
   static double loss(FittedModel model, int component) {
     Component c = model.model().components().get(component);
     if (c.isPerKick() || c.isLaw()) {

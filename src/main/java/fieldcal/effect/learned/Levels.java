@@ -3,7 +3,7 @@ package fieldcal.effect.learned;
 import java.util.Arrays;
 
 /**
- * One step for each of several whole numbers, which have nothing to do with each other: impacts from the {@code first} on. What lies below has no function and stays as the
+ * One step for each of several whole numbers, each independent of the others: impacts from the {@code first} on. What lies below has no function and stays as the
  * model says; the last level holds for all numbers above, too.
  *
  * @param first the first number that may differ, 0 or more

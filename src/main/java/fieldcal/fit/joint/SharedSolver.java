@@ -279,7 +279,7 @@ public final class SharedSolver {
     private double cost;
     private double lambda = FIRST_DAMPING;
 
-    /** Whether steps are corrected: along valleys at the end, since from far away it leads to other minima than the nearest. */
+    /** Whether steps are corrected: along curved floors at the end, since from far away it leads to other minima than the nearest. */
     private boolean corrects;
 
     private int iterations;
@@ -517,8 +517,8 @@ public final class SharedSolver {
     }
 
     /**
-     * The kicks' own parameters after a step of theirs alone: the second order of a shared step (Fletcher 1982, "Second order corrections"). Where shared and own parameters are multiplied, as kSwitch and each kick's spin, the
-     * straight step leaves the valley at once and the solver would creep.
+     * The kicks' own parameters after a step of theirs alone: the second order of a shared step (Fletcher 1982, "Second order corrections"). Where shared and own parameters are multiplied, as kSwitch and each kick's spin, the straight step leaves the curved floor of
+     * the cost at once and the solver would creep.
      */
     private List<double[]> corrected(double[] at, List<double[]> owns) {
       S state = problem.model().at(at);

@@ -84,7 +84,7 @@ public final class CameraRig {
    *
    * @param installed the cameras, by id
    * @param settings the plane that vision projects onto, and whether cameras take their frames together; the rest does not count
-   * @param errors what is wrong with each besides, in the order of the cameras
+   * @param errors what else is wrong with each, in the order of the cameras
    * @param rollingShutter time from the first to the last image row, s
    * @param from session time at which the recording begins, s
    * @param seed of the simulation

@@ -366,7 +366,7 @@ public final class SimulatedCamera {
         pixels ? (float) v : 0);
   }
 
-  /** By how much what is seen at the present place on the ground is reported aside. */
+  /** By how much what is seen at the present place on the ground is reported too far to one side. */
   private void shift() {
     errors.shiftAt(
         exposure,

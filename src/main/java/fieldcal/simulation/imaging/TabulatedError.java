@@ -15,7 +15,7 @@ import java.util.Objects;
 public record TabulatedError(Quantity changes, Variable dependsOn, List<Table> tables) {
   private static final double MILLI = 1e-3;
 
-  /** What a table may say of a camera. */
+  /** What a table may describe of a camera. */
   public enum Quantity {
     /** Everything it reports is shifted, mm. */
     SHIFT(2),

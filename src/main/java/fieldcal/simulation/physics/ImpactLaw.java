@@ -67,8 +67,8 @@ public record ImpactLaw(
    *
    * @param restitution e_t (–): −1 without friction, 0 the contact point sticks, 1 a super ball
    * @param friction μ during the impact (–)
-   * @param loss share of the velocity along the carpet that is lost besides (–)
-   * @param spinLoss share of the spin that is lost besides (–)
+   * @param loss share of the velocity along the carpet that is lost in addition (–)
+   * @param spinLoss share of the spin that is lost in addition (–)
    * @param rolling rolling resistance of the impact (–): the spinning ball loses rolling·(1 + e_z)·|v_z| of speed and spin
    */
   public record Contact(
@@ -79,7 +79,7 @@ public record ImpactLaw(
      *
      * @param restitution e_t (–)
      * @param friction μ during the impact (–)
-     * @param loss share of the velocity along the carpet that is lost besides (–)
+     * @param loss share of the velocity along the carpet that is lost in addition (–)
      */
     public Contact(double restitution, double friction, double loss) {
       this(restitution, friction, loss, 0, 0);

@@ -96,7 +96,7 @@ public final class SimulatedRobot {
       double dx = target.x() - x;
       double dy = target.y() - y;
       double distance = Math.hypot(dx, dy);
-      // Brake a trifle earlier than the limits demand, so that the target is not overshot.
+      // Brake a little earlier than the limits demand, so that the target is not overshot.
       double back = Math.atan2(-dy, -dx) - orientation;
       double braking = 0.97 * limits.braking() * limits.directionFactor(back);
       double speed =
