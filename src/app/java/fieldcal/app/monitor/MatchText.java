@@ -31,6 +31,9 @@ import java.util.stream.Collectors;
 
 /** A match in lines: what matters most first, tables of at most 80 characters, sentences as wide as wanted. */
 final class MatchText {
+  /** A smaller error would be shown as 0.00, m/s or m/s². */
+  private static final double ROUNDED_TO_NOTHING = 0.005;
+
   /** Sentences stay in one line, however long. */
   static final int UNBROKEN = Integer.MAX_VALUE;
 
@@ -280,7 +283,7 @@ final class MatchText {
         own.known()
             ? String.format(
                 Locale.ROOT,
-                "%s%.2f ± %.2f",
+                own.standardError() < ROUNDED_TO_NOTHING ? "%s%.3f ± %.3f" : "%s%.2f ± %.2f",
                 own.reached() ? "" : "≥ ",
                 own.value(),
                 own.standardError())

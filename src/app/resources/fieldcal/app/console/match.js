@@ -1,7 +1,7 @@
 /* The page of a match: medians of the ball with their history, warnings, limits of both teams, cameras; live or from a recording. */
 import {button, field, refill, select, table} from './parts.js';
 
-const {el, known, number, signed, tip, base} = Charts;
+const {el, known, number, signed, withError, tip, base} = Charts;
 const {$, content, draw, forget, badge, swatch} = Frame;
 
 export function matchPage(app) {
@@ -140,7 +140,7 @@ export function matchPage(app) {
     content('last-kicks').replaceChildren(rows.length ? table([['#'], ['UTC', true], ['Kind', true], ['m/s'], ['Robot', true], ['mm', false, 'Residual per axis'], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
   }
 
-  const limit = l => !l || !known(l.value) ? '–' : (l.reached ? '' : '≥ ') + number(l.value, 2) + ' ± ' + number(l.error, 2);
+  const limit = l => !l || !known(l.value) ? '–' : (l.reached ? '' : '≥ ') + withError(l.value, l.error);
 
   function showTeams(now) {
     const rows = now.teams.flatMap(t => [
