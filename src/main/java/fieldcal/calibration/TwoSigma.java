@@ -59,7 +59,8 @@ public final class TwoSigma {
   private static String distance(Sample s, double sigmas) {
     return sigmas > LIMIT
         ? String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.fieldName(), sigmas)
-        : s.fieldName() + " was more than 2 σ from the mean until other values were excluded, too";
+        : s.fieldName()
+            + " was more than 2 σ from the mean until other values were excluded as well";
   }
 
   /**

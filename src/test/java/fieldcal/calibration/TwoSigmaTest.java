@@ -67,7 +67,7 @@ class TwoSigmaTest {
     Sample restated = TwoSigma.restated(near).get(4);
     assertThat(restated.dropped())
         .contains(
-            "acc_slide was more than 2 σ from the mean until other values were excluded, too");
+            "acc_slide was more than 2 σ from the mean until other values were excluded as well");
     assertThat(restated.leftForItsValue()).isTrue();
   }
 

@@ -160,9 +160,15 @@ class BrowserTest {
 
   private static void diagnose() {
     browser.press("3");
+    // A diagnosis of few kicks may be over before anybody looks.
+    browser.script(
+        "window.cancelSeen = false; new MutationObserver(() => { window.cancelSeen ||="
+            + " Boolean(document.getElementById('diagnose-cancel')); })"
+            + ".observe(document.getElementById('diagnose-actions'), {childList: true, subtree:"
+            + " true})");
     browser.click("#diagnose-run");
-    browser.find("#diagnose-cancel");
     browser.awaitText("#headline", "air drag");
+    assertThat(browser.script("return window.cancelSeen")).isEqualTo(true);
     browser.click("#accept");
     browser.awaitText("#diagnose-state", "✔ accepted");
     browser.press("1");
