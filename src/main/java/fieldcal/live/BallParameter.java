@@ -74,7 +74,7 @@ public enum BallParameter {
    *
    * <p>In matches four of five kicks come after dribbling or catching, so leaving them out would leave too few. So samples of such kicks count as well, unless they differ from those of the others: by more than
    * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are too few of the others to compare with (fewer than five, or
-   * than three where samples scatter so little that a difference of 5 % would show), they count, but begin a warning only where they are larger than published ({@link ParameterEstimate#maybeSpun}), or where three of the others are certainly too small as well: a dribbler gives the ball backspin, which makes all of these parameters smaller.
+   * than three where samples scatter so little that a difference of 5 % would show), they count, but begin a warning only where they are larger than published ({@link ParameterEstimate#maybeSpun}): a dribbler gives the ball backspin, which makes all of these parameters smaller.
    *
    * @return true for {@code kSwitch} and the horizontal dampings
    */

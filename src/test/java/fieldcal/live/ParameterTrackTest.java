@@ -258,17 +258,6 @@ class ParameterTrackTest {
     assertThat(raised).isZero();
   }
 
-  /** They scatter too much to be compared, but they are certainly not where they are published to be. */
-  @Test
-  void threeKicksWithoutSpinProveALargeDeviation() {
-    ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
-    for (int i = 0; i < 15; i++) {
-      add(track, 0.4, 0.03, i % 5 != 4);
-    }
-    assertThat(track.estimate(PUBLISHED).maybeSpun()).isTrue();
-    assertThat(raised).as("seed %d", SEED).isEqualTo(1);
-  }
-
   @Test
   void threeKicksThatScatterShowNothing() {
     ParameterTrack track = new ParameterTrack(BallParameter.K_SWITCH, LiveSettings.defaults());
