@@ -4,6 +4,7 @@ import fieldcal.effect.measurement.BallHeightError;
 import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.measurement.CameraPositionError;
 import fieldcal.effect.measurement.CameraTimeOffset;
 import fieldcal.effect.measurement.ClockSkew;
 import fieldcal.effect.measurement.LensDistortionError;
@@ -45,6 +46,7 @@ public final class EffectCatalogue {
           new CameraOffset(0, 0, 0),
           new CameraTimeOffset(0, 0),
           new CameraPoseError(0, 0, 0, 0, 0, 0),
+          new CameraPositionError(0, 0, 0, 0),
           new LensDistortionError(0, 0),
           new BallHeightError(0),
           new SpeedDependentRestitution(0),

@@ -7,10 +7,10 @@ import java.util.List;
  *
  * <ol>
  *   <li>{@link Timing#timeError}: when the ball was really where the camera saw it;
- *   <li>{@link #moveCamera}: where the camera really hangs; the ray goes from there to the ball's centre;
+ *   <li>{@link #moveCamera}: where the camera really hangs, and where vision believes it; the ray goes from the true place to the ball's centre;
  *   <li>{@link #turnRay}: the ray as the published rotation understands it;
  *   <li>{@link Refraction#refractRay}: the ray as the published lens understands it;
- *   <li>{@link #report}: the plane that the ray, drawn from the published position, is cut with, and what is added afterwards;
+ *   <li>{@link #report}: the plane that the ray, drawn from the believed position, is cut with, and what is added afterwards;
  *   <li>{@link Displacement#displace}: what is added depending on where and when the ball is reported.
  * </ol>
  */

@@ -11,6 +11,9 @@ public final class Sight {
   private double cameraX;
   private double cameraY;
   private double cameraZ;
+  private double believedX;
+  private double believedY;
+  private double believedZ;
   private double rayX;
   private double rayY;
   private double rayZ;
@@ -25,6 +28,9 @@ public final class Sight {
       cameraX = camera.positionX();
       cameraY = camera.positionY();
       cameraZ = camera.positionZ();
+      believedX = cameraX;
+      believedY = cameraY;
+      believedZ = cameraZ;
       plane = camera.ballPlane();
     }
   }
@@ -39,6 +45,18 @@ public final class Sight {
 
   double cameraZ() {
     return cameraZ;
+  }
+
+  double believedX() {
+    return believedX;
+  }
+
+  double believedY() {
+    return believedY;
+  }
+
+  double believedZ() {
+    return believedZ;
   }
 
   double plane() {
@@ -73,6 +91,20 @@ public final class Sight {
     cameraX += dx;
     cameraY += dy;
     cameraZ += dz;
+  }
+
+  /**
+   * Moves both the true camera and the one with which vision reckons: what is published is neither.
+   *
+   * @param dx m
+   * @param dy m
+   * @param dz m
+   */
+  public void moveBelief(double dx, double dy, double dz) {
+    moveCamera(dx, dy, dz);
+    believedX += dx;
+    believedY += dy;
+    believedZ += dz;
   }
 
   /**

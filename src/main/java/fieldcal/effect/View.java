@@ -24,10 +24,10 @@ final class View {
   private final Displacement[] displacements;
 
   /** Where vision believes the camera, m. */
-  private final double publishedX;
+  private double believedX;
 
-  private final double publishedY;
-  private final double publishedZ;
+  private double believedY;
+  private double believedZ;
 
   /** True position, m; the ray's turn by rows, null when it is not turned; height of the plane, m; what is added, m. */
   private double x;
@@ -43,9 +43,6 @@ final class View {
     this.observer = observer;
     id = observer.id();
     camera = observer.camera().orElse(null);
-    publishedX = camera == null ? Double.NaN : camera.positionX();
-    publishedY = camera == null ? Double.NaN : camera.positionY();
-    publishedZ = camera == null ? Double.NaN : camera.positionZ();
     List<MeasurementEffect> concerning = new ArrayList<>(all.size());
     List<Timing> late = new ArrayList<>(1);
     List<Refraction> bending = new ArrayList<>(1);
@@ -79,6 +76,9 @@ final class View {
     x = sight.cameraX();
     y = sight.cameraY();
     z = sight.cameraZ();
+    believedX = sight.believedX();
+    believedY = sight.believedY();
+    believedZ = sight.believedZ();
     plane = sight.plane();
     addedX = sight.offsetX();
     addedY = sight.offsetY();
@@ -148,9 +148,9 @@ final class View {
       rayY = sight.rayY();
       rayZ = sight.rayZ();
     }
-    // The ray, drawn from the published position, meets the plane.
-    double way = rayZ < 0 ? (plane - publishedZ) / rayZ : Double.NaN;
-    ground[at] = publishedX + way * rayX + addedX;
-    ground[at + 1] = publishedY + way * rayY + addedY;
+    // The ray, drawn from the believed position, meets the plane.
+    double way = rayZ < 0 ? (plane - believedZ) / rayZ : Double.NaN;
+    ground[at] = believedX + way * rayX + addedX;
+    ground[at + 1] = believedY + way * rayY + addedY;
   }
 }

@@ -208,6 +208,9 @@ final class Effects {
                   MILLI * e.number("shift_x_mm"),
                   MILLI * e.number("shift_y_mm"),
                   MILLI * e.number("height_mm"));
+      case CAMERA_POSITION_ERROR ->
+          none.withMisstated(
+              MILLI * e.number("x_mm"), MILLI * e.number("y_mm"), MILLI * e.number("height_mm"));
       case LENS_DISTORTION_ERROR -> none.withDistortion(e.number("delta"));
       case CLOCK_SKEW -> none.withTiming(0, 1e-6 * e.number("ppm"));
       case CAMERA_SHAKE -> none.withShake(MILLI * e.number("amplitude_mm"), e.number("hz", 1));

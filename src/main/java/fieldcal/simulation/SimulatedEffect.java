@@ -47,6 +47,12 @@ public enum SimulatedEffect {
       number("shift_x_mm", -500, 500),
       number("shift_y_mm", -500, 500),
       camera()),
+  /** One camera's position is published wrong, while vision itself reckons with the true one; without a camera that of all. */
+  CAMERA_POSITION_ERROR(
+      number("x_mm", -1000, 1000),
+      number("y_mm", -1000, 1000),
+      number("height_mm", -1000, 1000),
+      camera()),
   /** One camera's published distortion differs from the true one; without a camera that of all. */
   LENS_DISTORTION_ERROR(number("delta", -0.2, 0.2), camera()),
   /** Vision projects balls onto a plane that is too high. */
@@ -116,7 +122,7 @@ public enum SimulatedEffect {
   UNNAMED_LENS_SHEAR(number("mm", -500, 500), camera());
 
   private static final Set<SimulatedEffect> ALL_CAMERAS_UNLESS_SAID =
-      EnumSet.of(LENS_DISTORTION_ERROR);
+      EnumSet.of(LENS_DISTORTION_ERROR, CAMERA_POSITION_ERROR);
 
   private static final Set<SimulatedEffect> UNKNOWN_TO_THE_CATALOGUE =
       EnumSet.of(

@@ -30,6 +30,7 @@ abstract class EffectContract {
           Map.entry(
               "camera_pose_error",
               List.of("tilt_mrad", "axis", "height_mm", "shift_x_mm", "shift_y_mm", "camera")),
+          Map.entry("camera_position_error", List.of("x_mm", "y_mm", "height_mm", "camera")),
           Map.entry("lens_distortion_error", List.of("delta", "camera")),
           Map.entry("ball_height_error", List.of("mm")),
           Map.entry("speed_dependent_restitution", List.of("slope")),

@@ -12,6 +12,7 @@ import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.measurement.BallHeightError;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.measurement.CameraPositionError;
 import fieldcal.effect.measurement.CameraTimeOffset;
 import fieldcal.effect.measurement.ClockSkew;
 import fieldcal.effect.measurement.LensDistortionError;
@@ -66,6 +67,14 @@ class MeasurementAgainstSimulationTest {
         Arguments.of(
             "camera_pose_error:tilt_mrad=-20,axis=2,height_mm=-80,shift_x_mm=30,shift_y_mm=-70,camera=0",
             List.of(new CameraPoseError(-20, 2, -80, 30, -70, 0))),
+        Arguments.of(
+            "camera_position_error:x_mm=90,y_mm=-40,height_mm=-120,camera=1",
+            List.of(new CameraPositionError(90, -40, -120, 1))),
+        Arguments.of(
+            "camera_position_error:x_mm=-60,height_mm=80,camera=2"
+                + " camera_pose_error:height_mm=50,shift_x_mm=12,camera=2",
+            List.of(
+                new CameraPositionError(-60, 0, 80, 2), new CameraPoseError(0, 0, 50, 12, 0, 2))),
         Arguments.of(
             "lens_distortion_error:delta=0.01,camera=1", List.of(new LensDistortionError(0.01, 1))),
         Arguments.of(

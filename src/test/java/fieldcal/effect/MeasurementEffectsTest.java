@@ -12,6 +12,7 @@ import fieldcal.effect.measurement.BallHeightError;
 import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.measurement.CameraPositionError;
 import fieldcal.effect.measurement.CameraTimeOffset;
 import fieldcal.effect.measurement.ClockSkew;
 import fieldcal.effect.measurement.LensDistortionError;
@@ -112,6 +113,13 @@ class MeasurementEffectsTest {
   class CameraPoseErrorTest extends Reports {
     CameraPoseErrorTest() {
       super(new CameraPoseError(3, 1, 50, 10, -20, 1));
+    }
+  }
+
+  @Nested
+  class CameraPositionErrorTest extends Reports {
+    CameraPositionErrorTest() {
+      super(new CameraPositionError(80, -60, 100, 1));
     }
   }
 

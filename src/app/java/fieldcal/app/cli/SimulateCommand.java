@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
           + " camera_time_offset:ms,camera",
       "camera_pose_error:tilt_mrad,axis,height_mm,shift_x_mm,shift_y_mm,camera"
           + " lens_distortion_error:delta,camera",
+      "camera_position_error:x_mm,y_mm,height_mm,camera",
       "ball_height_error:mm speed_dependent_restitution:slope bounce_spin_coupling:coefficient",
       "drift:percent_per_10min robot_kick_bias:percent,yaw,team,robot clock_skew:ppm,camera"
           + " rolling_shutter:ms",

@@ -35,6 +35,7 @@ final class KicksToRecord {
           Map.entry("worn_region", List.of(SLOW_FLAT)),
           Map.entry("camera_time_offset", List.of(FAST_FLAT)),
           Map.entry("camera_pose_error", List.of(SLOW_FLAT)),
+          Map.entry("camera_position_error", List.of(CHIPS)),
           Map.entry("lens_distortion_error", List.of(SLOW_FLAT)),
           Map.entry("ball_height_error", List.of(SLOW_FLAT)),
           Map.entry("speed_dependent_restitution", List.of(CHIPS)),

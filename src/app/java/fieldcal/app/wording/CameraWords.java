@@ -7,11 +7,15 @@ import fieldcal.effect.EffectParameters;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /** Words for the effects on what cameras report. */
 final class CameraWords {
   /** The speed of a fast ball, m/s; the league's limit of a kick is 6.5 m/s. */
   private static final double FAST = 6;
+
+  /** The height of a usual chip, m. */
+  private static final double HOP = 0.5;
 
   private static final double TEN_MINUTES = 600;
 
@@ -110,6 +114,34 @@ final class CameraWords {
         text("Camera %d %s than its calibration says.", camera(), how),
         reports(),
         CALIBRATE_CAMERA);
+  }
+
+  Sentences positionError() {
+    double x = effect.value("x_mm");
+    double y = effect.value("y_mm");
+    double height = effect.value("height_mm");
+    List<String> parts = new ArrayList<>();
+    if (isKnownToBeThere("x_mm") || isKnownToBeThere("y_mm")) {
+      parts.add(FieldWords.shift(x, y, error("x_mm"), error("y_mm"), "too far "));
+    }
+    if (isKnownToBeThere("height_mm")) {
+      parts.add(text("%s mm too %s", Amount.of(Math.abs(height)), height >= 0 ? "high" : "low"));
+    }
+    String where = parts.isEmpty() ? "slightly off" : String.join(", ", parts);
+    OptionalDouble hangs = shifts.height(camera());
+    double aside = Math.hypot(x, y) * HOP / (hangs.orElse(Double.NaN) - HOP);
+    String far = aside > 0 ? text("%s mm aside", Amount.of(aside)) : "elsewhere";
+    return new Sentences(
+        text(
+            "Vision publishes the position of %s %s.",
+            camera() == EffectParameters.ALL_CAMERAS ? "every camera" : text("camera %d", camera()),
+            where),
+        text(
+            "Balls on the carpet are reported where they are, but who reckons with that position"
+                + " takes a ball that flies %s m high to be %s.",
+            Amount.decimals(HOP, 1), far),
+        "Calibrate focal length and height in vision again. Until then use the extended model for"
+            + " flights.");
   }
 
   Sentences lensDistortion() {

@@ -52,6 +52,12 @@ final class EffectWords {
               "misplaced %s",
               "is misplaced",
               CameraWords::poseError),
+          camera(
+              "camera_position_error",
+              "wrong camera position in vision",
+              "wrong position of %s in vision",
+              "is published at the wrong position",
+              CameraWords::positionError),
           camera("camera_moved", "knocked camera", "knocked %s", "was knocked", CameraWords::moved),
           camera(
               "lens_distortion_error",

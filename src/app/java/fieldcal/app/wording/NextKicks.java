@@ -171,6 +171,10 @@ public final class NextKicks {
               "a misplaced camera",
               "flat kicks of 2–3 m/s from below the camera to the corners of its view"),
           sign(
+              "camera_position_error",
+              "a camera that is published at the wrong position",
+              "chips of 4–6 m/s that fly high through the whole view of the camera, both ways"),
+          sign(
               "lens_distortion_error",
               "a wrong lens",
               "flat kicks of 2–3 m/s along the edges of the camera's view"),

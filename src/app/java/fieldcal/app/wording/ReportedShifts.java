@@ -1,7 +1,9 @@
 package fieldcal.app.wording;
 
+import fieldcal.camera.Camera;
 import fieldcal.diagnosis.KickResiduals;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.ObservedCamera;
@@ -9,6 +11,7 @@ import fieldcal.kick.Observations;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** By how much an effect moves what cameras report of balls on the carpet, where they saw the ball. */
 final class ReportedShifts {
@@ -39,6 +42,15 @@ final class ReportedShifts {
   /** How many cameras look at the field; 0 when not known. */
   int cameras() {
     return observers.isEmpty() ? 0 : observers.get(0).cameraCount();
+  }
+
+  /** How high a camera, or the first of all, hangs, m; empty when not known. */
+  OptionalDouble height(int camera) {
+    return observers.stream()
+        .filter(o -> camera == EffectParameters.ALL_CAMERAS || o.id() == camera)
+        .flatMap(o -> o.camera().stream())
+        .mapToDouble(Camera::positionZ)
+        .findFirst();
   }
 
   /** The other one of two cameras. */

@@ -21,6 +21,7 @@ import java.util.List;
  * @param knocks what moved it during the session
  * @param shear an error of the lens that is not radial: what it reports is shifted along x by shear·ξ²·η, with ξ, η = place relative to the point below the camera over its height, m
  * @param tables errors that were measured and have no formula
+ * @param misstated by how much another position is announced than vision reckons with
  */
 public record CameraErrors(
     double tilt,
@@ -37,11 +38,13 @@ public record CameraErrors(
     double shakeRate,
     List<Knock> knocks,
     double shear,
-    List<TabulatedError> tables) {
+    List<TabulatedError> tables,
+    Misstated misstated) {
 
   /** Nothing is wrong. */
   public static final CameraErrors NONE =
-      new CameraErrors(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, List.of(), 0, List.of());
+      new CameraErrors(
+          0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, List.of(), 0, List.of(), new Misstated(0, 0, 0));
 
   /** Copies the list. {@inheritDoc} */
   public CameraErrors {
@@ -57,6 +60,15 @@ public record CameraErrors(
    * @param at session time, s
    */
   public record Knock(double x, double y, double at) {}
+
+  /**
+   * Announced minus reckoned with.
+   *
+   * @param x m
+   * @param y m
+   * @param height m
+   */
+  public record Misstated(double x, double y, double height) {}
 
   /**
    * Another tilt of the published pose.
@@ -81,7 +93,8 @@ public record CameraErrors(
         shakeRate,
         knocks,
         shear,
-        tables);
+        tables,
+        misstated);
   }
 
   /**
@@ -108,7 +121,8 @@ public record CameraErrors(
         shakeRate,
         knocks,
         shear,
-        tables);
+        tables,
+        misstated);
   }
 
   /**
@@ -133,7 +147,8 @@ public record CameraErrors(
         shakeRate,
         knocks,
         shear,
-        tables);
+        tables,
+        misstated);
   }
 
   /**
@@ -159,7 +174,8 @@ public record CameraErrors(
         shakeRate,
         knocks,
         shear,
-        tables);
+        tables,
+        misstated);
   }
 
   /**
@@ -185,7 +201,8 @@ public record CameraErrors(
         shakeRate,
         knocks,
         shear,
-        tables);
+        tables,
+        misstated);
   }
 
   /**
@@ -211,7 +228,8 @@ public record CameraErrors(
         rate,
         knocks,
         shear,
-        tables);
+        tables,
+        misstated);
   }
 
   /**
@@ -250,6 +268,34 @@ public record CameraErrors(
     return with(knocks, shear, all);
   }
 
+  /**
+   * Another announced position.
+   *
+   * @param x announced minus that with which vision reckons, m
+   * @param y the same, m
+   * @param height the same, m
+   * @return the changed errors
+   */
+  public CameraErrors withMisstated(double x, double y, double height) {
+    return new CameraErrors(
+        tilt,
+        tiltAxis,
+        heightError,
+        shiftX,
+        shiftY,
+        distortionError,
+        offsetX,
+        offsetY,
+        timeOffset,
+        clockSkew,
+        shakeAmplitude,
+        shakeRate,
+        knocks,
+        shear,
+        tables,
+        new Misstated(x, y, height));
+  }
+
   private CameraErrors with(
       List<Knock> newKnocks, double newShear, List<TabulatedError> newTables) {
     return new CameraErrors(
@@ -267,7 +313,8 @@ public record CameraErrors(
         shakeRate,
         newKnocks,
         newShear,
-        newTables);
+        newTables,
+        misstated);
   }
 
   /**
@@ -289,7 +336,11 @@ public record CameraErrors(
         .withDistortion(distortionError + other.distortionError)
         .withOffset(offsetX + other.offsetX, offsetY + other.offsetY)
         .withTiming(timeOffset + other.timeOffset, clockSkew + other.clockSkew)
-        .withShake(shaken.shakeAmplitude, shaken.shakeRate);
+        .withShake(shaken.shakeAmplitude, shaken.shakeRate)
+        .withMisstated(
+            misstated.x + other.misstated.x,
+            misstated.y + other.misstated.y,
+            misstated.height + other.misstated.height);
   }
 
   /** Where the swing is at a time, m. */

@@ -19,6 +19,32 @@ record Pose(double x, double y, double z, double qx, double qy, double qz, doubl
         -(r[2] * c.tx() + r[5] * c.ty() + r[8] * c.tz()));
   }
 
+  /** A calibration that says another position and the same rotation; a placeholder that has no rotation keeps what it says of it. */
+  static CameraCalibration displaced(CameraCalibration c, double dx, double dy, double dz) {
+    if (dx == 0 && dy == 0 && dz == 0) {
+      return c;
+    }
+    double[] r = new Pose(0, 0, 0, c.q0(), c.q1(), c.q2(), c.q3()).matrix();
+    return new CameraCalibration(
+        c.id(),
+        c.focalLength(),
+        c.principalPointX(),
+        c.principalPointY(),
+        c.distortion(),
+        c.q0(),
+        c.q1(),
+        c.q2(),
+        c.q3(),
+        Millimetres.rounded(c.tx() - (r[0] * dx + r[1] * dy + r[2] * dz)),
+        Millimetres.rounded(c.ty() - (r[3] * dx + r[4] * dy + r[5] * dz)),
+        Millimetres.rounded(c.tz() - (r[6] * dx + r[7] * dy + r[8] * dz)),
+        Millimetres.rounded(c.derivedWorldX() + dx),
+        Millimetres.rounded(c.derivedWorldY() + dy),
+        Millimetres.rounded(c.derivedWorldZ() + dz),
+        c.imageWidth(),
+        c.imageHeight());
+  }
+
   /** Looks straight down, the image's x axis at an angle from the field's. */
   static Pose lookingDown(double x, double y, double z, double yaw) {
     // First turn the world by −yaw about z, then by 180° about x.

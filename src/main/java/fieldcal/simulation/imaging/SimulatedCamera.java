@@ -210,7 +210,8 @@ public final class SimulatedCamera {
    * @return the announced calibration
    */
   public CameraCalibration announcedCalibration() {
-    return installed.announced();
+    CameraErrors.Misstated aside = errors.misstated();
+    return Pose.displaced(installed.announced(), aside.x(), aside.y(), aside.height());
   }
 
   /**

@@ -67,6 +67,7 @@ final class EffectChoice {
           SimulatedEffect.SPEED_DEPENDENT_RESTITUTION,
           SimulatedEffect.BOUNCE_SPIN_COUPLING,
           SimulatedEffect.CONTACT_IMPACTS,
+          SimulatedEffect.CAMERA_POSITION_ERROR,
           SimulatedEffect.UNNAMED_RESTITUTION_PLACE,
           SimulatedEffect.UNNAMED_IMPACT_SPEED);
 

@@ -78,6 +78,14 @@ final class EffectDraw {
       }
       case CAMERA_TIME_OFFSET -> set(effect, "ms", about(6)).with("camera", camera());
       case CAMERA_POSE_ERROR -> pose();
+      case CAMERA_POSITION_ERROR -> {
+        double direction = angle();
+        double size = positive(50);
+        yield set(effect, "x_mm", size * Math.cos(direction))
+            .with("y_mm", number(size * Math.sin(direction)))
+            .with("height_mm", number(random.happens(0.5) ? about(80) : 0))
+            .with("camera", camera());
+      }
       case LENS_DISTORTION_ERROR ->
           set(effect, "delta", limited(about(0.013), -0.08, 0.08)).with("camera", camera());
       case BALL_HEIGHT_ERROR -> set(effect, "mm", limited(about(9), -25, 45));

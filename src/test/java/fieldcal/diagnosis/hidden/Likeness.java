@@ -49,7 +49,7 @@ final class Likeness {
       case BALL_HEIGHT_ERROR ->
           sameName || named.id().equals("camera_offset") && cameras == 2 && onlyOffset();
       case CAMERA_TIME_OFFSET, CLOCK_SKEW, CAMERA_MOVED -> sameName && sameOfTwo();
-      case LENS_DISTORTION_ERROR -> sameName && sameCamera();
+      case LENS_DISTORTION_ERROR, CAMERA_POSITION_ERROR -> sameName && sameCamera();
       case ROBOT_KICK_BIAS -> sameName && sameRobot();
       case WORN_REGION ->
           sameName && Math.abs(RegionOverlap.correlation(hidden, named, truth)) > SAME_REGION;
