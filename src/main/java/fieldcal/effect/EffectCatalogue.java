@@ -11,6 +11,7 @@ import fieldcal.effect.measurement.LensDistortionError;
 import fieldcal.effect.measurement.RollingShutter;
 import fieldcal.effect.motion.AirDrag;
 import fieldcal.effect.motion.BallChanged;
+import fieldcal.effect.motion.BounceScatter;
 import fieldcal.effect.motion.BounceSpinCoupling;
 import fieldcal.effect.motion.CarpetNap;
 import fieldcal.effect.motion.CarpetSeam;
@@ -62,7 +63,7 @@ public final class EffectCatalogue {
           new ContactImpacts(0, 0, 0, 0),
           new CarpetSeam(0, 0, 0, 0));
 
-  private static final List<Effect> UNNAMED = List.of(new RollScatter(0));
+  private static final List<Effect> UNNAMED = List.of(new RollScatter(0), new BounceScatter(0));
 
   private EffectCatalogue() {}
 

@@ -70,4 +70,30 @@ class UnnamedCauseTest {
     assertThat(diagnosis.model().effects()).as("nothing to predict with").isEmpty();
     assertThat(diagnosis.unexplained().significant()).isFalse();
   }
+
+  /** Bounces another height in each kick, by chance. */
+  private record Hops() implements ExtraLaw {
+    static final double SCATTER = 0.06;
+
+    @Override
+    public double restitutionFactor(BallMoment m) {
+      long kick = Math.round(m.sessionTime() - m.sinceKick());
+      return 1 + SCATTER * new SplittableRandom(kick).nextGaussian();
+    }
+  }
+
+  @Test
+  void bouncesThatDifferByChanceAreNotTakenForCauses() {
+    SimulationSettings world =
+        FittedField.SOUND
+            .withScenario(ScenarioKind.CHIP, 16)
+            .withPhysics(FittedField.SOUND.physics().withExtra(new Hops()));
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.learned()).isEmpty();
+    LearnedFinding found = diagnosis.learned().get(0);
+    assertThat(found.kind()).isEqualTo(LearnedFinding.Kind.SCATTER);
+    assertThat(found.actsOn()).isEqualTo("impact");
+    assertThat(found.scatter()).isCloseTo(Hops.SCATTER, within(2.5 * Hops.SCATTER / Math.sqrt(32)));
+    assertThat(diagnosis.unexplained().significant()).isFalse();
+  }
 }

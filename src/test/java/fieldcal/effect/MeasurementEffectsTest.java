@@ -197,7 +197,7 @@ class MeasurementEffectsTest {
         .doesNotHaveDuplicates()
         .containsExactlyInAnyOrderElementsOf(EffectContract.ids());
     assertThat(EffectCatalogue.motion()).hasSize(16);
-    assertThat(EffectCatalogue.measurement()).hasSize(8);
+    assertThat(EffectCatalogue.measurement()).hasSize(9);
   }
 
   @Test

@@ -83,17 +83,7 @@ public final class CauseWords {
    */
   public CauseText of(LearnedFinding finding) {
     if (finding.kind() == LearnedFinding.Kind.SCATTER) {
-      String percent = Amount.of(100 * finding.scatter());
-      return new CauseText(
-          EffectName.of(finding.effect()),
-          text(
-              "The rolling deceleration differs by %s %% from kick to kick, and nothing that was"
-                  + " recorded says why.",
-              percent),
-          "",
-          "No model predicts it: leave a margin on long passes. See whether several balls are in"
-              + " play, or one that is dirty or out of round.",
-          text("scatter %s %% of the rolling deceleration (acc_roll)", percent));
+      return ChanceWords.of(finding.effect(), finding.scatter());
     }
     return finding.effect() instanceof LearnedTerm term
         ? LearnedWords.of(term, finding.curves())

@@ -49,7 +49,7 @@ public final class EffectName {
     }
     List<String> names = effect.parameters().stream().map(Parameter::name).toList();
     if (!effect.hasOwnMean()) {
-      return "rolling that differs from kick to kick";
+      return ChanceWords.name(effect);
     }
     String name = of(effect.id());
     if (effect.id().equals("kick_spin") && !effect.isAbsent()) {

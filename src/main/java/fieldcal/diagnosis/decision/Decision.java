@@ -163,7 +163,11 @@ public final class Decision {
     if (!c.isPerKick() && !c.isLaw() && !isSteady(model, i, gain)) {
       return Outcome.UNSTEADY;
     }
-    boolean small = c.isPerKick() && excess > 0 && isUneven(model, i, settings.uneven());
+    boolean small =
+        c.isPerKick()
+            && excess > 0
+            && (isUneven(model, i, settings.uneven())
+                || wald(model, i) < settings.formShare() * evidence);
     if (c.isPerKick() && (evidence < excess || small || Independence.isLaw(model, i))) {
       // A value for each kick takes up something of whatever is left, and is no chance where it
       // follows from the kick.
@@ -196,9 +200,21 @@ public final class Decision {
   /** Whether its strength differs so much from kick to kick that its mean over the kicks may be chance: Hotelling's test with the kicks as the sample. */
   private static boolean isUneven(FittedModel model, int i, double chance) {
     int size = model.model().components().get(i).magnitudeCount();
-    Optional<double[][]> covariance = model.solution().covariance();
-    if (covariance.isEmpty() || !isTestable(model, i)) {
+    if (model.solution().covariance().isEmpty() || !isTestable(model, i)) {
       return true;
+    }
+    double limit =
+        new FDistribution(null, size, model.kickCount() - size)
+            .inverseCumulativeProbability(1 - chance);
+    return !(wald(model, i) / size > limit);
+  }
+
+  /** Squared distance of its numbers from zero, in their errors; 0 where these are not known. */
+  private static double wald(FittedModel model, int i) {
+    int size = model.model().components().get(i).magnitudeCount();
+    Optional<double[][]> covariance = model.solution().covariance();
+    if (covariance.isEmpty()) {
+      return 0;
     }
     int from = model.model().offset(i);
     double[] values = model.solution().values();
@@ -210,11 +226,7 @@ public final class Decision {
         v[a][b] = covariance.get()[from + a][from + b];
       }
     }
-    double wald = quadratic(v, theta);
-    double limit =
-        new FDistribution(null, size, model.kickCount() - size)
-            .inverseCumulativeProbability(1 - chance);
-    return !(wald / size > limit);
+    return quadratic(v, theta);
   }
 
   private static double quadratic(double[][] v, double[] x) {

@@ -7,12 +7,15 @@ import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Gain;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.EffectParameters;
 import fieldcal.effect.measurement.BallHeightError;
 import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.measurement.CameraPositionError;
 import fieldcal.effect.measurement.CameraTimeOffset;
 import fieldcal.effect.measurement.ClockSkew;
 import fieldcal.effect.measurement.LensDistortionError;
@@ -37,6 +40,8 @@ import fieldcal.effect.motion.WornRegion;
 import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -164,6 +169,14 @@ class CauseWordsTest {
             "hangs 20 mm more towards the −x goal than its calibration",
             "towards the +x goal"),
         Arguments.of(
+            new CameraPositionError(90, 0, 0, 1),
+            "Vision publishes the position of camera 1 90 mm too far towards the +x goal",
+            "towards the −x goal"),
+        Arguments.of(
+            new CameraPositionError(0, 0, 60, EffectParameters.ALL_CAMERAS),
+            "Vision publishes the position of every camera 60 mm too high",
+            "60 mm too low"),
+        Arguments.of(
             new LensDistortionError(0.012, 1), "published 0.012 too large", "0.012 too small"),
         Arguments.of(
             new BallHeightError(8.5),
@@ -184,6 +197,26 @@ class CauseWordsTest {
   void sizeAndSignAreSaid(Effect effect, String words, String opposite) {
     assertThat(WORDS.of(effect, Map.of()).sentences()).contains(words).doesNotContain(opposite);
     assertThat(WORDS.of(opposite(effect), Map.of()).sentences()).contains(opposite);
+  }
+
+  @Test
+  void chanceHasWordsAndAdvice() {
+    for (Effect effect : EffectCatalogue.unnamed()) {
+      LearnedFinding found =
+          new LearnedFinding(
+              effect,
+              "ground",
+              List.of("kick"),
+              OptionalInt.empty(),
+              List.of(),
+              Optional.empty(),
+              0.12,
+              new Gain(1, 10, 0.5, 1.5));
+      assertThat(WORDS.of(found).sentences())
+          .contains("differs by 12 % from kick to kick")
+          .contains("No model predicts it: ");
+      assertThat(EffectName.of(effect)).endsWith("from kick to kick");
+    }
   }
 
   @Test
