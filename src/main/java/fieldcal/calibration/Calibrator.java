@@ -209,11 +209,21 @@ public final class Calibrator {
                 return fit;
               }
               FitProblem typical = FitProblem.of(fit.kick(), views, flat, chip);
-              // A chip held at a rolling that is not its own looks like a flat kick.
-              KickKind kind = problem.kind().orElseGet(() -> fitter.fit(typical).kind());
-              FitProblem one =
-                  roll.isPresent() ? typical.withChipRollFixed(roll.getAsDouble()) : typical;
-              KickFit again = fitter.fit(one, kind);
+              // A chip held at a rolling that is not its own looks like a flat kick, or like
+              // nothing.
+              KickFit free =
+                  problem
+                      .kind()
+                      .map(k -> fitter.fit(typical, k))
+                      .orElseGet(() -> fitter.fit(typical));
+              KickKind kind = free.kind();
+              KickFit held =
+                  roll.isPresent()
+                      ? fitter.fit(typical.withChipRollFixed(roll.getAsDouble()), kind)
+                      : free;
+              boolean freed =
+                  Selection.standsOut(held, fitted) && !Selection.standsOut(free, fitted);
+              KickFit again = freed ? free : held;
               boolean better = kind != fit.kind() || again.rmsMm() < fit.rmsMm();
               return again.failure().isEmpty() && better ? again : fit;
             })
