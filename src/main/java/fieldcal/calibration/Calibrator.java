@@ -24,6 +24,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 
 /**
@@ -69,12 +71,14 @@ public final class Calibrator {
     List<KickFit> fits = fitAll(problem, views, progress);
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
+    // Chips that roll otherwise than the flat kicks, far beyond what the others leave.
+    Set<Kick> rollFreely = ConcurrentHashMap.newKeySet();
     for (int round = 0; round < MAX_ROUNDS; round++) {
       if (round > 0) {
-        fits = refitAll(problem, views, fits, roll);
+        fits = refitAll(problem, views, fits, roll, rollFreely);
       }
       if (round == 1) {
-        fits = searchedAgain(problem, views, fits, roll);
+        fits = searchedAgain(problem, views, fits, roll, rollFreely);
       }
       List<KickFit> good = Selection.trusted(fits, Selection.Decisions.of(problem));
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
@@ -182,7 +186,11 @@ public final class Calibrator {
   }
 
   private List<KickFit> refitAll(
-      CalibrationProblem problem, CameraViews views, List<KickFit> before, OptionalDouble roll) {
+      CalibrationProblem problem,
+      CameraViews views,
+      List<KickFit> before,
+      OptionalDouble roll,
+      Set<Kick> rollFreely) {
     return before.parallelStream()
         .map(
             fit -> {
@@ -190,15 +198,19 @@ public final class Calibrator {
                 return fit;
               }
               FitProblem one = FitProblem.of(fit.kick(), views, problem.flat(), problem.chip());
-              return fitter.refit(
-                  roll.isPresent() ? one.withChipRollFixed(roll.getAsDouble()) : one, fit);
+              boolean held = roll.isPresent() && !rollFreely.contains(fit.kick());
+              return fitter.refit(held ? one.withChipRollFixed(roll.getAsDouble()) : one, fit);
             })
         .toList();
   }
 
   /** What stands out may have been searched for with the wrong model, and in cameras whose offsets were not known: so it is searched for again, starting from what the other kicks determine. */
   private List<KickFit> searchedAgain(
-      CalibrationProblem problem, CameraViews views, List<KickFit> fits, OptionalDouble roll) {
+      CalibrationProblem problem,
+      CameraViews views,
+      List<KickFit> fits,
+      OptionalDouble roll,
+      Set<Kick> rollFreely) {
     List<KickFit> fitted = fits.stream().filter(f -> f.failure().isEmpty()).toList();
     FlatModel flat = TypicalBall.flat(fitted);
     ChipModel chip = TypicalBall.chip(fitted);
@@ -223,6 +235,9 @@ public final class Calibrator {
                       : free;
               boolean freed =
                   Selection.standsOut(held, fitted) && !Selection.standsOut(free, fitted);
+              if (freed) {
+                rollFreely.add(fit.kick());
+              }
               KickFit again = freed ? free : held;
               boolean better = kind != fit.kind() || again.rmsMm() < fit.rmsMm();
               return again.failure().isEmpty() && better ? again : fit;

@@ -3,6 +3,7 @@ package fieldcal.diagnosis.hidden;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.fit.KickFit;
+import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.truth.KickTruth;
@@ -29,10 +30,12 @@ class KindOfKickTest {
     List<KickTruth> passes = seen.truth().commandedKicks();
     List<String> wrong = new ArrayList<>();
     int known = 0;
+    double worst = 0;
     for (KickFit fit : HiddenRun.problem(seen, false).fits()) {
       for (KickTruth pass : passes) {
         if (Math.abs(pass.time() - fit.kick().time()) < SAME_KICK) {
           known++;
+          worst = fit.kind() == KickKind.CHIP ? Math.max(worst, fit.rmsMm()) : worst;
           if (!pass.kind().name().equals(fit.kind().name())) {
             wrong.add(fit.toString());
           }
@@ -41,5 +44,7 @@ class KindOfKickTest {
     }
     assertThat(known).isEqualTo(KICKS);
     assertThat(wrong).isEmpty();
+    // Held at the rolling of the flat kicks some of them are 18 to 57 mm off.
+    assertThat(worst).isLessThan(10);
   }
 }
