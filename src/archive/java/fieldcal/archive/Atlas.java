@@ -97,8 +97,7 @@ final class Atlas {
         MICRO * match.start(),
         carpet == null ? null : carpet.name(),
         model,
-        published,
-        match.publishedError());
+        published);
   }
 
   private static AtlasView.Carpet carpet(Carpet carpet) {

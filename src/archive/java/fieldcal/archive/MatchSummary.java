@@ -139,8 +139,7 @@ record MatchSummary(
         match.text("geometry"),
         cameras.stream().map(MatchSummary::camera).toList(),
         model,
-        published,
-        match.number("published_error_1s"));
+        published);
   }
 
   private static Measured measured(Row row, String column) {

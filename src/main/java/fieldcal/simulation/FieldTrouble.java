@@ -3,7 +3,6 @@ package fieldcal.simulation;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -48,17 +47,8 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
     SLIPPING_DRIBBLER,
     /** Kickers fire late. */
     LATE_KICKER,
-    /** Robots drive beside of where they are told. */
-    DRIFTING;
-
-    /**
-     * Its name.
-     *
-     * @return lower case with underscores
-     */
-    public String label() {
-      return name().toLowerCase(Locale.ROOT);
-    }
+    /** Robots drive off from where they are told. */
+    DRIFTING
   }
 
   /**

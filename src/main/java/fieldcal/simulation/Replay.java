@@ -7,7 +7,6 @@ import fieldcal.simulation.physics.BallHistory;
 import fieldcal.simulation.physics.BallIntegrator;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.MotionPhase;
-import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -30,7 +29,6 @@ public final class Replay {
   private final List<Event> events;
   private final List<RobotTrack> robots;
   private final List<Span> spans;
-  private final Epoch epoch;
   private final KickBehaviour behaviour;
   private final BallBody ball = new BallBody();
   private final BallHistory history = new BallHistory();
@@ -66,21 +64,18 @@ public final class Replay {
    * @param kicks in any order; one that begins before the one before has ended cuts that short
    * @param robots where they are
    * @param spans what is recorded, in order
-   * @param epoch session time zero
    * @throws IllegalArgumentException when an effect leaves the range of the physics or nothing is to be recorded
    */
   public Replay(
       SimulationSettings settings,
       List<ReplayedKick> kicks,
       List<RobotTrack> robots,
-      List<Span> spans,
-      Epoch epoch) {
+      List<Span> spans) {
     this.settings = settings;
     events =
         events(kicks.stream().sorted(Comparator.comparingDouble(ReplayedKick::restFrom)).toList());
     this.robots = List.copyOf(robots);
     this.spans = List.copyOf(spans);
-    this.epoch = epoch;
     if (spans.isEmpty()) {
       throw new IllegalArgumentException("nothing is to be recorded");
     }
@@ -89,15 +84,6 @@ public final class Replay {
     integrator = new BallIntegrator(physics);
     ballRadius = physics.ball().radius();
     spin = RandomStream.of(settings.seed(), "kick spin");
-  }
-
-  /**
-   * Where session times count from.
-   *
-   * @return session time zero
-   */
-  public Epoch epoch() {
-    return epoch;
   }
 
   /**

@@ -1,6 +1,5 @@
 package fieldcal.verdict;
 
-import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Verdict;
 import java.util.List;
 import java.util.Objects;
@@ -16,16 +15,5 @@ public record Finding(Verdict verdict, List<String> causes) {
   public Finding {
     Objects.requireNonNull(verdict, "verdict");
     causes = List.copyOf(causes);
-  }
-
-  /**
-   * Takes what matters for publishing from a diagnosis.
-   *
-   * @param diagnosis of the same kicks
-   * @return what matters for publishing
-   */
-  public static Finding of(Diagnosis diagnosis) {
-    return new Finding(
-        diagnosis.verdict(), diagnosis.causes().stream().map(c -> c.effect().id()).toList());
   }
 }

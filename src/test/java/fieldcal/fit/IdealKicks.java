@@ -3,7 +3,6 @@ package fieldcal.fit;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
-import fieldcal.ball.FlatTrajectory;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.kick.Kick;
@@ -228,9 +227,5 @@ final class IdealKicks {
 
   private static double off(double value, SplittableRandom r) {
     return value * (r.nextBoolean() ? 1.15 : 0.85);
-  }
-
-  static int sizeOf(KickKind kind) {
-    return kind == KickKind.FLAT ? FlatTrajectory.SENSITIVITIES : ChipTrajectory.SENSITIVITIES;
   }
 }

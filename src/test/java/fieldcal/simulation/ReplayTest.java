@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.vision.BallDetection;
-import fieldcal.vision.Epoch;
 import fieldcal.vision.VisionFrame;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,7 +27,7 @@ class ReplayTest {
 
   private static List<VisionFrame> frames(List<ReplayedKick> kicks, Replay.Span... spans) {
     List<VisionFrame> frames = new ArrayList<>();
-    new Replay(CLEAN, kicks, List.of(), List.of(spans), new Epoch(0))
+    new Replay(CLEAN, kicks, List.of(), List.of(spans))
         .run(packet -> packet.packet().frame().ifPresent(frames::add), share -> {});
     return frames;
   }

@@ -116,15 +116,6 @@ public final class MatchNetwork implements AutoCloseable {
   }
 
   /**
-   * How the referee's packets come in.
-   *
-   * @return counts; empty when nobody wants to hear a referee
-   */
-  public Optional<ReceiverCounts> referee() {
-    return referee.map(PacketReceiver::counts);
-  }
-
-  /**
    * Who sends to vision's group.
    *
    * @return one entry per sender

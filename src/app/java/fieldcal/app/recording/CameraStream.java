@@ -2,12 +2,11 @@ package fieldcal.app.recording;
 
 import fieldcal.vision.VisionFrame;
 
-/** Counts the frames of one camera and measures its rate, recording gaps left out. */
+/** Counts the balls of one camera and measures its frame rate, recording gaps left out. */
 public final class CameraStream {
   /** Frames further apart than that have a gap between them: eight frames lost at 75 Hz. */
   private static final double GAP = 0.12;
 
-  private long frames;
   private long balls;
   private long intervals;
   private double sum;
@@ -16,7 +15,6 @@ public final class CameraStream {
   CameraStream() {}
 
   void accept(VisionFrame frame) {
-    frames++;
     balls += frame.balls().size();
     double dt = frame.captureTime() - last;
     if (dt > 0 && dt < GAP) {
@@ -24,15 +22,6 @@ public final class CameraStream {
       sum += dt;
     }
     last = frame.captureTime();
-  }
-
-  /**
-   * Frames received.
-   *
-   * @return count
-   */
-  public long frames() {
-    return frames;
   }
 
   /**

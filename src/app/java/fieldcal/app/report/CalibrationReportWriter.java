@@ -22,21 +22,10 @@ public final class CalibrationReportWriter {
   record Contents(CalibrationReport report) {}
 
   /**
-   * What the page's scripts draw from, for pages that draw the same.
+   * What the page's scripts draw from, without the kicks, for pages that draw the same.
    *
    * @param report what to show
-   * @return JSON with {@code report}; numbers are rounded, unknown ones are null
-   * @throws IOException if a value cannot be written as JSON
-   */
-  public static String json(CalibrationReport report) throws IOException {
-    return ReportJson.of(new Contents(report));
-  }
-
-  /**
-   * Everything but the kicks as in {@link #json}.
-   *
-   * @param report what to show
-   * @return JSON, whose kicks are an empty list
+   * @return JSON with {@code report}, whose kicks are an empty list; numbers are rounded, unknown ones are null
    * @throws IOException if a value cannot be written as JSON
    */
   public static String jsonWithoutKicks(CalibrationReport report) throws IOException {
@@ -44,7 +33,7 @@ public final class CalibrationReportWriter {
   }
 
   /**
-   * One kick as in {@link #json}.
+   * One kick as the page's scripts draw it.
    *
    * @param kick what to show
    * @return JSON

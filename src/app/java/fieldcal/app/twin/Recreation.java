@@ -62,7 +62,7 @@ final class Recreation {
       throws IOException {
     List<Replay.Span> spans =
         one.spans().stream().map(s -> new Replay.Span(s[0] - start, s[1] - start)).toList();
-    Replay replay = new Replay(settings, kicks(one), robots(one), spans, epoch);
+    Replay replay = new Replay(settings, kicks(one), robots(one), spans);
     VisionEncoder encoder = new VisionEncoder(epoch);
     WholeFile.streamBytes(
         log,

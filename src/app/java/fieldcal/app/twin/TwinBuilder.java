@@ -33,7 +33,6 @@ import fieldcal.simulation.physics.Region;
 import fieldcal.simulation.physics.TabulatedLaw;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.vision.FieldGeometry;
-import fieldcal.vision.Team;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -269,10 +268,5 @@ final class TwinBuilder {
             + (what.contains("velocity") ? " m/s" : " m/s²")
             + " is assumed, a usual value.");
     return estimate.known() ? Math.max(usual, estimate.value()) : usual;
-  }
-
-  /** The teams in the order of files. */
-  static List<Team> teams() {
-    return List.of(Team.YELLOW, Team.BLUE);
   }
 }

@@ -54,14 +54,4 @@ public final class Amount {
     String text = String.format(Locale.ROOT, "%." + digits + "f", value);
     return text.matches("-0(\\.0*)?") ? text.substring(1) : text.replace('-', '−');
   }
-
-  /**
-   * A number with its sign.
-   *
-   * @param value any number
-   * @return as {@link #of}, "+" before a positive one
-   */
-  public static String signed(double value) {
-    return (value > 0 ? "+" : "") + of(value);
-  }
 }

@@ -4,7 +4,7 @@ import {button, refill, renew, soon} from './parts.js';
 import {kickTable} from './kick-table.js';
 import {replayPart} from './replay.js';
 
-const {el, known, number, withError} = Charts;
+const {el, known, withError} = Charts;
 const {$, content, draw, forget, choices, charts} = Frame;
 const {KINDS, difference, kickTitle, kickFacts, kickLegend, layOutKick, drawKick} = CalibrationViews;
 const MOST_BESIDE = 8;

@@ -15,7 +15,7 @@ const Plots = (() => {
     recording_ended: 'recording ended',
   };
 
-  const {el, known, number, signed, withError, decimals, tip, axis, base, extent, fieldView} = Charts;
+  const {known, number, signed, withError, decimals, tip, base, extent, fieldView} = Charts;
 
   // ---- words ----
 

@@ -229,6 +229,6 @@ const CalibrationViews = (() => {
   }
 
   return {
-    KINDS, COLUMNS, FILTERS, verdict, decisionBadge, model, cameras, difference, parameterLegend, droppedValues, whyDropped, sorted, kickTitle, kickFacts, kickLegend, layOutKick, drawKick,
+    KINDS, COLUMNS, FILTERS, verdict, decisionBadge, model, cameras, difference, parameterLegend, whyDropped, sorted, kickTitle, kickFacts, kickLegend, layOutKick, drawKick,
   };
 })();

@@ -47,14 +47,13 @@ public record AtlasView(
       List<Change> changes,
       List<Camera> cameras) {}
 
-  /** A match with its model, what was published, and what that was off by 1 s after a kick, m. */
+  /** A match with its model and what was published. */
   public record Match(
       String file,
       @Rounded(0) double start,
       String carpet,
       List<Value> model,
-      List<Value> published,
-      @Rounded(4) double publishedError) {}
+      List<Value> published) {}
 
   /** A carpet with its pooled parameters. */
   public record Carpet(

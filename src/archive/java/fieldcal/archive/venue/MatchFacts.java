@@ -19,7 +19,6 @@ import java.util.Map;
  * @param cameras by id
  * @param model parameters that it determines, by the names of the table's columns
  * @param published parameters that vision published
- * @param publishedError what the published model is off by 1 s after a kick, m; NaN when unknown
  */
 public record MatchFacts(
     String log,
@@ -32,8 +31,7 @@ public record MatchFacts(
     String geometry,
     List<CameraFacts> cameras,
     Map<String, Measured> model,
-    Map<String, Double> published,
-    double publishedError)
+    Map<String, Double> published)
     implements Serializable {
 
   /** Copies the collections, into such as can be sent. {@inheritDoc} */

@@ -73,8 +73,7 @@ class VenueStudyTest {
                 "g" + calibration,
                 cameras,
                 model,
-                Map.of("acc_roll", -0.26),
-                Double.NaN));
+                Map.of("acc_roll", -0.26)));
         time += 3 * HOUR;
       }
       return this;
@@ -131,18 +130,7 @@ class VenueStudyTest {
   void aMatchWithoutGeometryIsOfNoVenue() {
     MatchFacts blind =
         new MatchFacts(
-            "0",
-            "cup",
-            "log",
-            0,
-            1,
-            Double.NaN,
-            Double.NaN,
-            null,
-            List.of(),
-            Map.of(),
-            Map.of(),
-            Double.NaN);
+            "0", "cup", "log", 0, 1, Double.NaN, Double.NaN, null, List.of(), Map.of(), Map.of());
     assertThat(VenueFinder.find(List.of(blind))).isEmpty();
   }
 

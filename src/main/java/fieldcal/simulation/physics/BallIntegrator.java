@@ -34,15 +34,6 @@ public final class BallIntegrator {
   }
 
   /**
-   * The laws.
-   *
-   * @return the laws it was made with
-   */
-  public BallPhysics physics() {
-    return physics;
-  }
-
-  /**
    * Moves the ball.
    *
    * @param ball the ball, changed
