@@ -144,8 +144,12 @@ public final class InteractiveField {
     robots.add(robot(settings, second, 0.3 * x, 0.2 * y, Math.PI));
     robots.add(robot(settings, new RobotId(Team.BLUE, 13), -0.3 * x, 0.04 * y, 0.4));
     robots.add(robot(settings, new RobotId(Team.YELLOW, 14), 0.3 * x, -0.04 * y, 2));
-    if (robots.stream().map(SimulatedRobot::id).distinct().count() < robots.size()) {
-      throw new IllegalArgumentException("two robots with one name: " + first + ", " + second);
+    Set<RobotId> ids = new HashSet<>();
+    for (SimulatedRobot robot : robots) {
+      if (!ids.add(robot.id())) {
+        throw new IllegalArgumentException(
+            robot.id() + " would be there twice: name two other robots");
+      }
     }
     return new InteractiveField(settings, robots, troubles, later);
   }

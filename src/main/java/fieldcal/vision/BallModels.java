@@ -164,7 +164,9 @@ public record BallModels(Optional<FlatModel> flat, Optional<ChipModel> chip) {
       return builder.buildPartial();
     } catch (InvalidProtocolBufferException | TextFormat.ParseException e) {
       throw new IllegalArgumentException(
-          "is not SSL_GeometryModels, neither binary nor text: " + e.getMessage(), e);
+          "is not SSL_GeometryModels, neither binary nor text: "
+              + e.getMessage().replaceFirst("\\.$", ""),
+          e);
     }
   }
 

@@ -209,6 +209,6 @@ class InteractiveFieldTest {
     assertThatThrownBy(
             () -> InteractiveField.of(SimulationSettings.DEFAULT, FIRST, FIRST, List.of()))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("one name");
+        .hasMessageContaining("twice");
   }
 }

@@ -12,7 +12,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The recordings of a folder, what the robots were commanded in them, and which of them somebody decided to use or to leave out ({@code recordings.json}). */
@@ -46,9 +48,26 @@ public final class RecordingFolder {
    * @throws IOException when a file cannot be read
    */
   public static List<CommandFile.Command> commands(Path folder) throws IOException {
+    return commands(folder, List.of());
+  }
+
+  /**
+   * What the robots were commanded, but not in recordings that are left out.
+   *
+   * @param folder to look into
+   * @param leftOut its recordings that are not used; the commands beside them have their names
+   * @return the commands
+   * @throws IOException when a file cannot be read
+   */
+  public static List<CommandFile.Command> commands(Path folder, List<Path> leftOut)
+      throws IOException {
+    Set<String> skipped =
+        leftOut.stream()
+            .map(log -> log.getFileName().toString().replaceFirst("log(\\.gz)?$", COMMANDS))
+            .collect(Collectors.toSet());
     List<CommandFile.Command> all = new ArrayList<>();
     for (Path file : files(folder, COMMANDS)) {
-      if (Files.size(file) > 0) {
+      if (!skipped.contains(file.getFileName().toString()) && Files.size(file) > 0) {
         all.addAll(CommandFile.read(file));
       }
     }

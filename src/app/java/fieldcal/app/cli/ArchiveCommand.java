@@ -78,21 +78,41 @@ final class ArchiveCommand implements Callable<Integer> {
               display);
     }
     print(outcome);
+    if (outcome.broken() == outcome.logs()) {
+      throw new InputException("none of the logs can be read");
+    }
     return 0;
   }
 
   private void print(ArchiveOutcome outcome) {
     PrintWriter text = spec.commandLine().getOut();
-    text.printf(
-        Locale.ROOT,
-        "%d logs, %.1f minutes, %d kicks%s%s%n",
-        outcome.logs(),
-        outcome.play() / 60,
-        outcome.kicks(),
-        outcome.skipped() > 0 ? "; " + outcome.skipped() + " were in the archive already" : "",
-        outcome.broken() > 0 ? "; " + outcome.broken() + " could not be read, see problems" : "");
+    text.println(summary(outcome));
     outcome.findings().forEach(text::println);
     text.printf("atlas: %s%n", out.resolve("archive.html"));
     text.flush();
+  }
+
+  /** How much is in the archive, in one line. */
+  static String summary(ArchiveOutcome outcome) {
+    StringBuilder line = new StringBuilder();
+    line.append(counted(outcome.logs(), "log"))
+        .append(String.format(Locale.ROOT, ", %.1f minutes, ", outcome.play() / 60))
+        .append(counted(outcome.kicks(), "kick"));
+    if (outcome.skipped() > 0) {
+      line.append("; ")
+          .append(outcome.skipped())
+          .append(outcome.skipped() == 1 ? " was" : " were")
+          .append(" in the archive already");
+    }
+    if (outcome.broken() > 0) {
+      line.append("; ")
+          .append(outcome.broken())
+          .append(" could not be read, see the table problems");
+    }
+    return line.toString();
+  }
+
+  private static String counted(long number, String what) {
+    return number + " " + what + (number == 1 ? "" : "s");
   }
 }

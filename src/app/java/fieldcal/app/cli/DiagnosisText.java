@@ -205,11 +205,14 @@ final class DiagnosisText {
         commands(outcome),
         outcome.diagnosis().seed());
     List<DataProblem> problems = DataProblem.folded(outcome.calibration().data().problems());
+    if (!problems.isEmpty()) {
+      line("In the data:");
+    }
     for (DataProblem p : problems.subList(0, Math.min(MOST_PROBLEMS, problems.size()))) {
-      wrapped("in the data: ", "  ", p.toString());
+      wrapped("  ", "    ", p.toString());
     }
     if (problems.size() > MOST_PROBLEMS) {
-      line("in the data: %d more, see diagnosis.json", problems.size() - MOST_PROBLEMS);
+      line("  %d more, see diagnosis.json", problems.size() - MOST_PROBLEMS);
     }
     if (directory != null) {
       line("report: %s", directory.resolve("diagnosis.html"));
@@ -225,7 +228,7 @@ final class DiagnosisText {
     return fitting == 0
         ? ", none of which belongs to one of the "
             + told
-            + " commands (another recording, or clocks that differ?)"
+            + " commands (are they of another recording, or do the clocks differ?)"
         : ", " + fitting + " with their commands";
   }
 

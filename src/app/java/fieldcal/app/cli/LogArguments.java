@@ -18,15 +18,21 @@ import java.util.List;
  * The recordings that a command line names: files as they are, and of folders those that the console would calibrate.
  *
  * @param logs at least one
+ * @param apart recordings of a folder that are kept apart
  * @param leftOut one line for each recording of a folder that is kept apart or cannot be read
  * @param unreadable those that cannot be read
  * @param folders that were named
  */
 record LogArguments(
-    List<Path> logs, List<String> leftOut, List<DataProblem> unreadable, List<Path> folders) {
+    List<Path> logs,
+    List<Path> apart,
+    List<String> leftOut,
+    List<DataProblem> unreadable,
+    List<Path> folders) {
 
   static LogArguments of(List<Path> named, LogOpener opener) throws IOException {
     List<Path> logs = new ArrayList<>();
+    List<Path> apart = new ArrayList<>();
     List<String> leftOut = new ArrayList<>();
     List<DataProblem> unreadable = new ArrayList<>();
     List<Path> folders = new ArrayList<>();
@@ -45,6 +51,7 @@ record LogArguments(
         if (entry.used()) {
           logs.add(entry.facts().log());
         } else {
+          apart.add(entry.facts().log());
           leftOut.add("left out: " + entry.facts().log() + ": " + entry.words());
         }
       }
@@ -55,17 +62,21 @@ record LogArguments(
       throw new InputException(String.join("; ", leftOut) + "; nothing is left to calibrate");
     }
     return new LogArguments(
-        List.copyOf(logs), List.copyOf(leftOut), List.copyOf(unreadable), List.copyOf(folders));
+        List.copyOf(logs),
+        List.copyOf(apart),
+        List.copyOf(leftOut),
+        List.copyOf(unreadable),
+        List.copyOf(folders));
   }
 
-  /** What the robots were commanded: of the file that was named, or else of the folders. */
+  /** What the robots were commanded: of the file that was named, or else in the used recordings of the folders. */
   List<CommandFile.Command> commands(Path named) throws IOException {
     if (named != null) {
       return CommandFile.read(named);
     }
     List<CommandFile.Command> all = new ArrayList<>();
     for (Path folder : folders) {
-      all.addAll(RecordingFolder.commands(folder));
+      all.addAll(RecordingFolder.commands(folder, apart));
     }
     return all;
   }

@@ -132,15 +132,7 @@ public final class Main {
         && !unmatched.isUnknownOption()) {
       return "there is no command '" + unmatched.getUnmatched().get(0) + "'";
     }
-    return exception
-        .getMessage()
-        .replaceFirst("^Error: ", "")
-        .replace("Missing required subcommand", "name a command")
-        .replaceFirst(
-            "^Missing required argument \\(specify one of these\\): \\((.*)\\)$",
-            "give one of these: $1")
-        .replaceFirst("is not an? (int|long)$", "is not a whole number")
-        .replaceFirst("is not a double$", "is not a number");
+    return UsageWords.of(exception.getMessage());
   }
 
   private static int explain(Exception exception, CommandLine command, ParseResult parsed) {

@@ -197,7 +197,7 @@ final class PlayText {
   }
 
   private void truth(Calibration calibration, JsonNode truth) {
-    line("%nAgainst the truth    %12s %12s %12s", "true", "joint fit", "off by");
+    line("%nAgainst the truth       %12s %12s %10s", "true", "joint fit", "off by");
     for (KickKind kind : KickKind.values()) {
       boolean flat = kind == KickKind.FLAT;
       if (calibration.kicks(kind).isEmpty()) {
@@ -215,7 +215,7 @@ final class PlayText {
         if (value != null && value.isNumber() && joint.isPresent()) {
           double off = joint.get().value() - value.doubleValue();
           line(
-              "  %-18s %12.5f %12.5f %8.1f σ",
+              "  %-21s %12.5f %12.5f %8.1f σ",
               ParameterWords.inFiles(p.name()),
               value.doubleValue(),
               joint.get().value(),

@@ -37,30 +37,53 @@ import picocli.CommandLine.Spec;
             + " it.",
     footer = {
       "",
-      "Effects (zero = absent): air_drag:cd magnus:cl kick_spin:fraction,scatter"
-          + " side_spin:fraction,scatter",
-      "field_slope:percent,direction carpet_nap:amplitude,direction speed_dependent_roll:slope",
-      "worn_region:change,region=[x0,x1,y0,y1] camera_offset:x_mm,y_mm,camera"
-          + " camera_time_offset:ms,camera",
-      "camera_pose_error:tilt_mrad,axis,height_mm,shift_x_mm,shift_y_mm,camera"
-          + " lens_distortion_error:delta,camera",
-      "camera_position_error:x_mm,y_mm,height_mm,camera",
-      "ball_height_error:mm speed_dependent_restitution:slope bounce_spin_coupling:coefficient",
-      "drift:percent_per_10min robot_kick_bias:percent,yaw,team,robot clock_skew:ppm,camera"
-          + " rolling_shutter:ms",
-      "wind:speed,direction (with air_drag) slip_dependent_friction:slope"
-          + " camera_moved:x_mm,y_mm,at,camera",
-      "ball_changed:roll,slide,at contact_impacts:reversed,friction"
-          + " carpet_seam:loss,turn,normal,distance",
-      "torque_limited:coefficient,team directional:coefficient,team",
-      "In no catalogue: carpet_waves:amplitude,wavelength camera_shake:amplitude_mm,hz,camera",
-      "unnamed_restitution_place:change,direction unnamed_roll_square:slope"
-          + " unnamed_roll_bump:height,speed,width",
-      "unnamed_fading_friction:change,duration unnamed_ring:change,inner,outer"
-          + " unnamed_once_per_turn:amplitude",
-      "unnamed_four_ways:amplitude,direction unnamed_impact_speed:slope unnamed_side_force:rate",
-      "unnamed_patches:change,pitch unnamed_lens_shear:mm,camera",
-      "camera may be all; a lens without camera means all. at: time of the session, s.",
+      "Effects and their parameters (zero = absent; docs/effects.md has the units):",
+      "  air_drag:cd",
+      "  magnus:cl",
+      "  wind:speed,direction (with air_drag)",
+      "  field_slope:percent,direction",
+      "  carpet_nap:amplitude,direction",
+      "  speed_dependent_roll:slope",
+      "  slip_dependent_friction:slope",
+      "  worn_region:change,region=[x0,x1,y0,y1]",
+      "  carpet_seam:loss,turn,normal,distance",
+      "  kick_spin:fraction,scatter",
+      "  side_spin:fraction,scatter",
+      "  robot_kick_bias:percent,yaw,team,robot",
+      "  speed_dependent_restitution:slope",
+      "  bounce_spin_coupling:coefficient",
+      "  contact_impacts:reversed,friction,loss,rolling",
+      "  camera_offset:x_mm,y_mm,camera",
+      "  camera_time_offset:ms,camera",
+      "  camera_pose_error:tilt_mrad,axis,height_mm,shift_x_mm,",
+      "    shift_y_mm,camera",
+      "  camera_position_error:x_mm,y_mm,height_mm,camera",
+      "  lens_distortion_error:delta,camera",
+      "  ball_height_error:mm",
+      "  rolling_shutter:ms",
+      "  clock_skew:ppm,camera",
+      "  camera_moved:x_mm,y_mm,at,camera",
+      "  drift:percent_per_10min",
+      "  ball_changed:roll,slide,at",
+      "  torque_limited:coefficient,team",
+      "  directional:coefficient,team",
+      "camera may be all; without camera, a lens or a position is wrong in all.",
+      "at is the time of the session in s.",
+      "",
+      "Effects that diagnose has no name for:",
+      "  carpet_waves:amplitude,wavelength",
+      "  camera_shake:amplitude_mm,hz,camera",
+      "  unnamed_restitution_place:change,direction",
+      "  unnamed_roll_square:slope",
+      "  unnamed_roll_bump:height,speed,width",
+      "  unnamed_fading_friction:change,duration",
+      "  unnamed_ring:change,inner,outer",
+      "  unnamed_once_per_turn:amplitude",
+      "  unnamed_four_ways:amplitude,direction",
+      "  unnamed_impact_speed:slope",
+      "  unnamed_side_force:rate",
+      "  unnamed_patches:change,pitch",
+      "  unnamed_lens_shear:mm,camera",
       "",
       "Served: fieldcal simulate --serve --seed 7",
       "Example: fieldcal simulate --scenario flat --kicks 24 --effect air_drag:cd=0.45 --seed 7"
@@ -214,8 +237,9 @@ final class SimulateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     SimulationSettings settings;
     try {
-      require("--scenario=KIND", scenario != null || serving.wanted());
-      require("--out=FILE", out != null || serving.wanted());
+      require("--scenario KIND is missing", scenario != null || serving.wanted());
+      require("--out FILE is missing", out != null || serving.wanted());
+      require("--serve writes no recording: leave out --out", out == null || !serving.wanted());
       settings = settings();
       if (serving.wanted()) {
         serving.serve(settings, field.robots(), spec.commandLine().getOut());
@@ -251,9 +275,9 @@ final class SimulateCommand implements Callable<Integer> {
     return 0;
   }
 
-  private static void require(String option, boolean there) {
-    if (!there) {
-      throw new IllegalArgumentException("Missing required option: '" + option + "'");
+  private static void require(String words, boolean holds) {
+    if (!holds) {
+      throw new IllegalArgumentException(words);
     }
   }
 

@@ -3,7 +3,8 @@ package fieldcal.app.console;
 import fieldcal.app.calibrate.InputException;
 import io.javalin.util.JavalinException;
 import java.io.IOException;
-import java.net.BindException;
+import java.net.UnknownHostException;
+import java.nio.channels.UnresolvedAddressException;
 import java.time.Clock;
 
 /** A running console. */
@@ -40,16 +41,27 @@ public final class Console implements AutoCloseable {
   }
 
   private static InputException unreachable(ConsoleSettings settings, JavalinException e) {
-    Throwable cause = e;
-    while (cause != null && !(cause instanceof BindException)) {
-      cause = cause.getCause();
+    StringBuilder why = new StringBuilder();
+    boolean unknown = false;
+    for (Throwable cause = e; cause != null; cause = cause.getCause()) {
+      why.append(cause.getMessage()).append(' ');
+      unknown |=
+          cause instanceof UnresolvedAddressException || cause instanceof UnknownHostException;
     }
-    boolean busy = cause != null || String.valueOf(e.getMessage()).contains("already in use");
-    String at = settings.address() + ":" + settings.port();
+    String at = settings.address() + ":" + settings.port() + ": ";
+    // The operating system's own words are first; what is wrapped around them guesses.
+    if (unknown || why.indexOf("assign requested address") >= 0) {
+      return new InputException(
+          at + "this machine does not have that address; --address 0.0.0.0 listens on all it has");
+    }
+    if (why.indexOf("ermission denied") >= 0) {
+      return new InputException(
+          at + "only the administrator may listen there; choose 1024 or more with --port");
+    }
     return new InputException(
-        busy
-            ? at + ": another program listens there; choose another with --port"
-            : at + ": cannot listen there: " + e.getMessage());
+        why.indexOf("in use") >= 0
+            ? at + "another program listens there; choose another with --port"
+            : at + "cannot listen there: " + e.getMessage());
   }
 
   /**

@@ -225,7 +225,7 @@ public final class KickCollector {
                         log + ", camera " + id,
                         "never saw the ball",
                         1,
-                        "nothing to do if no ball came into its view")));
+                        "nothing to do if no ball came into view")));
     KickFinderCounts counts = one.finder.counts();
     count(
         log,

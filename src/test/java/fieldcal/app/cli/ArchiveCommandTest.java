@@ -2,11 +2,13 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.archive.ArchiveOutcome;
 import fieldcal.app.archive.ArchiveProgress;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -39,6 +41,16 @@ class ArchiveCommandTest {
     assertThat(run(err, "archive", folder.toString(), "--out", file.toString())).isEqualTo(1);
     assertThat(err.toString()).contains("file: is a file; --out needs a directory");
     assertThat(run(err, "archive", folder.toString())).isEqualTo(2);
+  }
+
+  @Test
+  void whatIsInTheArchiveIsCountedInWords() {
+    assertThat(ArchiveCommand.summary(new ArchiveOutcome(1, 0, 0, 90, 1, List.of())))
+        .isEqualTo("1 log, 1.5 minutes, 1 kick");
+    assertThat(ArchiveCommand.summary(new ArchiveOutcome(4, 1, 2, 600, 30, List.of())))
+        .isEqualTo(
+            "4 logs, 10.0 minutes, 30 kicks; 1 was in the archive already; 2 could not be read,"
+                + " see the table problems");
   }
 
   @Test

@@ -63,7 +63,7 @@ class DiagnosisTextTest {
     String text = String.join("\n", printed(SampleDiagnosis.unexplained(24), 12));
     assertThat(text).startsWith("Passes are predicted 19 mm wrong after 1 s. Something is wrong");
     assertThat(text).contains("depending on the time since the kick");
-    assertThat(text).contains("in the data: 9 more, see diagnosis.json");
+    assertThat(text).contains("In the data:\n  ").contains("\n  9 more, see diagnosis.json");
   }
 
   @Test

@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.calibrate.RecordingFolder;
+import fieldcal.app.recording.LogOpener;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -38,6 +41,9 @@ class RecordingFolderTest {
         .contains("left out: " + folder.resolve("a.log") + ": from a simulated field")
         .contains("left out: " + folder.resolve("b.log.gz") + ": from a simulated field");
     assertThat(calibrated("after").path("verdict")).isEqualTo(before);
+    // Nobody is told that the rehearsals' commands belong to no kick.
+    assertThat(RecordingFolder.commands(folder)).isNotEmpty();
+    assertThat(LogArguments.of(List.of(folder), LogOpener.USUAL).commands(null)).isEmpty();
 
     Files.writeString(
         folder.resolve("recordings.json"),

@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
 /** Bad usage is one error and where help is, not a page of options with the error above it, out of sight. */
@@ -52,9 +55,30 @@ class UsageErrorTest {
   @Test
   void oneOfTwoOptionsIsAskedFor() {
     assertThat(run("monitor")).isEqualTo(2);
-    assertThat(err.toString())
-        .startsWith("fieldcal: give one of these: [--log=LOG")
-        .contains("--multicast=ADDR:PORT");
+    assertThat(err.toString()).startsWith("fieldcal: give --log LOG or --multicast ADDR:PORT\n");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "calibrate | LOG is missing",
+        "record | --out FILE is missing",
+        "play | --kind flat|chip and --kicks N are missing",
+        "simulate --scenario flat | --out FILE is missing",
+        "simulate --serve --out x.log | --serve writes no recording: leave out --out",
+        "record --out | --out needs a value: FILE",
+        "info a.log b.log | one argument too many: 'b.log'",
+        "calibrate x.log --seed x | --seed: 'x' is not a whole number",
+        "calibrate x.log --nothing | there is no option '--nothing'",
+        "monitor --log a.log --multicast 224.5.23.2:10006 | give --log LOG or --multicast"
+            + " ADDR:PORT, not both",
+        "play --sim --kind flat --kicks 3 --robots yellow1,yellow1 | yellow 1 would be there"
+            + " twice: name two other robots",
+      })
+  void whatIsWrongIsSaidInPlainWords(String line) {
+    int split = line.indexOf(" | ");
+    assertThat(run(line.substring(0, split).split(" "))).isEqualTo(2);
+    assertThat(err.toString()).startsWith("fieldcal: " + line.substring(split + 3) + "\n");
   }
 
   @ParameterizedTest
@@ -69,6 +93,14 @@ class UsageErrorTest {
   void aValueThatCannotBeIsNamed(String line, String words) {
     assertThat(run(line.split(" "))).isEqualTo(2);
     assertThat(err.toString()).contains(words).doesNotContain("Exception");
+  }
+
+  /** 192.0.2.1 is of a network that is reserved for documents, so no machine has it. */
+  @Test
+  void anAddressOfAnotherMachineIsNotABusyPort(@TempDir Path session) {
+    assertThat(run("console", session.toString(), "--address=192.0.2.1", "--port=0")).isEqualTo(1);
+    assertThat(err.toString())
+        .startsWith("fieldcal: 192.0.2.1:0: this machine does not have that address");
   }
 
   @Test
