@@ -20,7 +20,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     description =
         "Compares recordings of a field with recordings of a simulator: what its ball, cameras,"
-            + " kickers and robots do otherwise, and what that costs an AI that was tuned on it.")
+            + " kickers and robots do differently, and what that costs an AI that was tuned on it.")
 final class CompareCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 

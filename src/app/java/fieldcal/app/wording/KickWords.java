@@ -83,9 +83,11 @@ final class KickWords extends MotionText {
               Amount.of(4000 * Math.abs(Math.tan(yaw))), side));
     }
     return new Sentences(
-        text(
-            "Robot %s kicks %s than commanded.",
-            EffectName.robot(effect), what.isEmpty() ? "otherwise" : String.join(" and ", what)),
+        what.isEmpty()
+            ? text("Robot %s does not kick as commanded.", EffectName.robot(effect))
+            : text(
+                "Robot %s kicks %s than commanded.",
+                EffectName.robot(effect), String.join(" and ", what)),
         then.isEmpty() ? "" : Sentences.begin(String.join(", and ", then)) + ".",
         "Correct this robot's kicker table.");
   }

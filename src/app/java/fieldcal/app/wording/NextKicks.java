@@ -33,7 +33,7 @@ public final class NextKicks {
 
   private static final String WHERE_OR_WHEN =
       "Repeat the same four flat kicks of 2–3 m/s, to and fro, in both halves of the field, at the"
-          + " begin and at the end of the session: a worn part stays where it is and slows both"
+          + " beginning and at the end of the session: a worn part stays where it is and slows both"
           + " ways, a carpet's direction slows one way in both halves, a change over time shows in"
           + " the repetition.";
 

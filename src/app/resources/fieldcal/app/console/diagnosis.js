@@ -52,14 +52,14 @@ export function diagnosisPage(app) {
     if (running()) rows.push(el('p', {}, state().work.text + ' '), progress(state().work.done, state().work.total));
     else if (failure) rows.push(el('p', {class: 'notice bad'}, failure));
     if (!note()) {
-      if (!running()) rows.push(el('p', {}, 'Finds what the calibrated model gets wrong, which causes explain it, and what is gained by knowing them. It uses the ' + used + ' kicks that are not dropped by hand, and takes about a minute.'));
+      if (!running()) rows.push(el('p', {}, 'Finds what the calibrated model gets wrong, which causes explain it, and what is gained by knowing them. It uses the ' + used + ' kicks that are not dropped by hand. It takes some seconds, or some minutes where many kicks show several causes.'));
     } else {
       const [level, mark] = markOf(note().verdict);
       rows.push(el('p', {id: 'headline', class: 'headline ' + level}, mark + ' ' + note().headline));
       if (outdated) rows.push(el('p', {class: 'notice warn'}, 'The kicks have changed since the diagnosis: diagnose again.'));
       if (note().verdict === 'partly_explained') rows.push(...note().lines.map(line => el('p', {}, line)));
       rows.push(...note().causes.map(causeOf));
-      if (state().diagnosis.next.length) rows.push(el('p', {}, el('a', {href: '#play', id: 'to-play'}, 'Send the kicks to record next to the play'), ': ' + state().diagnosis.next.map(w => w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s').join('; ') + '.'));
+      if (state().diagnosis.next.length) rows.push(el('p', {}, el('a', {href: '#play', id: 'to-play'}, 'Order the kicks to record next from the play'), ': ' + state().diagnosis.next.map(w => w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s').join('; ') + '.'));
       if (acceptance === 'accepted') rows.push(el('p', {id: 'accepted'}, Frame.badge('good', '✔ accepted'), ' The model on the other pages is valid together with these effects. Programs that know only the league\'s message need the model without them: refuse it for these.'));
       if (acceptance === 'refused') rows.push(el('p', {id: 'refused'}, Frame.badge('warn', 'refused'), ' The model on the other pages is the simple one.'));
     }

@@ -146,14 +146,14 @@ export function matchPage(app) {
     const rows = now.teams.flatMap(t => [
       el('tr', {}, el('td', {class: 'text'}, t.team + (t.beforeBreak ? ' (before the break)' : '')), ...['velocity', 'acceleration', 'braking', 'turning', 'turningFaster', 'turningSlower'].map(what => el('td', {title: t[what] && known(t[what].league) ? "the league's estimate: " + number(t[what].league, 2) : null}, limit(t[what])))),
       ...(t.deviations || []).map(words => el('tr', {}, el('td', {class: 'text wrap', colspan: 4}, words)))]);
-    content('teams').replaceChildren(table([['Team', true], ['Velocity, m/s'], ['Acceleration, m/s²'], ['Braking, m/s²'], ['Turning, rad/s'], ['speeding up, rad/s²'], ['slowing down, rad/s²']], rows), el('p', {class: 'note'}, '≥: never seen at the limit; the highest value that was seen.'));
+    content('teams').replaceChildren(table([['Team', true], ['Velocity, m/s'], ['Acceleration, m/s²'], ['Braking, m/s²'], ['Turning, rad/s'], ['speeding up, rad/s²'], ['slowing down, rad/s²']], rows), el('p', {class: 'note'}, '≥: a lower bound. The robots were seldom or never seen at this limit.'));
   }
 
   function showCameras(now) {
     const rows = now.cameras.map(c => el('tr', {}, el('td', {class: 'text'}, c.silentFor > 1 ? badge('bad', '⚠ ' + c.id + ' silent for ' + number(c.silentFor, 0) + ' s') : !c.calibrated ? badge('warn', c.id + ' not calibrated') : c.disagrees ? badge('warn', '⚠ ' + c.id + ': ' + number(c.apartMm, 0) + ' mm from camera ' + c.apartFrom) : badge('good', '✔ ' + c.id)),
       el('td', {}, number(c.rateHz, 1)), el('td', {}, number(c.noiseMm, 2)), el('td', {}, known(c.offsetXMm) ? number(c.offsetXMm, 1) + ', ' + number(c.offsetYMm, 1) : '–'), el('td', {}, c.gaps), el('td', {}, number(c.longestGap, 1))));
-    const apart = now.cameras.some(c => c.disagrees) ? [el('p', {class: 'note'}, 'A camera that is marked reports the same ball that far from where another one does. Their offsets are taken out of the kicks here; an AI that does not do that sees the ball step aside. Calibrate these cameras again.')] : [];
-    content('health').replaceChildren(...rows.length ? [table([['Camera', true], ['Hz'], ['Noise mm'], ['Offset x, y mm'], ['Gaps'], ['Longest s']], rows), ...apart] : [ el('p', {class: 'empty'}, 'No frame yet.')]);
+    const apart = now.cameras.some(c => c.disagrees) ? [el('p', {class: 'note'}, 'A camera that is marked reports the same ball that far from where another camera does. These offsets are taken out of the kicks here; in an AI that does not do so, the ball jumps. Calibrate these cameras again.')] : [];
+    content('health').replaceChildren(...rows.length ? [table([['Camera', true], ['Rate, Hz'], ['Noise, mm'], ['Offset x, y, mm'], ['Gaps'], ['Longest, s']], rows), ...apart] : [ el('p', {class: 'empty'}, 'No frame yet.')]);
   }
 
   return page;

@@ -48,7 +48,7 @@
   }
 
   function showLimits() {
-    const head = ['Team', 'Limit', 'Estimate', 'Manoeuvres', 'Seen at it', 'League’s estimate', 'Its samples', ''];
+    const head = ['Team', 'Limit', 'Estimate', 'Manoeuvres', 'Reached', 'League’s estimate', 'Its samples', ''];
     const rows = report.teams.flatMap(team => [...KINDS, ...TURNS].map(([key, label, unit], i) => {
       const own = team[key];
       const league = team['league' + label] || {};

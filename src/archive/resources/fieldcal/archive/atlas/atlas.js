@@ -231,7 +231,7 @@
       later(() => cells(halt, t.standing, 'deviation in x (mm)', 'in y (mm)', {square: true},
         known(t.standingNoise) ? [line(round(1000 * t.standingNoise), theme.text)] : []));
     }
-    table('pictures', ['Quantity←', 'Robot', 'Value', 'Observations', 'Seen at it', 'Note↵'],
+    table('pictures', ['Quantity←', 'Robot', 'Value', 'Observations', 'Reached', 'Note↵'],
       t.quantities.map(q => [q.name + (known(q.direction) ? ' ' + number(q.direction * 180 / Math.PI, 0) + '°' : ''), q.robot < 0 ? 'all' : String(q.robot), withError(q.value, q.error), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']));
   }
 
