@@ -278,14 +278,17 @@ final class PlayCommand implements Callable<Integer> {
     }
     Optional<ObjectNode> truth = simulated.map(f -> TruthJson.of(f.finish(packet -> {})));
     if (out != null) {
-      PlayRun.write(result, request, directory);
+      PlayRun.write(result, request);
       if (truth.isPresent()) {
         Path log = result.session().log().orElseThrow();
         String name = log.getFileName().toString().replaceFirst("\\.log$", ".truth.json");
         JsonFiles.write(truth.get(), log.resolveSibling(name));
       }
     }
-    text.result(result, truth.map(t -> t.get("ideal_model")), Optional.ofNullable(out));
+    text.result(
+        result,
+        truth.map(t -> t.get("ideal_model")),
+        Optional.ofNullable(out).map(o -> result.directory()));
     simulatorNotes(field);
     if (!result.session().complete()) {
       throw new InputException(

@@ -5,8 +5,10 @@ import fieldcal.app.calibrate.CalibrationRequest;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.ReadableRecordings;
 import fieldcal.app.recording.RecordingChoice;
 import fieldcal.app.recording.RecordingFacts;
 import fieldcal.calibration.HandSelection;
@@ -23,6 +25,9 @@ import java.util.stream.Stream;
 public final class PlayRun {
   private static final String LOGS = "session-.*\\.log";
 
+  /** The folder of a rehearsal's results, where its recording lies among those of a real field. */
+  private static final String REHEARSAL = "rehearsal";
+
   private PlayRun() {}
 
   /**
@@ -31,11 +36,13 @@ public final class PlayRun {
    * @param session how the play ended
    * @param calibration from all sessions of the directory; empty when no kick was made
    * @param strengths what the robots make of their commands
+   * @param directory where the results belong
    */
   public record Result(
       PlaySession.Outcome session,
       Optional<CalibrationOutcome> calibration,
-      List<KickStrength> strengths) {
+      List<KickStrength> strengths,
+      Path directory) {
 
     /** Copies the list. {@inheritDoc} */
     public Result {
@@ -57,11 +64,22 @@ public final class PlayRun {
       throws IOException {
     PlaySession.Outcome outcome = session.run();
     if (outcome.last().kicks().isEmpty()) {
-      return new Result(outcome, Optional.empty(), List.of());
+      return new Result(outcome, Optional.empty(), List.of(), directory);
     }
-    List<Path> logs = alike(directory, outcome.log().orElseThrow());
-    CalibrationOutcome calibration = calibrate(directory, logs, session.seed(), progress);
-    return new Result(outcome, Optional.of(calibration), KickStrength.of(calibration));
+    Path log = outcome.log().orElseThrow();
+    Path results = isKeptApart(directory, log) ? directory.resolve(REHEARSAL) : directory;
+    CalibrationOutcome calibration =
+        calibrate(results, alike(directory, log), session.seed(), progress);
+    return new Result(outcome, Optional.of(calibration), KickStrength.of(calibration), results);
+  }
+
+  /** A rehearsal among recordings of a real field: the results beside these are theirs, and stay. */
+  private static boolean isKeptApart(Path directory, Path session) throws IOException {
+    ReadableRecordings readable =
+        ReadableRecordings.of(RecordingFolder.logs(directory), LogOpener.USUAL);
+    return RecordingFolder.choice(readable, directory).entries().stream()
+        .filter(entry -> entry.facts().log().getFileName().equals(session.getFileName()))
+        .anyMatch(entry -> entry.facts().isSimulated() && !entry.used());
   }
 
   /**
@@ -86,7 +104,7 @@ public final class PlayRun {
   }
 
   private static CalibrationOutcome calibrate(
-      Path directory, List<Path> logs, long seed, CalibrationSession.Progress progress)
+      Path results, List<Path> logs, long seed, CalibrationSession.Progress progress)
       throws IOException {
     List<CommandFile.Command> told = new ArrayList<>();
     for (Path log : logs) {
@@ -95,7 +113,7 @@ public final class PlayRun {
         told.addAll(CommandFile.read(commands));
       }
     }
-    HandSelection byHand = SelectionFile.readOrFormer(null, directory);
+    HandSelection byHand = SelectionFile.readOrFormer(null, results);
     return new CalibrationSession(FitSettings.defaults().withSeed(seed))
         .run(CalibrationRequest.of(logs, byHand, told), progress);
   }
@@ -130,18 +148,16 @@ public final class PlayRun {
   }
 
   /**
-   * Writes the calibration's files and {@code play.json}.
+   * Writes the calibration's files and {@code play.json} to where they belong.
    *
    * @param result what to write
    * @param request what was wanted
-   * @param directory where
    * @throws IOException when a file cannot be written
    */
-  public static void write(Result result, SessionRequest request, Path directory)
-      throws IOException {
+  public static void write(Result result, SessionRequest request) throws IOException {
     if (result.calibration().isPresent()) {
-      CalibrationSession.writeAll(result.calibration().get(), directory);
+      CalibrationSession.writeAll(result.calibration().get(), result.directory());
     }
-    JsonFiles.write(new PlayJson(result, request).build(), directory.resolve("play.json"));
+    JsonFiles.write(new PlayJson(result, request).build(), result.directory().resolve("play.json"));
   }
 }

@@ -58,6 +58,27 @@ class PlayCommandTest {
         .isBetween(0.515, 0.525);
   }
 
+  /** Somebody who exports the folder's model afterwards gets that of the carpet. */
+  @Test
+  void aRehearsalLeavesTheResultsOfARealFieldAlone() throws Exception {
+    Path real =
+        Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", "grsim-flat.log.gz");
+    Files.copy(real, directory.resolve("real.log.gz"));
+    assertThat(run("calibrate DIR --out DIR")).isZero();
+    byte[] model = Files.readAllBytes(directory.resolve("geometry_models.pb"));
+    JsonNode before = json("calibration.json");
+    JsonNode decisions = json("selection.json");
+
+    assertThat(run("play --sim --kind flat --kicks 2 --seed 2 --out DIR")).isZero();
+    assertThat(out.toString()).contains(directory.resolve("rehearsal/report.html").toString());
+    assertThat(directory.resolve("geometry_models.pb")).hasBinaryContent(model);
+    assertThat(json("calibration.json")).isEqualTo(before);
+    assertThat(json("selection.json")).isEqualTo(decisions);
+    assertThat(json("rehearsal/calibration.json").get("kicks")).hasSize(2);
+    assertThat(json("rehearsal/play.json").get("kicks")).hasSize(2);
+    assertThat(directory.resolve("session-flat.log")).exists();
+  }
+
   @Test
   void whatStopsItIsSaidInOneLine() {
     int status =
