@@ -183,8 +183,8 @@ public final class CalibrationWarnings {
           String.format(
               Locale.ROOT,
               "In %d of %d kicks the model does not explain a part of the path, up to %.0f %% of"
-                  + " the detections. These are used nevertheless; diagnose says what is behind"
-                  + " it.",
+                  + " the detections. These are used nevertheless; diagnose looks for the"
+                  + " cause.",
               shares.length,
               calibration.kicks().size(),
               100 * shares[shares.length - 1]));

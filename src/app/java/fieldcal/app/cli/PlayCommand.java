@@ -127,33 +127,33 @@ final class PlayCommand implements Callable<Integer> {
       names = "--across",
       paramLabel = "X",
       description =
-          "x of the line of chips in m, where cameras overlap (default 0 m, the half-way line)")
+          "x of the line of chips in m, where cameras overlap (default: 0 m, the half-way line)")
   private double across;
 
   @Option(
       names = "--speed-min",
       paramLabel = "M/S",
-      description = "slowest kick (default 2 m/s for flat kicks, 3 m/s for chips)")
+      description = "slowest kick (default: 2 m/s for flat kicks, 3 m/s for chips)")
   private Double speedMin;
 
   @Option(
       names = "--speed-max",
       paramLabel = "M/S",
-      description = "fastest kick (default 6.5 m/s for flat kicks, 5.5 m/s for chips)")
+      description = "fastest kick (default: 6.5 m/s for flat kicks, 5.5 m/s for chips)")
   private Double speedMax;
 
   @Option(
       names = "--elevation",
       paramLabel = "DEG",
-      description = "elevation of chips (default 45°)")
+      description = "elevation of chips (default: 45°)")
   private double elevation = 45;
 
   @Option(
       names = "--margin",
       paramLabel = "M",
       description =
-          "how far outside the lines robots may drive (default 0.2 m, less where the field has less"
-              + " room)")
+          "how far outside the lines robots may drive (default: 0.2 m, less where the field has"
+              + " less room)")
   private Double margin;
 
   @Option(
@@ -167,20 +167,20 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--drive-speed",
       paramLabel = "M/S",
-      description = "the robots' highest speed (default 2.5 m/s)")
+      description = "the robots' highest speed (default: 2.5 m/s)")
   private Double driveSpeed;
 
   @Option(
       names = "--patience",
       paramLabel = "S",
-      description = "longest wait for a robot, vision or the ball to come back (default 60 s)")
+      description = "longest wait for a robot, vision or the ball to come back (default: 60 s)")
   private Double patience;
 
   @Option(
       names = "--seed",
       paramLabel = "S",
       description =
-          "seed of the kicks' order and of the simulated field (default ${DEFAULT-VALUE})")
+          "seed of the kicks' order and of the simulated field (default: ${DEFAULT-VALUE})")
   private long seed = 1;
 
   @Mixin private SimulatedFieldOptions fieldOptions;
@@ -188,14 +188,14 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--troubles",
       paramLabel = "N",
-      description = "simulated field: how many things go wrong during the play (default 0)")
+      description = "simulated field: how many things go wrong during the play (default: 0)")
   private int troubles;
 
   @Option(
       names = "--pace",
       paramLabel = "X",
       description =
-          "simulated field: speed in multiples of real time (default as fast as possible)")
+          "simulated field: speed in multiples of real time (default: as fast as possible)")
   private double pace = Double.POSITIVE_INFINITY;
 
   @Option(
@@ -207,7 +207,7 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--interface",
       paramLabel = "NAME",
-      description = "on the network: network interface for vision and referee (default all)")
+      description = "on the network: network interface for vision and referee (default: all)")
   private String networkInterface;
 
   PlayCommand() {}

@@ -63,7 +63,7 @@ final class RecordCommand implements Callable<Integer> {
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "ends after so many seconds; without it, Ctrl-C does")
+      description = "ends after so many seconds; without it, Ctrl-C ends it")
   private Double seconds;
 
   @Option(

@@ -32,13 +32,13 @@ final class ServeOptions {
   @Option(
       names = "--loss",
       paramLabel = "PERCENT",
-      description = "served: share of packets that are lost (default 0 %%)")
+      description = "served: share of packets that are lost (default: 0 %%)")
   private double loss;
 
   @Option(
       names = "--delay-ms",
       paramLabel = "MS",
-      description = "served: delay of packets in each direction (default 0 ms)")
+      description = "served: delay of packets in each direction (default: 0 ms)")
   private double delayMs;
 
   boolean wanted() {

@@ -98,14 +98,14 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--kicks",
       paramLabel = "N",
-      description = "number of kicks (default ${DEFAULT-VALUE}); a match has --minutes instead")
+      description = "number of kicks (default: ${DEFAULT-VALUE}); a match has --minutes instead")
   private int kicks = 24;
 
   @Option(
       names = "--seed",
       paramLabel = "S",
       description =
-          "seed of everything random; the same seed gives the same bytes (default"
+          "seed of everything random; the same seed gives the same bytes (default:"
               + " ${DEFAULT-VALUE})")
   private long seed = 1;
 
@@ -122,8 +122,8 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--physics",
       paramLabel = "NAME",
       description =
-          "ideal: obeys the league's models; contact: solid sphere with bounces by contact (default"
-              + " ideal)")
+          "ideal: obeys the league's models; contact: solid sphere with bounces by contact"
+              + " (default: ideal)")
   private String physics;
 
   @Option(
@@ -145,25 +145,25 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--cameras",
       paramLabel = "N",
-      description = "number of cameras, 1 to 8 (default 4)")
+      description = "number of cameras, 1 to 8 (default: 4)")
   private Integer cameras;
 
   @Option(
       names = "--noise-mm",
       paramLabel = "MM",
-      description = "noise of a ball straight below a camera (default 2 mm)")
+      description = "noise of a ball straight below a camera (default: 2 mm)")
   private Double noiseMm;
 
   @Option(
       names = "--camera-height",
       paramLabel = "M",
-      description = "height of the cameras above the carpet (default 5.3 m)")
+      description = "height of the cameras above the carpet (default: 5.3 m)")
   private Double cameraHeight;
 
   @Option(
       names = "--distortion",
       paramLabel = "K",
-      description = "radial distortion, either sign (default 0.12)")
+      description = "radial distortion, either sign (default: 0.12)")
   private Double distortion;
 
   @Option(
@@ -171,10 +171,10 @@ final class SimulateCommand implements Callable<Integer> {
       paramLabel = "MM",
       description =
           "distance between the positions that neighbouring cameras report for the same ball"
-              + " (default 0)")
+              + " (default: 0)")
   private Double disagreementMm;
 
-  @Option(names = "--division", paramLabel = "A|B", description = "field size (default A)")
+  @Option(names = "--division", paramLabel = "A|B", description = "field size (default: A)")
   private String division;
 
   @Option(
@@ -192,13 +192,13 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--reception",
       paramLabel = "SHARE",
-      description = "share of kicks that the receiver tries to stop (default 0.7)")
+      description = "share of kicks that the receiver tries to stop (default: 0.7)")
   private Double reception;
 
-  @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default 2 min)")
+  @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default: 2 min)")
   private Double minutes;
 
-  @Option(names = "--team-size", paramLabel = "N", description = "robots per team (default 6)")
+  @Option(names = "--team-size", paramLabel = "N", description = "robots per team (default: 6)")
   private Integer teamSize;
 
   @Option(

@@ -10,14 +10,14 @@ final class SimulatorOptions {
   @Option(
       names = "--robots",
       paramLabel = "A,B",
-      description = "the two robots, for example yellow3,blue5 (default yellow0,yellow1)")
+      description = "the two robots, for example yellow3,blue5 (default: yellow0,yellow1)")
   private String robots = "yellow0,yellow1";
 
   @Option(
       names = "--vision",
       paramLabel = "ADDR:PORT",
       description =
-          "on the network: multicast or broadcast address of the simulator's vision (default"
+          "on the network: multicast or broadcast address of the simulator's vision (default:"
               + " 224.5.23.2:10020)")
   private String vision = "224.5.23.2:10020";
 
@@ -25,7 +25,7 @@ final class SimulatorOptions {
       names = "--port",
       paramLabel = "PORT",
       description =
-          "on the network: the simulator's control port; those of blue and yellow follow (default"
+          "on the network: the simulator's control port; those of blue and yellow follow (default:"
               + " 10300)")
   private int port = SimulatorPorts.LEAGUE.control();
 

@@ -72,7 +72,7 @@ record RecordedMovement(
               log.toString(),
               "no referee message in the recording",
               1,
-              "everything was counted, including breaks, which may falsify the limits"));
+              "everything was counted, including breaks, which may distort the limits"));
     } else if (observer.statistics().counted() == 0) {
       list.add(
           new DataProblem(

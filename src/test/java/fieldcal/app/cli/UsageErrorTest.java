@@ -2,15 +2,19 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.simulation.EffectParameter;
+import fieldcal.simulation.SimulatedEffect;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
@@ -101,6 +105,15 @@ class UsageErrorTest {
     assertThat(run("console", session.toString(), "--address=192.0.2.1", "--port=0")).isEqualTo(1);
     assertThat(err.toString())
         .startsWith("fieldcal: 192.0.2.1:0: this machine does not have that address");
+  }
+
+  @ParameterizedTest
+  @EnumSource(SimulatedEffect.class)
+  void theHelpListsEveryEffectWithItsParameters(SimulatedEffect effect) {
+    assertThat(run("simulate", "--help")).isZero();
+    String names =
+        effect.parameters().stream().map(EffectParameter::name).collect(Collectors.joining(","));
+    assertThat(out.toString().replaceAll(",\\s+", ",")).contains("  " + effect.id() + ":" + names);
   }
 
   @Test

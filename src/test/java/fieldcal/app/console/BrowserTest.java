@@ -354,6 +354,7 @@ class BrowserTest {
     SampleSession.recordMatch(session);
     try (RunningConsole console = RunningConsole.start(session)) {
       browser.open(console.url() + "#match");
+      browser.find("#watch-source");
       browser.script(
           "const s = document.getElementById('watch-source'); s.value = 'recording';"
               + " s.dispatchEvent(new Event('change'))");

@@ -149,6 +149,7 @@ class LayoutTest {
   void aMatchIsWholeOnAPhone() {
     browser.resize(390, 844);
     browser.open(console.url() + "#match");
+    browser.find("#watch-source");
     browser.script(
         "const s = document.getElementById('watch-source'); s.value = 'recording';"
             + " s.dispatchEvent(new Event('change'))");

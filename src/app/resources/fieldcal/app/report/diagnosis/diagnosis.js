@@ -95,7 +95,7 @@
       ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
       ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of nothing')] : [])] : []));
     const laws = report.learned.every(finding => finding.kind === 'law');
-    $('learned-title').textContent = laws ? 'A law that replaces one of the simple model' : 'What helps without a proven cause';
+    $('learned-title').textContent = laws ? 'A law that replaces a law of the simple model' : 'What helps without a proven cause';
     report.learned.forEach(finding => learnedItem(box, finding));
   }
 
