@@ -16,7 +16,8 @@ public final class LimitEstimator {
    * @return limits with standard errors or the reason why there are none, beside the league's
    */
   public static TeamLimits estimate(Team team, TeamStatistics statistics) {
-    VelocityLimit speeds = new VelocityLimit(statistics.speeds());
+    VelocityLimit speeds =
+        new VelocityLimit(statistics.speeds(), "the robots never cruised at a highest speed");
     LimitEstimate velocity = speeds.estimate();
     ManoeuvreTables faster = statistics.acceleratingManoeuvres();
     ManoeuvreTables slower = statistics.brakingManoeuvres();

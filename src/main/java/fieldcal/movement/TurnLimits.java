@@ -36,7 +36,9 @@ public record TurnLimits(
   }
 
   private static LimitEstimate velocity(SpeedTable speeds, long turns) {
-    return turns < AccelerationLimit.FEWEST ? tooFew(turns) : new VelocityLimit(speeds).estimate();
+    return turns < AccelerationLimit.FEWEST
+        ? tooFew(turns)
+        : new VelocityLimit(speeds, "the robots never kept turning at a highest rate").estimate();
   }
 
   private static LimitEstimate limit(

@@ -47,9 +47,17 @@ final class VelocityLimit {
   private static final long CAP_SAMPLES = 10;
 
   private final SpeedTable speeds;
+  private final String notReached;
 
-  VelocityLimit(SpeedTable speeds) {
+  /**
+   * A limit.
+   *
+   * @param speeds that were seen
+   * @param notReached why there is only a lower bound, where it was not reached
+   */
+  VelocityLimit(SpeedTable speeds, String notReached) {
     this.speeds = speeds;
+    this.notReached = notReached;
   }
 
   /** A speed, its error, and how many manoeuvres are there. */
@@ -76,7 +84,7 @@ final class VelocityLimit {
         2 * sure.width(),
         tops.samples(),
         false,
-        "the robots never cruised at a highest speed; this one they certainly reached");
+        notReached + "; this one they certainly reached");
   }
 
   /** Robots that never exceed a speed of their own. */

@@ -270,10 +270,10 @@ final class ExportCommand implements Callable<Integer> {
 
   private void apply(ExportModel model, Exporter exporter) throws IOException {
     PrintWriter text = spec.commandLine().getOut();
+    ProcessorHost host = new ProcessorHost(url);
     text.println(url);
     verdict(text, model);
-    ProcessorHost.Applied applied =
-        new ProcessorHost(url).apply(exporter.settings(), changes -> show(text, changes));
+    ProcessorHost.Applied applied = host.apply(exporter.settings(), changes -> show(text, changes));
     notes(text, exporter.notes());
     text.println();
     text.println("Written and saved. --rollback puts back what was there.");

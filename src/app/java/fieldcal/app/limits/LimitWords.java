@@ -15,7 +15,7 @@ public final class LimitWords {
    * How a limit depends on the direction.
    *
    * @param envelope with at least one known direction
-   * @return for example {@code acceleration by direction: 3.51 ± 0.04 m/s² at 0°, 1.52 ± 0.02 at 90°; known in 31 of 36 directions}
+   * @return for example {@code acceleration by direction: strongest 3.51 ± 0.04 m/s² at 0°, weakest 1.52 ± 0.02 m/s² at 90° (0° is the front, 90° the left); known in 31 of 36 directions}
    * @throws java.util.NoSuchElementException when no direction is known
    */
   public static String sentence(Envelope envelope) {
@@ -23,17 +23,22 @@ public final class LimitWords {
     Envelope.Point least = envelope.weakest().orElseThrow();
     return String.format(
         Locale.ROOT,
-        "%s by direction: %.2f ± %.2f m/s² at %.0f°, %.2f ± %.2f at %.0f°; known in %d of %d"
-            + " directions",
+        "%s by direction: %s (0° is the front, 90° the left); known in %d of %d directions",
         envelope.seenIn(),
-        most.value(),
-        most.standardError(),
-        Math.toDegrees(most.angle()),
-        least.value(),
-        least.standardError(),
-        Math.toDegrees(least.angle()),
+        envelope.points().size() == 1
+            ? words(most)
+            : "strongest " + words(most) + ", weakest " + words(least),
         envelope.points().size(),
         Envelope.DIRECTIONS);
+  }
+
+  private static String words(Envelope.Point point) {
+    return String.format(
+        Locale.ROOT,
+        "%.2f ± %.2f m/s² at %.0f°",
+        point.value(),
+        point.standardError(),
+        Math.toDegrees(point.angle()));
   }
 
   /**

@@ -5,7 +5,7 @@
   const {$, content, draw, forget, figure, badge, swatch, showProvenance, showProblems, start} = Frame;
   const report = JSON.parse($('data').textContent);
   const KINDS = [['velocity', 'Velocity', 'm/s'], ['acceleration', 'Acceleration', 'm/s²'], ['braking', 'Braking', 'm/s²']];
-  const TURNS = [['turnVelocity', 'Turning', 'rad/s'], ['turnAcceleration', 'Turning faster', 'rad/s²'], ['turnBraking', 'Turning slower', 'rad/s²']];
+  const TURNS = [['turnVelocity', 'Turning', 'rad/s'], ['turnAcceleration', 'Turning, speeding up', 'rad/s²'], ['turnBraking', 'Turning, slowing down', 'rad/s²']];
   const boxes = [];
   let theme;
 

@@ -7,7 +7,7 @@
   const PARAMETERS = [['acc_slide', 'sliding deceleration', 'm/s²'], ['acc_roll', 'rolling deceleration', 'm/s²'], ['k_switch', 'kSwitch', ''],
     ['damping_xy_first_hop', 'horizontal damping, first impact', ''], ['damping_xy_other_hops', 'horizontal damping, later impacts', ''], ['damping_z', 'vertical damping', '']];
   const LIMITS = [['velocity_max', 'Velocity', 'm/s'], ['acceleration_max', 'Acceleration', 'm/s²'], ['braking_max', 'Braking', 'm/s²']];
-  const TURNS = [['angular_velocity_max', 'Turning', 'rad/s'], ['angular_acceleration_max', 'Turning faster', 'rad/s²'], ['angular_braking_max', 'Turning slower', 'rad/s²']];
+  const TURNS = [['angular_velocity_max', 'Turning', 'rad/s'], ['angular_acceleration_max', 'Turning, speeding up', 'rad/s²'], ['angular_braking_max', 'Turning, slowing down', 'rad/s²']];
   const ALLOWED = 6.5;
   const carpets = atlas.venues.flatMap(venue => venue.carpets.map(carpet => ({...carpet, venue})));
   let theme;

@@ -163,6 +163,14 @@ class ExportCommandTest {
   }
 
   @Test
+  void aPlaceThatIsNoneIsTheOnlyLine() {
+    Answer answer = run(model, "--to=ssl-vision-processor", "--apply=vision");
+    assertThat(answer.exit()).isEqualTo(1);
+    assertThat(answer.err()).contains("vision: is not an address like http://").hasLineCount(1);
+    assertThat(answer.out()).isEmpty();
+  }
+
+  @Test
   void badInputIsOneLineWithFileAndPlace() throws IOException {
     Path broken = folder.resolve("broken.json");
     Files.writeString(broken, "{\n \"schema\": ,");

@@ -59,8 +59,13 @@ class LimitWordsTest {
             new Envelope.Point(Math.PI, 3, 0.04, 20));
     assertThat(LimitWords.sentence(new Envelope("acceleration", points, 0.4, 0.8, true)))
         .isEqualTo(
-            "acceleration by direction: 3.50 ± 0.04 m/s² at 0°, 1.50 ± 0.02 at 90°; known in 3 of"
-                + " 36 directions");
+            "acceleration by direction: strongest 3.50 ± 0.04 m/s² at 0°, weakest 1.50 ± 0.02 m/s²"
+                + " at 90° (0° is the front, 90° the left); known in 3 of 36 directions");
+    Envelope single = new Envelope("braking", points.subList(0, 1), 0.4, 0.8, false);
+    assertThat(LimitWords.sentence(single))
+        .isEqualTo(
+            "braking by direction: 3.50 ± 0.04 m/s² at 0° (0° is the front, 90° the left); known in"
+                + " 1 of 36 directions");
   }
 
   @Test
