@@ -43,6 +43,9 @@ final class ActiveKick {
   /** Fewer detections after the kick are no flight. */
   private static final int FEWEST = 5;
 
+  /** The kick itself is found to a few milliseconds, s. */
+  private static final double JUST_BEFORE = 0.01;
+
   /** The ball may have met a robot up to a frame after it was seen last, s. */
   private static final double FRAME = 0.014;
 
@@ -63,6 +66,7 @@ final class ActiveKick {
   private BallTrack source;
   private double outsideSince = Double.NaN;
   private int seenInTheAir;
+  private boolean movedBefore;
 
   ActiveKick(JumpDetector.Jump jump, RobotId robot, boolean dribbled, KickFinderSettings settings) {
     this.jump = jump;
@@ -172,7 +176,7 @@ final class ActiveKick {
     if (has(track)) {
       return;
     }
-    double from = jump.fromRest() ? restStart(track) : jump.time();
+    double from = restStart(track);
     for (int age = track.size() - 1; age >= 0; age--) {
       if (track.time(age) >= from) {
         track.copyTo(age, observations);
@@ -187,10 +191,20 @@ final class ActiveKick {
 
   /**
    * Since when the ball lay still before the kick, as far back as {@code restSpan} and without what a robot pushed; the kick's time when that is not known: robots often touch a ball before they kick it, and
-   * over a tenth of a second a slow ball looks like one at rest.
+   * over a tenth of a second a slow ball looks like one at rest. Shortly before the kick is found it may already move: pushed, or as a chip that is projected to where it was.
    */
   private double restStart(BallTrack track) {
-    double end = jump.time() - 0.01;
+    double still = jump.fromRest() ? restStart(track, JUST_BEFORE) : jump.time();
+    if (still < jump.time()) {
+      return still;
+    }
+    double before = restStart(track, Departure.LONGEST + JUST_BEFORE);
+    movedBefore |= before < jump.time();
+    return before;
+  }
+
+  private double restStart(BallTrack track, double before) {
+    double end = jump.time() - before;
     int last = 0;
     while (last < track.size() && track.time(last) > end) {
       last++;
@@ -335,28 +349,33 @@ final class ActiveKick {
     if (!(last > jump.time() + SHORTEST_FLIGHT) || seen.count(jump.time()) < FEWEST) {
       return null;
     }
-    boolean rested = jump.fromRest() && seen.size() > 0 && seen.time(0) < jump.time();
-    Optional<Push> push =
-        rested ? Push.before(seen, jump.time(), jump.vx(), jump.vy()) : Optional.empty();
-    if (push.isPresent()) {
-      Push p = push.get();
-      return kick(afterPush(p), false, end, last, seen.between(p.over(), last), p.timeError());
+    boolean rested = seen.size() > 0 && seen.time(0) < jump.time();
+    if (!rested) {
+      return kick(jump, false, end, last, seen, Kick.CROSSING_ERROR);
     }
-    return kick(jump, rested, end, last, seen, Kick.CROSSING_ERROR);
+    Departure from = Departure.of(seen, jump.time(), jump.vx(), jump.vy(), !movedBefore);
+    return from.fromRest()
+        ? kick(at(from, 0), true, end, last, seen, from.timeError())
+        : kick(
+            at(from, from.length() / jump.speed()),
+            false,
+            end,
+            last,
+            seen.between(from.over(), last),
+            from.timeError());
   }
 
-  /** Where and when the ball was kicked that was pushed before. */
-  private JumpDetector.Jump afterPush(Push push) {
-    double share = push.length() / jump.speed();
+  /** The jump at the time when the ball was kicked, and where: so long it took to be pushed there at the speed of the kick. */
+  private JumpDetector.Jump at(Departure from, double pushed) {
     return new JumpDetector.Jump(
-        push.time(),
-        jump.x() + share * jump.vx(),
-        jump.y() + share * jump.vy(),
+        from.time(),
+        jump.x() + pushed * jump.vx(),
+        jump.y() + pushed * jump.vy(),
         jump.vx(),
         jump.vy(),
         jump.vxBefore(),
         jump.vyBefore(),
-        false,
+        from.fromRest(),
         false);
   }
 

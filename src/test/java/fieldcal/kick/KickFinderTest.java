@@ -85,6 +85,23 @@ class KickFinderTest {
     assertThat(kick.observations().time(0)).isBetween(1.0, 1.03);
   }
 
+  /** A ball that rises as fast as it comes nearer is projected to where it lay; it seems to be kicked a tenth of a second late. */
+  @ParameterizedTest
+  @ValueSource(doubles = {3, 3.5, 4})
+  void aChipTowardsTheCameraIsKickedWhenItLeavesTheGround(double speed) {
+    double elevation = Math.toRadians(50);
+    double vx = speed * Math.cos(elevation);
+    double vz = speed * Math.sin(elevation);
+    ChipTrajectory chip = ChipTrajectory.fromKick(ChipModel.typical(), 1, -5, 0, vx, 0, vz);
+    oneCamera().noise(0.001).ball(chip).robot(KICKER, -5.11, 0);
+    Kick kick = only(scene.kicks(0, 9));
+    assertThat(kick.time()).isEqualTo(1, within(0.02));
+    // The camera takes its height for a distance.
+    assertThat(kick.x()).isEqualTo(-5, within(0.04));
+    assertThat(kick.fromRest()).isTrue();
+    assertThat(kick.observations().time(0)).isLessThan(0.8);
+  }
+
   /** What a robot does with a ball that it hides nobody knows. */
   @Test
   void aBallThatIsHiddenUntilItIsKickedIsNotKnownToHaveRested() {

@@ -7,25 +7,30 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a kicker does that fires late: the robot goes on and pushes the ball for some hundredths of a second. The kick is then not made where the ball lay, and a fit that believes so is a few millimetres off at its start, many times the error
- * of a position of rest.
+ * How a ball that lay still came to move: where and when it was really kicked, which the crossing of the lines before and after may miss by a tenth of a second.
  *
- * <p>Along the direction of the kick the ball lies still until the touch, moves at one speed until the kick, and at another after it. Touch and kick are found on a grid, the speeds by least squares, and the push is believed when it explains clearly
- * more than a kick without it. Each camera has a place of rest and a speed after the kick of its own: cameras disagree, and project a chip differently.
+ * <p>A kicker may fire late: the robot goes on and pushes the ball for some hundredths of a second, and the kick is then not made where the ball lay. A fit that believes so is a few millimetres off at its start, many times the error
+ * of a position of rest. And a chip that flies towards a camera seems to lie still at first, since its rise is projected away from the camera as fast as it comes nearer: it was kicked long before it seems to move.
+ *
+ * <p>Along the direction of the kick the ball lies still until it is touched. Then it either moves at one speed until the kick and at another after it (a push), or on a line (a kick), or on a parabola (a chip, projected). Times are found on a grid, the
+ * rest by least squares, and what is not a plain kick is believed when it explains clearly more than what is simpler. Each camera has a place of rest and speeds of its own: cameras disagree, and project a chip differently.
  *
  * @param time of the kick, s
  * @param timeError its standard error, s
  * @param length of the push, m
+ * @param fromRest whether the ball was kicked where it lay
  */
-record Push(double time, double timeError, double length) {
-  /** Chi-square that a push explains at least; it has two more parameters, and noise reaches that in about one of a hundred kicks, which then only lose the precision of their place. */
-  private static final double SURELY = 12;
+record Departure(double time, double timeError, double length, boolean fromRest) {
+  /** Chi-square that what is not a plain kick explains at least; a push has three more parameters (touch, kick, speed), and noise reaches that in one of five hundred kicks, which then only lose the precision of their place. */
+  private static final double SURELY = 15;
 
   /** Good cameras see a resting ball to 0.7 mm (ten matches of 2026); few detections may agree better by chance, m. */
   private static final double LEAST_NOISE = 7e-4;
 
-  /** So long before the kick nothing touches the ball, s; dead times and a robot's delays are shorter. */
-  private static final double LONGEST = 0.12;
+  /**
+   * So long before the kick is found nothing touches the ball, s: dead times and a robot's delays are shorter, and a chip at 53 degrees towards a camera that is 4.3 m high and 3.4 m away is found 0.12 s late.
+   */
+  static final double LONGEST = 0.15;
 
   private static final double SHORTEST = 0.01;
 
@@ -52,8 +57,13 @@ record Push(double time, double timeError, double length) {
   /** What is faster is the kick itself, m/s: the finder's limit for kicks. */
   private static final double FASTEST = 0.7;
 
-  /** Detections that are farther from the resting ball before the kick are of something else, m. */
-  private static final double ELSEWHERE = 0.05;
+  /**
+   * Half of the largest acceleration of a projected chip along its way, m/s²: 2·v·vz/h + g·r/h − 2·r·vz²/h² is 12 for a weak chip (v = vz = 1.5 m/s) towards a camera that is h = 4 m high and r = 5 m away. A push that ends in a kick looks several times as curved.
+   */
+  private static final double MOST_CURVED = 6;
+
+  /** Detections that are farther from the resting ball before the kick are of something else, m; a chip that seems to lie still is found when it has come as far. */
+  private static final double ELSEWHERE = 0.12;
 
   /** Fewer detections of rest do not tell where the ball lay, nor how noisy the camera is. */
   private static final int FEWEST = 5;
@@ -70,29 +80,58 @@ record Push(double time, double timeError, double length) {
   }
 
   /**
-   * The push before a kick from rest.
+   * How the ball departed.
    *
    * @param all detections from the rest on
    * @param time of the kick as found, s
    * @param vx velocity after the kick, m/s
    * @param vy m/s
-   * @return empty where the ball was kicked where it lay; of no length where a robot hid it until the kick, so that nobody knows
+   * @param still whether the ball seemed to lie still until then; otherwise it is believed to have been kicked where it lay only if that explains all that was seen
+   * @return the time as found where the ball was kicked where it lay, or too little was seen; no rest and a push of no length where a robot hid it or moved it, so that nobody knows
    */
-  static Optional<Push> before(Observations all, double time, double vx, double vy) {
+  static Departure of(Observations all, double time, double vx, double vy, boolean still) {
+    Departure unknown = new Departure(time, Kick.CROSSING_ERROR, 0, false);
     if (all.count(time - UNSEEN) == all.count(time)) {
-      return Optional.of(new Push(time, Kick.CROSSING_ERROR, 0));
+      return unknown;
     }
+    Departure plain = still ? new Departure(time, Kick.CROSSING_ERROR, 0, true) : unknown;
     double speed = Math.hypot(vx, vy);
     Near near = near(all, time, vx / speed, vy / speed);
     if (near.cameras == 0) {
-      return Optional.empty();
+      return plain;
     }
-    double without = Double.POSITIVE_INFINITY;
-    Push best = null;
+    double straight = Double.POSITIVE_INFINITY;
+    for (double kick = time - TIME_OFF; kick < time + TIME_OFF; kick += TIME_STEP) {
+      straight = Math.min(straight, squares(near, kick, kick, 0));
+    }
+    double curved = Double.POSITIVE_INFINITY;
+    double earlier = time;
+    for (double kick = time - LONGEST; kick < time + TIME_OFF; kick += TIME_STEP) {
+      double squares = curved(near, kick);
+      if (squares < curved) {
+        curved = squares;
+        earlier = kick;
+      }
+    }
+    double variance = near.noise * near.noise;
+    double surely = SURELY * variance;
+    boolean bent = straight - curved > surely;
+    double simpler = bent ? curved : straight;
+    Optional<Departure> pushed = pushed(near, time, simpler - surely);
+    if (pushed.isPresent()) {
+      return pushed.get();
+    }
+    int n = near.seen.size();
+    boolean explained = still || simpler / variance < n + SURELY + 2 * Math.sqrt(2.0 * n);
+    return bent && explained ? new Departure(earlier, Kick.CROSSING_ERROR, 0, true) : plain;
+  }
+
+  /** The push that leaves less than {@code most} unexplained, m². */
+  private static Optional<Departure> pushed(Near near, double time, double most) {
+    Departure best = null;
     List<double[]> profile = new ArrayList<>();
     double with = Double.POSITIVE_INFINITY;
     for (double kick = time - TIME_OFF; kick < time + TIME_OFF; kick += TIME_STEP) {
-      without = Math.min(without, squares(near, kick, kick, 0));
       double least = Double.POSITIVE_INFINITY;
       for (double lasts = SHORTEST; lasts <= LONGEST; lasts += TOUCH_STEP) {
         double pushed = speed(near, kick - lasts, kick);
@@ -102,19 +141,19 @@ record Push(double time, double timeError, double length) {
                 : Double.POSITIVE_INFINITY;
         if (squares < with) {
           with = squares;
-          best = new Push(kick, Kick.CROSSING_ERROR, pushed * lasts);
+          best = new Departure(kick, Kick.CROSSING_ERROR, pushed * lasts, false);
         }
         least = Math.min(least, squares);
       }
       profile.add(new double[] {kick, least});
     }
-    double variance = near.noise * near.noise;
-    boolean surely = best != null && (without - with) / variance > SURELY;
-    return surely ? Optional.of(best.timed(profile, with, variance)) : Optional.empty();
+    return best != null && with < most
+        ? Optional.of(best.timed(profile, with, near.noise * near.noise))
+        : Optional.empty();
   }
 
   /** With mean and spread of the times that explain what was seen about as well as the best. */
-  private Push timed(List<double[]> profile, double least, double variance) {
+  private Departure timed(List<double[]> profile, double least, double variance) {
     double weights = 0;
     double mean = 0;
     double square = 0;
@@ -127,7 +166,7 @@ record Push(double time, double timeError, double length) {
     }
     mean /= weights;
     double spread = Math.sqrt(Math.max(0, square / weights - mean * mean));
-    return new Push(time + mean, Math.max(LEAST_ERROR, spread), length);
+    return new Departure(time + mean, Math.max(LEAST_ERROR, spread), length, false);
   }
 
   private static Near near(Observations all, double time, double ux, double uy) {
@@ -209,5 +248,37 @@ record Push(double time, double timeError, double length) {
       sum += r * r;
     }
     return sum;
+  }
+
+  /** What a kick at that time leaves unexplained whose ball moves on a parabola, m². */
+  private static double curved(Near near, double kick) {
+    double[][] sums = new double[near.cameras][5];
+    double squares = 0;
+    for (Seen s : near.seen) {
+      double t = Math.max(0, s.t - kick);
+      double[] sum = sums[s.camera];
+      sum[0] += t * t;
+      sum[1] += t * t * t;
+      sum[2] += t * t * t * t;
+      sum[3] += t * s.along;
+      sum[4] += t * t * s.along;
+      squares += s.along * s.along;
+    }
+    for (double[] m : sums) {
+      double determinant = m[0] * m[2] - m[1] * m[1];
+      if (!(m[0] > 0)) {
+        continue;
+      }
+      double bend = determinant > 0 ? (m[0] * m[4] - m[1] * m[3]) / determinant : 0;
+      bend = Math.max(-MOST_CURVED, Math.min(MOST_CURVED, bend));
+      double slope = (m[3] - bend * m[1]) / m[0];
+      squares +=
+          slope * slope * m[0]
+              + 2 * slope * bend * m[1]
+              + bend * bend * m[2]
+              - 2 * slope * m[3]
+              - 2 * bend * m[4];
+    }
+    return squares;
   }
 }
