@@ -336,6 +336,12 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   @Override
+  public KickTerm<ModelState> byRule(double[] own, ModelState state) {
+    int expected = record.kind == KickKind.FLAT ? flights : flightsByRule(own, state);
+    return expected == flights ? this : withFlights(expected);
+  }
+
+  @Override
   public List<Restart<ModelState>> restarts(double[] own, ModelState state) {
     double[] first = own.clone();
     System.arraycopy(record.start, 0, first, 0, record.start.length);

@@ -3,6 +3,7 @@ package fieldcal.diagnosis.model;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedProblem;
 import fieldcal.fit.joint.SharedSolver;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -56,13 +57,23 @@ public final class ModelFitter {
   }
 
   /**
-   * Fits a model from each kick's own fit.
+   * Fits a model from each kick's own fit. Each kick alone may have taken a wrong number of flights for what the model lacks, and kicks that disagree about it hold each other there: so the numbers that the model's start values suggest are
+   * tried, too.
    *
    * @param model with values to start from
    * @param solver how
-   * @return the fit
+   * @return the better fit
    */
   public FittedModel fit(EffectModel model, SharedSolver solver) {
+    FittedModel fitted = fitAlone(model, solver);
+    if (!solver.settlesVariants() || kicks.stream().noneMatch(k -> k.kind == KickKind.CHIP)) {
+      return fitted;
+    }
+    FittedModel ruled = fitAlone(model, solver.startingByRule());
+    return ruled.evenCost() < fitted.evenCost() ? ruled : fitted;
+  }
+
+  private FittedModel fitAlone(EffectModel model, SharedSolver solver) {
     List<EffectKick> terms = new ArrayList<>();
     List<double[]> starts = new ArrayList<>();
     for (KickRecord kick : kicks) {

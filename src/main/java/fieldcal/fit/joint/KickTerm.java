@@ -110,6 +110,17 @@ public interface KickTerm<S> {
   }
 
   /**
+   * The same kick with the value of the discrete unknown that a rule gives for it: the number of bounces that a hop of a certain height ends.
+   *
+   * @param own where it is now
+   * @param state of the shared model
+   * @return this where the rule gives the same, or nothing is discrete
+   */
+  default KickTerm<S> byRule(double[] own, S state) {
+    return this;
+  }
+
+  /**
    * Where else the own parameters may start, and with which value of the discrete unknown, when a kick is explained much worse than its fellows: it may be in a local minimum.
    *
    * @param own where it is now

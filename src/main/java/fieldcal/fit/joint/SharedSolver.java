@@ -6,6 +6,7 @@ import fieldcal.fit.joint.SharedSolution.StopReason;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -60,11 +61,14 @@ public final class SharedSolver {
   private final int maxIterations;
   private final double tolerance;
   private final boolean settlesVariants;
+  private final boolean startsByRule;
 
-  private SharedSolver(int maxIterations, double tolerance, boolean settlesVariants) {
+  private SharedSolver(
+      int maxIterations, double tolerance, boolean settlesVariants, boolean startsByRule) {
     this.maxIterations = maxIterations;
     this.tolerance = tolerance;
     this.settlesVariants = settlesVariants;
+    this.startsByRule = startsByRule;
   }
 
   /**
@@ -73,7 +77,7 @@ public final class SharedSolver {
    * @return a solver that holds discrete unknowns
    */
   public static SharedSolver withDefaults() {
-    return new SharedSolver(40, 0.01, false);
+    return new SharedSolver(40, 0.01, false, false);
   }
 
   /**
@@ -83,7 +87,7 @@ public final class SharedSolver {
    * @return the changed copy
    */
   public SharedSolver withMaxIterations(int iterations) {
-    return new SharedSolver(iterations, tolerance, settlesVariants);
+    return new SharedSolver(iterations, tolerance, settlesVariants, startsByRule);
   }
 
   /**
@@ -93,7 +97,7 @@ public final class SharedSolver {
    * @return the changed copy
    */
   public SharedSolver withTolerance(double gain) {
-    return new SharedSolver(maxIterations, gain, settlesVariants);
+    return new SharedSolver(maxIterations, gain, settlesVariants, startsByRule);
   }
 
   /**
@@ -102,7 +106,25 @@ public final class SharedSolver {
    * @return the changed copy
    */
   public SharedSolver settlingVariants() {
-    return new SharedSolver(maxIterations, tolerance, true);
+    return new SharedSolver(maxIterations, tolerance, true, startsByRule);
+  }
+
+  /**
+   * The same, with the kicks' discrete unknowns given the values of their rule before the first step, when the shared parameters still have the values that they start with: right where those are better known than what each kick alone says.
+   *
+   * @return the changed copy
+   */
+  public SharedSolver startingByRule() {
+    return new SharedSolver(maxIterations, tolerance, true, true);
+  }
+
+  /**
+   * Whether neighbouring values of the kicks' discrete unknowns are tried.
+   *
+   * @return false when they are held
+   */
+  public boolean settlesVariants() {
+    return settlesVariants;
   }
 
   /**
@@ -304,12 +326,18 @@ public final class SharedSolver {
     }
 
     SharedSolution<S> solve() {
+      if (startsByRule) {
+        setByRule();
+      }
       descendWithScatters();
       for (int round = 0; settlesVariants && round < VARIANT_ROUNDS; round++) {
         if (!settle()) {
           break;
         }
         descend();
+      }
+      if (settlesVariants) {
+        obeyRule();
       }
       if (tolerance < COARSE && scatters.length > 0) {
         corrects = true;
@@ -333,6 +361,66 @@ public final class SharedSolver {
 
     private double[] means(double[] at) {
       return problem.randoms().stream().mapToDouble(r -> at[r.mean()]).toArray();
+    }
+
+    /**
+     * Gives all discrete unknowns at once the values that their rule says, and keeps that if it explains more. Where the shared model is wrong or was, a bounce too many makes up for it in every kick; then no kick can be brought back alone, since the
+     * others hold the shared parameters where theirs need them.
+     */
+    private void obeyRule() {
+      List<KickTerm<S>> before = List.copyOf(kicks);
+      List<double[]> ownBefore = List.copyOf(own);
+      double[] valuesBefore = values;
+      double least = pricedCost(before);
+      if (!setByRule()) {
+        return;
+      }
+      StopReason reasonBefore = reason;
+      lambda = FIRST_DAMPING;
+      descend();
+      if (!isLess(pricedCost(kicks), least)) {
+        for (int k = 0; k < before.size(); k++) {
+          kicks.set(k, before.get(k));
+          own.set(k, ownBefore.get(k));
+        }
+        values = valuesBefore;
+        reason = reasonBefore;
+        linearize();
+      }
+    }
+
+    /** The values of the discrete unknowns by their rule, and what the own parameters are then; says whether that changes anything. */
+    private boolean setByRule() {
+      S state = problem.model().at(values);
+      double[] means = means(values);
+      List<OwnFit<S>> fits =
+          IntStream.range(0, kicks.size())
+              .parallel()
+              .mapToObj(
+                  k -> {
+                    KickTerm<S> expected = kicks.get(k).byRule(own.get(k), state);
+                    return expected == kicks.get(k)
+                        ? null
+                        : fitOwn(expected, own.get(k), state, means, scatters);
+                  })
+              .toList();
+      for (int k = 0; k < fits.size(); k++) {
+        if (fits.get(k) != null) {
+          kicks.set(k, fits.get(k).term());
+          own.set(k, fits.get(k).own());
+        }
+      }
+      return fits.stream().anyMatch(Objects::nonNull);
+    }
+
+    /** The cost as last linearized, with what the values of the discrete unknowns add. */
+    private double pricedCost(List<KickTerm<S>> terms) {
+      S state = problem.model().at(values);
+      double sum = cost;
+      for (int k = 0; k < terms.size(); k++) {
+        sum += problem.weights()[k] * terms.get(k).penalty(own.get(k), state);
+      }
+      return sum;
     }
 
     private boolean settle() {
