@@ -8,6 +8,19 @@ public interface MotionEffect extends Effect {
   @Override
   MotionEffect withParameters(double... values);
 
+  /**
+   * Whether it acts on a ball that is in the air or hits the ground, and not only on one that slides or rolls.
+   *
+   * @return also true of what acts everywhere
+   */
+  default boolean actsOffTheGround() {
+    return this instanceof SpinAtKick
+        || this instanceof ExternalForce
+        || this instanceof AirFlow
+        || this instanceof Bounce
+        || this instanceof ImpactLaw;
+  }
+
   /** Spin right after the kick. */
   interface SpinAtKick extends MotionEffect {
     /**

@@ -126,8 +126,9 @@ public final class Decision {
     double largest = excess;
     boolean law = c.isLaw();
     for (int j = 0; j < evidence.length; j++) {
-      // A law is the form of everything that it takes part in; other causes only of their kind.
-      boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
+      // A law may be the form of whatever acts where impacts do; other causes only of their kind.
+      Component other = model.model().components().get(j);
+      boolean compared = law ? actsOffTheGround(other) : isMotion(other) == isMotion(c);
       largest = compared ? Math.max(largest, evidence[j]) : largest;
     }
     Outcome outcome = outcome(model, i, without, evidence[i], largest, excess, gain);
@@ -139,6 +140,10 @@ public final class Decision {
         evidence[i],
         gain,
         outcome);
+  }
+
+  private static boolean actsOffTheGround(Component c) {
+    return c.template() instanceof MotionEffect motion && motion.actsOffTheGround();
   }
 
   static boolean isMotion(Component c) {

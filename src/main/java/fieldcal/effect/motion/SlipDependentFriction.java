@@ -48,10 +48,11 @@ public record SlipDependentFriction(double slope) implements SlidingResistance {
             "s/m",
             slope,
             0.02,
-            -0.2,
-            0.4,
+            -0.45,
+            1,
             true,
-            "chosen: friction stays positive from no slip to 6.5 m/s, the fastest kick allowed"));
+            "chosen: below −0.2 the friction of a kick of 6.5 m/s, above 0.5 that of a ball that"
+                + " hardly slips is at its least"));
   }
 
   @Override
