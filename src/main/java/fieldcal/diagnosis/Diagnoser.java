@@ -28,6 +28,7 @@ import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.ExtendedModel;
+import fieldcal.effect.MotionEffect;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.FitSettings;
@@ -443,7 +444,7 @@ public final class Diagnoser {
       return guarded(
           "the search for learned terms",
           start,
-          () -> search(start, learnedAndLaws(), most, false));
+          () -> search(start, learnedAndLaws(start), most, false));
     }
 
     /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
@@ -483,12 +484,26 @@ public final class Diagnoser {
       return fitter.fit(model, after, Weighing.ALIKE, solver);
     }
 
-    /** The library of smooth terms, and the laws: with what was hidden before in the model, one may be right after all. */
-    private List<Effect> learnedAndLaws() {
+    /**
+     * The library of smooth terms, chance, and the laws: with what was hidden before in the model, one may be right after all. Beside a cause that changes the ground with time neither a curve over time nor a value for each kick is offered: either can be that cause, and takes
+     * its place for the little that it does not explain. They are tried without it, too.
+     */
+    private List<Effect> learnedAndLaws(FittedModel start) {
+      boolean timed =
+          start.model().components().stream().anyMatch(c -> changesGroundWithTime(c.template()));
       List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
       all.addAll(EffectCatalogue.unnamed());
+      all.removeIf(e -> timed && (changesGroundWithTime(e) || isOnGround(e) && !e.hasOwnMean()));
       catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
       return all;
+    }
+
+    private static boolean changesGroundWithTime(Effect effect) {
+      return isOnGround(effect) && effect.changesWithTime();
+    }
+
+    private static boolean isOnGround(Effect effect) {
+      return effect instanceof MotionEffect motion && !motion.actsOffTheGround();
     }
 
     private Diagnosis result(Answer a) {

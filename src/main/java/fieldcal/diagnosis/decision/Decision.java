@@ -181,7 +181,10 @@ public final class Decision {
     if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
     }
-    if (evidence < settings.formShare() * largest && gain[1] < 100 * settings.formGain()) {
+    // A value for each kick takes up something of anything: it helps, too, where another cause has
+    // not its true form.
+    boolean helps = !c.isPerKick() && gain[1] >= 100 * settings.formGain();
+    if (evidence < settings.formShare() * largest && !helps) {
       return Outcome.FORM;
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();

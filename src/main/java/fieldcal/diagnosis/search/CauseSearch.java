@@ -98,7 +98,7 @@ public final class CauseSearch {
     for (Manner manner : manners) {
       progress.accept("attempt " + (manners.indexOf(manner) + 1) + " of at most " + manners.size());
       Refits own = refits(manner.weighing);
-      FittedModel grown = pursuit(own).grown(start, manner.order);
+      FittedModel grown = pursuit(own).grown(start, manner.order, revises);
       if (Price.total(grown) < (best == start ? 1 : ANEW) * Price.total(best)) {
         best = grown;
         refits = own;

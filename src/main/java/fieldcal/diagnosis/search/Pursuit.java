@@ -51,6 +51,7 @@ final class Pursuit {
   private final List<SearchStep> trace;
   private final Set<String> rejected = new HashSet<>();
   private Component banned;
+  private List<Component> held = List.of();
   private boolean onlyShared;
   private FittedModel best;
 
@@ -78,9 +79,10 @@ final class Pursuit {
     RANDOM
   }
 
-  /** Adds to a model whatever gains more than its penalty. */
-  FittedModel grown(FittedModel start, Order order) {
+  /** Adds to a model whatever gains more than its penalty; what it has already is questioned only if {@code revises}. */
+  FittedModel grown(FittedModel start, Order order, boolean revises) {
     best = start;
+    held = revises ? List.of() : start.model().components();
     if (order == Order.RANDOM) {
       dictionary.random(start.model()).forEach(c -> tryAdding(c.components(), List.of(c), 0));
     }
@@ -98,6 +100,7 @@ final class Pursuit {
   /** Takes out what may have been the shadow of others, and lets these take its place. */
   FittedModel revised(FittedModel start) {
     best = start;
+    held = List.of();
     if (revise()) {
       grow(MOST_AT_ONCE);
     }
@@ -420,6 +423,9 @@ final class Pursuit {
       int weakest = -1;
       double least = Double.POSITIVE_INFINITY;
       for (int i = 0; i < components.size(); i++) {
+        if (held.stream().anyMatch(components.get(i)::isSameCause)) {
+          continue;
+        }
         double loss = loss(best, i) - Price.of(List.of(components.get(i)));
         if (loss < least) {
           least = loss;
