@@ -126,9 +126,8 @@ public final class Decision {
     double largest = excess;
     boolean law = c.isLaw();
     for (int j = 0; j < evidence.length; j++) {
-      // A law may be the form of whatever acts where impacts do; other causes only of their kind.
-      Component other = model.model().components().get(j);
-      boolean compared = law ? actsOffTheGround(other) : isMotion(other) == isMotion(c);
+      // A law is the form of everything that it takes part in; other causes only of their kind.
+      boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
       largest = compared ? Math.max(largest, evidence[j]) : largest;
     }
     Outcome outcome = outcome(model, i, without, evidence[i], largest, excess, gain);
@@ -140,10 +139,6 @@ public final class Decision {
         evidence[i],
         gain,
         outcome);
-  }
-
-  private static boolean actsOffTheGround(Component c) {
-    return c.template() instanceof MotionEffect motion && motion.actsOffTheGround();
   }
 
   static boolean isMotion(Component c) {
