@@ -176,6 +176,10 @@ public final class Decision {
     if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
     }
+    if (c.hasPlace() && evidence < excess) {
+      // A place is chosen where it takes up most of whatever is left.
+      return Outcome.FORM;
+    }
     // A value for each kick takes up something of anything: it helps, too, where another cause has
     // not its true form.
     boolean helps = !c.isPerKick() && gain[1] >= 100 * settings.formGain();
