@@ -407,7 +407,7 @@ public final class Diagnoser {
           || !Leftover.of(best.model()).isSignificant()) {
         return best;
       }
-      Weighed alone = choice.of(withCurves(base));
+      Weighed alone = choice.of(withCurves(base, List.of(), true));
       boolean named = best.judged().stream().anyMatch(Run::isName);
       double most = named ? IMITATED : 1;
       boolean imitated =
@@ -421,9 +421,32 @@ public final class Diagnoser {
       return j.outcome() == Outcome.NAMED && !LearnedFindings.isLearned(j.effect());
     }
 
-    /** With curves beside the causes, if that predicts better. Causes whose place a curve took stay where they are needed all the same: beside a curve a cause may get its true size. */
+    /** With curves and chance beside the causes, if that predicts better. A value for each kick can be any cause that differs between kicks: it takes the place of one that was named only where it explains much more. */
     private Weighed curved(Weighed named, ModelChoice choice, HoldOut heldBase) {
-      FittedModel curved = withCurves(named.model());
+      Weighed best = curved(named, choice, heldBase, true);
+      boolean much =
+          Math.pow(best.held().rmsMm(), 2) < IMITATED * Math.pow(named.held().rmsMm(), 2);
+      return !much && best.judged().stream().anyMatch(Run::isChance) && losesName(named, best)
+          ? curved(named, choice, heldBase, false)
+          : best;
+    }
+
+    private static boolean isChance(Judgement j) {
+      return !j.effect().hasOwnMean();
+    }
+
+    private static boolean losesName(Weighed before, Weighed after) {
+      return before.judged().stream()
+          .filter(Run::isName)
+          .anyMatch(
+              j ->
+                  after.judged().stream()
+                      .noneMatch(k -> isName(k) && k.component().isSameCause(j.component())));
+    }
+
+    /** With curves beside the causes, if that predicts better. Causes whose place a curve took stay where they are needed all the same: beside a curve a cause may get its true size. */
+    private Weighed curved(Weighed named, ModelChoice choice, HoldOut heldBase, boolean chance) {
+      FittedModel curved = withCurves(named.model(), named.judged(), chance);
       if (curved == named.model()) {
         return named;
       }
@@ -439,12 +462,12 @@ public final class Diagnoser {
       return better ? best : named;
     }
 
-    private FittedModel withCurves(FittedModel start) {
+    private FittedModel withCurves(FittedModel start, List<Judgement> judged, boolean chance) {
       int most = start.model().components().size() + MOST_LEARNED;
       return guarded(
           "the search for learned terms",
           start,
-          () -> search(start, learnedAndLaws(start), most, false));
+          () -> search(start, learnedAndLaws(judged, chance), most, false));
     }
 
     /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
@@ -485,25 +508,23 @@ public final class Diagnoser {
     }
 
     /**
-     * The library of smooth terms, chance, and the laws: with what was hidden before in the model, one may be right after all. Beside a cause that changes the ground with time neither a curve over time nor a value for each kick is offered: either can be that cause, and takes
-     * its place for the little that it does not explain. They are tried without it, too.
+     * The library of smooth terms, chance if wanted, and the laws: with what was hidden before in the model, one may be right after all. Beside a cause that was named and changes the ground with time no curve over time is offered: it can be that cause, and
+     * takes its place for the little that it does not explain.
      */
-    private List<Effect> learnedAndLaws(FittedModel start) {
-      boolean timed =
-          start.model().components().stream().anyMatch(c -> changesGroundWithTime(c.template()));
+    private List<Effect> learnedAndLaws(List<Judgement> judged, boolean chance) {
+      boolean timed = judged.stream().anyMatch(j -> isName(j) && changesGroundWithTime(j.effect()));
       List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
-      all.addAll(EffectCatalogue.unnamed());
-      all.removeIf(e -> timed && (changesGroundWithTime(e) || isOnGround(e) && !e.hasOwnMean()));
+      all.removeIf(e -> timed && changesGroundWithTime(e));
+      if (chance) {
+        all.addAll(EffectCatalogue.unnamed());
+      }
       catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
       return all;
     }
 
     private static boolean changesGroundWithTime(Effect effect) {
-      return isOnGround(effect) && effect.changesWithTime();
-    }
-
-    private static boolean isOnGround(Effect effect) {
-      return effect instanceof MotionEffect motion && !motion.actsOffTheGround();
+      boolean ground = effect instanceof MotionEffect motion && !motion.actsOffTheGround();
+      return ground && effect.changesWithTime();
     }
 
     private Diagnosis result(Answer a) {

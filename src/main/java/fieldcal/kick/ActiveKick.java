@@ -198,7 +198,7 @@ final class ActiveKick {
     if (still < jump.time()) {
       return still;
     }
-    double before = restStart(track, Departure.LONGEST + JUST_BEFORE);
+    double before = restStart(track, Departure.LATEST + JUST_BEFORE);
     movedBefore |= before < jump.time();
     return before;
   }

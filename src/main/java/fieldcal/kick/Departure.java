@@ -27,10 +27,11 @@ record Departure(double time, double timeError, double length, boolean fromRest)
   /** Good cameras see a resting ball to 0.7 mm (ten matches of 2026); few detections may agree better by chance, m. */
   private static final double LEAST_NOISE = 7e-4;
 
-  /**
-   * So long before the kick is found nothing touches the ball, s: dead times and a robot's delays are shorter, and a chip at 53 degrees towards a camera that is 4.3 m high and 3.4 m away is found 0.12 s late.
-   */
-  static final double LONGEST = 0.15;
+  /** So long before the kick nothing touches the ball, s; dead times and a robot's delays are shorter. */
+  private static final double LONGEST = 0.12;
+
+  /** So much earlier a kick may have been made than it was found, s: a chip at 53 degrees towards a camera that is 4.3 m high and 3.4 m away is found 0.12 s late. */
+  static final double LATEST = 0.15;
 
   private static final double SHORTEST = 0.01;
 
@@ -96,17 +97,13 @@ record Departure(double time, double timeError, double length, boolean fromRest)
     }
     Departure plain = still ? new Departure(time, Kick.CROSSING_ERROR, 0, true) : unknown;
     double speed = Math.hypot(vx, vy);
-    Near near = near(all, time, vx / speed, vy / speed);
+    Near near = near(all, time, vx / speed, vy / speed, LATEST);
     if (near.cameras == 0) {
       return plain;
     }
-    double straight = Double.POSITIVE_INFINITY;
-    for (double kick = time - TIME_OFF; kick < time + TIME_OFF; kick += TIME_STEP) {
-      straight = Math.min(straight, squares(near, kick, kick, 0));
-    }
     double curved = Double.POSITIVE_INFINITY;
     double earlier = time;
-    for (double kick = time - LONGEST; kick < time + TIME_OFF; kick += TIME_STEP) {
+    for (double kick = time - LATEST; kick < time + TIME_OFF; kick += TIME_STEP) {
       double squares = curved(near, kick);
       if (squares < curved) {
         curved = squares;
@@ -114,16 +111,26 @@ record Departure(double time, double timeError, double length, boolean fromRest)
       }
     }
     double variance = near.noise * near.noise;
-    double surely = SURELY * variance;
-    boolean bent = straight - curved > surely;
-    double simpler = bent ? curved : straight;
-    Optional<Departure> pushed = pushed(near, time, simpler - surely);
+    boolean bent = straight(near, time) - curved > SURELY * variance;
+    Near nearer = bent ? near : near(all, time, vx / speed, vy / speed, LONGEST);
+    double simpler = bent ? curved : straight(nearer, time);
+    Optional<Departure> pushed =
+        pushed(nearer, time, simpler - SURELY * nearer.noise * nearer.noise);
     if (pushed.isPresent()) {
       return pushed.get();
     }
     int n = near.seen.size();
-    boolean explained = still || simpler / variance < n + SURELY + 2 * Math.sqrt(2.0 * n);
+    boolean explained = still || curved / variance < n + SURELY + 2 * Math.sqrt(2.0 * n);
     return bent && explained ? new Departure(earlier, Kick.CROSSING_ERROR, 0, true) : plain;
+  }
+
+  /** What a kick without a push leaves unexplained, m². */
+  private static double straight(Near near, double time) {
+    double least = Double.POSITIVE_INFINITY;
+    for (double kick = time - TIME_OFF; kick < time + TIME_OFF; kick += TIME_STEP) {
+      least = Math.min(least, squares(near, kick, kick, 0));
+    }
+    return least;
   }
 
   /** The push that leaves less than {@code most} unexplained, m². */
@@ -169,9 +176,10 @@ record Departure(double time, double timeError, double length, boolean fromRest)
     return new Departure(time + mean, Math.max(LEAST_ERROR, spread), length, false);
   }
 
-  private static Near near(Observations all, double time, double ux, double uy) {
+  /** What was seen near the kick, from {@code since} seconds before it on; what was seen earlier is rest. */
+  private static Near near(Observations all, double time, double ux, double uy, double since) {
     Map<Integer, List<Double>> rest = new HashMap<>();
-    for (int i = 0; i < all.size() && all.time(i) < time - LONGEST; i++) {
+    for (int i = 0; i < all.size() && all.time(i) < time - since; i++) {
       rest.computeIfAbsent(all.camera(i), c -> new ArrayList<>())
           .add(ux * all.x(i) + uy * all.y(i));
     }
@@ -189,7 +197,7 @@ record Departure(double time, double timeError, double length, boolean fromRest)
     List<Seen> seen = new ArrayList<>();
     for (int i = 0; i < all.size() && all.time(i) < time + STRAIGHT; i++) {
       int camera = cameras.indexOf(all.camera(i));
-      if (camera >= 0 && all.time(i) > time - LONGEST) {
+      if (camera >= 0 && all.time(i) > time - since) {
         double along = ux * all.x(i) + uy * all.y(i) - places.get(all.camera(i));
         if (all.time(i) > time || Math.abs(along) < ELSEWHERE) {
           seen.add(new Seen(all.time(i), camera, along));
