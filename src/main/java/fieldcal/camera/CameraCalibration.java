@@ -92,6 +92,34 @@ public record CameraCalibration(
     return !Double.isNaN(derivedWorldX);
   }
 
+  /**
+   * The same camera published elsewhere.
+   *
+   * @param translation world origin in the camera's frame, m
+   * @param position of the camera in the world, m; NaN where absent
+   * @return the changed calibration
+   */
+  public CameraCalibration withPosition(double[] translation, double[] position) {
+    return new CameraCalibration(
+        id,
+        focalLength,
+        principalPointX,
+        principalPointY,
+        distortion,
+        q0,
+        q1,
+        q2,
+        q3,
+        translation[0],
+        translation[1],
+        translation[2],
+        position[0],
+        position[1],
+        position[2],
+        imageWidth,
+        imageHeight);
+  }
+
   private static void requireFinite(int id, String name, double value) {
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException("camera " + id + ": " + name + " is " + value);

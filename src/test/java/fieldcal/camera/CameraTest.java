@@ -38,28 +38,7 @@ class CameraTest {
   }
 
   private static CameraCalibration moved(CameraCalibration c, double[] t) {
-    return published(c, t, new double[] {NAN, NAN, NAN});
-  }
-
-  private static CameraCalibration published(CameraCalibration c, double[] t, double[] position) {
-    return new CameraCalibration(
-        c.id(),
-        c.focalLength(),
-        c.principalPointX(),
-        c.principalPointY(),
-        c.distortion(),
-        c.q0(),
-        c.q1(),
-        c.q2(),
-        c.q3(),
-        t[0],
-        t[1],
-        t[2],
-        position[0],
-        position[1],
-        position[2],
-        c.imageWidth(),
-        c.imageHeight());
+    return c.withPosition(t, new double[] {NAN, NAN, NAN});
   }
 
   /** A camera 3 to 7 m high that looks down with up to 0.3 of tilt and any yaw. */
@@ -250,19 +229,19 @@ class CameraTest {
   void aPoseThatFitsIsUsed() {
     CameraCalibration pose = at(DOWN, 0.1, -3, 2, 5);
     double[] t = {pose.tx(), pose.ty(), pose.tz()};
-    Camera near = Camera.of(published(pose, t, new double[] {-3, 2.02, 5}));
+    Camera near = Camera.of(pose.withPosition(t, new double[] {-3, 2.02, 5}));
     assertThat(near.poseSource()).isEqualTo(PoseSource.CALIBRATION);
     assertThat(near.positionY()).isCloseTo(2, within(1e-12));
     assertThat(near.consistency()).isEqualTo("pose and published position agree to 20.00 mm");
 
-    Camera far = Camera.of(published(pose, t, new double[] {-3, 2, 5.2}));
+    Camera far = Camera.of(pose.withPosition(t, new double[] {-3, 2, 5.2}));
     assertThat(far.poseSource()).isEqualTo(PoseSource.DERIVED_POSITION);
     assertThat(far.consistency())
         .isEqualTo(
             "the pose puts the camera at (-3.000, 2.000, 5.000) m, 0.20 m from the published"
                 + " (-3.000, 2.000, 5.200) m; only the published position is used");
 
-    Camera zero = Camera.of(published(pose, t, new double[] {0, 0, 0}));
+    Camera zero = Camera.of(pose.withPosition(t, new double[] {0, 0, 0}));
     assertThat(zero.poseSource()).isEqualTo(PoseSource.CALIBRATION);
     Camera absent = Camera.of(pose);
     assertThat(absent.poseSource()).isEqualTo(PoseSource.CALIBRATION);

@@ -79,6 +79,8 @@ class RecordedEffectsTest {
     assertThat(2 * Math.abs(offset.value("x_mm"))).isCloseTo(40, within(2.0));
     Effect position = diagnosis.causes().get(1).effect();
     assertThat((int) position.value("camera")).isEqualTo(EffectParameters.ALL_CAMERAS);
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(0.3 * diagnosis.base().holdoutRmsMm());
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.25 * diagnosis.base().predictionErrorMm().get(1.0));
   }

@@ -13,7 +13,7 @@ import java.util.List;
  *
  * @param change of the vertical damping of one kick (–)
  */
-public record BounceScatter(double change) implements Bounce {
+public record BounceScatter(double change) implements ChanceOfKick, Bounce {
   private static final String ID = "bounce_scatter";
 
   /**
@@ -57,21 +57,6 @@ public record BounceScatter(double change) implements Bounce {
   @Override
   public boolean canShowIn(Arena arena) {
     return arena.chips();
-  }
-
-  @Override
-  public boolean differsFromKickToKick() {
-    return true;
-  }
-
-  @Override
-  public boolean hasOwnMean() {
-    return false;
-  }
-
-  @Override
-  public List<String> dependsOn() {
-    return List.of("kick");
   }
 
   @Override

@@ -11,7 +11,7 @@ import java.util.List;
  *
  * @param change of the rolling deceleration of one kick (–)
  */
-public record RollScatter(double change) implements FrictionOfKick {
+public record RollScatter(double change) implements ChanceOfKick, FrictionOfKick {
   private static final String ID = "roll_scatter";
 
   /**
@@ -50,21 +50,6 @@ public record RollScatter(double change) implements FrictionOfKick {
   @Override
   public RollScatter withParameters(double... values) {
     return new RollScatter(EffectParameters.require(ID, values, 1)[0]);
-  }
-
-  @Override
-  public boolean differsFromKickToKick() {
-    return true;
-  }
-
-  @Override
-  public boolean hasOwnMean() {
-    return false;
-  }
-
-  @Override
-  public List<String> dependsOn() {
-    return List.of("kick");
   }
 
   @Override

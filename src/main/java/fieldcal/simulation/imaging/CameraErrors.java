@@ -243,7 +243,7 @@ public record CameraErrors(
   public CameraErrors withKnock(double x, double y, double at) {
     List<Knock> all = new ArrayList<>(knocks);
     all.add(new Knock(x, y, at));
-    return with(all, shear, tables);
+    return with(all, shear, tables, misstated);
   }
 
   /**
@@ -253,7 +253,7 @@ public record CameraErrors(
    * @return the changed errors
    */
   public CameraErrors withShear(double metres) {
-    return with(knocks, metres, tables);
+    return with(knocks, metres, tables, misstated);
   }
 
   /**
@@ -265,7 +265,7 @@ public record CameraErrors(
   public CameraErrors withTable(TabulatedError table) {
     List<TabulatedError> all = new ArrayList<>(tables);
     all.add(table);
-    return with(knocks, shear, all);
+    return with(knocks, shear, all, misstated);
   }
 
   /**
@@ -277,27 +277,14 @@ public record CameraErrors(
    * @return the changed errors
    */
   public CameraErrors withMisstated(double x, double y, double height) {
-    return new CameraErrors(
-        tilt,
-        tiltAxis,
-        heightError,
-        shiftX,
-        shiftY,
-        distortionError,
-        offsetX,
-        offsetY,
-        timeOffset,
-        clockSkew,
-        shakeAmplitude,
-        shakeRate,
-        knocks,
-        shear,
-        tables,
-        new Misstated(x, y, height));
+    return with(knocks, shear, tables, new Misstated(x, y, height));
   }
 
   private CameraErrors with(
-      List<Knock> newKnocks, double newShear, List<TabulatedError> newTables) {
+      List<Knock> newKnocks,
+      double newShear,
+      List<TabulatedError> newTables,
+      Misstated newMisstated) {
     return new CameraErrors(
         tilt,
         tiltAxis,
@@ -314,7 +301,7 @@ public record CameraErrors(
         newKnocks,
         newShear,
         newTables,
-        misstated);
+        newMisstated);
   }
 
   /**
@@ -330,17 +317,18 @@ public record CameraErrors(
     all.addAll(other.knocks);
     List<TabulatedError> both = new ArrayList<>(tables);
     both.addAll(other.tables);
-    return NONE.with(all, shear + other.shear, both)
+    Misstated announced =
+        new Misstated(
+            misstated.x + other.misstated.x,
+            misstated.y + other.misstated.y,
+            misstated.height + other.misstated.height);
+    return NONE.with(all, shear + other.shear, both, announced)
         .withTilt(tilted.tilt, tilted.tiltAxis)
         .withShift(shiftX + other.shiftX, shiftY + other.shiftY, heightError + other.heightError)
         .withDistortion(distortionError + other.distortionError)
         .withOffset(offsetX + other.offsetX, offsetY + other.offsetY)
         .withTiming(timeOffset + other.timeOffset, clockSkew + other.clockSkew)
-        .withShake(shaken.shakeAmplitude, shaken.shakeRate)
-        .withMisstated(
-            misstated.x + other.misstated.x,
-            misstated.y + other.misstated.y,
-            misstated.height + other.misstated.height);
+        .withShake(shaken.shakeAmplitude, shaken.shakeRate);
   }
 
   /** Where the swing is at a time, m. */

@@ -1,6 +1,7 @@
 package fieldcal.simulation.imaging;
 
 import fieldcal.camera.CameraCalibration;
+import java.util.Arrays;
 
 /**
  * Where a camera is and how it is turned: the quaternion (vector first) turns world vectors into the camera's frame.
@@ -25,24 +26,16 @@ record Pose(double x, double y, double z, double qx, double qy, double qz, doubl
       return c;
     }
     double[] r = new Pose(0, 0, 0, c.q0(), c.q1(), c.q2(), c.q3()).matrix();
-    return new CameraCalibration(
-        c.id(),
-        c.focalLength(),
-        c.principalPointX(),
-        c.principalPointY(),
-        c.distortion(),
-        c.q0(),
-        c.q1(),
-        c.q2(),
-        c.q3(),
-        Millimetres.rounded(c.tx() - (r[0] * dx + r[1] * dy + r[2] * dz)),
-        Millimetres.rounded(c.ty() - (r[3] * dx + r[4] * dy + r[5] * dz)),
-        Millimetres.rounded(c.tz() - (r[6] * dx + r[7] * dy + r[8] * dz)),
-        Millimetres.rounded(c.derivedWorldX() + dx),
-        Millimetres.rounded(c.derivedWorldY() + dy),
-        Millimetres.rounded(c.derivedWorldZ() + dz),
-        c.imageWidth(),
-        c.imageHeight());
+    return c.withPosition(
+        rounded(
+            c.tx() - (r[0] * dx + r[1] * dy + r[2] * dz),
+            c.ty() - (r[3] * dx + r[4] * dy + r[5] * dz),
+            c.tz() - (r[6] * dx + r[7] * dy + r[8] * dz)),
+        rounded(c.derivedWorldX() + dx, c.derivedWorldY() + dy, c.derivedWorldZ() + dz));
+  }
+
+  private static double[] rounded(double... metres) {
+    return Arrays.stream(metres).map(Millimetres::rounded).toArray();
   }
 
   /** Looks straight down, the image's x axis at an angle from the field's. */
