@@ -60,7 +60,7 @@ public final class EffectCatalogue {
           new SlipDependentFriction(0),
           new CameraMoved(0, 0, 0, 0),
           new BallChanged(0, 0, 0),
-          new ContactImpacts(0, 0, 0, 0),
+          new ContactImpacts(0, 0, 0, 0, 10),
           new CarpetSeam(0, 0, 0, 0));
 
   private static final List<Effect> UNNAMED = List.of(new RollScatter(0), new BounceScatter(0));

@@ -1,5 +1,7 @@
 package fieldcal.effect;
 
+import fieldcal.ball.ChipModel;
+
 /**
  * An effect that changes how the ball moves. What it changes is said by the interfaces below, of which an effect implements one or
  * more: the integrator asks each only where it may act.
@@ -239,6 +241,15 @@ public interface MotionEffect extends Effect {
      * @param after vx, vy and the spin as velocities (see {@link BallMotion#spinX}), m/s; before the impact when called, changed in place
      */
     void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after);
+
+    /**
+     * The height of the lowest hop; a ball that would hop lower stays down.
+     *
+     * @return m, {@link ChipModel#MIN_HOP_HEIGHT} unless a law says otherwise
+     */
+    default double lowestHop() {
+      return ChipModel.MIN_HOP_HEIGHT;
+    }
   }
 
   /** What makes a bounce differ from fixed losses. */

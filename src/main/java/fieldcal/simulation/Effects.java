@@ -56,7 +56,10 @@ final class Effects {
                                     e.number("friction"),
                                     e.number("loss"),
                                     e.number("loss"),
-                                    e.number("rolling"))));
+                                    e.number("rolling")))
+                            .withMinHopHeight(
+                                e.number("lowest_hop_mm", 1000 * p.impact().minHopHeight())
+                                    / 1000));
             case WIND -> p.withAir(wind(p.air(), e));
             case BALL_CHANGED ->
                 e.number("roll") == 0 && e.number("slide") == 0

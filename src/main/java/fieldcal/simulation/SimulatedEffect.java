@@ -82,12 +82,13 @@ public enum SimulatedEffect {
       number("x_mm", -500, 500), number("y_mm", -500, 500), number("at", 0, 1e6), camera()),
   /** Another ball from a time of the session on. */
   BALL_CHANGED(number("roll", -0.9, 5), number("slide", -0.9, 5), number("at", 0, 1e6)),
-  /** Impacts are contacts: the part 1 + reversed of the slip is undone, as far as friction can; speed and spin lose a share, and a spinning ball is resisted; nothing without friction. */
+  /** Impacts are contacts: the part 1 + reversed of the slip is undone, as far as friction can; speed and spin lose a share, and a spinning ball is resisted; hops end at the league's 10 mm unless said otherwise; nothing without friction. */
   CONTACT_IMPACTS(
       number("reversed", -1, 1),
       number("friction", 0, 5),
       number("loss", -0.1, 0.9),
-      number("rolling", -0.05, 0.9)),
+      number("rolling", -0.05, 0.9),
+      number("lowest_hop_mm", 0.1, 1000)),
   /** A seam of the carpet takes speed and turns paths. */
   CARPET_SEAM(
       number("loss", -0.5, 0.9),

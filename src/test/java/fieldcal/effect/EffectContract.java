@@ -43,7 +43,9 @@ abstract class EffectContract {
           Map.entry("slip_dependent_friction", List.of("slope")),
           Map.entry("camera_moved", List.of("x_mm", "y_mm", "at", "camera")),
           Map.entry("ball_changed", List.of("roll", "slide", "at")),
-          Map.entry("contact_impacts", List.of("reversed", "friction", "loss", "rolling")),
+          Map.entry(
+              "contact_impacts",
+              List.of("reversed", "friction", "loss", "rolling", "lowest_hop_mm")),
           Map.entry("carpet_seam", List.of("loss", "turn", "normal", "distance")));
 
   /** Two flats and a chip, two cameras that are known in full and one of which nothing is. */

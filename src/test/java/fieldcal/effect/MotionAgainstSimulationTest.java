@@ -112,16 +112,25 @@ class MotionAgainstSimulationTest {
             new BounceSpinCoupling(0.2),
             new KickSpin(-0.6),
             new SideSpin(0.2)),
-        of(sticking(p, 0, 0.6), new ContactImpacts(0, 0.6, 0, 0)),
-        of(sticking(p, 0, 0.2), new ContactImpacts(0, 0.2, 0, 0)),
+        of(sticking(p, 0, 0.6), new ContactImpacts(0, 0.6, 0, 0, 10)),
+        of(sticking(p, 0, 0.2), new ContactImpacts(0, 0.2, 0, 0, 10)),
         of(
             p.impact(p.impact.withTangential(new Contact(0, 0.6, 0.03, 0.03, 0.04))),
-            new ContactImpacts(0, 0.6, 0.03, 0.04)),
-        of(sticking(p, 0, 0.6).spin(-0.5, 0), new ContactImpacts(0, 0.6, 0, 0), new KickSpin(-0.5)),
+            new ContactImpacts(0, 0.6, 0.03, 0.04, 10)),
+        of(
+            p.impact(
+                p.impact
+                    .withTangential(new Contact(0.15, 0.4, 0.02, 0.02, 0))
+                    .withMinHopHeight(0.0005)),
+            new ContactImpacts(0.15, 0.4, 0.02, 0, 0.5)),
+        of(
+            sticking(p, 0, 0.6).spin(-0.5, 0),
+            new ContactImpacts(0, 0.6, 0, 0, 10),
+            new KickSpin(-0.5)),
         of(
             sticking(p, 0, 0.3).spin(-0.6, 0.3).air(p.air.withLift(0.5)),
             new Magnus(0.5),
-            new ContactImpacts(0, 0.3, 0, 0),
+            new ContactImpacts(0, 0.3, 0, 0, 10),
             new KickSpin(-0.6),
             new SideSpin(0.3)),
         of(slippery(p, 0.05), new SlipDependentFriction(0.05)),

@@ -227,7 +227,7 @@ class MotionEffectsTest {
   class ContactImpactsTest extends Paths {
     ContactImpactsTest() {
       // The first impact of the chip slips through, the others grip.
-      super(new ContactImpacts(-0.2, 0.12, 0, 0));
+      super(new ContactImpacts(-0.2, 0.12, 0, 0, 10));
     }
   }
 
@@ -271,7 +271,7 @@ class MotionEffectsTest {
   void contactBuildsUpSpinFromHopToHop() {
     // A soft grip, e_t = −0.6: what is lost shrinks from impact to impact, which fixed dampings
     // cannot do.
-    List<Double> speeds = afterImpacts(new ContactImpacts(-0.4, 1, 0, 0));
+    List<Double> speeds = afterImpacts(new ContactImpacts(-0.4, 1, 0, 0, 10));
     double slip = 3;
     double v = 3;
     for (double speed : speeds) {
@@ -280,7 +280,7 @@ class MotionEffectsTest {
       assertThat(speed).isEqualTo(v, within(1e-9));
     }
     // Little friction limits the impulse: Δv = −friction·(1 + e_z)·|v_z|.
-    assertThat(afterImpacts(new ContactImpacts(0, 0.05, 0, 0)).get(0))
+    assertThat(afterImpacts(new ContactImpacts(0, 0.05, 0, 0, 10)).get(0))
         .isEqualTo(3 - 0.05 * 1.52 * 4, within(1e-9));
   }
 
@@ -288,10 +288,11 @@ class MotionEffectsTest {
   void rollingResistanceActsInImpacts() {
     // A perfect grip leaves a rolling ball, which loses rolling·(1 + e_z)·|v_z| beside that.
     double rolls = 3 - 0.4 / 1.4 * 3;
-    assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.03)).get(0))
+    assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.03, 10)).get(0))
         .isEqualTo(rolls - 0.03 * 1.52 * 4, within(1e-9));
     // It cannot turn the spin round.
-    assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.5)).get(0)).isEqualTo(0, within(1e-9));
+    assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.5, 10)).get(0))
+        .isEqualTo(0, within(1e-9));
   }
 
   @Test

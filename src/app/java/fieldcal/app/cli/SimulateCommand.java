@@ -52,7 +52,7 @@ import picocli.CommandLine.Spec;
       "  robot_kick_bias:percent,yaw,team,robot",
       "  speed_dependent_restitution:slope",
       "  bounce_spin_coupling:coefficient",
-      "  contact_impacts:reversed,friction,loss,rolling",
+      "  contact_impacts:reversed,friction,loss,rolling,lowest_hop_mm",
       "  camera_offset:x_mm,y_mm,camera",
       "  camera_time_offset:ms,camera",
       "  camera_pose_error:tilt_mrad,axis,height_mm,shift_x_mm,",

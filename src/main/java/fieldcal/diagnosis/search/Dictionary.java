@@ -16,6 +16,7 @@ public final class Dictionary {
   private final List<Proposal> everywhere = new ArrayList<>();
   private final Map<String, List<Proposal>> placed = new LinkedHashMap<>();
   private final List<Effect> laws = new ArrayList<>();
+  private final List<Proposal> together = new ArrayList<>();
 
   /**
    * A dictionary.
@@ -34,6 +35,12 @@ public final class Dictionary {
         continue;
       }
       add(effect, arena);
+      if (!effect.companions().isEmpty()) {
+        List<Component> all = new ArrayList<>();
+        effect.companions().forEach(e -> all.add(Component.of(e, e.magnitudes())));
+        all.add(Component.of(effect, effect.magnitudes()));
+        together.add(new Proposal(all, false));
+      }
     }
   }
 
@@ -82,6 +89,16 @@ public final class Dictionary {
     return placed.values().stream()
         .map(list -> list.stream().filter(p -> isPossible(p, model)).toList())
         .filter(list -> !list.isEmpty())
+        .toList();
+  }
+
+  /** Effects that do nothing alone, with those that they need at usual values, of which the model has none: a score test at their absence cannot see them. */
+  List<Proposal> together(EffectModel model) {
+    return together.stream()
+        .filter(
+            p ->
+                p.components().stream()
+                    .noneMatch(c -> model.components().stream().anyMatch(c::isSameCause)))
         .toList();
   }
 

@@ -2,6 +2,7 @@ package fieldcal.diagnosis.search;
 
 import fieldcal.diagnosis.model.Component;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * Components that a search may add at once: one effect, or a group that belongs together (the offsets of all cameras).
@@ -24,6 +25,8 @@ record Proposal(List<Component> components, boolean group) {
 
   @Override
   public String toString() {
-    return group ? "all " + components.get(0).template().id() : components.get(0).toString();
+    return group
+        ? "all " + components.get(0).template().id()
+        : components.stream().map(Component::toString).collect(Collectors.joining(" and "));
   }
 }

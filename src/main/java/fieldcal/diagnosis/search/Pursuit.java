@@ -109,9 +109,16 @@ final class Pursuit {
 
   /** Each round adds something, or rejects or removes it. */
   private void grow(int atOnce) {
+    FittedModel before = best;
     for (int round = 0; round < 4 * maxComponents && addBest(atOnce); round++) {
+      if (round == 0) {
+        addTogether(before);
+      }
       if (trace.get(trace.size() - 1).action() == Action.ADDED) {
         movePlaces();
+        if (round == 0) {
+          beginLawsAgain();
+        }
         addLaws();
         prune();
       }
@@ -202,7 +209,7 @@ final class Pursuit {
       List<Component> with = new ArrayList<>(without);
       with.add(Component.of(start, start.magnitudes()));
       best = before;
-      FittedModel tried = refits.fit(best, with);
+      FittedModel tried = refits.fitLaw(best, with);
       best = price.gain(before, tried) > 0 ? tried : before;
       if (best != before) {
         return;
@@ -272,6 +279,23 @@ final class Pursuit {
       return false;
     }
     return tryAdding(placed(chosen), from, expected);
+  }
+
+  /** Effects that only do something together, in place of what the score test chose, if they explain more. */
+  private void addTogether(FittedModel before) {
+    for (Proposal p : dictionary.together(before.model())) {
+      List<Component> with = added(before.model().components(), p.components());
+      if (with.size() > maxComponents) {
+        continue;
+      }
+      FittedModel tried = refits.fit(before, with);
+      double gained = price.net(before, tried);
+      if (gained > price.net(before, best)) {
+        trace.add(new SearchStep(p.toString(), Action.ADDED, Double.NaN, gained));
+        best = tried;
+        rejected.clear();
+      }
+    }
   }
 
   /** The components of a group that are needed, best first, until what the others would add is not worth it. */
@@ -396,7 +420,7 @@ final class Pursuit {
       double most = 0;
       for (Effect start : law.starts()) {
         Component c = Component.of(start, start.magnitudes());
-        FittedModel tried = refits.fit(best, added(best.model().components(), List.of(c)));
+        FittedModel tried = refits.fitLaw(best, added(best.model().components(), List.of(c)));
         double gain = price.gain(best, tried);
         if (gain > most) {
           most = gain;
@@ -412,6 +436,23 @@ final class Pursuit {
       if (good) {
         best = top;
         rejected.clear();
+      }
+    }
+  }
+
+  /** Begins laws that the model has again: where they led before the strongest causes were known may have been wrong. */
+  private void beginLawsAgain() {
+    for (int i = 0; i < best.model().components().size(); i++) {
+      FittedModel before = best;
+      for (Effect start : before.model().components().get(i).template().starts()) {
+        List<Component> with = new ArrayList<>(before.model().components());
+        with.set(i, Component.of(start, start.magnitudes()));
+        FittedModel tried = refits.fitLaw(before, with);
+        best = price.gain(best, tried) > 0 ? tried : best;
+      }
+      if (best != before) {
+        String form = best.model().components().get(i).toString();
+        trace.add(new SearchStep(form, Action.SWAPPED, Double.NaN, price.gain(before, best)));
       }
     }
   }

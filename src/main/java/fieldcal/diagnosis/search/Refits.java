@@ -35,6 +35,15 @@ final class Refits {
 
   /** A model of these components; those that the other model has start from its values. */
   FittedModel fit(FittedModel from, List<Component> components) {
+    return fit(from, components, solver);
+  }
+
+  /** A model with a law that the other does not have or has from other numbers: the chips hop as often as this law says, since the other model's numbers of hops would hold it where they came from. */
+  FittedModel fitLaw(FittedModel from, List<Component> components) {
+    return fit(from, components, solver.startingByRule());
+  }
+
+  private FittedModel fit(FittedModel from, List<Component> components, SharedSolver solver) {
     count++;
     List<Component> had = from.model().components();
     List<Effect> now = from.effects();

@@ -1,11 +1,13 @@
 package fieldcal.effect.motion;
 
+import fieldcal.ball.ChipModel;
 import fieldcal.ball.Parameter;
 import fieldcal.effect.Arena;
 import fieldcal.effect.BallMotion;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.ImpactLaw;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -18,10 +20,17 @@ import java.util.List;
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
  * @param loss part of the speed over the ground and of the spin that each impact takes in addition (–)
  * @param rolling coefficient of rolling resistance in an impact (–)
+ * @param lowestHopMm a ball whose next hop would be lower than that stays down, mm: each hop that is left out takes its part of the slip at once and not one by one
  */
-public record ContactImpacts(double reversed, double friction, double loss, double rolling)
+public record ContactImpacts(
+    double reversed, double friction, double loss, double rolling, double lowestHopMm)
     implements ImpactLaw {
   private static final String ID = "contact_impacts";
+
+  private static final double LEAGUE_LOWEST_HOP_MM = 1000 * ChipModel.MIN_HOP_HEIGHT;
+
+  /** Where grSim ends bouncing: below 0.1 m/s, that is v²/(2g). */
+  private static final double ENGINE_LOWEST_HOP_MM = 0.5;
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -29,7 +38,7 @@ public record ContactImpacts(double reversed, double friction, double loss, doub
    * @throws IllegalArgumentException when one is not finite
    */
   public ContactImpacts {
-    EffectParameters.requireFinite(ID, reversed, friction, loss, rolling);
+    EffectParameters.requireFinite(ID, reversed, friction, loss, rolling, lowestHopMm);
   }
 
   @Override
@@ -66,13 +75,22 @@ public record ContactImpacts(double reversed, double friction, double loss, doub
         new Parameter(
             "loss", "", loss, 0.02, -0.1, 0.3, true, "a few hundredths on carpets; chosen wide"),
         new Parameter(
-            "rolling", "", rolling, 0.02, -0.05, 0.3, true, "0.03 of a ball that rolls; wide"));
+            "rolling", "", rolling, 0.02, -0.05, 0.3, true, "0.03 of a ball that rolls; wide"),
+        new Parameter(
+            "lowest_hop_mm",
+            "mm",
+            lowestHopMm,
+            1,
+            0.1,
+            100,
+            false,
+            "the league's models say 10 mm, physics engines about 0.5 mm"));
   }
 
   @Override
   public ContactImpacts withParameters(double... values) {
-    double[] v = EffectParameters.require(ID, values, 4);
-    return new ContactImpacts(v[0], v[1], v[2], v[3]);
+    double[] v = EffectParameters.require(ID, values, 5);
+    return new ContactImpacts(v[0], v[1], v[2], v[3], v[4]);
   }
 
   @Override
@@ -95,13 +113,27 @@ public record ContactImpacts(double reversed, double friction, double loss, doub
     return arena.chips();
   }
 
-  /** A ball that grips with little loss, a softer grip, and one that friction limits. */
+  /** A ball that grips with little loss, a softer grip, and one that friction limits; each with hops as low as the league's models and as physics engines have them. */
   @Override
   public List<Effect> starts() {
-    return List.of(
-        new ContactImpacts(-0.1, 1, 0.02, 0),
-        new ContactImpacts(-0.25, 0.5, 0, 0),
-        new ContactImpacts(0, 0.25, 0, 0));
+    List<Effect> all = new ArrayList<>();
+    for (double lowest : new double[] {LEAGUE_LOWEST_HOP_MM, ENGINE_LOWEST_HOP_MM}) {
+      all.add(new ContactImpacts(-0.1, 1, 0.02, 0, lowest));
+      all.add(new ContactImpacts(-0.25, 0.5, 0, 0, lowest));
+      all.add(new ContactImpacts(0, 0.25, 0, 0, lowest));
+    }
+    return all;
+  }
+
+  /** How low the hops are is a number of the law, which a search chooses, not what it acts on. */
+  @Override
+  public String subject() {
+    return "";
+  }
+
+  @Override
+  public double lowestHop() {
+    return lowestHopMm / 1000;
   }
 
   /** The law does not grow from its absence: it takes the place of another. */

@@ -35,8 +35,8 @@ public record ImpactLaw(
     Check.range("dampingZOtherHops", dampingZOtherHops, 0, 0.95);
     Check.range("speedSlope", speedSlope, -0.5, 0.5);
     Check.range("spinCoupling", spinCoupling, -2, 2);
-    // Below 1 mm a hop would be shorter than a few integration steps.
-    Check.range("minHopHeight", minHopHeight, 1e-3, 1);
+    // Below 0.1 mm a hop would be shorter than a few integration steps.
+    Check.range("minHopHeight", minHopHeight, 1e-4, 1);
   }
 
   /** What an impact does to the velocity along the carpet and to the spin. */
@@ -150,6 +150,17 @@ public record ImpactLaw(
   public ImpactLaw withTangential(Tangential law) {
     return new ImpactLaw(
         dampingZFirstHop, dampingZOtherHops, speedSlope, law, spinCoupling, minHopHeight);
+  }
+
+  /**
+   * Another end of the bouncing.
+   *
+   * @param height lowest apex that still counts as a hop, m
+   * @return the changed law
+   */
+  public ImpactLaw withMinHopHeight(double height) {
+    return new ImpactLaw(
+        dampingZFirstHop, dampingZOtherHops, speedSlope, tangential, spinCoupling, height);
   }
 
   /** e_z of an impact. */

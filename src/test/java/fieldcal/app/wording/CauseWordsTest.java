@@ -139,7 +139,7 @@ class CauseWordsTest {
                 + " more when it rolls and brakes 6.0 % less when it slides.",
             "brakes 12 % less when it rolls and brakes 6.0 % more"),
         Arguments.of(
-            new ContactImpacts(-0.2, 0.3, 0, 0),
+            new ContactImpacts(-0.2, 0.3, 0, 0, 10),
             "does not quite stop the slip of the ball's lowest point: 20 % of it stays",
             "reverses the slip of the ball's lowest point: 20 % of it comes back"),
         Arguments.of(

@@ -133,7 +133,7 @@ class ComponentTest {
     Prior drag = all(new AirDrag(0.4)).priors().get(0);
     assertThat(drag.mean()).isZero();
     assertThat(drag.precision()).isPositive();
-    Effect start = new ContactImpacts(0, 0, 0, 0).starts().get(0);
+    Effect start = new ContactImpacts(0, 0, 0, 0, 10).starts().get(0);
     assertThat(all(start).priors().get(1).mean()).isEqualTo(start.value("friction"));
   }
 }

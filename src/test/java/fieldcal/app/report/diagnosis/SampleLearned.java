@@ -30,7 +30,7 @@ public final class SampleLearned {
   public static List<LearnedFinding> findings() {
     return List.of(
         new LearnedFinding(
-            new ContactImpacts(-0.2, 0.3, 0.05, 0.02),
+            new ContactImpacts(-0.2, 0.3, 0.05, 0.02, 10),
             "impact",
             List.of("spin"),
             OptionalInt.empty(),
