@@ -144,6 +144,15 @@ public interface Effect {
   }
 
   /**
+   * Starts of another form of such a law, that a search tries where the law holds: one that differs in a number that is not estimated.
+   *
+   * @return empty unless a law says otherwise
+   */
+  default List<Effect> forms() {
+    return List.of();
+  }
+
+  /**
    * What is known of the ball's own parameters once this effect stands beside them: one that takes up the effect while it is missing is a number of mechanics when it is not.
    *
    * @return empty unless an effect says otherwise

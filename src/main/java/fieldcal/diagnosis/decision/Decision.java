@@ -176,9 +176,8 @@ public final class Decision {
     if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
     }
-    if ((isMotion(c) || c.hasPlace()) && evidence < excess) {
-      // A place is chosen where it takes up most of whatever is left, and where a ball moves
-      // by another law than all that are known, its weaker causes take up parts of that.
+    if (c.hasPlace() && evidence < excess) {
+      // A place is chosen where it takes up most of whatever is left.
       return Outcome.FORM;
     }
     // A value for each kick takes up something of anything: it helps, too, where another cause has

@@ -116,10 +116,8 @@ final class Pursuit {
       }
       if (trace.get(trace.size() - 1).action() == Action.ADDED) {
         movePlaces();
-        if (round == 0) {
-          beginLawsAgain();
-        }
         addLaws();
+        changeLaws();
         prune();
       }
     }
@@ -209,7 +207,7 @@ final class Pursuit {
       List<Component> with = new ArrayList<>(without);
       with.add(Component.of(start, start.magnitudes()));
       best = before;
-      FittedModel tried = refits.fitLaw(best, with);
+      FittedModel tried = refits.fit(best, with);
       best = price.gain(before, tried) > 0 ? tried : before;
       if (best != before) {
         return;
@@ -420,18 +418,14 @@ final class Pursuit {
       double most = 0;
       for (Effect start : law.starts()) {
         Component c = Component.of(start, start.magnitudes());
-        FittedModel tried = refits.fitLaw(best, added(best.model().components(), List.of(c)));
+        FittedModel tried = refits.fit(best, added(best.model().components(), List.of(c)));
         double gain = price.gain(best, tried);
         if (gain > most) {
           most = gain;
           top = tried;
         }
       }
-      double left = 0;
-      for (int k = 0; k < best.kickCount(); k++) {
-        left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
-      }
-      boolean good = top != null && most > Price.LAW && most > LAW_SHARE * left;
+      boolean good = top != null && most > Price.LAW && most > LAW_SHARE * left();
       trace.add(new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
       if (good) {
         best = top;
@@ -440,21 +434,35 @@ final class Pursuit {
     }
   }
 
-  /** Begins laws that the model has again: where they led before the strongest causes were known may have been wrong. */
-  private void beginLawsAgain() {
+  /** Tries the other forms of the laws that the model has. They must explain as much of what is left as a law that is added. */
+  private void changeLaws() {
     for (int i = 0; i < best.model().components().size(); i++) {
       FittedModel before = best;
-      for (Effect start : before.model().components().get(i).template().starts()) {
+      double most = Math.max(Price.LAW, LAW_SHARE * left());
+      for (Effect form : before.model().components().get(i).template().forms()) {
         List<Component> with = new ArrayList<>(before.model().components());
-        with.set(i, Component.of(start, start.magnitudes()));
-        FittedModel tried = refits.fitLaw(before, with);
-        best = price.gain(best, tried) > 0 ? tried : best;
+        with.set(i, Component.of(form, form.magnitudes()));
+        FittedModel tried = refits.fitForm(before, with);
+        double gained = price.gain(before, tried);
+        if (gained > most) {
+          most = gained;
+          best = tried;
+        }
       }
       if (best != before) {
         String form = best.model().components().get(i).toString();
-        trace.add(new SearchStep(form, Action.SWAPPED, Double.NaN, price.gain(before, best)));
+        trace.add(new SearchStep(form, Action.SWAPPED, Double.NaN, most));
       }
     }
+  }
+
+  /** What the model leaves beyond noise, in weighted units of chi-square. */
+  private double left() {
+    double left = 0;
+    for (int k = 0; k < best.kickCount(); k++) {
+      left += best.solution().kicks().get(k).rows() * (1 - 1 / Math.max(1, best.reduced(k)));
+    }
+    return left;
   }
 
   /** Removes what is not needed any more, the weakest first. */

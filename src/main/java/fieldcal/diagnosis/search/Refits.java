@@ -38,8 +38,8 @@ final class Refits {
     return fit(from, components, solver);
   }
 
-  /** A model with a law that the other does not have or has from other numbers: the chips hop as often as this law says, since the other model's numbers of hops would hold it where they came from. */
-  FittedModel fitLaw(FittedModel from, List<Component> components) {
+  /** A model with another form of a law: the chips hop as often as this form says, since the other form's numbers of hops would hold it where they came from. */
+  FittedModel fitForm(FittedModel from, List<Component> components) {
     return fit(from, components, solver.startingByRule());
   }
 

@@ -80,7 +80,7 @@ final class Simplification {
       for (Effect law : small || out.isPerKick() ? laws : List.<Effect>of()) {
         for (Effect start : law.starts()) {
           Component c = Component.of(start, start.magnitudes());
-          FittedModel next = refits.fitLaw(best, Pursuit.added(rest, List.of(c)));
+          FittedModel next = refits.fit(best, Pursuit.added(rest, List.of(c)));
           double gain = price.gain(best, next) + Price.of(List.of(out)) + LAW_PREFERRED;
           if (gain > 0) {
             trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));

@@ -7,7 +7,6 @@ import fieldcal.effect.BallMotion;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.ImpactLaw;
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -113,16 +112,23 @@ public record ContactImpacts(
     return arena.chips();
   }
 
-  /** A ball that grips with little loss, a softer grip, and one that friction limits; each with hops as low as the league's models and as physics engines have them. */
+  /** A ball that grips with little loss, a softer grip, and one that friction limits; with hops as low as the league's models have them. */
   @Override
   public List<Effect> starts() {
-    List<Effect> all = new ArrayList<>();
-    for (double lowest : new double[] {LEAGUE_LOWEST_HOP_MM, ENGINE_LOWEST_HOP_MM}) {
-      all.add(new ContactImpacts(-0.1, 1, 0.02, 0, lowest));
-      all.add(new ContactImpacts(-0.25, 0.5, 0, 0, lowest));
-      all.add(new ContactImpacts(0, 0.25, 0, 0, lowest));
-    }
-    return all;
+    return startsWith(LEAGUE_LOWEST_HOP_MM);
+  }
+
+  /** The same with hops as low as physics engines have them. */
+  @Override
+  public List<Effect> forms() {
+    return startsWith(ENGINE_LOWEST_HOP_MM);
+  }
+
+  private static List<Effect> startsWith(double lowest) {
+    return List.of(
+        new ContactImpacts(-0.1, 1, 0.02, 0, lowest),
+        new ContactImpacts(-0.25, 0.5, 0, 0, lowest),
+        new ContactImpacts(0, 0.25, 0, 0, lowest));
   }
 
   /** How low the hops are is a number of the law, which a search chooses, not what it acts on. */
