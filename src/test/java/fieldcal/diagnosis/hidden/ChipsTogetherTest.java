@@ -8,6 +8,8 @@ import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.ScenarioKind;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Disabled;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -40,21 +42,27 @@ class ChipsTogetherTest {
             });
   }
 
-  /** Physics engines let a ball hop down to half a millimetre, not to ten as the league's models do. Each hop takes its part of the slip. The first seed from 2314000001 on with twenty kicks or more: the eight of that one do not tell spin from friction. */
+  /** Physics engines let a ball hop down to half a millimetre, not to ten as the league's models do. Each hop takes its part of the slip. */
+  @ParameterizedTest
+  @ValueSource(longs = {2_314_000_003L, 2_314_000_004L, 2_314_000_005L, 2_314_000_006L})
+  void spinIsFoundBesideBouncesThatGoOnLowerThanTheLeaguesModels(long seed) {
+    requireSpinBesideLowHops(seed);
+  }
+
+  /** The first field that was drawn. The search that tried low hops from the start found its spin (−0.196 ± 0.004); the present one ends at a larger grip and some resistance instead, 1 % worse. */
+  @Disabled("four chips: a grip of 0.24 with rolling resistance takes the place of the spin")
   @Test
-  void spinIsFoundBesideBouncesThatGoOnLowerThanTheLeaguesModels() {
+  void spinIsFoundInTheFewChipsOfTheFirstField() {
+    requireSpinBesideLowHops(2_314_000_001L);
+  }
+
+  private static void requireSpinBesideLowHops(long seed) {
     Answer answer =
         answer(
-            2_314_000_004L,
+            seed,
             "contact_impacts:reversed=0.15,friction=0.4,loss=0.02,lowest_hop_mm=0.5",
             "kick_spin:fraction=-0.2");
-    assertThat(answer.verdict()).isEqualTo(Answer.EXPLAINED);
-    assertThat(answer.causes().stream().map(c -> c.effect().id()))
-        .containsExactlyInAnyOrder("contact_impacts", "kick_spin");
-    for (Answer.Named c : answer.causes()) {
-      boolean law = c.effect().id().equals("contact_impacts");
-      isClose(c, law ? "reversed" : "fraction", law ? 0.15 : -0.2);
-    }
+    requireFound(answer, Map.of("contact_impacts", 0.15, "kick_spin", -0.2));
     assertThat(answer.extended().holdoutRmsMm()).isLessThan(1.05 * answer.extended().noiseMm());
   }
 
@@ -67,13 +75,7 @@ class ChipsTogetherTest {
             "contact_impacts:reversed=0.1,friction=0.35,loss=0.02,lowest_hop_mm=0.5",
             "air_drag:cd=0.5",
             "wind:speed=2.3,direction=0.54");
-    assertThat(answer.verdict()).isEqualTo(Answer.EXPLAINED);
-    assertThat(answer.causes().stream().map(c -> c.effect().id()))
-        .containsExactlyInAnyOrder("air_drag", "wind");
-    for (Answer.Named c : answer.causes()) {
-      boolean drag = c.effect().id().equals("air_drag");
-      isClose(c, drag ? "cd" : "speed", drag ? 0.5 : 2.3);
-    }
+    requireFound(answer, Map.of("air_drag", 0.5, "wind", 2.3));
   }
 
   private static Answer answer(long seed, String... hidden) {
@@ -82,8 +84,15 @@ class ChipsTogetherTest {
     return HiddenRun.of(it, step -> {}).answer();
   }
 
-  private static void isClose(Answer.Named c, String parameter, double truth) {
-    double error = c.standardErrors().get(parameter);
-    assertThat(c.effect().value(parameter)).isCloseTo(truth, within(3 * error));
+  /** These causes and no others, the first number of each within three of its standard errors. */
+  private static void requireFound(Answer answer, Map<String, Double> truth) {
+    assertThat(answer.verdict()).isEqualTo(Answer.EXPLAINED);
+    assertThat(answer.causes().stream().map(c -> c.effect().id()))
+        .containsExactlyInAnyOrderElementsOf(truth.keySet());
+    for (Answer.Named c : answer.causes()) {
+      String first = c.effect().parameters().get(0).name();
+      double error = c.standardErrors().get(first);
+      assertThat(c.effect().value(first)).isCloseTo(truth.get(c.effect().id()), within(3 * error));
+    }
   }
 }
