@@ -83,7 +83,7 @@ final class Engine implements AutoCloseable {
   }
 
   /** Reads logs, the largest first, so that none is left for the end. */
-  List<LogResult> read(
+  void read(
       List<LogFile> logs, ArchiveFolder folder, LogOpener opener, ArchiveEngine.Progress progress)
       throws IOException {
     List<LogFile> order =
@@ -94,15 +94,14 @@ final class Engine implements AutoCloseable {
     Watch watch = new Watch(order, play, progress);
     context.sc().addSparkListener(watch);
     try {
-      return collect(
+      collect(
           () ->
               context
                   .parallelize(order, order.size())
                   .map(
                       log -> {
-                        LogResult result = LogTask.run(log, folder, opener, attempt(log));
-                        play.add(result.play());
-                        return result;
+                        play.add(LogTask.run(log, folder, opener, attempt(log)));
+                        return log.log();
                       })
                   .collect());
     } finally {

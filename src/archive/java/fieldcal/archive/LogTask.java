@@ -30,8 +30,12 @@ final class LogTask {
     }
   }
 
-  /** Reads a log and writes its rows. */
-  static LogResult run(LogFile log, ArchiveFolder folder, LogOpener opener, String attempt)
+  /**
+   * Reads a log and writes its rows.
+   *
+   * @return time between its first and last message, s; 0 when it cannot be read
+   */
+  static double run(LogFile log, ArchiveFolder folder, LogOpener opener, String attempt)
       throws IOException {
     Path path = Path.of(log.path());
     MatchData match;
@@ -49,11 +53,10 @@ final class LogTask {
     if (match == null) {
       List<Row> rows = List.of(MatchTables.broken(log.log(), path, why));
       folder.commit(log, Map.of(Tables.PROBLEMS, rows), attempt);
-      return new LogResult(log.log(), true, 0, 0);
+      return 0;
     }
     folder.commit(log, MatchTables.of(log.log(), match), attempt);
-    return new LogResult(
-        log.log(), false, match.data().duration(), match.calibration().kicks().size());
+    return match.data().duration();
   }
 
   private static String at(Throwable e) {

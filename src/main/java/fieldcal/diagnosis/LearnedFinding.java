@@ -3,10 +3,8 @@ package fieldcal.diagnosis;
 import fieldcal.effect.Effect;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.LearnedTerm;
-import fieldcal.effect.learned.SimpleFormula;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -17,7 +15,6 @@ import java.util.OptionalInt;
  * @param dependsOn the variables
  * @param camera the camera whose reports it changes; empty for all else
  * @param curves one for each component, over the range of the data; empty for all but a learned curve
- * @param formula the best simple formula of the first curve; empty for all but a learned curve
  * @param scatter standard deviation from kick to kick, in the unit of the effect's magnitude; NaN for what all kicks share
  * @param gain on kicks that were held out
  */
@@ -27,7 +24,6 @@ public record LearnedFinding(
     List<String> dependsOn,
     OptionalInt camera,
     List<LearnedCurve> curves,
-    Optional<SimpleFormula> formula,
     double scatter,
     Gain gain) {
 

@@ -11,7 +11,6 @@ import fieldcal.effect.MotionEffect.SpinAtKick;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.LearnedCurve.Support;
 import fieldcal.effect.learned.LearnedTerm;
-import fieldcal.effect.learned.SimpleFormula;
 import fieldcal.effect.learned.Variable;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,18 +35,15 @@ final class LearnedFindings {
           j.effect().dependsOn(),
           OptionalInt.empty(),
           List.of(),
-          Optional.empty(),
           j.scatter(),
           gain);
     }
-    List<LearnedCurve> curves = curves(model, component, term, arena);
     return new LearnedFinding(
         term,
         term.actsOn(),
         term.dependsOn(),
         term.camera(),
-        curves,
-        curves.isEmpty() ? Optional.empty() : Optional.of(SimpleFormula.of(curves.get(0))),
+        curves(model, component, term, arena),
         j.scatter(),
         gain);
   }

@@ -107,7 +107,6 @@ final class BallForces {
     BallMotion m = motion;
     m.x = s[0];
     m.y = s[1];
-    m.z = s[2];
     m.vx = s[3];
     m.vy = s[4];
     m.vz = s[5];

@@ -7,7 +7,6 @@ package fieldcal.effect;
 public final class BallMotion {
   double x;
   double y;
-  double z;
   double vx;
   double vy;
   double vz;

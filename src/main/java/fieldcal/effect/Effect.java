@@ -186,26 +186,6 @@ public interface Effect {
   }
 
   /**
-   * Other effects of which this is the more special or more general form, so that naming either is right and naming both would be saying the same twice.
-   *
-   * @return ids, empty unless an effect says otherwise
-   */
-  default List<String> akin() {
-    return List.of();
-  }
-
-  /**
-   * Small versions of this effect, one for each independent way in which it can depart from absence, each with a magnitude of one scale. Near
-   * zero every setting of the magnitudes and directions is a linear combination of these (a slope: one along x and one along y), so that a score test needs
-   * these derivatives and no others. Place and camera stay as they are.
-   *
-   * @return at least one
-   */
-  default List<Effect> probes() {
-    return magnitudes().stream().map(name -> withNone().with(name, scale(name))).toList();
-  }
-
-  /**
    * The same effect with all magnitudes zero.
    *
    * @return an absent effect
@@ -241,10 +221,6 @@ public interface Effect {
    */
   default double value(String name) {
     return parameters().get(index(name)).value();
-  }
-
-  private double scale(String name) {
-    return parameters().get(index(name)).scale();
   }
 
   private int index(String name) {

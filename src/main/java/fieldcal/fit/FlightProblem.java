@@ -111,14 +111,6 @@ final class FlightProblem {
     return r1 * r1 + r2 * r2;
   }
 
-  /** Squared whitened distance of every observation, used or not. */
-  void squaredDistances(double[] theta, double[] out) {
-    curve.set(theta);
-    for (int i = 0; i < data.size; i++) {
-      out[i] = squaredDistance(i);
-    }
-  }
-
   /** Seen minus predicted position in the ground plane, m. */
   void residuals(double[] theta, double[] rx, double[] ry) {
     curve.set(theta);

@@ -263,11 +263,6 @@ final class FlightTerm implements KickTerm<double[]> {
   }
 
   @Override
-  public double ownScale(int index) {
-    return own.get(index).scale();
-  }
-
-  @Override
   public double ownPrior(int index) {
     return fit.kick().time();
   }

@@ -130,11 +130,6 @@ final class ManoeuvreTable {
     return true;
   }
 
-  void clear() {
-    cells.clear();
-    samples = 0;
-  }
-
   long samples() {
     return samples;
   }

@@ -28,7 +28,6 @@ final class RobotTrack {
   /** Detections refused in a row after which the robot is believed to be elsewhere. */
   private static final int PERSISTENT = 6;
 
-  private final RobotId id;
   private final PathBlocks path;
   private final TurnTrack turning;
   private double time = Double.NEGATIVE_INFINITY;
@@ -38,21 +37,10 @@ final class RobotTrack {
   private double vy;
   private int followed;
   private int refusedInARow;
-  private long refused;
 
   RobotTrack(RobotId id, ManoeuvreFinder driving, ManoeuvreFinder turning) {
-    this.id = id;
     path = new PathBlocks(id, driving);
     this.turning = new TurnTrack(id, turning);
-  }
-
-  RobotId id() {
-    return id;
-  }
-
-  /** How many detections cannot have been this robot. */
-  long refused() {
-    return refused;
   }
 
   /** Whether a detection can be this robot. */
@@ -68,7 +56,6 @@ final class RobotTrack {
    */
   boolean accept(double at, int camera, RobotDetection robot) {
     if (!Double.isFinite(robot.x()) || !Double.isFinite(robot.y()) || !Double.isFinite(at)) {
-      refused++;
       return false;
     }
     double dt = at - time;
@@ -82,7 +69,6 @@ final class RobotTrack {
         possible += FASTEST * late;
       }
       if (distance(at, robot) > possible) {
-        refused++;
         if (++refusedInARow < PERSISTENT) {
           return false;
         }

@@ -77,7 +77,7 @@ public record FittedField(
     List<boolean[]> kept = fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
     MovingNoise noise = MovingNoise.of(fits, kept, problem.cameras());
     List<KickRecord> kicks = fits.stream().map(f -> KickScreen.record(f, noise)).toList();
-    ModelFitter fitter = new ModelFitter(kicks, problem.sessionStart());
+    ModelFitter fitter = new ModelFitter(kicks, problem.sessionStart(), fitted -> {});
     FittedModel simple =
         fitter.fit(
             EffectModel.simple(
@@ -120,7 +120,7 @@ public record FittedField(
 
   /** The same field with other kicks. */
   public ModelFitter fitter(List<KickRecord> kicks) {
-    return new ModelFitter(kicks, problem.sessionStart());
+    return new ModelFitter(kicks, problem.sessionStart(), fitted -> {});
   }
 
   /** What was recorded. */

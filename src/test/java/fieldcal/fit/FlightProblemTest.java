@@ -117,11 +117,14 @@ class FlightProblemTest {
   void whatIsNotUsedDoesNotCount() {
     Set set = set(KickKind.FLAT, 3);
     FlightProblem problem = set.problem();
-    double[] squared = new double[problem.data().size];
-    problem.squaredDistances(set.theta(), squared);
+    FlightData data = problem.data();
+    double[] rx = new double[data.size];
+    double[] ry = new double[data.size];
+    problem.residuals(set.theta(), rx, ry);
     double all = problem.cost(set.theta());
     problem.used()[5] = false;
-    assertThat(all - problem.cost(set.theta())).isEqualTo(squared[5], within(1e-9 * all));
+    assertThat(all - problem.cost(set.theta()))
+        .isEqualTo(data.squared(5, rx[5], ry[5]), within(1e-9 * all));
     NormalEquations equations = new NormalEquations(problem.size());
     problem.linearize(set.theta(), equations);
     assertThat(equations.cost).isEqualTo(problem.cost(set.theta()), within(1e-9 * all));

@@ -9,6 +9,7 @@ import fieldcal.fit.joint.KickTerm;
 import fieldcal.fit.joint.KickTermContract;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -49,11 +50,32 @@ class FlightTermTest extends KickTermContract<double[]> {
         for (int[] scattering : new int[][] {NOTHING_SCATTERS, {0, 2, 3, 5}}) {
           FlightTerm term = term(kind, seed, scattering);
           String name = kind + ", seed " + seed + ", " + scattering.length + " scatter";
-          cases.add(new Case<>(name, term, term.start(), double[]::clone, globals(), TOLERANCE));
+          cases.add(
+              new Case<>(
+                  name,
+                  term,
+                  term.start(),
+                  scales(kind, scattering),
+                  double[]::clone,
+                  globals(),
+                  TOLERANCE));
         }
       }
     }
     return cases;
+  }
+
+  /** 1 cm, 0.1 m/s and 5 ms, then those of what differs from kick to kick. */
+  private static double[] scales(KickKind kind, int[] scattering) {
+    int time = FlightLayout.timeIndex(kind);
+    double[] scales = new double[time + 1 + scattering.length];
+    Arrays.fill(scales, 0, 2, 0.01);
+    Arrays.fill(scales, 2, time, 0.1);
+    scales[time] = 0.005;
+    for (int r = 0; r < scattering.length; r++) {
+      scales[time + 1 + r] = globals().get(scattering[r]).scale();
+    }
+    return scales;
   }
 
   @Test

@@ -273,11 +273,11 @@ final class ExportCommand implements Callable<Integer> {
     ProcessorHost host = new ProcessorHost(url);
     text.println(url);
     verdict(text, model);
-    ProcessorHost.Applied applied = host.apply(exporter.settings(), changes -> show(text, changes));
+    byte[] before = host.apply(exporter.settings(), changes -> show(text, changes));
     notes(text, exporter.notes());
     text.println();
     text.println("Written and saved. --rollback puts back what was there.");
-    remember(model.departure(Action.APPLIED, to, url, now()), Optional.of(applied.before()), text);
+    remember(model.departure(Action.APPLIED, to, url, now()), Optional.of(before), text);
     text.flush();
   }
 
@@ -299,7 +299,7 @@ final class ExportCommand implements Callable<Integer> {
     byte[] before = history.before(entry);
     byte[] present;
     if (url != null) {
-      present = new ProcessorHost(url).restore(before).before();
+      present = new ProcessorHost(url).restore(before);
     } else {
       present = Files.exists(out) ? Files.readAllBytes(out) : new byte[0];
       WholeFile.write(before, out);

@@ -207,7 +207,7 @@ final class ExportDesk {
   void apply(JsonNode body) throws IOException {
     try {
       ExportModel model = model(body);
-      ProcessorHost.Applied applied =
+      byte[] before =
           host(body)
               .apply(
                   exporter(body, model).settings(),
@@ -215,8 +215,7 @@ final class ExportDesk {
                     // The page has shown them and asked.
                   });
       history.add(
-          model.departure(Action.APPLIED, PROCESSOR, url(body), now()),
-          Optional.of(applied.before()));
+          model.departure(Action.APPLIED, PROCESSOR, url(body), now()), Optional.of(before));
       changed.run();
     } catch (InputException e) {
       throw ApiException.badRequest(e.getMessage());
@@ -243,7 +242,7 @@ final class ExportDesk {
           "There is nothing to put back: export the model of this entry again instead.");
     }
     try {
-      byte[] present = new ProcessorHost(entry.place()).restore(history.before(entry)).before();
+      byte[] present = new ProcessorHost(entry.place()).restore(history.before(entry));
       history.add(entry.undone(now()), Optional.of(present));
       changed.run();
     } catch (InputException e) {

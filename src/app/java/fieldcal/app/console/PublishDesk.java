@@ -50,7 +50,6 @@ final class PublishDesk {
   private final VisionDesk vision;
   private final History history;
   private final Clock clock;
-  private final Runnable changed;
   private final LiveSession live;
   private volatile Sending sending;
   private long written = -1;
@@ -69,7 +68,6 @@ final class PublishDesk {
     this.vision = vision;
     this.history = history;
     this.clock = clock;
-    this.changed = changed;
     live = new LiveSession("sending of the model", changed);
   }
 

@@ -56,14 +56,12 @@ public record ExportModel(
    * Limits of a team with what one number per limit leaves out.
    *
    * @param team "yellow" or "blue"
-   * @param name the team's name; empty when unknown
    * @param values by the names of {@code limits.json}, SI; lacks what is not known
    * @param unreached names of limits at which the robots were never seen
    * @param effects coefficient of each effect by its id
    */
   public record RobotLimits(
       String team,
-      String name,
       Map<String, Double> values,
       List<String> unreached,
       Map<String, Double> effects) {

@@ -54,9 +54,7 @@ final class LimitsReader {
             effect.path("parameters").path("coefficient").asDouble());
       }
       if (!values.isEmpty()) {
-        teams.add(
-            new RobotLimits(
-                team.label(), node.path("name").asText(""), values, unreached, effects));
+        teams.add(new RobotLimits(team.label(), values, unreached, effects));
       }
     }
     if (teams.isEmpty()) {

@@ -41,19 +41,6 @@ public final class ProcessorHost {
   private final String url;
   private final HttpClient client;
 
-  /**
-   * What was done.
-   *
-   * @param changes the values with what was there before
-   * @param before the models as they were, JSON; "null" when there were none
-   */
-  public record Applied(List<Change> changes, byte[] before) {
-    /** Copies the list. {@inheritDoc} */
-    public Applied {
-      changes = List.copyOf(changes);
-    }
-  }
-
   /** Told what would change, before it is written. */
   public interface Preview {
     /**
@@ -66,7 +53,7 @@ public final class ProcessorHost {
 
   /** Changes the models of a document. */
   private interface Edit {
-    List<Change> in(ObjectNode document) throws InputException;
+    void in(ObjectNode document) throws InputException;
   }
 
   /**
@@ -88,10 +75,10 @@ public final class ProcessorHost {
    *
    * @param settings the values; their paths begin with {@code models}
    * @param preview told what changes, before it is written
-   * @return what was done
+   * @return the models as they were, JSON; "null" when there were none
    * @throws IOException when the host cannot be reached or refuses; one line
    */
-  public Applied apply(List<Setting> settings, Preview preview) throws IOException {
+  public byte[] apply(List<Setting> settings, Preview preview) throws IOException {
     return write(
         document -> {
           List<Change> changes = new ArrayList<>();
@@ -99,7 +86,6 @@ public final class ProcessorHost {
             changes.add(new Change(setting, set(document, setting)));
           }
           preview.show(changes);
-          return changes;
         });
   }
 
@@ -148,11 +134,11 @@ public final class ProcessorHost {
   /**
    * Puts models back.
    *
-   * @param before as {@link Applied#before}
-   * @return what was done
+   * @param before as {@link #apply} returned them
+   * @return the models as they were until now, in the same form
    * @throws IOException when the host cannot be reached or refuses; one line
    */
-  public Applied restore(byte[] before) throws IOException {
+  public byte[] restore(byte[] before) throws IOException {
     JsonNode models = MAPPER.readTree(before);
     return write(
         document -> {
@@ -161,18 +147,17 @@ public final class ProcessorHost {
           } else {
             document.remove(MODELS);
           }
-          return List.of();
         });
   }
 
-  private Applied write(Edit edit) throws IOException {
+  private byte[] write(Edit edit) throws IOException {
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
       JsonNode answer = read();
       ObjectNode document = document(answer);
       byte[] before =
           MAPPER.writeValueAsBytes(
               document.path(MODELS).isObject() ? document.path(MODELS) : MAPPER.nullNode());
-      List<Change> changes = edit.in(document);
+      edit.in(document);
       ObjectNode request = MAPPER.createObjectNode();
       request.set("revision", answer.path("state").path("revision"));
       request.set("document", document);
@@ -184,7 +169,7 @@ public final class ProcessorHost {
       save.set("revision", put.get().path("revision"));
       save.put("force", false);
       if (unlessStale("POST", "/api/config/save", save).isPresent()) {
-        return new Applied(changes, before);
+        return before;
       }
     }
     throw new InputException(

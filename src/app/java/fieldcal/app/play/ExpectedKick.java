@@ -185,11 +185,6 @@ final class ExpectedKick implements KickTerm<ExpectedKick.State> {
   }
 
   @Override
-  public double ownScale(int index) {
-    return step(index);
-  }
-
-  @Override
   public double ownPrior(int index) {
     return 0;
   }

@@ -62,11 +62,6 @@ final class LinearKick implements KickTerm<double[]> {
   }
 
   @Override
-  public double ownScale(int index) {
-    return 1;
-  }
-
-  @Override
   public double ownPrior(int index) {
     return 0;
   }

@@ -41,7 +41,6 @@ public final class NetworkRecorder implements Closeable {
   private final Path file;
   private final boolean replace;
   private final String places;
-  private final Clock clock;
   private final long beginNanos = System.nanoTime();
   private final long beginUnixNanos;
   private final MatchNetwork network;
@@ -71,7 +70,6 @@ public final class NetworkRecorder implements Closeable {
       throws IOException {
     this.file = file;
     this.replace = replace;
-    this.clock = clock;
     checkFile();
     places = vision + referee.map(r -> " and " + r).orElse("");
     beginUnixNanos = clock.millis() * 1_000_000L;

@@ -1,6 +1,5 @@
 package fieldcal.app.twin;
 
-import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import java.nio.file.Path;
 import java.util.List;
@@ -13,15 +12,10 @@ import java.util.stream.Collectors;
  * @param twin the simulated field
  * @param diagnosis of the recordings it was made from
  * @param recordings of the same kicks on the twin
- * @param again their calibration
  * @param check the comparison
  */
 public record TwinOutcome(
-    Twin twin,
-    DiagnosisOutcome diagnosis,
-    List<Path> recordings,
-    CalibrationOutcome again,
-    TwinCheck check) {
+    Twin twin, DiagnosisOutcome diagnosis, List<Path> recordings, TwinCheck check) {
 
   /** Copies the list. {@inheritDoc} */
   public TwinOutcome {

@@ -71,7 +71,7 @@ public final class TwinSession {
                 CalibrationRequest.of(recordings, HandSelection.none(), List.of()),
                 CalibrationSession.Progress.UNSEEN);
     TwinCheck check = TwinCheck.of(field, FieldRecording.of(again, LogOpener.USUAL));
-    TwinOutcome outcome = new TwinOutcome(twin, diagnosis, recordings, again, check);
+    TwinOutcome outcome = new TwinOutcome(twin, diagnosis, recordings, check);
     TwinCheckJson.write(outcome, directory.resolve("twin_check.json"));
     TwinPage.write(outcome, directory.resolve("twin.html"));
     return outcome;

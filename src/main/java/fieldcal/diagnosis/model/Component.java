@@ -21,11 +21,7 @@ public final class Component {
   private static final double NO_MEAN = 0.001;
 
   /** One magnitude, with the index of its direction or -1. */
-  private record Axis(int magnitude, int direction) {
-    int coordinates() {
-      return direction < 0 ? 1 : 2;
-    }
-  }
+  private record Axis(int magnitude, int direction) {}
 
   private final Effect template;
   private final List<String> magnitudes;
@@ -168,15 +164,6 @@ public final class Component {
    */
   public boolean hasPlace() {
     return !template.places().isEmpty();
-  }
-
-  /**
-   * Whether its place is free.
-   *
-   * @return true when it is
-   */
-  public boolean isPlaceFree() {
-    return placesFree;
   }
 
   /**

@@ -291,18 +291,6 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   @Override
-  public double ownScale(int index) {
-    int time = record.timeIndex();
-    if (index < 2) {
-      return 0.01;
-    }
-    if (index < time) {
-      return 0.1;
-    }
-    return index == time ? 0.005 : randomScales[index - time - 1];
-  }
-
-  @Override
   public double ownPrior(int index) {
     return index == record.timeIndex() ? record.kick.time() : 0;
   }

@@ -20,16 +20,6 @@ public final class ModelFitter {
    *
    * @param kicks at least one
    * @param sessionStart begin of the session on the kicks' clock, s
-   */
-  public ModelFitter(List<KickRecord> kicks, double sessionStart) {
-    this(kicks, sessionStart, fitted -> {});
-  }
-
-  /**
-   * A fitter that is watched.
-   *
-   * @param kicks at least one
-   * @param sessionStart begin of the session on the kicks' clock, s
    * @param watcher told of every fit, from the thread that asked for it
    */
   public ModelFitter(List<KickRecord> kicks, double sessionStart, Consumer<FittedModel> watcher) {
@@ -45,15 +35,6 @@ public final class ModelFitter {
    */
   public List<KickRecord> kicks() {
     return kicks;
-  }
-
-  /**
-   * Begin of the session.
-   *
-   * @return s on the kicks' clock
-   */
-  public double sessionStart() {
-    return sessionStart;
   }
 
   /**

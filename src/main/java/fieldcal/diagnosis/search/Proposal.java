@@ -19,10 +19,6 @@ record Proposal(List<Component> components, boolean group) {
     return new Proposal(List.of(component), false);
   }
 
-  int size() {
-    return components.stream().mapToInt(Component::size).sum();
-  }
-
   @Override
   public String toString() {
     return group

@@ -126,18 +126,6 @@ final class Sweep {
     return gain;
   }
 
-  /** What would be lost by taking a set of columns that are in out again. */
-  double loss(int[] columns) {
-    Sweep without = copy();
-    double before = without.m[n][n];
-    for (int c : columns) {
-      if (without.in[c]) {
-        without.toggle(c);
-      }
-    }
-    return without.m[n][n] - before;
-  }
-
   /** Estimate of a column that is in. */
   double estimate(int column) {
     return m[column][n];

@@ -66,11 +66,6 @@ public record CameraOffset(double xMm, double yMm, int camera) implements Measur
   }
 
   @Override
-  public List<String> akin() {
-    return List.of("camera_pose_error");
-  }
-
-  @Override
   public boolean isAbsent() {
     return xMm == 0 && yMm == 0;
   }

@@ -1,7 +1,6 @@
 package fieldcal.effect.measurement;
 
 import fieldcal.ball.Parameter;
-import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.ObservedCamera;
@@ -89,11 +88,6 @@ public record CameraPoseError(
   }
 
   @Override
-  public List<String> akin() {
-    return List.of("camera_offset");
-  }
-
-  @Override
   public boolean isAbsent() {
     return tiltMrad == 0 && heightMm == 0 && shiftXMm == 0 && shiftYMm == 0;
   }
@@ -101,16 +95,6 @@ public record CameraPoseError(
   @Override
   public List<String> magnitudes() {
     return List.of("tilt_mrad", "height_mm", "shift_x_mm", "shift_y_mm");
-  }
-
-  @Override
-  public List<Effect> probes() {
-    return List.of(
-        new CameraPoseError(1, 0, 0, 0, 0, camera),
-        new CameraPoseError(1, Math.PI / 2, 0, 0, 0, camera),
-        new CameraPoseError(0, axis, 10, 0, 0, camera),
-        new CameraPoseError(0, axis, 0, 5, 0, camera),
-        new CameraPoseError(0, axis, 0, 0, 5, camera));
   }
 
   @Override

@@ -107,14 +107,6 @@ public record CameraPositionError(double xMm, double yMm, double heightMm, int c
   }
 
   @Override
-  public List<Effect> probes() {
-    return List.of(
-        new CameraPositionError(50, 0, 0, camera),
-        new CameraPositionError(0, 50, 0, camera),
-        new CameraPositionError(0, 0, 50, camera));
-  }
-
-  @Override
   public boolean concerns(ObservedCamera observer) {
     return camera == EffectParameters.ALL_CAMERAS || observer.id() == camera;
   }

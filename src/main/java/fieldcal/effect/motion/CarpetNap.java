@@ -2,7 +2,6 @@ package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
 import fieldcal.effect.BallMotion;
-import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import java.util.List;
@@ -59,11 +58,6 @@ public record CarpetNap(double amplitude, double direction) implements RollingRe
   @Override
   public boolean isAbsent() {
     return amplitude == 0;
-  }
-
-  @Override
-  public List<Effect> probes() {
-    return List.of(new CarpetNap(0.05, 0), new CarpetNap(0.05, Math.PI / 2));
   }
 
   @Override

@@ -142,12 +142,6 @@ public record ContactImpacts(
     return lowestHopMm / 1000;
   }
 
-  /** The law does not grow from its absence: it takes the place of another. */
-  @Override
-  public List<Effect> probes() {
-    return starts();
-  }
-
   @Override
   public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
     double slip = arrival.slip();

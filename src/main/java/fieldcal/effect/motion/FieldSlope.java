@@ -3,7 +3,6 @@ package fieldcal.effect.motion;
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import fieldcal.effect.BallMotion;
-import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.ExternalForce;
 import java.util.List;
@@ -60,11 +59,6 @@ public record FieldSlope(double percent, double direction) implements ExternalFo
   @Override
   public boolean isAbsent() {
     return percent == 0;
-  }
-
-  @Override
-  public List<Effect> probes() {
-    return List.of(new FieldSlope(0.1, 0), new FieldSlope(0.1, Math.PI / 2));
   }
 
   @Override

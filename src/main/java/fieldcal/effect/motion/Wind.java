@@ -69,11 +69,6 @@ public record Wind(double speed, double direction) implements AirFlow {
   }
 
   @Override
-  public List<Effect> probes() {
-    return List.of(new Wind(0.3, 0), new Wind(0.3, Math.PI / 2));
-  }
-
-  @Override
   public double airX() {
     return speed * Math.cos(direction);
   }

@@ -234,15 +234,6 @@ final class KickBlock {
     return e[i];
   }
 
-  /** Twice the logarithm of the determinant's root: of the own part. */
-  double logDeterminant() {
-    double sum = 0;
-    for (int i = 0; i < own; i++) {
-      sum += 2 * Math.log(l[i][i]);
-    }
-    return sum;
-  }
-
   static double dot(double[] x, double[] y) {
     double s0 = 0;
     double s1 = 0;

@@ -70,14 +70,6 @@ public interface KickTerm<S> {
   }
 
   /**
-   * Typical change of an own parameter, for damping.
-   *
-   * @param index of the parameter
-   * @return its scale, positive
-   */
-  double ownScale(int index);
-
-  /**
    * What is known of an own parameter before any data.
    *
    * @param index of the parameter

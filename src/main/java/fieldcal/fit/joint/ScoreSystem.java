@@ -144,49 +144,4 @@ public final class ScoreSystem {
   public double cost(int kick) {
     return costs[kick];
   }
-
-  /**
-   * The same system in which one column also has a value of each kick's own, normally distributed with a scatter: a random effect.
-   *
-   * @param column whose
-   * @param scatter standard deviation of the kicks' values about the mean
-   * @return the changed system
-   */
-  public ScoreSystem withRandom(int column, double scatter) {
-    int n = gradient.length;
-    double[][][] s = new double[perKick.length][n][n];
-    double[][] t = new double[perKick.length][n];
-    double[] left = costs.clone();
-    for (int k = 0; k < perKick.length; k++) {
-      double[] row = perKick[k][column];
-      double d = row[column] + 1 / (scatter * scatter);
-      left[k] -= gradients[k][column] * gradients[k][column] / d;
-      for (int i = 0; i < n; i++) {
-        double share = row[i] / d;
-        t[k][i] = gradients[k][i] - share * gradients[k][column];
-        for (int j = 0; j < n; j++) {
-          s[k][i][j] = perKick[k][i][j] - share * row[j];
-        }
-      }
-    }
-    return new ScoreSystem(base, s, t, left);
-  }
-
-  /**
-   * What values of each kick's own, drawn with a scatter about zero, would gain: twice the logarithm of the ratio of the marginal likelihoods, to first order.
-   *
-   * @param column whose
-   * @param scatter their standard deviation
-   * @return gain in units of chi-square; may be negative
-   */
-  public double randomGain(int column, double scatter) {
-    double gain = 0;
-    for (int k = 0; k < perKick.length; k++) {
-      double information = perKick[k][column][column];
-      double g = gradients[k][column];
-      gain += g * g / (information + 1 / (scatter * scatter));
-      gain -= Math.log1p(information * scatter * scatter);
-    }
-    return gain;
-  }
 }

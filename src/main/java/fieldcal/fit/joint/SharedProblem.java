@@ -37,16 +37,6 @@ public record SharedProblem<S>(
   public record Prior(double mean, double precision) {
     /** Nothing is known. */
     public static final Prior NONE = new Prior(0, 0);
-
-    /**
-     * About zero.
-     *
-     * @param deviation standard deviation, positive
-     * @return the prior
-     */
-    public static Prior aboutZero(double deviation) {
-      return new Prior(0, 1 / (deviation * deviation));
-    }
   }
 
   /**

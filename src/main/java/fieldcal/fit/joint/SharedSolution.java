@@ -301,11 +301,6 @@ public final class SharedSolution<S> {
     return hit;
   }
 
-  /** Indices of the free global parameters. */
-  int[] free() {
-    return free.clone();
-  }
-
   /**
    * Covariance of all global parameters, see above; rows and columns of held ones are zero.
    *

@@ -40,7 +40,6 @@ import fieldcal.effect.motion.WornRegion;
 import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -60,7 +59,7 @@ class CauseWordsTest {
   @ParameterizedTest
   @MethodSource("catalogue")
   void everyEffectHasItsOwnWords(Effect absent) {
-    Effect effect = absent.probes().get(0);
+    Effect effect = SampleDiagnosis.present(absent);
     CauseText text = WORDS.of(effect, Map.of());
     assertThat(text.what()).isNotEqualTo(effect.sentence()).endsWith(".");
     assertThat(text.name()).doesNotContain("_").doesNotContain("null");
@@ -209,7 +208,6 @@ class CauseWordsTest {
               List.of("kick"),
               OptionalInt.empty(),
               List.of(),
-              Optional.empty(),
               0.12,
               new Gain(1, 10, 0.5, 1.5));
       assertThat(WORDS.of(found).sentences())

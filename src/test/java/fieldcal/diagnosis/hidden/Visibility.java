@@ -218,7 +218,7 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
                   .toList());
     }
     FittedModel fit =
-        new ModelFitter(records, seen.firstFrame())
+        new ModelFitter(records, seen.firstFrame(), fitted -> {})
             .fit(model, SharedSolver.withDefaults().settlingVariants());
     return rms(fit);
   }

@@ -122,8 +122,16 @@ class EffectKickTest extends KickTermContract<ModelState> {
         if (own.length > record.start().length) {
           own[own.length - 1] = 0.15;
         }
+        double[] scales = new double[own.length];
+        Arrays.fill(scales, 0, 2, 0.01);
+        Arrays.fill(scales, 2, record.timeIndex(), 0.1);
+        scales[record.timeIndex()] = 0.005;
+        for (int r = 0; r < model.random().size(); r++) {
+          scales[record.timeIndex() + 1 + r] = model.random().get(r).coordinates().get(0).scale();
+        }
         cases.add(
-            new Case<>(kind + " under " + model, term, own, model, model.globals(), TOLERANCE));
+            new Case<>(
+                kind + " under " + model, term, own, scales, model, model.globals(), TOLERANCE));
       }
     }
     return cases;

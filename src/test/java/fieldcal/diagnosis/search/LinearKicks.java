@@ -142,11 +142,6 @@ final class LinearKicks {
     }
 
     @Override
-    public double ownScale(int index) {
-      return 1;
-    }
-
-    @Override
     public double ownPrior(int index) {
       return 0;
     }

@@ -47,19 +47,6 @@ class SweepTest {
   }
 
   @Test
-  void lossIsWhatARegressionWithoutTheSetLeavesMore() {
-    Sweep all = withBase();
-    all.toggle(2);
-    all.toggle(3);
-    all.toggle(4);
-    assertThat(all.loss(new int[] {3}))
-        .isCloseTo(kicks.left(0, 1, 2, 4) - kicks.left(0, 1, 2, 3, 4), EXACT);
-    assertThat(all.loss(new int[] {2, 4}))
-        .isCloseTo(kicks.left(0, 1, 3) - kicks.left(0, 1, 2, 3, 4), EXACT);
-    assertThat(all.contains(2)).as("nothing is changed by asking").isTrue();
-  }
-
-  @Test
   void columnsThatComeAndGoLeaveNothingBehind() {
     Sweep base = withBase();
     double before = base.gain(new int[] {3, 4});

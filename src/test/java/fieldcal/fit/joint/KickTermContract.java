@@ -26,6 +26,7 @@ public abstract class KickTermContract<S> {
    * @param name for the report
    * @param term the kick
    * @param own its own parameters
+   * @param scales typical changes of these
    * @param model the shared model
    * @param globals the global parameters, with values and scales
    * @param tolerance length of a column's error over the length of the column
@@ -35,6 +36,7 @@ public abstract class KickTermContract<S> {
       String name,
       KickTerm<S> term,
       double[] own,
+      double[] scales,
       SharedModel<S> model,
       List<Parameter> globals,
       double tolerance) {}
@@ -57,18 +59,14 @@ public abstract class KickTermContract<S> {
           c.term.ownColumns(c.own.clone(), state, residuals(c, c.own, state), columns);
           double[][] expected = new double[columns.length][];
           for (int k = 0; k < columns.length; k++) {
-            double h = STEP * c.term.ownScale(k);
+            double h = STEP * c.scales[k];
             double[] up = c.own.clone();
             double[] down = c.own.clone();
             up[k] += h;
             down[k] -= h;
             expected[k] = slope(residuals(c, up, state), residuals(c, down, state), 2 * h);
           }
-          double[] scales = new double[columns.length];
-          for (int k = 0; k < scales.length; k++) {
-            scales[k] = c.term.ownScale(k);
-          }
-          compare(c, "own", columns, expected, scales);
+          compare(c, "own", columns, expected, c.scales);
         });
   }
 

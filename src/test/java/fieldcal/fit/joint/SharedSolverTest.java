@@ -160,33 +160,6 @@ class SharedSolverTest {
     assertThat(left).isEqualTo(s.cost(), within(1e-4));
   }
 
-  /** What a column with values of each kick's own would gain is what the likelihood says, exactly in a linear problem. */
-  @Test
-  void aRandomColumnIsWorthItsLikelihood() {
-    List<ToyKick> kicks = kicks(8, 11);
-    SharedSolution<double[]> s = solve(kicks);
-    double[] stepped = s.values();
-    stepped[0] += 0.1;
-    double[] weights = new double[8];
-    Arrays.fill(weights, 1);
-    ScoreSystem system = s.scores(List.of(stepped), new double[] {0.1}, weights);
-    double scatter = 0.4;
-    double gain = 0;
-    for (int k = 0; k < 8; k++) {
-      double c = system.curvature(k, 3, 3);
-      double v = c * c * scatter * scatter + c;
-      double g = system.slope(k, 3);
-      gain += g * g / c - g * g / v - Math.log(v / c);
-    }
-    assertThat(system.randomGain(3, scatter)).isEqualTo(gain, within(1e-9));
-    ScoreSystem random = system.withRandom(3, scatter);
-    for (int k = 0; k < 8; k++) {
-      double share = 1 / (1 + system.curvature(k, 3, 3) * scatter * scatter);
-      assertThat(random.slope(k, 3)).isEqualTo(share * system.slope(k, 3), within(1e-9));
-      assertThat(random.cost(k)).isLessThan(system.cost(k));
-    }
-  }
-
   /** All kicks alike, each measuring its value ten times: the maximum of the restricted likelihood is known. */
   @Test
   void theScatterIsTheMostLikelyOne() {

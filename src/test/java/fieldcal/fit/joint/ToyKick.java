@@ -66,11 +66,6 @@ final class ToyKick implements KickTerm<double[]> {
   }
 
   @Override
-  public double ownScale(int index) {
-    return 1;
-  }
-
-  @Override
   public double ownPrior(int index) {
     return 0;
   }

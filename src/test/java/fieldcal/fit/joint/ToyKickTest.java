@@ -14,6 +14,13 @@ class ToyKickTest extends KickTermContract<double[]> {
             new double[][] {{0.5, -1, 2}});
     List<Parameter> globals = List.of(ToyProblem.parameter("g", 0.3, 1));
     return List.of(
-        new Case<>("toy", kick, new double[] {0.2, -0.4}, double[]::clone, globals, 1e-7));
+        new Case<>(
+            "toy",
+            kick,
+            new double[] {0.2, -0.4},
+            new double[] {1, 1},
+            double[]::clone,
+            globals,
+            1e-7));
   }
 }

@@ -2,6 +2,7 @@ package fieldcal.app.report.diagnosis;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
 import fieldcal.camera.Camera;
 import fieldcal.diagnosis.Candidate;
 import fieldcal.diagnosis.Cause;
@@ -199,6 +200,21 @@ public final class SampleDiagnosis {
         42);
   }
 
+  /** An effect with something of its first magnitude: a scale, or what the search starts a law with. */
+  public static Effect present(Effect effect) {
+    if (!effect.starts().isEmpty()) {
+      return effect.starts().get(0);
+    }
+    String name = effect.magnitudes().get(0);
+    double scale =
+        effect.parameters().stream()
+            .filter(p -> p.name().equals(name))
+            .mapToDouble(Parameter::scale)
+            .findFirst()
+            .orElseThrow();
+    return effect.withNone().with(name, scale);
+  }
+
   private static List<Candidate> candidates(boolean found) {
     List<Candidate> all = new ArrayList<>();
     if (found) {
@@ -208,7 +224,7 @@ public final class SampleDiagnosis {
     }
     for (Effect effect : EffectCatalogue.all()) {
       if (all.stream().noneMatch(c -> c.effect().id().equals(effect.id()))) {
-        all.add(candidate(effect.probes().get(0), 400.0 / all.size(), false));
+        all.add(candidate(present(effect), 400.0 / all.size(), false));
       }
     }
     return all;

@@ -10,7 +10,6 @@ import fieldcal.effect.learned.LearnedCurve.Support;
 import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Quantity;
-import fieldcal.effect.learned.SimpleFormula;
 import fieldcal.effect.learned.Variable;
 import fieldcal.effect.motion.ContactImpacts;
 import fieldcal.effect.motion.RollScatter;
@@ -35,7 +34,6 @@ public final class SampleLearned {
             List.of("spin"),
             OptionalInt.empty(),
             List.of(),
-            Optional.empty(),
             Double.NaN,
             new Gain(3.2, 20, 2.1, 4.0)),
         learned(Quantity.ACCELERATION_ALONG, Variable.SPEED, Support.of(0, 6)),
@@ -47,7 +45,6 @@ public final class SampleLearned {
             List.of("kick"),
             OptionalInt.empty(),
             List.of(),
-            Optional.empty(),
             0.1,
             new Gain(5, 40, 4, 6)));
   }
@@ -83,7 +80,6 @@ public final class SampleLearned {
         term.dependsOn(),
         term.camera(),
         curves,
-        Optional.of(SimpleFormula.of(curves.get(0))),
         Double.NaN,
         new Gain(1.4, 12, 0.8, 1.9));
   }
