@@ -15,14 +15,18 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
@@ -90,6 +94,40 @@ import picocli.CommandLine.Spec;
           + " --out drag.log.gz"
     })
 final class SimulateCommand implements Callable<Integer> {
+  private static final Scope KICKS =
+      new Scope(EnumSet.complementOf(EnumSet.of(ScenarioKind.MATCH)), false);
+  private static final Scope MATCH = new Scope(EnumSet.of(ScenarioKind.MATCH), false);
+  private static final Scope SERVED = new Scope(EnumSet.noneOf(ScenarioKind.class), true);
+
+  /** Where an option changes something, for those that do not do so everywhere. */
+  private static final Map<String, Scope> SCOPES =
+      Map.ofEntries(
+          Map.entry("--kicks", KICKS),
+          Map.entry("--speed-min", KICKS),
+          Map.entry("--speed-max", KICKS),
+          Map.entry("--reception", KICKS),
+          Map.entry("--minutes", MATCH),
+          Map.entry("--team-size", MATCH),
+          Map.entry("--robots-like", SERVED),
+          Map.entry("--robots", SERVED),
+          Map.entry("--vision", SERVED),
+          Map.entry("--port", SERVED),
+          Map.entry("--loss", SERVED),
+          Map.entry("--delay-ms", SERVED));
+
+  /** Scenarios, or the served field, which plays none. */
+  private record Scope(Set<ScenarioKind> scenarios, boolean served) {
+    boolean contains(ScenarioKind kind, boolean serves) {
+      return serves ? served : scenarios.contains(kind);
+    }
+
+    @Override
+    public String toString() {
+      String names = scenarios.stream().map(ScenarioKind::label).collect(Collectors.joining(", "));
+      return served ? "--serve" : "--scenario " + names.replaceFirst(", (?=\\w+$)", " or ");
+    }
+  }
+
   @Spec private CommandSpec spec;
 
   @Option(names = "--scenario", paramLabel = "KIND", description = "flat, chip, mixed or match")
@@ -180,25 +218,29 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--speed-min",
       paramLabel = "M/S",
-      description = "slowest kick of a scenario, m/s")
+      description = "slowest kick of flat, chip and mixed, m/s")
   private Double speedMin;
 
   @Option(
       names = "--speed-max",
       paramLabel = "M/S",
-      description = "fastest kick of a scenario, m/s")
+      description = "fastest kick of flat, chip and mixed, m/s")
   private Double speedMax;
 
   @Option(
       names = "--reception",
       paramLabel = "SHARE",
-      description = "share of kicks that the receiver tries to stop (default: 0.7)")
+      description =
+          "flat, chip and mixed: share of kicks that the receiver tries to stop (default: 0.7)")
   private Double reception;
 
   @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default: 2 min)")
   private Double minutes;
 
-  @Option(names = "--team-size", paramLabel = "N", description = "robots per team (default: 6)")
+  @Option(
+      names = "--team-size",
+      paramLabel = "N",
+      description = "robots per team of a match (default: 6)")
   private Integer teamSize;
 
   @Option(
@@ -240,7 +282,11 @@ final class SimulateCommand implements Callable<Integer> {
       require("--scenario KIND is missing", scenario != null || serving.wanted());
       require("--out FILE is missing", out != null || serving.wanted());
       require("--serve writes no recording: leave out --out", out == null || !serving.wanted());
-      settings = settings();
+      require(
+          "--serve plays no scenario: leave out --scenario", scenario == null || !serving.wanted());
+      ScenarioKind kind = kind();
+      requireUse(kind);
+      settings = settings(kind);
       if (serving.wanted()) {
         serving.serve(settings, field.robots(), spec.commandLine().getOut());
         return 0;
@@ -281,10 +327,25 @@ final class SimulateCommand implements Callable<Integer> {
     }
   }
 
-  private SimulationSettings settings() throws IOException {
+  /** An option that changes nothing would make the operator believe that it did. */
+  private void requireUse(ScenarioKind kind) {
+    for (OptionSpec option : spec.commandLine().getParseResult().matchedOptions()) {
+      Scope scope = SCOPES.get(option.longestName());
+      if (scope != null && !scope.contains(kind, serving.wanted())) {
+        throw new IllegalArgumentException(
+            "%s changes nothing with %s: it is for %s"
+                .formatted(
+                    option.longestName(),
+                    serving.wanted() ? "--serve" : "--scenario " + kind.label(),
+                    scope));
+      }
+    }
+  }
+
+  private SimulationSettings settings(ScenarioKind kind) throws IOException {
     requireOwnField();
     SimulationSettings s =
-        SimulationSettings.DEFAULT.withSeed(seed).withField(field()).withScenario(scenario());
+        SimulationSettings.DEFAULT.withSeed(seed).withField(field()).withScenario(scenario(kind));
     s = field.withPreset(s);
     if (yellowLimits != null || blueLimits != null) {
       ScenarioSettings now = s.scenario();
@@ -335,17 +396,18 @@ final class SimulateCommand implements Callable<Integer> {
         });
   }
 
-  private ScenarioSettings scenario() {
-    ScenarioKind kind;
+  private ScenarioKind kind() {
     try {
-      kind =
-          scenario == null
-              ? ScenarioKind.FLAT
-              : ScenarioKind.valueOf(scenario.toUpperCase(Locale.ROOT));
+      return scenario == null
+          ? ScenarioKind.FLAT
+          : ScenarioKind.valueOf(scenario.toUpperCase(Locale.ROOT));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(
           "unknown scenario '" + scenario + "'; known are flat, chip, mixed, match", e);
     }
+  }
+
+  private ScenarioSettings scenario(ScenarioKind kind) {
     if (scenario != null && kind != ScenarioKind.MATCH && kicks < 1) {
       throw new IllegalArgumentException("--kicks must be 1 or more, but is " + kicks);
     }

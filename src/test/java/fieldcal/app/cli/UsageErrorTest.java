@@ -70,6 +70,7 @@ class UsageErrorTest {
         "play | --kind flat|chip and --kicks N are missing",
         "simulate --scenario flat | --out FILE is missing",
         "simulate --serve --out x.log | --serve writes no recording: leave out --out",
+        "simulate --serve --scenario flat | --serve plays no scenario: leave out --scenario",
         "record --out | --out needs a value: FILE",
         "info a.log b.log | one argument too many: 'b.log'",
         "calibrate x.log --seed x | --seed: 'x' is not a whole number",
@@ -83,6 +84,37 @@ class UsageErrorTest {
     int split = line.indexOf(" | ");
     assertThat(run(line.substring(0, split).split(" "))).isEqualTo(2);
     assertThat(err.toString()).startsWith("fieldcal: " + line.substring(split + 3) + "\n");
+  }
+
+  /** Also an option at its usual value: whoever writes it wants something of it. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--scenario match --kicks 24 | --kicks | --scenario match | --scenario flat, chip or mixed",
+        "--scenario MATCH --speed-min 3 | --speed-min | --scenario match | --scenario flat, chip or"
+            + " mixed",
+        "--scenario match --speed-max 3 | --speed-max | --scenario match | --scenario flat, chip or"
+            + " mixed",
+        "--scenario match --reception 1 | --reception | --scenario match | --scenario flat, chip or"
+            + " mixed",
+        "--scenario flat --minutes 2 | --minutes | --scenario flat | --scenario match",
+        "--scenario mixed --team-size 6 | --team-size | --scenario mixed | --scenario match",
+        "--scenario chip --robots yellow1,blue2 | --robots | --scenario chip | --serve",
+        "--scenario flat --robots-like sluggish | --robots-like | --scenario flat | --serve",
+        "--scenario flat --vision 224.5.23.2:1 | --vision | --scenario flat | --serve",
+        "--scenario match --port 10300 | --port | --scenario match | --serve",
+        "--scenario flat --loss 0 | --loss | --scenario flat | --serve",
+        "--scenario flat --delay-ms 5 | --delay-ms | --scenario flat | --serve",
+        "--serve --kicks 3 | --kicks | --serve | --scenario flat, chip or mixed",
+        "--serve --minutes 3 | --minutes | --serve | --scenario match",
+      })
+  void anOptionThatChangesNothingIsRefused(String line, String option, String with, String isFor) {
+    String out = line.startsWith("--serve") ? "" : " --out x.log";
+    assertThat(run(("simulate " + line + out).split(" "))).isEqualTo(2);
+    assertThat(err.toString())
+        .startsWith(
+            "fieldcal: %s changes nothing with %s: it is for %s\n".formatted(option, with, isFor));
   }
 
   @ParameterizedTest
