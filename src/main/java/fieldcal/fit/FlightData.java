@@ -55,16 +55,19 @@ final class FlightData {
     return data;
   }
 
-  /** Seen minus predicted x in the ground plane, m, when the ball is at (x, y, z) in the world. */
-  double residualX(int i, double[] xyz) {
-    double f = cameraHeight[i] / (cameraHeight[i] - xyz[2]);
-    return x[i] - cameraX[i] - (xyz[0] - cameraX[i]) * f;
+  /** How many times farther from below the camera a ball at that height is reported than it is. */
+  double stretch(int i, double z) {
+    return cameraHeight[i] / (cameraHeight[i] - z);
   }
 
-  /** Seen minus predicted y in the ground plane, m, when the ball is at (x, y, z) in the world. */
-  double residualY(int i, double[] xyz) {
-    double f = cameraHeight[i] / (cameraHeight[i] - xyz[2]);
-    return y[i] - cameraY[i] - (xyz[1] - cameraY[i]) * f;
+  /** Seen minus predicted x in the ground plane, m, when the ball is at (x, y, z) in the world, whose {@link #stretch} is given. */
+  double residualX(int i, double[] xyz, double stretch) {
+    return x[i] - cameraX[i] - (xyz[0] - cameraX[i]) * stretch;
+  }
+
+  /** Seen minus predicted y in the ground plane, m, when the ball is at (x, y, z) in the world, whose {@link #stretch} is given. */
+  double residualY(int i, double[] xyz, double stretch) {
+    return y[i] - cameraY[i] - (xyz[1] - cameraY[i]) * stretch;
   }
 
   /** Squared whitened length of a vector in the ground plane at an observation. */

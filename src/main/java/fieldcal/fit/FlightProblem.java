@@ -22,14 +22,22 @@ final class FlightProblem {
   /** The unknowns whose columns are asked for. */
   private int[] columns;
 
+  /** Lower triangle and right side of the normal equations, of the columns alone. */
+  private double[][] sums;
+
+  private double[] rightSide;
+
   private final double[] priorValue;
   private final double[] priorWeight;
   private final double[] xyz = new double[3];
   private final double[] dx;
   private final double[] dy;
   private final double[] dz;
-  private final double[] j1;
-  private final double[] j2;
+
+  /** Derivatives of the whitened prediction of one observation by the columns. */
+  private double[] j1;
+
+  private double[] j2;
   private final CauchyLoss loss = new CauchyLoss();
   private int evaluations;
 
@@ -39,14 +47,12 @@ final class FlightProblem {
     this.size = size;
     used = new boolean[data.size];
     Arrays.fill(used, true);
-    columns = IntStream.range(0, size).toArray();
+    choose(IntStream.range(0, size).toArray());
     priorValue = new double[size];
     priorWeight = new double[size];
     dx = new double[size];
     dy = new double[size];
     dz = new double[size];
-    j1 = new double[size];
-    j2 = new double[size];
   }
 
   FlightData data() {
@@ -67,7 +73,18 @@ final class FlightProblem {
 
   /** Leaves the columns of parameters that are held out of the normal equations: what nobody solves for, nobody needs to sum up. */
   void holdFixed(List<Parameter> parameters) {
-    columns = Arrays.stream(columns).filter(k -> parameters.get(k).estimated()).toArray();
+    choose(Arrays.stream(columns).filter(k -> parameters.get(k).estimated()).toArray());
+  }
+
+  private void choose(int[] chosen) {
+    columns = chosen;
+    sums = new double[chosen.length][];
+    for (int c = 0; c < chosen.length; c++) {
+      sums[c] = new double[c + 1];
+    }
+    rightSide = new double[chosen.length];
+    j1 = new double[chosen.length];
+    j2 = new double[chosen.length];
   }
 
   /** Cauchy's loss with this scale, in standard deviations; infinite for plain least squares. */
@@ -104,8 +121,9 @@ final class FlightProblem {
 
   private double squaredDistance(int i) {
     curve.position(data.time[i], xyz);
-    double rx = data.residualX(i, xyz);
-    double ry = data.residualY(i, xyz);
+    double stretch = data.stretch(i, xyz[2]);
+    double rx = data.residualX(i, xyz, stretch);
+    double ry = data.residualY(i, xyz, stretch);
     double r1 = data.w11[i] * rx;
     double r2 = data.w21[i] * rx + data.w22[i] * ry;
     return r1 * r1 + r2 * r2;
@@ -116,15 +134,19 @@ final class FlightProblem {
     curve.set(theta);
     for (int i = 0; i < data.size; i++) {
       curve.position(data.time[i], xyz);
-      rx[i] = data.residualX(i, xyz);
-      ry[i] = data.residualY(i, xyz);
+      double stretch = data.stretch(i, xyz[2]);
+      rx[i] = data.residualX(i, xyz, stretch);
+      ry[i] = data.residualY(i, xyz, stretch);
     }
   }
 
   /** Fills in the normal equations at {@code theta}. */
   void linearize(double[] theta, NormalEquations to) {
     evaluations++;
-    to.clear();
+    for (double[] row : sums) {
+      Arrays.fill(row, 0);
+    }
+    Arrays.fill(rightSide, 0);
     curve.set(theta);
     loss.reset(lossScale);
     for (int i = 0; i < data.size; i++) {
@@ -132,24 +154,36 @@ final class FlightProblem {
         continue;
       }
       curve.sensitivities(data.time[i], xyz, dx, dy, dz);
-      double h = data.cameraHeight[i];
-      double f = h / (h - xyz[2]);
+      double f = data.stretch(i, xyz[2]);
       double px = xyz[0] - data.cameraX[i];
       double py = xyz[1] - data.cameraY[i];
-      double rx = data.residualX(i, xyz);
-      double ry = data.residualY(i, xyz);
-      double r1 = data.w11[i] * rx;
-      double r2 = data.w21[i] * rx + data.w22[i] * ry;
-      double s = r1 * r1 + r2 * r2;
-      double weight = loss.add(s);
-      double fz = f * f / h;
-      for (int k : columns) {
-        double gx = f * dx[k] + px * fz * dz[k];
-        double gy = f * dy[k] + py * fz * dz[k];
-        j1[k] = data.w11[i] * gx;
-        j2[k] = data.w21[i] * gx + data.w22[i] * gy;
+      double rx = data.residualX(i, xyz, f);
+      double ry = data.residualY(i, xyz, f);
+      double w11 = data.w11[i];
+      double w21 = data.w21[i];
+      double w22 = data.w22[i];
+      double r1 = w11 * rx;
+      double r2 = w21 * rx + w22 * ry;
+      double weight = loss.add(r1 * r1 + r2 * r2);
+      double fz = f * f / data.cameraHeight[i];
+      double fzx = px * fz;
+      double fzy = py * fz;
+      for (int c = 0; c < columns.length; c++) {
+        int k = columns[c];
+        double gx = f * dx[k] + fzx * dz[k];
+        double gy = f * dy[k] + fzy * dz[k];
+        j1[c] = w11 * gx;
+        j2[c] = w21 * gx + w22 * gy;
       }
-      accumulate(to, weight, r1, r2);
+      accumulate(weight, r1, r2);
+    }
+    to.clear();
+    for (int c = 0; c < columns.length; c++) {
+      int k = columns[c];
+      to.b[k] = rightSide[c];
+      for (int d = 0; d <= c; d++) {
+        to.a[k][columns[d]] = sums[c][d];
+      }
     }
     to.cost = loss.sum() + priorCost(theta);
     for (int k = 0; k < size; k++) {
@@ -158,19 +192,20 @@ final class FlightProblem {
     }
   }
 
-  private void accumulate(NormalEquations to, double weight, double r1, double r2) {
-    for (int i = 0; i < columns.length; i++) {
-      int k = columns[i];
-      double a1 = weight * j1[k];
-      double a2 = weight * j2[k];
+  /** The inner loop of all fits: over arrays without gaps, whose bounds the machine checks once. */
+  private void accumulate(double weight, double r1, double r2) {
+    double[] d1 = j1;
+    double[] d2 = j2;
+    for (int c = 0; c < d1.length; c++) {
+      double a1 = weight * d1[c];
+      double a2 = weight * d2[c];
       if (a1 == 0 && a2 == 0) {
         continue;
       }
-      to.b[k] += a1 * r1 + a2 * r2;
-      double[] row = to.a[k];
-      for (int j = 0; j <= i; j++) {
-        int m = columns[j];
-        row[m] += a1 * j1[m] + a2 * j2[m];
+      rightSide[c] += a1 * r1 + a2 * r2;
+      double[] row = sums[c];
+      for (int d = 0; d < row.length; d++) {
+        row[d] += a1 * d1[d] + a2 * d2[d];
       }
     }
   }

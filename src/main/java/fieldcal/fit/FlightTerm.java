@@ -153,8 +153,9 @@ final class FlightTerm implements KickTerm<double[]> {
     for (int n = 0; n < used.length; n++) {
       int i = used[n];
       curve.position(data.time[i], xyz);
-      double rx = data.residualX(i, xyz) - state[OFFSETS + 2 * slot[i]];
-      double ry = data.residualY(i, xyz) - state[OFFSETS + 2 * slot[i] + 1];
+      double stretch = data.stretch(i, xyz[2]);
+      double rx = data.residualX(i, xyz, stretch) - state[OFFSETS + 2 * slot[i]];
+      double ry = data.residualY(i, xyz, stretch) - state[OFFSETS + 2 * slot[i] + 1];
       out[2 * n] = data.w11[i] * rx;
       out[2 * n + 1] = data.w21[i] * rx + data.w22[i] * ry;
     }
@@ -166,8 +167,9 @@ final class FlightTerm implements KickTerm<double[]> {
     double[] xyz = new double[3];
     for (int i = 0; i < data.size; i++) {
       curve.position(data.time[i], xyz);
-      rx[i] = data.residualX(i, xyz) - state[OFFSETS + 2 * slot[i]];
-      ry[i] = data.residualY(i, xyz) - state[OFFSETS + 2 * slot[i] + 1];
+      double stretch = data.stretch(i, xyz[2]);
+      rx[i] = data.residualX(i, xyz, stretch) - state[OFFSETS + 2 * slot[i]];
+      ry[i] = data.residualY(i, xyz, stretch) - state[OFFSETS + 2 * slot[i] + 1];
     }
   }
 

@@ -59,7 +59,7 @@ final class CameraLayout {
 
   private final Map<Integer, BitSet> places = new TreeMap<>();
   private final Map<Integer, Map<Object, double[]>> latest = new HashMap<>();
-  private final Map<List<Integer>, Pairs> pairs = new TreeMap<>(CameraLayout::compare);
+  private final Map<CameraPair, Pairs> pairs = new TreeMap<>();
 
   CameraLayout() {}
 
@@ -70,6 +70,22 @@ final class CameraLayout {
    * @param swapped whether their numbers are; otherwise one of them is the wrong way round
    */
   record Finding(Set<Integer> cameras, boolean swapped) {}
+
+  /** Two cameras, the one with the lower number first. */
+  private record CameraPair(int low, int high) implements Comparable<CameraPair> {
+    static CameraPair of(int a, int b) {
+      return new CameraPair(Math.min(a, b), Math.max(a, b));
+    }
+
+    Set<Integer> cameras() {
+      return Set.of(low, high);
+    }
+
+    @Override
+    public int compareTo(CameraPair other) {
+      return low != other.low ? Integer.compare(low, other.low) : Integer.compare(high, other.high);
+    }
+  }
 
   /** What two cameras saw at the same time, x and y of the one and of the other. */
   private static final class Pairs {
@@ -148,9 +164,7 @@ final class CameraLayout {
       return;
     }
     boolean first = camera < other;
-    Pairs both =
-        pairs.computeIfAbsent(
-            first ? List.of(camera, other) : List.of(other, camera), key -> new Pairs());
+    Pairs both = pairs.computeIfAbsent(CameraPair.of(camera, other), key -> new Pairs());
     seen.forEach(
         (what, a) -> {
           double[] b = things.get(what);
@@ -158,12 +172,6 @@ final class CameraLayout {
             both.add(what, first ? a : b, first ? b : a);
           }
         });
-  }
-
-  private static int compare(List<Integer> a, List<Integer> b) {
-    return Arrays.compare(
-        a.stream().mapToInt(Integer::intValue).toArray(),
-        b.stream().mapToInt(Integer::intValue).toArray());
   }
 
   /** What is mixed up, by the published positions of the cameras. */
@@ -199,11 +207,11 @@ final class CameraLayout {
 
   private List<Finding> turned() {
     Set<Integer> sound = new HashSet<>();
-    List<List<Integer>> opposite = new ArrayList<>();
+    List<CameraPair> opposite = new ArrayList<>();
     pairs.forEach(
         (both, seen) -> {
           if (seen.places.size() >= LEAST_PAIRS && seen.areSame()) {
-            sound.addAll(both);
+            sound.addAll(both.cameras());
           } else if (seen.areOpposite()) {
             opposite.add(both);
           }
@@ -211,8 +219,8 @@ final class CameraLayout {
     // Who agrees with a third one is not the one of the two.
     Set<Set<Integer>> named = new HashSet<>();
     List<Finding> findings = new ArrayList<>();
-    for (List<Integer> both : opposite) {
-      Set<Integer> suspects = new TreeSet<>(both);
+    for (CameraPair both : opposite) {
+      Set<Integer> suspects = new TreeSet<>(both.cameras());
       suspects.removeAll(sound);
       if (!suspects.isEmpty() && named.add(suspects)) {
         findings.add(new Finding(suspects, false));

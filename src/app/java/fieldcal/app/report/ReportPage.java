@@ -57,8 +57,13 @@ public record ReportPage(
             "data", ReportJson.inScript(data),
             "scripts", String.join("\n", code));
     // One pass: what is put in is not searched for slots again.
-    return SLOT.matcher(resource("page.html"))
-        .replaceAll(slot -> Matcher.quoteReplacement(contents.get(slot.group(1))));
+    Matcher slot = SLOT.matcher(resource("page.html"));
+    StringBuilder page = new StringBuilder();
+    while (slot.find()) {
+      slot.appendReplacement(page, "");
+      page.append(contents.get(slot.group(1)));
+    }
+    return slot.appendTail(page).toString();
   }
 
   private static String escapeHtml(String text) {
