@@ -29,6 +29,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
@@ -49,6 +50,9 @@ public final class Soak {
 
   /** How many frames may be on their way: the sockets hold some hundred packets. */
   private static final int AHEAD = 60;
+
+  /** A thread for each: the common pool of a small machine has one, which on Java 25 runs one task after the other. */
+  private static final Executor THREADS = task -> new Thread(task).start();
 
   private static final double LOSS = 0.1;
   private static final double HOUR = 3600;
@@ -120,9 +124,11 @@ public final class Soak {
         NetworkFeed feed = new NetworkFeed(place, Optional.empty())) {
       console.settled();
       MonitorSession monitor = new MonitorSession(request, feed, new Counting());
-      CompletableFuture<MatchStatus> watching = CompletableFuture.supplyAsync(() -> watch(monitor));
-      CompletableFuture<Integer> looking = CompletableFuture.supplyAsync(() -> look(console, stop));
-      CompletableFuture<Integer> playing = CompletableFuture.supplyAsync(() -> play(stop));
+      CompletableFuture<MatchStatus> watching =
+          CompletableFuture.supplyAsync(() -> watch(monitor), THREADS);
+      CompletableFuture<Integer> looking =
+          CompletableFuture.supplyAsync(() -> look(console, stop), THREADS);
+      CompletableFuture<Integer> playing = CompletableFuture.supplyAsync(() -> play(stop), THREADS);
       List<Held> held = matches(monitor, feed.epoch(), port);
       stop.set(true);
       monitor.stop();

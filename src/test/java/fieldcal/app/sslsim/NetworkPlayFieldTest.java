@@ -36,6 +36,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
@@ -47,6 +48,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The play over real sockets on loopback, against the served field. */
 class NetworkPlayFieldTest {
+  /** A thread for each: the common pool of a small machine has one, which on Java 25 runs one task after the other. */
+  private static final Executor THREADS = task -> new Thread(task).start();
+
   private static final int KICKS = 2;
 
   @TempDir Path directory;
@@ -103,9 +107,10 @@ class NetworkPlayFieldTest {
                 } catch (IOException e) {
                   throw new AssertionError(e);
                 }
-              });
+              },
+              THREADS);
       CompletableFuture<Void> refereeing =
-          CompletableFuture.runAsync(() -> send(referee, says, stop));
+          CompletableFuture.runAsync(() -> send(referee, says, stop), THREADS);
       try {
         guest.visit(new NetworkPlayField("127.0.0.1", ports, vision, Optional.of(referee)));
       } finally {

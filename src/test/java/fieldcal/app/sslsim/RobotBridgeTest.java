@@ -26,6 +26,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -35,6 +36,9 @@ import org.junit.jupiter.api.Test;
 class RobotBridgeTest {
   private static final RobotId FIRST = new RobotId(Team.YELLOW, 0);
   private static final RobotId SECOND = new RobotId(Team.YELLOW, 1);
+
+  /** A thread for each: the common pool of a small machine has one, which on Java 25 runs one task after the other. */
+  private static final Executor THREADS = task -> new Thread(task).start();
 
   private static int freePort() throws IOException {
     try (DatagramSocket socket = new DatagramSocket()) {
@@ -62,8 +66,8 @@ class RobotBridgeTest {
 
     Robots() throws IOException {
       SimulatorProtocol protocol = new SimulatorProtocol(field);
-      serving = CompletableFuture.runAsync(() -> run(protocol));
-      bridging = CompletableFuture.runAsync(() -> pass(protocol));
+      serving = CompletableFuture.runAsync(() -> run(protocol), THREADS);
+      bridging = CompletableFuture.runAsync(() -> pass(protocol), THREADS);
     }
 
     private void run(SimulatorProtocol protocol) {
