@@ -7,7 +7,7 @@ import java.util.Objects;
  * Details of a scenario.
  *
  * @param kind what the robots do
- * @param kicks number of kicks to collect; a match ends after its time instead
+ * @param kicks number of kicks to collect, those of both teams in a match, deflections not counted; 0 = a match ends after its time alone
  * @param flatSpeedMin slowest flat kick, m/s
  * @param flatSpeedMax fastest flat kick, m/s
  * @param chipSpeedMin slowest chip, m/s
@@ -15,7 +15,7 @@ import java.util.Objects;
  * @param elevation of chips, rad
  * @param reception share of the kicks that the receiver tries to stop
  * @param teamSize robots per team in a match
- * @param minutes length of a match, without breaks it adds
+ * @param minutes length of a match, without breaks it adds; one with a number of kicks ends after the last of them if that comes first
  * @param yellow limits of yellow robots
  * @param blue limits of blue robots
  * @param manner what the robots of both teams of a match are like beyond that
@@ -35,6 +35,14 @@ public record ScenarioSettings(
     RobotLimits blue,
     TeamManner manner) {
 
+  /** Length of a match without a number of kicks, min; one with a number of kicks is not shorter. */
+  private static final double USUAL_MINUTES = 2;
+
+  /** What a match may take for each of its kicks, min; usually one takes an eighth of it, with robots of 0.3 m/s half. */
+  private static final double MINUTES_PER_KICK = 0.5;
+
+  private static final double LONGEST_MINUTES = 10_000;
+
   /**
    * Checks the ranges. {@inheritDoc}
    *
@@ -53,7 +61,7 @@ public record ScenarioSettings(
     range("elevation", elevation, 0.1, 1.4);
     range("reception", reception, 0, 1);
     range("teamSize", teamSize, 1, 16);
-    range("minutes", minutes, 0.1, 10_000);
+    range("minutes", minutes, 0.1, LONGEST_MINUTES);
   }
 
   private static void range(String name, double value, double min, double max) {
@@ -67,10 +75,11 @@ public record ScenarioSettings(
    * Usual details.
    *
    * @param kind what the robots do
-   * @param kicks number of kicks
-   * @return flat 2–6.5 m/s, chips 3–6.5 m/s at 45°; matches of 6 against 6
+   * @param kicks number of kicks; 0 = a match ends after its time alone
+   * @return flat 2–6.5 m/s, chips 3–6.5 m/s at 45°; matches of 6 against 6, of two minutes, or of as many as the kicks take at most
    */
   public static ScenarioSettings of(ScenarioKind kind, int kicks) {
+    double minutes = Math.min(LONGEST_MINUTES, Math.max(USUAL_MINUTES, MINUTES_PER_KICK * kicks));
     return new ScenarioSettings(
         kind,
         kicks,
@@ -81,7 +90,7 @@ public record ScenarioSettings(
         Math.PI / 4,
         0.7,
         6,
-        2,
+        minutes,
         RobotLimits.DEFAULT,
         RobotLimits.DEFAULT,
         TeamManner.USUAL);

@@ -94,6 +94,10 @@ import picocli.CommandLine.Spec;
           + " --out drag.log.gz"
     })
 final class SimulateCommand implements Callable<Integer> {
+  /** Of a scenario that is not a match; a match without a number of kicks ends after its time. */
+  private static final int USUAL_KICKS = 24;
+
+  private static final Scope PLAYED = new Scope(EnumSet.allOf(ScenarioKind.class), false);
   private static final Scope KICKS =
       new Scope(EnumSet.complementOf(EnumSet.of(ScenarioKind.MATCH)), false);
   private static final Scope MATCH = new Scope(EnumSet.of(ScenarioKind.MATCH), false);
@@ -102,7 +106,7 @@ final class SimulateCommand implements Callable<Integer> {
   /** Where an option changes something, for those that do not do so everywhere. */
   private static final Map<String, Scope> SCOPES =
       Map.ofEntries(
-          Map.entry("--kicks", KICKS),
+          Map.entry("--kicks", PLAYED),
           Map.entry("--speed-min", KICKS),
           Map.entry("--speed-max", KICKS),
           Map.entry("--reception", KICKS),
@@ -136,8 +140,10 @@ final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--kicks",
       paramLabel = "N",
-      description = "number of kicks (default: ${DEFAULT-VALUE}); a match has --minutes instead")
-  private int kicks = 24;
+      description =
+          "number of kicks (default: 24); a match ends after N kicks of both teams, without N after"
+              + " its minutes")
+  private Integer kicks;
 
   @Option(
       names = "--seed",
@@ -234,7 +240,12 @@ final class SimulateCommand implements Callable<Integer> {
           "flat, chip and mixed: share of kicks that the receiver tries to stop (default: 0.7)")
   private Double reception;
 
-  @Option(names = "--minutes", paramLabel = "M", description = "length of a match (default: 2 min)")
+  @Option(
+      names = "--minutes",
+      paramLabel = "M",
+      description =
+          "length of a match, at most that with --kicks (default: 2 min; with --kicks half a minute"
+              + " per kick, not less than 2 min)")
   private Double minutes;
 
   @Option(
@@ -305,16 +316,24 @@ final class SimulateCommand implements Callable<Integer> {
         TerminalProgress progress = TerminalProgress.ofPercent("simulating", heartbeat)) {
       truth = files.write(settings, share -> progress.at(Math.round(100 * share), 100));
     }
-    int kicks = truth.commandedKicks().size();
+    int played = truth.commandedKicks().size();
     print.printf(
         Locale.ROOT,
         "%s: %.1f s, %s, %d frames of %d cameras, seed %d%n",
         files.log(),
         truth.duration(),
-        kicks == 1 ? "1 kick" : kicks + " kicks",
+        played == 1 ? "1 kick" : played + " kicks",
         truth.cameras().stream().mapToLong(c -> c.frames()).sum(),
         truth.cameras().size(),
         settings.seed());
+    ScenarioSettings match = settings.scenario();
+    if (match.kind() == ScenarioKind.MATCH && played < match.kicks()) {
+      print.printf(
+          Locale.ROOT,
+          "the %s minutes were over before %d kicks were played%n",
+          Double.toString(match.minutes()).replaceFirst("\\.0$", ""),
+          match.kicks());
+    }
     settings.effects().forEach(e -> print.printf("effect %s%n", e));
     print.printf("truth %s%ncommands %s%n", files.truth(), files.commands());
     print.flush();
@@ -408,10 +427,11 @@ final class SimulateCommand implements Callable<Integer> {
   }
 
   private ScenarioSettings scenario(ScenarioKind kind) {
-    if (scenario != null && kind != ScenarioKind.MATCH && kicks < 1) {
+    if (kicks != null && kicks < 1) {
       throw new IllegalArgumentException("--kicks must be 1 or more, but is " + kicks);
     }
-    ScenarioSettings s = ScenarioSettings.of(kind, kicks);
+    int usual = kind == ScenarioKind.MATCH ? 0 : USUAL_KICKS;
+    ScenarioSettings s = ScenarioSettings.of(kind, kicks == null ? usual : kicks);
     if (speedMin != null || speedMax != null) {
       double min = speedMin == null ? s.flatSpeedMin() : speedMin;
       double max = speedMax == null ? s.flatSpeedMax() : speedMax;

@@ -2,15 +2,18 @@ package fieldcal.simulation.scenario;
 
 import fieldcal.simulation.FieldSize;
 import fieldcal.simulation.RandomStream;
+import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulatedWorld;
 import fieldcal.simulation.physics.BallBody;
+import fieldcal.simulation.truth.EndReason;
+import fieldcal.simulation.truth.KickTruth;
 import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.vision.Team;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** Runs a match: kick-offs, restarts, halts, time-outs, half-time, score. */
+/** Runs a match: kick-offs, restarts, halts, time-outs, half-time, score, its end after a time or a number of kicks. */
 final class MatchReferee {
   /** Length of the half-time break, s. */
   static final double BREAK = 8;
@@ -20,6 +23,7 @@ final class MatchReferee {
   private final FieldSize field;
   private final RandomStream random;
   private final double halfLength;
+  private final int wanted;
   private final List<RefereePhase> phases = new ArrayList<>();
 
   private State state = State.INTERRUPTED;
@@ -43,10 +47,11 @@ final class MatchReferee {
     OVER
   }
 
-  MatchReferee(FieldSize field, double minutes, RandomStream random) {
+  MatchReferee(FieldSize field, ScenarioSettings match, RandomStream random) {
     this.field = field;
     this.random = random;
-    halfLength = 30 * minutes;
+    wanted = match.kicks();
+    halfLength = 30 * match.minutes();
     nextInterruption = random.uniform(0.25, 0.7) * halfLength;
     say(0, "HALT");
   }
@@ -77,8 +82,26 @@ final class MatchReferee {
     return restart;
   }
 
+  /** Whether the last kick of a match with a number of kicks is under way or over: nobody may kick any more. */
+  boolean enough(SimulatedWorld world) {
+    return wanted > 0 && world.kicks().commanded() >= wanted;
+  }
+
+  /** Share of the ordered kicks that were begun; 0 without such an order. */
+  double kicked(SimulatedWorld world) {
+    return wanted == 0 ? 0 : (double) world.kicks().commanded() / wanted;
+  }
+
+  /** Whether the last kick's ball has come to rest, left the field or was taken, also after bounces off robots. */
+  private boolean played(SimulatedWorld world) {
+    return enough(world) && !world.kicks().running();
+  }
+
   void tick(SimulatedWorld world) {
     double now = world.time();
+    if (state != State.PLAYING && state != State.OVER && played(world)) {
+      endMatch(now);
+    }
     switch (state) {
       case INTERRUPTED -> {
         if (now >= until) {
@@ -146,8 +169,10 @@ final class MatchReferee {
     double half = halfLength * (secondHalf ? 2 : 1) + (secondHalf ? BREAK : 0);
     if (now > half) {
       endHalf(now);
-    } else if (inGoal(ball)) {
+    } else if (inGoal(ball) || played(world) && lastEnded(world) == EndReason.GOAL) {
       goal(world);
+    } else if (played(world)) {
+      endMatch(now);
     } else if (Math.abs(ball.x()) > field.length() / 2 + SimulatedWorld.OUT
         || Math.abs(ball.y()) > field.width() / 2 + SimulatedWorld.OUT) {
       stop(world, false, random.happens(0.5) ? Team.YELLOW : Team.BLUE);
@@ -160,6 +185,12 @@ final class MatchReferee {
     } else if (now > nextInterruption && now - playStarted > 5) {
       interrupt(now);
     }
+  }
+
+  /** A kick is over as soon as the whole ball is behind the line, a little before the referee sees a goal. */
+  private static EndReason lastEnded(SimulatedWorld world) {
+    List<KickTruth> kicks = world.kicks().finished();
+    return kicks.get(kicks.size() - 1).end();
   }
 
   private boolean inGoal(BallBody ball) {
@@ -187,14 +218,11 @@ final class MatchReferee {
   }
 
   private void endHalf(double now) {
-    kickOff = true;
     if (secondHalf) {
-      state = State.OVER;
-      until = now + 2;
-      stage = "POST_GAME";
-      say(now, "HALT");
+      endMatch(now);
       return;
     }
+    kickOff = true;
     stage = "NORMAL_HALF_TIME";
     say(now, "HALT");
     secondHalf = true;
@@ -202,6 +230,13 @@ final class MatchReferee {
     restart = Team.BLUE;
     state = State.INTERRUPTED;
     until = now + BREAK;
+  }
+
+  private void endMatch(double now) {
+    state = State.OVER;
+    until = now + 2;
+    stage = "POST_GAME";
+    say(now, "HALT");
   }
 
   private static double clamp(double value, double limit) {

@@ -5,6 +5,7 @@ import fieldcal.simulation.RandomStream;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulatedWorld;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.robot.RobotCommand.Kick;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.simulation.truth.RefereePhase;
@@ -26,7 +27,7 @@ public final class MatchScenario implements Scenario {
   private boolean yellowAtTheBall = true;
 
   /**
-   * A match of the settings' size and length.
+   * A match of the settings' size and length; with a number of kicks it ends when they are played, if its time is not up before.
    *
    * @param all the simulation's settings
    */
@@ -34,8 +35,7 @@ public final class MatchScenario implements Scenario {
     ScenarioSettings settings = all.scenario();
     FieldSize field = all.field();
     duration = 60 * settings.minutes() + MatchReferee.BREAK;
-    referee =
-        new MatchReferee(field, settings.minutes(), RandomStream.of(all.seed(), "match referee"));
+    referee = new MatchReferee(field, settings, RandomStream.of(all.seed(), "match referee"));
     RandomStream random = RandomStream.of(all.seed(), "match teams");
     yellow = team(Team.YELLOW, settings, settings.yellow(), field, random);
     blue = team(Team.BLUE, settings, settings.blue(), field, random);
@@ -106,7 +106,7 @@ public final class MatchScenario implements Scenario {
 
   @Override
   public double progress(SimulatedWorld world) {
-    return Math.min(1, world.time() / duration);
+    return Math.min(1, Math.max(world.time() / duration, referee.kicked(world)));
   }
 
   @Override
@@ -128,6 +128,9 @@ public final class MatchScenario implements Scenario {
       }
       yellow.play(world, referee.attack(Team.YELLOW), yellowAtTheBall);
       blue.play(world, referee.attack(Team.BLUE), !yellowAtTheBall);
+    }
+    if (referee.enough(world)) {
+      robots.forEach(r -> r.command(r.command().kicking(Kick.NONE)));
     }
   }
 }

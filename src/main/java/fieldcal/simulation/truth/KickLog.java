@@ -24,6 +24,7 @@ public final class KickLog implements BallTrace {
 
   private final List<BallHold> holds = new ArrayList<>();
 
+  private int commanded;
   private KickTruth open;
   private RobotId holder;
   private double holdStart;
@@ -59,6 +60,7 @@ public final class KickLog implements BallTrace {
     if (open != null) {
       end(time, EndReason.REDIRECTED, Optional.of(robot.id()));
     }
+    commanded += kind == KickKind.DEFLECTION ? 0 : 1;
     events = new ArrayList<>();
     path = new ArrayList<>();
     Vector3 position = new Vector3(ball.x(), ball.y(), ball.z());
@@ -178,6 +180,15 @@ public final class KickLog implements BallTrace {
    */
   public boolean running() {
     return open != null;
+  }
+
+  /**
+   * How many kicks robots were told to make.
+   *
+   * @return without deflections, with the one that is under way
+   */
+  public int commanded() {
+    return commanded;
   }
 
   /**

@@ -91,7 +91,6 @@ class UsageErrorTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "--scenario match --kicks 24 | --kicks | --scenario match | --scenario flat, chip or mixed",
         "--scenario MATCH --speed-min 3 | --speed-min | --scenario match | --scenario flat, chip or"
             + " mixed",
         "--scenario match --speed-max 3 | --speed-max | --scenario match | --scenario flat, chip or"
@@ -106,7 +105,7 @@ class UsageErrorTest {
         "--scenario match --port 10300 | --port | --scenario match | --serve",
         "--scenario flat --loss 0 | --loss | --scenario flat | --serve",
         "--scenario flat --delay-ms 5 | --delay-ms | --scenario flat | --serve",
-        "--serve --kicks 3 | --kicks | --serve | --scenario flat, chip or mixed",
+        "--serve --kicks 3 | --kicks | --serve | --scenario flat, chip, mixed or match",
         "--serve --minutes 3 | --minutes | --serve | --scenario match",
       })
   void anOptionThatChangesNothingIsRefused(String line, String option, String with, String isFor) {

@@ -171,6 +171,7 @@ class SimulateCommandTest {
         "--preset=moon | unknown preset 'moon'; known are lab",
         "--cameras=9 | count must lie in",
         "--kicks=0 | --kicks must be 1 or more, but is 0",
+        "--scenario=match --kicks=0 | --kicks must be 1 or more, but is 0",
         "--division=C | division must be A or B",
         "--flat-model=1,2 | takes three numbers",
         "--blue-limits=1,-2,3 | limit must be positive",
@@ -181,10 +182,36 @@ class SimulateCommandTest {
     if (!argument.startsWith("--scenario")) {
       args.add("--scenario=flat");
     }
-    args.add(argument.trim());
+    args.addAll(List.of(argument.trim().split(" ")));
     assertThat(run(args.toArray(String[]::new))).isEqualTo(2);
     assertThat(err.toString()).contains(message.trim());
     assertThat(directory).isEmptyDirectory();
+  }
+
+  /** As in the first table of the documents: every scenario takes a number of kicks. */
+  @Test
+  void aMatchHasAsManyKicksAsAreOrdered() throws IOException {
+    Path log = directory.resolve("match.log");
+    assertThat(run("--scenario", "match", "--kicks", "4", "--seed", "2", "--out=" + log))
+        .as(err.toString())
+        .isZero();
+    assertThat(out.toString()).contains(" s, 4 kicks, ").doesNotContain("over before");
+    JsonNode truth = new ObjectMapper().readTree(directory.resolve("match.truth.json").toFile());
+    int commanded = 0;
+    for (JsonNode kick : truth.get("kicks")) {
+      commanded += kick.get("kind").textValue().equals("deflection") ? 0 : 1;
+    }
+    assertThat(commanded).isEqualTo(4);
+    assertThat(Files.readAllLines(directory.resolve("match.commands.csv"))).hasSize(1 + 4);
+  }
+
+  @Test
+  void aMatchWhoseTimeIsUpBeforeItsKicksSaysSo() {
+    Path log = directory.resolve("match.log");
+    assertThat(run("--scenario=match", "--kicks=500", "--minutes=0.5", "--out=" + log))
+        .as(err.toString())
+        .isZero();
+    assertThat(out.toString()).contains("the 0.5 minutes were over before 500 kicks were played");
   }
 
   @Test

@@ -11,6 +11,7 @@ import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.robot.SimulatedRobot;
+import fieldcal.simulation.truth.EndReason;
 import fieldcal.simulation.truth.KickTruth;
 import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.simulation.truth.Truth;
@@ -69,6 +70,84 @@ class MatchScenarioTest {
       }
       assertThat(phase.command()).as("kick at %s", kick.time()).isNotIn("HALT", "STOP");
     }
+  }
+
+  /** Up to the last ball's end: it may bounce off robots, be taken, leave the field or come to rest. */
+  @ParameterizedTest
+  @CsvSource({"6, 1, 1", "6, 24, 2", "2, 9, 3", "1, 5, 4", "11, 40, 5", "6, 7, 6"})
+  void endsAfterTheKicksThatWereOrdered(int size, int kicks, long seed) {
+    ScenarioSettings usual = ScenarioSettings.of(ScenarioKind.MATCH, kicks);
+    SimulationSettings settings =
+        match(size, 1, seed).withScenario(usual.withMatch(size, usual.minutes()));
+    Truth truth = Simulation.of(settings).run(packet -> {});
+    assertThat(truth.commandedKicks()).hasSize(kicks);
+    RefereePhase end = truth.phases().get(truth.phases().size() - 1);
+    assertThat(end.command()).isEqualTo("HALT");
+    assertThat(end.stage()).isEqualTo("POST_GAME");
+    // Robots that brake at the end may still push the ball.
+    List<KickTruth> played = truth.kicks().stream().filter(k -> k.time() < end.time()).toList();
+    assertThat(played).extracting(KickTruth::end).doesNotContain(EndReason.RECORDING_ENDED);
+    KickTruth last = played.get(played.size() - 1);
+    assertThat(end.time()).isEqualTo(last.time() + last.duration(), within(0.05));
+    assertThat(truth.duration()).isEqualTo(end.time() + 2, within(0.05));
+    assertThat(end.yellowScore()).isEqualTo(goals(truth, Team.YELLOW));
+    assertThat(end.blueScore()).isEqualTo(goals(truth, Team.BLUE));
+  }
+
+  private static long goals(Truth truth, Team team) {
+    return truth.kicks().stream()
+        .filter(k -> k.end() == EndReason.GOAL)
+        .filter(k -> scorer(truth, k) == team)
+        .count();
+  }
+
+  private static Team scorer(Truth truth, KickTruth goal) {
+    boolean secondHalf = false;
+    for (RefereePhase phase : truth.phases()) {
+      boolean before = phase.time() <= goal.time() + goal.duration();
+      secondHalf = before ? phase.stage().contains("SECOND_HALF") : secondHalf;
+    }
+    boolean right = goal.path().get(goal.path().size() - 1).x() > 0;
+    return right != secondHalf ? Team.YELLOW : Team.BLUE;
+  }
+
+  @Test
+  void endsAfterItsTimeIfThatComesFirst() {
+    SimulationSettings byTime = match(6, 1, 8);
+    ScenarioSettings many = ScenarioSettings.of(ScenarioKind.MATCH, 1000).withMatch(6, 1);
+    Truth truth = Simulation.of(byTime.withScenario(many)).run(packet -> {});
+    Truth asLong = Simulation.of(byTime).run(packet -> {});
+    assertThat(truth.duration()).isEqualTo(asLong.duration());
+    assertThat(truth.kicks()).isEqualTo(asLong.kicks());
+  }
+
+  /** Robots of a match that never get to the ball must not keep the recording going. */
+  @Test
+  void endsWithoutAnyKick() {
+    RobotLimits hardly = RobotLimits.uniform(0.001, 0.001, 0.001);
+    SimulationSettings settings = match(2, 1, 9);
+    ScenarioSettings two = ScenarioSettings.of(ScenarioKind.MATCH, 2);
+    settings = settings.withScenario(two.withMatch(2, two.minutes()).withLimits(hardly, hardly));
+    Truth truth = Simulation.of(settings).run(packet -> {});
+    assertThat(truth.commandedKicks()).isEmpty();
+    assertThat(truth.duration()).isEqualTo(60 * two.minutes() + 10, within(10.0));
+  }
+
+  @Test
+  void howFarItIsGrowsWithKicksAndTime() {
+    SimulationSettings settings = match(6, 1, 3);
+    settings = settings.withScenario(ScenarioSettings.of(ScenarioKind.MATCH, 5).withMatch(6, 3));
+    Simulation simulation = Simulation.of(settings);
+    double before = 0;
+    double largestStep = 0;
+    do {
+      double now = simulation.progress();
+      assertThat(now).isBetween(before, 1.0);
+      largestStep = Math.max(largestStep, now - before);
+      before = now;
+    } while (simulation.tick(packet -> {}));
+    assertThat(before).isEqualTo(1);
+    assertThat(largestStep).isEqualTo(0.2, within(0.1));
   }
 
   @Test
