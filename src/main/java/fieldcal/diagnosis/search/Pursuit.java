@@ -140,15 +140,10 @@ final class Pursuit {
       rejected.clear();
       List<Component> without = new ArrayList<>(before.model().components());
       without.remove(out);
-      if (!out.isLaw()) {
-        best = refits.fit(best, without);
-        banned = out;
-        for (int i = 0; i < EXCHANGED && addBest(1); i++) {
-          prune();
-        }
-        banned = null;
-      } else {
-        restartLaw(out, without);
+      exchange(out, without);
+      if (out.isLaw()) {
+        FittedModel restarted = restartedLaw(before, out, without);
+        best = price.net(before, restarted) > price.net(before, best) ? restarted : best;
       }
       if (out.hasPlace()) {
         FittedModel moved = relocated(before, before.model().components().indexOf(out));
@@ -201,18 +196,27 @@ final class Pursuit {
     return at;
   }
 
-  private void restartLaw(Component law, List<Component> without) {
-    FittedModel before = best;
+  /** Lets others take the place of a component. */
+  private void exchange(Component out, List<Component> without) {
+    best = refits.fit(best, without);
+    banned = out;
+    for (int i = 0; i < EXCHANGED && addBest(1); i++) {
+      prune();
+    }
+    banned = null;
+  }
+
+  /** With a law begun again where it may lead elsewhere. */
+  private FittedModel restartedLaw(FittedModel from, Component law, List<Component> without) {
     for (Effect start : law.template().starts()) {
       List<Component> with = new ArrayList<>(without);
       with.add(Component.of(start, start.magnitudes()));
-      best = before;
-      FittedModel tried = refits.fit(best, with);
-      best = price.gain(before, tried) > 0 ? tried : before;
-      if (best != before) {
-        return;
+      FittedModel tried = refits.fit(from, with);
+      if (price.gain(from, tried) > 0) {
+        return tried;
       }
     }
+    return from;
   }
 
   private boolean addBest(int atOnce) {
@@ -408,30 +412,53 @@ final class Pursuit {
     }
   }
 
-  /** Tries laws that replace another: they cannot be score-tested. */
+  /** Tries laws that replace another: they cannot be score-tested. What gains more than a law comes first, since a law with its several numbers takes up a part of anything that happens at impacts. */
   private void addLaws() {
-    if (best.model().components().size() >= maxComponents) {
+    while (best.model().components().size() < maxComponents) {
+      FittedModel before = best;
+      for (Effect law : dictionary.laws(before.model())) {
+        tryLaw(law);
+      }
+      if (best == before) {
+        return;
+      }
+    }
+  }
+
+  private void tryLaw(Effect law) {
+    FittedModel before = best;
+    FittedModel top = null;
+    double most = Math.max(Price.LAW, LAW_SHARE * left());
+    double gained = 0;
+    for (Effect start : law.starts()) {
+      Component c = Component.of(start, start.magnitudes());
+      FittedModel tried = refits.fit(before, added(before.model().components(), List.of(c)));
+      double gain = price.gain(before, tried);
+      gained = Math.max(gained, gain);
+      if (gain > most) {
+        most = gain;
+        top = tried;
+      }
+    }
+    if (top != null && addRival() && price.net(before, best) >= price.net(before, top)) {
       return;
     }
-    for (Effect law : dictionary.laws(best.model())) {
-      FittedModel top = null;
-      double most = 0;
-      for (Effect start : law.starts()) {
-        Component c = Component.of(start, start.magnitudes());
-        FittedModel tried = refits.fit(best, added(best.model().components(), List.of(c)));
-        double gain = price.gain(best, tried);
-        if (gain > most) {
-          most = gain;
-          top = tried;
-        }
-      }
-      boolean good = top != null && most > Price.LAW && most > LAW_SHARE * left();
-      trace.add(new SearchStep(law.id(), good ? Action.ADDED : Action.REJECTED, Double.NaN, most));
-      if (good) {
-        best = top;
-        rejected.clear();
-      }
+    best = top == null ? before : top;
+    Action action = top == null ? Action.REJECTED : Action.ADDED;
+    trace.add(new SearchStep(law.id(), action, Double.NaN, gained));
+    if (top != null) {
+      rejected.clear();
     }
+  }
+
+  /** Adds what all kicks share and gains most; whether there was any. */
+  private boolean addRival() {
+    boolean before = onlyShared;
+    FittedModel from = best;
+    onlyShared = true;
+    addBest(1);
+    onlyShared = before;
+    return best != from;
   }
 
   /** Tries the other forms of the laws that the model has. They must explain as much of what is left as a law that is added. */
