@@ -8,6 +8,7 @@ import fieldcal.effect.MotionEffect.FrictionZone;
 import fieldcal.effect.MotionEffect.PathAcceleration;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SlidingResistance;
+import fieldcal.effect.MotionEffect.Varying;
 
 /** The right-hand side of the equations of motion in {@link ExtendedTrajectory}. State: x, y, z, vx, vy, vz, spin x, spin y. */
 final class BallForces {
@@ -69,14 +70,14 @@ final class BallForces {
     motion.hop = hop;
   }
 
-  /** The longest step, s, that does not skip over how an acceleration varies. */
+  /** The longest step, s, that does not skip over how forces on the carpet vary. */
   double longestStep(Phase phase, double t, double[] s) {
     double longest = ExtendedTrajectory.MAX_DURATION;
-    if (effects.accelerations.length > 0) {
+    if (effects.varying.length > 0) {
       longest = PathIntegrator.MAX_STEP;
       BallMotion m = motion(t, s, false);
       m.sliding = phase == Phase.SLIDING;
-      for (PathAcceleration effect : effects.accelerations) {
+      for (Varying effect : effects.varying) {
         longest = Math.min(longest, effect.longestStep(m));
       }
     }

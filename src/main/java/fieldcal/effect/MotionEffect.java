@@ -168,8 +168,19 @@ public interface MotionEffect extends Effect {
     }
   }
 
+  /** What may vary so fast on the carpet that an integrator must take shorter steps than it would without it. */
+  interface Varying extends MotionEffect {
+    /**
+     * The longest step of an integrator that does not skip over how it varies.
+     *
+     * @param motion how the ball moves at the step's begin
+     * @return s, positive; infinite when it does not matter
+     */
+    double longestStep(BallMotion motion);
+  }
+
   /** An acceleration relative to the path that a ball on the carpet has, sliding or rolling, whatever force it comes from. */
-  interface PathAcceleration extends MotionEffect {
+  interface PathAcceleration extends Varying {
     /**
      * Acceleration along the velocity.
      *
@@ -189,14 +200,6 @@ public interface MotionEffect extends Effect {
     default double across(BallMotion motion) {
       return 0;
     }
-
-    /**
-     * The longest step of an integrator that does not skip over how it varies.
-     *
-     * @param motion how the ball moves at the step's begin
-     * @return s, positive; infinite when it does not matter
-     */
-    double longestStep(BallMotion motion);
   }
 
   /** A convex part of the carpet with another friction, sliding and rolling. The integrator stops at its edges. */

@@ -11,6 +11,7 @@ import fieldcal.effect.MotionEffect.PathAcceleration;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.SlidingResistance;
 import fieldcal.effect.MotionEffect.SpinAtKick;
+import fieldcal.effect.MotionEffect.Varying;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -25,6 +26,7 @@ public final class MotionEffects {
   private static final FrictionOfKick[] NO_FRICTIONS = {};
   private static final Line[] NO_LINES = {};
   private static final PathAcceleration[] NO_ACCELERATIONS = {};
+  private static final Varying[] NONE_VARYING = {};
   private static final FrictionZone[] NO_ZONES = {};
   private static final Bounce[] NO_BOUNCES = {};
 
@@ -43,6 +45,7 @@ public final class MotionEffects {
   private final double[] linePlaces;
 
   final PathAcceleration[] accelerations;
+  final Varying[] varying;
   final FrictionZone[] zones;
   final Bounce[] bounces;
 
@@ -67,6 +70,7 @@ public final class MotionEffects {
     lines = NO_LINES;
     linePlaces = new double[0];
     accelerations = NO_ACCELERATIONS;
+    varying = NONE_VARYING;
     zones = NO_ZONES;
     bounces = NO_BOUNCES;
     impacts = null;
@@ -88,6 +92,7 @@ public final class MotionEffects {
     FrictionOfKick[] ofKick = some.frictions;
     Line[] crossed = some.lines;
     PathAcceleration[] accelerating = some.accelerations;
+    Varying[] changing = some.varying;
     FrictionZone[] worn = some.zones;
     Bounce[] bouncing = some.bounces;
     ImpactLaw law = some.impacts;
@@ -126,6 +131,9 @@ public final class MotionEffects {
       if (effect instanceof PathAcceleration e) {
         accelerating = and(accelerating, e);
       }
+      if (effect instanceof Varying e) {
+        changing = and(changing, e);
+      }
       if (effect instanceof FrictionZone e) {
         worn = and(worn, e);
       }
@@ -146,6 +154,7 @@ public final class MotionEffects {
       linePlaces[3 * i + 2] = lines[i].distance();
     }
     accelerations = accelerating;
+    varying = changing;
     zones = worn;
     bounces = bouncing;
     impacts = law;

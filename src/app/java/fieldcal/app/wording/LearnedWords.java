@@ -18,6 +18,8 @@ public final class LearnedWords {
 
   private static final double MINUTE = 60;
 
+  private static final double PER_CENT = 100;
+
   private LearnedWords() {}
 
   /**
@@ -35,6 +37,7 @@ public final class LearnedWords {
     return switch (term.family().quantity()) {
       case ACCELERATION_ALONG -> "braking that depends on " + on;
       case ACCELERATION_ACROSS -> "sideways pull that depends on " + on;
+      case FRICTION -> "friction that depends on " + on;
       case PUSH -> "push that depends on " + on;
       case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
       case TANGENTIAL_RESTITUTION -> "loss of speed at bounces that depends on " + on;
@@ -133,6 +136,7 @@ public final class LearnedWords {
     return switch (curve.family().quantity()) {
       case ACCELERATION_ALONG -> "acceleration along the path";
       case ACCELERATION_ACROSS -> "acceleration to the left";
+      case FRICTION -> "change of the friction";
       case PUSH -> "acceleration towards " + (curve.component() == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "change of the vertical damping";
       case TANGENTIAL_RESTITUTION -> "change of the horizontal damping";
@@ -147,10 +151,14 @@ public final class LearnedWords {
    * The unit of {@link #inUnit}.
    *
    * @param curve of a fitted term
-   * @return degrees for a turn; may be empty
+   * @return degrees for a turn, per cent for friction; may be empty
    */
   public static String unit(LearnedCurve curve) {
-    return curve.family().quantity() == Quantity.TURN ? "°" : curve.family().quantity().unit();
+    return switch (curve.family().quantity()) {
+      case TURN -> "°";
+      case FRICTION -> "%";
+      default -> curve.family().quantity().unit();
+    };
   }
 
   /**
@@ -161,7 +169,11 @@ public final class LearnedWords {
    * @return the same in the unit
    */
   public static double inUnit(LearnedCurve curve, double value) {
-    return curve.family().quantity() == Quantity.TURN ? Math.toDegrees(value) : value;
+    return switch (curve.family().quantity()) {
+      case TURN -> Math.toDegrees(value);
+      case FRICTION -> PER_CENT * value;
+      default -> value;
+    };
   }
 
   private static String nothing(LearnedTerm term) {
@@ -260,12 +272,9 @@ public final class LearnedWords {
   }
 
   private static String size(LearnedCurve curve, double amount) {
-    Quantity quantity = curve.family().quantity();
-    if (quantity == Quantity.TURN) {
-      return Amount.of(Math.toDegrees(Math.abs(amount))) + "°";
-    }
-    String unit = quantity.unit();
-    return Amount.of(Math.abs(amount)) + (unit.isEmpty() ? "" : " " + unit);
+    String unit = unit(curve);
+    String space = unit.isEmpty() || unit.equals("°") ? "" : " ";
+    return Amount.of(Math.abs(inUnit(curve, amount))) + space + unit;
   }
 
   /** What happens where the term is positive or negative; follows "the". */
@@ -279,6 +288,7 @@ public final class LearnedWords {
               ? "ball slides " + (more ? "longer" : "less long") + " than the model says"
               : "ball is braked " + (more ? "less" : "more") + " than the model says";
       case ACCELERATION_ACROSS -> "ball is pulled to its " + (more ? "left" : "right");
+      case FRICTION -> "carpet brakes the ball " + (more ? "more" : "less");
       case PUSH -> "ball is pushed " + side(curve.component(), more);
       case VERTICAL_RESTITUTION -> "ball bounces " + (more ? "higher" : "lower");
       case TANGENTIAL_RESTITUTION ->
@@ -301,6 +311,7 @@ public final class LearnedWords {
     return switch (curve.family().quantity()) {
       case ACCELERATION_ALONG -> "how the ball is braked";
       case ACCELERATION_ACROSS -> "a sideways pull";
+      case FRICTION -> "the friction of the carpet";
       case PUSH -> "the push " + (curve.component() == 0 ? "along x" : "along y");
       case VERTICAL_RESTITUTION -> "the height of bounces";
       case TANGENTIAL_RESTITUTION -> "the loss of speed at a bounce";

@@ -67,6 +67,7 @@ final class FormulaText {
     return switch (quantity) {
       case ACCELERATION_ALONG -> "deceleration";
       case ACCELERATION_ACROSS -> "acceleration to the ball's left";
+      case FRICTION -> "relative friction";
       case PUSH -> "acceleration towards " + (component == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "vertical restitution";
       case TANGENTIAL_RESTITUTION -> "tangential restitution";

@@ -123,6 +123,9 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(along, Variable.HEADING, heading));
     all.add(LearnedFamily.of(along, Variable.PLACE, place(arena)));
     all.add(LearnedFamily.of(along, Variable.DISTANCE_ROLLED, new Harmonics(1, TURN)));
+    all.add(LearnedFamily.of(Quantity.FRICTION, Variable.SESSION_TIME, session(arena)));
+    all.add(LearnedFamily.of(Quantity.FRICTION, Variable.HEADING, heading));
+    all.add(LearnedFamily.of(Quantity.FRICTION, Variable.PLACE, place(arena)));
     all.add(LearnedFamily.of(across, Variable.SPEED, speed));
     all.add(LearnedFamily.of(across, Variable.HEADING, heading));
     all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));

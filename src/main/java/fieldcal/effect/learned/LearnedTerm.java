@@ -15,6 +15,7 @@ import java.util.OptionalInt;
  */
 public abstract sealed class LearnedTerm implements Effect
     permits LearnedAcceleration,
+        LearnedFriction,
         LearnedPush,
         LearnedBounce,
         LearnedSpin,

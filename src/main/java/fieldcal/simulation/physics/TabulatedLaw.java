@@ -18,6 +18,8 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     ACCELERATION_ALONG,
     /** Acceleration across the path on the carpet, m/s²; positive turns it to the left. */
     ACCELERATION_ACROSS,
+    /** Relative change of the friction, sliding and rolling (–); positive brakes more. */
+    FRICTION,
     /** Force over the mass along x on a ball on the carpet, m/s²; a rolling ball takes a part of it. */
     PUSH_X,
     /** Force over the mass along y on a ball on the carpet, m/s². */
@@ -113,6 +115,20 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
       case VERTICAL_SPEED -> table.at(Math.abs(m.vz()), 0);
       case HOP -> table.at(m.hop(), 0);
     };
+  }
+
+  @Override
+  public double slidingFactor(BallMoment moment) {
+    return frictionFactor(moment);
+  }
+
+  @Override
+  public double rollingFactor(BallMoment moment) {
+    return frictionFactor(moment);
+  }
+
+  private double frictionFactor(BallMoment moment) {
+    return changes == Quantity.FRICTION ? Math.max(0, 1 + at(moment)) : 1;
   }
 
   @Override
