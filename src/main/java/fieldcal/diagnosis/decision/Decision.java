@@ -71,7 +71,7 @@ public final class Decision {
     double[] evidence = new double[n];
     double noise = Math.max(1, model.solution().reducedChiSquare());
     Leftover left = Leftover.of(model);
-    double excess = left.isSignificant() ? left.systematic() * model.solution().rows() / noise : 0;
+    double excess = left.isSignificant() ? left.chiSquare() / noise : 0;
     for (int i = 0; i < n; i++) {
       FittedModel w = without(model, i);
       without.add(w);

@@ -14,8 +14,9 @@ import java.util.List;
  *
  * @param systematic mean square of the systematic part, in variances of the noise; may be negative by chance
  * @param deviation the same in standard deviations of what noise alone gives
+ * @param chiSquare the systematic part of the sum of all squares, in variances of the noise
  */
-public record Leftover(double systematic, double deviation) {
+public record Leftover(double systematic, double deviation, double chiSquare) {
   /** Detections of a block: a tenth of a second. Longer blocks would miss what changes fast, shorter ones see less of what does not. */
   private static final int BLOCK = 8;
 
@@ -71,7 +72,7 @@ public record Leftover(double systematic, double deviation) {
     // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
     double all = model.solution().reducedChiSquare() - 1 + TOLERANCE;
     double share = Math.min(excess / Math.max(1, residuals), Math.max(0, all));
-    return new Leftover(share, excess / spread);
+    return new Leftover(share, excess / spread, share * residuals);
   }
 
   /** Indices of successive detections of one camera. */
