@@ -167,6 +167,15 @@ public final class Component {
   }
 
   /**
+   * Whether its place is a moment of the session, from which on it acts.
+   *
+   * @return false for places on the field
+   */
+  public boolean isInstant() {
+    return template.changesWithTime() && template.places().size() == 1;
+  }
+
+  /**
    * Whether the magnitude differs from kick to kick.
    *
    * @return true for a random effect

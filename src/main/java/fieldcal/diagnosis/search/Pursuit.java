@@ -35,6 +35,9 @@ final class Pursuit {
   /** Steps of a place that is moved while all else is fitted again. */
   private static final int RELOCATIONS = 6;
 
+  /** Gaps between kicks over which an instant is moved at once, at most: farther off the score test sees it. */
+  private static final int FARTHEST_GAP = 4;
+
   /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
   private static final double WORTH = 0.003;
 
@@ -405,11 +408,61 @@ final class Pursuit {
       return;
     }
     FittedModel moved = refits.fitPlaces(best);
+    for (int i = 0; i < moved.model().components().size(); i++) {
+      moved = atBestInstant(moved, i);
+    }
     double gained = price.gain(best, moved);
     if (gained > 0) {
       trace.add(new SearchStep("places", Action.MOVED, Double.NaN, gained));
       best = moved;
     }
+  }
+
+  /**
+   * With an instant moved from gap to gap between the kicks, all else fitted again at each. Kicks on the wrong side of a step bend what it is fitted to, so that the first order, which sees the bent model, keeps it where it is; and from one side of a
+   * kick to the other there is no derivative.
+   */
+  private FittedModel atBestInstant(FittedModel from, int index) {
+    if (!from.model().components().get(index).isInstant()) {
+      return from;
+    }
+    double[] instants = dictionary.instants();
+    FittedModel at = from;
+    int reach = 1;
+    while (reach <= FARTHEST_GAP) {
+      FittedModel top = at;
+      for (int gaps : new int[] {-reach, reach}) {
+        FittedModel tried = shifted(at, index, instants, gaps);
+        top = price.gain(top, tried) > 0 ? tried : top;
+      }
+      reach = top == at ? 2 * reach : 1;
+      at = top;
+    }
+    return at;
+  }
+
+  /** The same model with an instant so many gaps later; the model itself where there is none. */
+  private FittedModel shifted(FittedModel at, int index, double[] instants, int gaps) {
+    Component now = at.model().components().get(index).startingAt(at.effects().get(index));
+    String name = now.template().places().get(0);
+    double instant = now.template().value(name);
+    int gap = nearest(instants, instant) + gaps;
+    if (gap < 0 || gap >= instants.length) {
+      return at;
+    }
+    List<Component> moved = new ArrayList<>(at.model().components());
+    moved.set(index, now.startingAt(now.template().with(name, instants[gap])));
+    return refits.fit(at, moved);
+  }
+
+  private static int nearest(double[] instants, double instant) {
+    int nearest = 0;
+    for (int i = 1; i < instants.length; i++) {
+      if (Math.abs(instants[i] - instant) < Math.abs(instants[nearest] - instant)) {
+        nearest = i;
+      }
+    }
+    return nearest;
   }
 
   /** Tries laws that replace another: they cannot be score-tested. What gains more than a law comes first, since a law with its several numbers takes up a part of anything that happens at impacts. */
