@@ -140,7 +140,7 @@ class LearnedTermTest {
 
   @Test
   void everyFamilyHasItsOwnKey() {
-    assertThat(terms().stream().map(t -> t.family().key())).doesNotHaveDuplicates().hasSize(29);
+    assertThat(terms().stream().map(t -> t.family().key())).doesNotHaveDuplicates().hasSize(32);
   }
 
   @Test
@@ -148,7 +148,7 @@ class LearnedTermTest {
     Arena flats = new Arena(-6, 6, -4, 4, new double[0], true, false, List.of(), List.of());
     assertThat(LearnedLibrary.of(flats))
         .noneMatch(t -> t.actsOn().equals("impact") || t.actsOn().equals("measurement"))
-        .hasSize(14);
+        .hasSize(17);
   }
 
   /** An acceleration that is the same everywhere is accRoll and accSlide changed by it. */
@@ -165,6 +165,24 @@ class LearnedTermTest {
             new ChipModel(0.75, 0.95, 0.52, -0.38), MotionEffects.NONE, 0, 0, 0, 0, 2, 1, 0, 0);
     assertThat(rolls.restTime()).isEqualTo(slower.restTime(), within(1e-6));
     assertThat(rolls.stateAt(3).x()).isEqualTo(slower.stateAt(3).x(), within(1e-6));
+  }
+
+  /** Friction that is the same factor everywhere is accSlide and accRoll times it. */
+  @Test
+  void aConstantFrictionIsThatOfTheModel() {
+    LearnedTerm constant =
+        LearnedFamily.of(Quantity.FRICTION, Variable.SPEED, new Spline(0, 8, 4, false))
+            .term(0.2, 0.2, 0.2, 0.2);
+    ExtendedTrajectory braked =
+        ExtendedTrajectory.flat(
+            FLAT, MotionEffects.of(List.of((MotionEffect) constant)), 0, 0, 0, 0, 4, 1);
+    FlatModel stronger = new FlatModel(1.2 * FLAT.accSlide(), 1.2 * FLAT.accRoll(), FLAT.kSwitch());
+    ExtendedTrajectory same =
+        ExtendedTrajectory.flat(stronger, MotionEffects.NONE, 0, 0, 0, 0, 4, 1);
+    assertThat(braked.restTime()).isEqualTo(same.restTime(), within(1e-6));
+    for (double t : new double[] {0.3, 2}) {
+      assertThat(braked.stateAt(t).x()).isEqualTo(same.stateAt(t).x(), within(1e-6));
+    }
   }
 
   /** Steps an eighth as long change the path by less than a hundredth of a millimetre. */

@@ -88,6 +88,21 @@ class TabulatedLawTest {
   }
 
   @Test
+  void frictionFromATableIsAFactorOfSlidingAndRolling() {
+    double[] minutes = {0, 60};
+    Table more = Table.curve(minutes, new double[] {0.2, 0.2}, 0);
+    BallPhysics braked = with(Quantity.FRICTION, Variable.SESSION_TIME, more);
+    BallPhysics same = BallPhysics.ideal(-3.6, -0.36, 0.7, 0.75, 0.9, 0.5);
+    for (double seconds : new double[] {0.2, 2}) {
+      assertThat(after(braked, 4, 0, seconds).x())
+          .isCloseTo(after(same, 4, 0, seconds).x(), within(1e-6));
+    }
+    Table ice = Table.curve(new double[] {0}, new double[] {-3}, 0);
+    BallBody free = after(with(Quantity.FRICTION, Variable.SESSION_TIME, ice), 4, 0, 2);
+    assertThat(free.vx()).as("friction never pushes").isCloseTo(4, within(1e-9));
+  }
+
+  @Test
   void aBallThatATablePushesStillStops() {
     Table push = Table.curve(new double[] {0}, new double[] {2}, 0);
     BallBody ball = after(with(Quantity.ACCELERATION_ALONG, Variable.SPEED, push), 1, 0, 120);
