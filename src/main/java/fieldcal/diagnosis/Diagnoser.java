@@ -273,7 +273,7 @@ public final class Diagnoser {
       EffectModel start =
           best.model()
               .startingAt(best.solution().values(), best.solution().scatters())
-              .forKinds(arena.flats(), arena.chips());
+              .in(arena);
       FittedModel again = fitter.fit(start, matching(best, kicks), Weighing.ALIKE, solver);
       base = fitter.fit(simple(problem.fits(), kicks), solver);
       return again;
@@ -310,7 +310,7 @@ public final class Diagnoser {
           found
               .model()
               .startingAt(found.solution().values(), found.solution().scatters())
-              .forKinds(true, true);
+              .in(arena);
       return fitter.fit(start, base, Weighing.EXPLAINED_FIRST, solver);
     }
 

@@ -45,7 +45,7 @@ public final class EffectFields {
         continue;
       } else if (WHOLE.contains(p.name())) {
         fields.put(p.name(), (int) p.value());
-      } else {
+      } else if (!isOptional(effect, p)) {
         fields.put(p.name(), p.value());
       }
     }
@@ -81,7 +81,12 @@ public final class EffectFields {
           switch (name) {
             case REGION -> bound(value, bounds++);
             case TEAM -> team(value);
-            default -> WHOLE.contains(name) ? whole(p, value) : within(p, number(name, value));
+            default -> {
+              if (WHOLE.contains(name)) {
+                yield whole(p, value);
+              }
+              yield value == null && isOptional(effect, p) ? 0 : within(p, number(name, value));
+            }
           };
     }
     if (!unknown.isEmpty()) {
@@ -127,6 +132,11 @@ public final class EffectFields {
     }
     throw new IllegalArgumentException(
         p.name() + ": must be within " + p.min() + " and " + p.max() + ", but is " + value);
+  }
+
+  /** Whether a number is held at zero: files may leave it out, as files of before it was known do. */
+  private static boolean isOptional(Effect effect, Parameter p) {
+    return !p.estimated() && p.value() == 0 && !effect.places().contains(p.name());
   }
 
   /** Whether a number stands for all cameras: files leave it out then. */

@@ -30,9 +30,10 @@ public interface MotionEffect extends Effect {
      *
      * @param vx velocity right after the kick, m/s
      * @param vy velocity right after the kick, m/s
+     * @param vz velocity right after the kick, m/s; positive for chips, 0 for flat kicks
      * @param spin x and y of s, m/s; add to it
      */
-    void addSpin(double vx, double vy, double[] spin);
+    void addSpin(double vx, double vy, double vz, double[] spin);
   }
 
   /** A force that does not come from the contact with the carpet. */

@@ -147,7 +147,7 @@ final class PathIntegrator {
     state[5] = vz;
     double[] spin = new double[2];
     for (SpinAtKick effect : effects.spins) {
-      effect.addSpin(vx, vy, spin);
+      effect.addSpin(vx, vy, vz, spin);
     }
     state[6] = spin[0];
     state[7] = spin[1];

@@ -138,8 +138,9 @@ final class Effects {
           switch (e.effect()) {
             case KICK_SPIN ->
                 k.withRollSpin(
-                    k.rollSpin() + e.number("fraction"),
-                    Math.hypot(k.rollSpinScatter(), e.number("scatter")));
+                        k.rollSpin() + e.number("fraction"),
+                        Math.hypot(k.rollSpinScatter(), e.number("scatter")))
+                    .withChipSpin(k.chipSpin() + e.number("chips"));
             case SIDE_SPIN ->
                 k.withSideSpin(
                     k.sideSpin() + e.number("fraction"),

@@ -14,6 +14,7 @@ import java.util.Optional;
  * @param elevationScatter standard deviation, rad; chips only
  * @param rollSpin mean spin about the rolling axis in units of rolling spin, negative = backspin
  * @param rollSpinScatter its standard deviation from kick to kick
+ * @param chipSpin what chips have beyond that mean
  * @param sideSpin mean spin about the direction of travel in the same unit
  * @param sideSpinScatter its standard deviation from kick to kick
  * @param biases robots that kick faster or aside of what they are told
@@ -25,6 +26,7 @@ public record KickBehaviour(
     double elevationScatter,
     double rollSpin,
     double rollSpinScatter,
+    double chipSpin,
     double sideSpin,
     double sideSpinScatter,
     List<Bias> biases,
@@ -32,7 +34,7 @@ public record KickBehaviour(
 
   /** Scatter of a good kicker, no spin. */
   public static final KickBehaviour DEFAULT =
-      new KickBehaviour(0.015, 0.006, 0.02, 0, 0, 0, 0, List.of(), List.of());
+      new KickBehaviour(0.015, 0.006, 0.02, 0, 0, 0, 0, 0, List.of(), List.of());
 
   /**
    * Copies the list and checks the scatters. {@inheritDoc}
@@ -83,10 +85,11 @@ public record KickBehaviour(
    *
    * @param speed horizontal, m/s
    * @param direction rad
+   * @param chips whether it is a chip
    * @return in units of rolling spin
    */
-  double rollSpinOf(double speed, double direction) {
-    double spin = rollSpin;
+  double rollSpinOf(double speed, double direction, boolean chips) {
+    double spin = chips ? rollSpin + chipSpin : rollSpin;
     for (SpinTable table : spinTables) {
       spin += table.of(speed, direction);
     }
@@ -106,6 +109,7 @@ public record KickBehaviour(
         elevationScatter,
         rollSpin,
         rollSpinScatter,
+        chipSpin,
         sideSpin,
         sideSpinScatter,
         biases,
@@ -126,6 +130,27 @@ public record KickBehaviour(
         elevationScatter,
         mean,
         scatter,
+        chipSpin,
+        sideSpin,
+        sideSpinScatter,
+        biases,
+        spinTables);
+  }
+
+  /**
+   * Another spin of chips.
+   *
+   * @param difference what they have beyond the mean of flat kicks, in units of rolling spin
+   * @return the changed behaviour
+   */
+  public KickBehaviour withChipSpin(double difference) {
+    return new KickBehaviour(
+        speedScatter,
+        directionScatter,
+        elevationScatter,
+        rollSpin,
+        rollSpinScatter,
+        difference,
         sideSpin,
         sideSpinScatter,
         biases,
@@ -146,6 +171,7 @@ public record KickBehaviour(
         elevationScatter,
         rollSpin,
         rollSpinScatter,
+        chipSpin,
         mean,
         scatter,
         biases,
@@ -165,6 +191,7 @@ public record KickBehaviour(
         elevationScatter,
         rollSpin,
         rollSpinScatter,
+        chipSpin,
         sideSpin,
         sideSpinScatter,
         newBiases,

@@ -36,7 +36,7 @@ final class Kicker {
     }
     double elevation = command.elevation() > 0 ? command.elevation() + elevationError : 0;
     double along = speed * Math.cos(elevation);
-    double roll = behaviour.rollSpinOf(along, direction) + rollError;
+    double roll = behaviour.rollSpinOf(along, direction, elevation > 0) + rollError;
     ball.kick(
         along * Math.cos(direction),
         along * Math.sin(direction),

@@ -24,7 +24,7 @@ public enum SimulatedEffect {
   /** Lift of a spinning ball. */
   MAGNUS(number("cl", -5, 5)),
   /** Spin right after the kick about the rolling axis; its mean and its scatter from kick to kick. */
-  KICK_SPIN(number("fraction", -5, 5), number("scatter", 0, 5)),
+  KICK_SPIN(number("fraction", -5, 5), number("scatter", 0, 5), number("chips", -5, 5)),
   /** Spin right after the kick about the direction of travel; its mean and its scatter from kick to kick. */
   SIDE_SPIN(number("fraction", -5, 5), number("scatter", 0, 5)),
   /** The field is not level; a flying or sliding ball feels all of it, a rolling one 1/(1+β). */

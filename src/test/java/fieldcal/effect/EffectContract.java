@@ -19,7 +19,7 @@ abstract class EffectContract {
       Map.ofEntries(
           Map.entry("air_drag", List.of("cd")),
           Map.entry("magnus", List.of("cl")),
-          Map.entry("kick_spin", List.of("fraction")),
+          Map.entry("kick_spin", List.of("fraction", "chips")),
           Map.entry("side_spin", List.of("fraction")),
           Map.entry("field_slope", List.of("percent", "direction")),
           Map.entry("carpet_nap", List.of("amplitude", "direction")),

@@ -8,6 +8,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
 import fieldcal.effect.measurement.LensDistortionError;
+import fieldcal.effect.motion.KickSpin;
 import fieldcal.vision.Epoch;
 import java.util.ArrayList;
 import java.util.List;
@@ -54,6 +55,19 @@ class ExtendedModelDocumentTest {
         .hasMessageStartingWith("camera: ");
     assertThatThrownBy(() -> EffectFields.read("clock_skew", Map.of("ppm", 100)))
         .hasMessageStartingWith("camera: ");
+  }
+
+  /** Files of before chips had a spin of their own name none. */
+  @Test
+  void whatWasNotToldApartIsLeftOut() {
+    Effect all = new KickSpin(-0.2);
+    assertThat(EffectFields.of(all)).containsOnlyKeys("fraction");
+    assertThat(EffectFields.read(all.id(), Map.of("fraction", -0.2))).isEqualTo(all);
+    Effect apart = new KickSpin(-0.1, -0.3, true);
+    assertThat(EffectFields.of(apart)).containsOnlyKeys("fraction", "chips");
+    assertThat(EffectFields.read(apart.id(), EffectFields.of(apart))).isEqualTo(apart);
+    assertThatThrownBy(() -> EffectFields.read("kick_spin", Map.of("fraction", 0.1, "chips", 9)))
+        .hasMessageStartingWith("chips: ");
   }
 
   @Test

@@ -141,6 +141,13 @@ class MotionEffectsTest {
   }
 
   @Nested
+  class SpinOfChipsTest extends Paths {
+    SpinOfChipsTest() {
+      super(new KickSpin(-0.1, -0.3, true));
+    }
+  }
+
+  @Nested
   class SideSpinTest extends Paths {
     SideSpinTest() {
       super(new SideSpin(0.3));
@@ -264,6 +271,7 @@ class MotionEffectsTest {
     List<Double> speeds = afterImpacts(new KickSpin(-0.4));
     assertThat(speeds.get(0)).isEqualTo(first, within(1e-9));
     assertThat(speeds.get(1)).isEqualTo(second, within(1e-9));
+    assertThat(afterImpacts(new KickSpin(0.2, -0.6, true))).isEqualTo(speeds);
     assertThat(afterImpacts().get(0)).isEqualTo(0.75 * 3, within(1e-12));
   }
 

@@ -124,6 +124,15 @@ class EffectsTest {
   }
 
   @Test
+  void chipsMaySpinOtherwiseThanFlatKicks() {
+    String effect = "kick_spin:fraction=0.1,chips=-0.4";
+    KickTruth flat = Simulation.record(FLAT.withEffects(effect)).truth().kicks().get(0);
+    KickTruth chip = Simulation.record(CHIP.withEffects(effect)).truth().kicks().get(0);
+    assertThat(flat.rollFraction(0.0215)).isEqualTo(0.1, within(1e-9));
+    assertThat(chip.rollFraction(0.0215)).isEqualTo(-0.3, within(1e-9));
+  }
+
+  @Test
   void backspinWithMagnusFliesFarther() {
     SimulationSettings spun = CHIP.withEffects("kick_spin:fraction=-0.5");
     SimulationSettings lifted = CHIP.withEffects("kick_spin:fraction=-0.5", "magnus:cl=0.5");

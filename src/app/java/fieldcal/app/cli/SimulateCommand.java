@@ -51,7 +51,7 @@ import picocli.CommandLine.Spec;
       "  slip_dependent_friction:slope",
       "  worn_region:change,region=[x0,x1,y0,y1]",
       "  carpet_seam:loss,turn,normal,distance",
-      "  kick_spin:fraction,scatter",
+      "  kick_spin:fraction,scatter,chips",
       "  side_spin:fraction,scatter",
       "  robot_kick_bias:percent,yaw,team,robot",
       "  speed_dependent_restitution:slope",

@@ -210,6 +210,7 @@ public final class TruthJson {
     boolean noSpin =
         k.rollSpin() == 0
             && k.rollSpinScatter() == 0
+            && k.chipSpin() == 0
             && k.sideSpin() == 0
             && k.sideSpinScatter() == 0;
     boolean fixedLoss =
@@ -242,6 +243,7 @@ public final class TruthJson {
     node.put("elevation_scatter", k.elevationScatter());
     node.put("roll_spin", k.rollSpin());
     node.put("roll_spin_scatter", k.rollSpinScatter());
+    node.put("chip_spin", k.chipSpin());
     node.put("side_spin", k.sideSpin());
     node.put("side_spin_scatter", k.sideSpinScatter());
     return node;

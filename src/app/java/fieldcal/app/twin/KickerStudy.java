@@ -4,6 +4,8 @@ import fieldcal.app.calibrate.CommandFile.Command;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.ball.BallState;
 import fieldcal.diagnosis.KickResiduals;
+import fieldcal.effect.motion.KickSpin;
+import fieldcal.effect.motion.SideSpin;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.KickBehaviour;
 import fieldcal.simulation.KickBehaviour.Bias;
@@ -32,7 +34,7 @@ final class KickerStudy {
   private record Deviation(double gain, double yaw, double elevation) {}
 
   /** With the mean and scatter of spins by the effect's id. */
-  KickBehaviour behaviour(Map<String, double[]> spins) {
+  KickBehaviour behaviour(Map<String, Spin> spins) {
     Map<RobotId, List<Deviation>> byRobot = deviations();
     KickBehaviour usual = KickBehaviour.DEFAULT;
     List<Bias> biases = new ArrayList<>();
@@ -46,13 +48,16 @@ final class KickerStudy {
             list.forEach(d -> rest.add(new Deviation(d.gain / gain - 1, d.yaw - yaw, d.elevation)));
           }
         });
-    double[] roll = spins.getOrDefault("kick_spin", new double[2]);
-    double[] side = spins.getOrDefault("side_spin", new double[2]);
+    Spin roll = spins.getOrDefault("kick_spin", new Spin(new KickSpin(0), 0));
+    Spin side = spins.getOrDefault("side_spin", new Spin(new SideSpin(0), 0));
     if (rest.isEmpty()) {
       notes.add(
           "No commands are known (--commands): the kickers do what is commanded, with a usual"
               + " scatter.");
-      return usual.withRollSpin(roll[0], roll[1]).withSideSpin(side[0], side[1]);
+      return usual
+          .withRollSpin(roll.number("fraction"), roll.scatter())
+          .withChipSpin(roll.number("chips"))
+          .withSideSpin(side.number("fraction"), side.scatter());
     }
     double[] elevations =
         rest.stream().mapToDouble(Deviation::elevation).filter(Double::isFinite).toArray();
@@ -60,10 +65,11 @@ final class KickerStudy {
         deviation(rest.stream().mapToDouble(Deviation::gain).toArray()),
         deviation(rest.stream().mapToDouble(Deviation::yaw).toArray()),
         elevations.length < FEWEST ? usual.elevationScatter() : deviation(elevations),
-        roll[0],
-        roll[1],
-        side[0],
-        side[1],
+        roll.number("fraction"),
+        roll.scatter(),
+        roll.number("chips"),
+        side.number("fraction"),
+        side.scatter(),
         biases,
         List.of());
   }

@@ -133,8 +133,8 @@ final class TwinBuilder {
         chip.dampingZ());
   }
 
-  private Map<String, double[]> scatters() {
-    Map<String, double[]> spins = new LinkedHashMap<>();
+  private Map<String, Spin> scatters() {
+    Map<String, Spin> spins = new LinkedHashMap<>();
     for (Effect effect : diagnosis.diagnosis().model().effects()) {
       if (effect.differsFromKickToKick()) {
         double scatter =
@@ -143,7 +143,7 @@ final class TwinBuilder {
                 .mapToDouble(Cause::scatter)
                 .findFirst()
                 .orElse(0);
-        spins.put(effect.id(), new double[] {effect.parameters().get(0).value(), scatter});
+        spins.put(effect.id(), new Spin(effect, scatter));
       }
     }
     return spins;

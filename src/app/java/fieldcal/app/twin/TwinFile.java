@@ -185,6 +185,7 @@ public final class TwinFile {
     node.put("elevation_scatter", k.elevationScatter());
     node.put("roll_spin", k.rollSpin());
     node.put("roll_spin_scatter", k.rollSpinScatter());
+    node.put("chip_spin", k.chipSpin());
     node.put("side_spin", k.sideSpin());
     node.put("side_spin_scatter", k.sideSpinScatter());
     ArrayNode robots = node.putArray("robots");
@@ -454,6 +455,7 @@ public final class TwinFile {
                 f.number("elevation_scatter"),
                 f.number("roll_spin"),
                 f.number("roll_spin_scatter"),
+                f.has("chip_spin") ? f.number("chip_spin") : 0,
                 f.number("side_spin"),
                 f.number("side_spin_scatter"),
                 biases,

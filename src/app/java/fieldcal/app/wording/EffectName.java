@@ -52,8 +52,8 @@ public final class EffectName {
       return ChanceWords.name(effect);
     }
     String name = of(effect.id());
-    if (effect.id().equals("kick_spin") && !effect.isAbsent()) {
-      return effect.value("fraction") < 0 ? "backspin from the kicker" : "topspin from the kicker";
+    if (effect.id().equals(KickerSpin.ID) && !effect.isAbsent()) {
+      return spin(effect, Map.of());
     }
     if (names.contains("camera")) {
       int camera = (int) effect.value("camera");
@@ -82,16 +82,13 @@ public final class EffectName {
    * @return as {@link #of(Effect)}
    */
   public static String of(Cause cause) {
-    return hasUnsureSign(cause.effect(), cause.standardErrors())
-        ? of(cause.effect().id())
+    return cause.effect().id().equals(KickerSpin.ID)
+        ? spin(cause.effect(), cause.standardErrors())
         : of(cause.effect());
   }
 
-  /** Whether spin from the kicker may be topspin or backspin, so far as its two standard errors tell. */
-  static boolean hasUnsureSign(Effect effect, Map<String, Double> standardErrors) {
-    return effect.id().equals("kick_spin")
-        && Math.abs(effect.value("fraction"))
-            < 2 * standardErrors.getOrDefault("fraction", Double.NaN);
+  private static String spin(Effect effect, Map<String, Double> standardErrors) {
+    return KickerSpin.of(effect, standardErrors).sort() + " from the kicker";
   }
 
   /** Whose robot an effect is about, for example "yellow 3". */

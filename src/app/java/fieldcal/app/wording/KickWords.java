@@ -16,7 +16,6 @@ final class KickWords extends MotionText {
 
   Sentences kickSpin() {
     double fraction = effect.value("fraction");
-    String sort = fraction < 0 ? "backspin" : "topspin";
     String switching =
         kicks
             .model()
@@ -27,14 +26,8 @@ final class KickWords extends MotionText {
                         " A flat kick rolls from %s %% of its speed on instead of %s %%.",
                         percent(m.kSwitch() + (1 - m.kSwitch()) * fraction), percent(m.kSwitch())))
             .orElse("");
-    String what =
-        EffectName.hasUnsureSign(effect, errors)
-            ? "The kickers give the ball topspin with some kicks and backspin with others."
-            : text(
-                "The kickers give the ball %s: %s %% of the spin of a rolling ball.",
-                sort, percent(Math.abs(fraction)));
     return new Sentences(
-        what,
+        KickerSpin.of(effect, errors).sentence(),
         pass("without spin", PASS, PASS_TIME) + switching,
         "Look at the height at which the kickers hit the ball, and whether the dribblers still turn"
             + " then; until that is mended, predict with the extended model.");

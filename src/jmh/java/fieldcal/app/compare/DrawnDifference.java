@@ -219,6 +219,7 @@ record DrawnDifference(
         k.elevationScatter(),
         k.rollSpin(),
         k.rollSpinScatter(),
+        k.chipSpin(),
         k.sideSpin(),
         k.sideSpinScatter(),
         k.biases(),

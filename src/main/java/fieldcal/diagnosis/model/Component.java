@@ -1,6 +1,7 @@
 package fieldcal.diagnosis.model;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
@@ -102,7 +103,7 @@ public final class Component {
   }
 
   /**
-   * An effect whose only magnitude differs from kick to kick: its coordinate is the mean.
+   * An effect whose first magnitude differs from kick to kick: that coordinate is the mean. Other magnitudes are the same for all kicks.
    *
    * @param template with the mean to start from
    * @return the component
@@ -137,6 +138,24 @@ public final class Component {
    */
   public Component startingAt(Effect start) {
     return new Component(start, magnitudes, perKick, placesFree);
+  }
+
+  /**
+   * The same in another recording, which may tell more of values that each kick has of its own than the one in which it was found, or less.
+   *
+   * @param arena what was recorded
+   * @return the component with the magnitudes that can show there
+   */
+  public Component in(Arena arena) {
+    if (!perKick) {
+      return this;
+    }
+    double[] values = template.parameters().stream().mapToDouble(Parameter::value).toArray();
+    return template.candidates(arena).stream()
+        .map(e -> perKick(e.withParameters(values)))
+        .filter(this::isSameCause)
+        .findFirst()
+        .orElse(this);
   }
 
   /**
@@ -176,7 +195,7 @@ public final class Component {
   }
 
   /**
-   * Whether the magnitude differs from kick to kick.
+   * Whether the first magnitude differs from kick to kick.
    *
    * @return true for a random effect
    */

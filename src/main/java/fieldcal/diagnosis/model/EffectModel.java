@@ -3,6 +3,7 @@ package fieldcal.diagnosis.model;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.BallKnowledge;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ObservedCamera;
@@ -10,6 +11,7 @@ import fieldcal.fit.joint.RandomEffect;
 import fieldcal.fit.joint.SharedModel;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -80,6 +82,18 @@ public final class EffectModel implements SharedModel<ModelState> {
    */
   public EffectModel with(List<Component> newComponents) {
     return new EffectModel(flat, chip, flats, chips, newComponents, new double[0], observers);
+  }
+
+  /**
+   * The same in another recording.
+   *
+   * @param arena what was recorded
+   * @return the changed copy, with effects as they can show there
+   */
+  public EffectModel in(Arena arena) {
+    List<Component> there = components.stream().map(c -> c.in(arena)).toList();
+    return new EffectModel(
+        flat, chip, arena.flats(), arena.chips(), there, scatters, observers);
   }
 
   /**
@@ -239,7 +253,19 @@ public final class EffectModel implements SharedModel<ModelState> {
 
   @Override
   public ModelState at(double[] globals) {
-    return ModelState.of(flat(globals), chip(globals), fixedEffects(globals), random(), observers);
+    return ModelState.of(flat(globals), chip(globals), fixedEffects(globals), ownEffects(globals), observers);
+  }
+
+  private List<OwnEffect> ownEffects(double[] globals) {
+    List<OwnEffect> effects = new ArrayList<>();
+    int k = BALL;
+    for (Component c : components) {
+      if (c.isPerKick()) {
+        effects.add(new OwnEffect(c, Arrays.copyOfRange(globals, k, k + c.size())));
+      }
+      k += c.size();
+    }
+    return effects;
   }
 
   private List<Effect> fixedEffects(double[] globals) {

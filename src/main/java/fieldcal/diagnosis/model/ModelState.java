@@ -17,14 +17,14 @@ public final class ModelState {
   private final ChipModel chip;
   private final MotionEffects motion;
   private final MeasurementEffects measurement;
-  private final List<Component> random;
+  private final List<OwnEffect> random;
 
   private ModelState(
       FlatModel flat,
       ChipModel chip,
       MotionEffects motion,
       MeasurementEffects measurement,
-      List<Component> random) {
+      List<OwnEffect> random) {
     this.flat = flat;
     this.chip = chip;
     this.motion = motion;
@@ -36,7 +36,7 @@ public final class ModelState {
       FlatModel flat,
       ChipModel chip,
       List<Effect> effects,
-      List<Component> random,
+      List<OwnEffect> random,
       List<ObservedCamera> observers) {
     return new ModelState(
         flat,
@@ -101,6 +101,7 @@ public final class ModelState {
   /** Whether a ball has the same path under both, whatever the cameras report of it. */
   boolean hasMotionOf(ModelState other) {
     return (motion == other.motion || motion.effects().equals(other.motion.effects()))
+        && OwnEffect.actAlike(random, other.random)
         && flat.equals(other.flat)
         && chip.equals(other.chip);
   }
@@ -113,7 +114,7 @@ public final class ModelState {
     List<MotionEffect> ofKick = new ArrayList<>(random.size());
     int from = own.length - random.size();
     for (int r = 0; r < random.size(); r++) {
-      ofKick.add((MotionEffect) random.get(r).effect(own, from + r));
+      ofKick.add(random.get(r).of(own[from + r]));
     }
     return motion.plus(ofKick);
   }

@@ -22,7 +22,7 @@ final class LearnedSpin extends LearnedTerm implements SpinAtKick {
   }
 
   @Override
-  public void addSpin(double vx, double vy, double[] spin) {
+  public void addSpin(double vx, double vy, double vz, double[] spin) {
     double u = of(family().variables().get(0), vx, vy);
     double v = family().variables().size() > 1 ? of(family().variables().get(1), vx, vy) : 0;
     double fraction = valueAt(0, u, v);

@@ -1,18 +1,23 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Arena;
 import fieldcal.effect.BallKnowledge;
+import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import java.util.List;
 
 /**
- * Spin right after the kick about the rolling axis.
+ * Spin right after the kick about the rolling axis. Where both kinds of kicks were recorded, chips have a mean of their own: another device kicks them, from below.
  *
  * @param fraction spin about the rolling axis in units of rolling spin v/r (–): 1 rolls, negative = backspin
+ * @param chips what chips have beyond that, in the same unit
+ * @param apart whether the recording tells chips from flat kicks; otherwise {@code chips} is not estimated
  */
-public record KickSpin(double fraction) implements SpinAtKick {
+public record KickSpin(double fraction, double chips, boolean apart) implements SpinAtKick {
   private static final String ID = "kick_spin";
+  private static final String SOURCE = "chosen: plungers and dribblers give some tenths";
 
   /**
    * Checks the numbers. {@inheritDoc}
@@ -20,7 +25,16 @@ public record KickSpin(double fraction) implements SpinAtKick {
    * @throws IllegalArgumentException when one is not finite
    */
   public KickSpin {
-    EffectParameters.requireFinite(ID, fraction);
+    EffectParameters.requireFinite(ID, fraction, chips);
+  }
+
+  /**
+   * The same spin for all kicks.
+   *
+   * @param fraction in units of rolling spin (–)
+   */
+  public KickSpin(double fraction) {
+    this(fraction, 0, false);
   }
 
   @Override
@@ -36,21 +50,29 @@ public record KickSpin(double fraction) implements SpinAtKick {
   @Override
   public List<Parameter> parameters() {
     return List.of(
-        new Parameter(
-            "fraction",
-            "",
-            fraction,
-            0.1,
-            -2,
-            2,
-            true,
-            "chosen: plungers and dribblers give some tenths"));
+        new Parameter("fraction", "", fraction, 0.1, -2, 2, true, SOURCE),
+        new Parameter("chips", "", chips, 0.1, -2, 2, apart, SOURCE));
   }
 
   @Override
   public KickSpin withParameters(double... values) {
-    double[] v = EffectParameters.require(ID, values, 1);
-    return new KickSpin(v[0]);
+    double[] v = EffectParameters.require(ID, values, 2);
+    return new KickSpin(v[0], v[1], apart || v[1] != 0);
+  }
+
+  @Override
+  public List<String> magnitudes() {
+    return apart ? List.of("fraction", "chips") : List.of("fraction");
+  }
+
+  @Override
+  public List<Effect> candidates(Arena arena) {
+    return List.of(new KickSpin(0, 0, arena.flats() && arena.chips()));
+  }
+
+  @Override
+  public String subject() {
+    return "";
   }
 
   @Override
@@ -60,7 +82,7 @@ public record KickSpin(double fraction) implements SpinAtKick {
 
   @Override
   public boolean isAbsent() {
-    return fraction == 0;
+    return fraction == 0 && chips == 0;
   }
 
   @Override
@@ -69,8 +91,9 @@ public record KickSpin(double fraction) implements SpinAtKick {
   }
 
   @Override
-  public void addSpin(double vx, double vy, double[] spin) {
-    spin[0] += fraction * vx;
-    spin[1] += fraction * vy;
+  public void addSpin(double vx, double vy, double vz, double[] spin) {
+    double own = vz > 0 ? fraction + chips : fraction;
+    spin[0] += own * vx;
+    spin[1] += own * vy;
   }
 }

@@ -64,7 +64,7 @@ public record SideSpin(double fraction) implements SpinAtKick {
   }
 
   @Override
-  public void addSpin(double vx, double vy, double[] spin) {
+  public void addSpin(double vx, double vy, double vz, double[] spin) {
     // ω = fraction/r·v, so s = r·(ω_y, −ω_x).
     spin[0] += fraction * vy;
     spin[1] -= fraction * vx;

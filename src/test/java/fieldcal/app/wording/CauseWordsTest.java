@@ -85,6 +85,10 @@ class CauseWordsTest {
         Arguments.of(new AirDrag(0.47), "drag coefficient 0.47", "−0.47); a real drag"),
         Arguments.of(new Magnus(0.6), "0.60, a ball with topspin is pressed", "topspin is lifted"),
         Arguments.of(new KickSpin(0.25), "topspin: 25 %", "backspin: 25 %"),
+        Arguments.of(
+            new KickSpin(0.05, -0.35, true),
+            "the kickers give chips 30 % as backspin and flat kicks 5.0 % as topspin",
+            "the kickers give chips 30 % as topspin and flat kicks 5.0 % as backspin"),
         Arguments.of(new SideSpin(0.15), "15 % of the spin", "curves to the left"),
         Arguments.of(new SideSpin(0.15), "curves to the right", "mm to the left after 2 s"),
         Arguments.of(
@@ -327,6 +331,13 @@ class CauseWordsTest {
     assertThat(WORDS.of(unsure).what())
         .contains("topspin with some kicks and backspin with others");
     assertThat(WORDS.of(unsure).name()).isEqualTo("topspin/backspin from the kicker");
+    Effect chips = new KickSpin(0.02, -0.3, true);
+    Map<String, Double> errors = Map.of("fraction", 0.04, "chips", 0.04);
+    assertThat(WORDS.of(chips, errors).what())
+        .contains("chips 28 % as backspin and flat kicks none that is sure (2.0 ± 4.0 %)");
+    assertThat(WORDS.of(chips, errors).strength())
+        .isEqualTo("fraction 0.02 ± 0.04, chips −0.30 ± 0.04");
+    assertThat(EffectName.of(chips)).isEqualTo("topspin/backspin from the kicker");
     assertThat(CauseWords.rivals(spin)).contains("as well: air drag or wrong time stamps.");
     assertThat(CauseWords.rivals(DIAGNOSIS.causes().get(1))).isEmpty();
   }

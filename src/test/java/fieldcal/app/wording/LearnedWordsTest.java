@@ -44,7 +44,7 @@ class LearnedWordsTest {
         for (double amount : new double[] {-0.1, 0.1}) {
           SimpleFormula formula = new SimpleFormula(kind, amount, 0.01, 1.5, 0, 1, "text");
           String sentence = LearnedWords.sentence(curve, formula);
-          assertThat(sentence).endsWith(".").doesNotContain("NaN", "null", "%", "_", "<", "  ");
+          assertThat(sentence).endsWith(".").doesNotContain("NaN", "null", "%s", "_", "<", "  ");
           assertThat(Character.isUpperCase(sentence.charAt(0))).isTrue();
         }
       }

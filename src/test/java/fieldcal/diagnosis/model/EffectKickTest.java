@@ -110,9 +110,13 @@ class EffectKickTest extends KickTermContract<ModelState> {
     Component drag = Component.of(new AirDrag(0.3), List.of("cd"));
     Component offset = Component.of(new CameraOffset(3, -2, 1), List.of("x_mm", "y_mm"));
     Component spin = Component.perKick(new KickSpin(0.1));
+    Component apart = Component.perKick(new KickSpin(0.1, -0.3, true));
     List<EffectModel> models =
         List.of(
-            simple, simple.with(List.of(drag, offset)), simple.with(List.of(drag, offset, spin)));
+            simple,
+            simple.with(List.of(drag, offset)),
+            simple.with(List.of(drag, offset, spin)),
+            simple.with(List.of(apart, drag)));
     List<Case<ModelState>> cases = new ArrayList<>();
     for (KickKind kind : KickKind.values()) {
       KickRecord record = record(kind, 5);
