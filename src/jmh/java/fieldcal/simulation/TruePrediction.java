@@ -90,8 +90,7 @@ public final class TruePrediction {
         vx,
         vy,
         kick.velocity().z(),
-        kicker.rollSpinOf(
-            Math.hypot(vx, vy), Math.atan2(vy, vx), kick.velocity().z() > 0),
+        kicker.rollSpinOf(Math.hypot(vx, vy), Math.atan2(vy, vx), kick.velocity().z() > 0),
         kicker.sideSpin(),
         physics.ball().radius());
     new BallIntegrator(physics).advance(ball, kick.time(), kick.time() + time, BallTrace.NONE);

@@ -271,9 +271,7 @@ public final class Diagnoser {
       fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
       arena = arena(kicks);
       EffectModel start =
-          best.model()
-              .startingAt(best.solution().values(), best.solution().scatters())
-              .in(arena);
+          best.model().startingAt(best.solution().values(), best.solution().scatters()).in(arena);
       FittedModel again = fitter.fit(start, matching(best, kicks), Weighing.ALIKE, solver);
       base = fitter.fit(simple(problem.fits(), kicks), solver);
       return again;

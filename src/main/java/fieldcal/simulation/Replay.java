@@ -205,7 +205,8 @@ public final class Replay {
     double side = behaviour.sideSpin() + spin.gaussian(behaviour.sideSpinScatter());
     double speed = Math.hypot(kick.vx(), kick.vy());
     double direction = Math.atan2(kick.vy(), kick.vx());
-    double roll = kick.rollSpin().orElse(behaviour.rollSpinOf(speed, direction, kick.vz() > 0) + rollError);
+    double roll =
+        kick.rollSpin().orElse(behaviour.rollSpinOf(speed, direction, kick.vz() > 0) + rollError);
     ball.kick(kick.vx(), kick.vy(), kick.vz(), roll, side, ballRadius);
   }
 

@@ -58,7 +58,8 @@ record KickerSpin(double flat, double chips, double error) {
 
   private String mean(double mean) {
     return isUnsure(mean)
-        ? text("none that is sure (%s ± %s %%)", MotionText.percent(mean), MotionText.percent(error))
+        ? text(
+            "none that is sure (%s ± %s %%)", MotionText.percent(mean), MotionText.percent(error))
         : text("%s %% as %s", MotionText.percent(Math.abs(mean)), sort(mean));
   }
 }

@@ -12,6 +12,7 @@ import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
@@ -124,13 +125,21 @@ public final class Decision {
     Optional<Map<String, Double>> errors = model.errors(i);
     // What is left may be another form of anything.
     double largest = excess;
+    double unexplained = excess;
     boolean law = c.isLaw();
     for (int j = 0; j < evidence.length; j++) {
       // A law is the form of everything that it takes part in; other causes only of their kind.
       boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
       largest = compared ? Math.max(largest, evidence[j]) : largest;
+      if (compared && model.effects().get(j) instanceof LearnedTerm) {
+        unexplained = Math.max(unexplained, evidence[j]);
+      }
     }
-    Outcome outcome = outcome(model, i, without, evidence[i], largest, excess, gain);
+    Outcome outcome =
+        c.hasPlace() && evidence[i] < unexplained
+            // A place is chosen where it takes up most of whatever has no name.
+            ? Outcome.FORM
+            : outcome(model, i, without, evidence[i], largest, excess, gain);
     return new Judgement(
         c,
         model.effects().get(i),
@@ -175,10 +184,6 @@ public final class Decision {
     }
     if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
-    }
-    if (c.hasPlace() && evidence < excess) {
-      // A place is chosen where it takes up most of whatever is left.
-      return Outcome.FORM;
     }
     // A value for each kick takes up something of anything: it helps, too, where another cause has
     // not its true form.

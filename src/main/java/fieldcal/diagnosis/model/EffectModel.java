@@ -92,8 +92,7 @@ public final class EffectModel implements SharedModel<ModelState> {
    */
   public EffectModel in(Arena arena) {
     List<Component> there = components.stream().map(c -> c.in(arena)).toList();
-    return new EffectModel(
-        flat, chip, arena.flats(), arena.chips(), there, scatters, observers);
+    return new EffectModel(flat, chip, arena.flats(), arena.chips(), there, scatters, observers);
   }
 
   /**
@@ -253,7 +252,8 @@ public final class EffectModel implements SharedModel<ModelState> {
 
   @Override
   public ModelState at(double[] globals) {
-    return ModelState.of(flat(globals), chip(globals), fixedEffects(globals), ownEffects(globals), observers);
+    return ModelState.of(
+        flat(globals), chip(globals), fixedEffects(globals), ownEffects(globals), observers);
   }
 
   private List<OwnEffect> ownEffects(double[] globals) {

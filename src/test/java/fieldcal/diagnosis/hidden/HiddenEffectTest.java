@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
  * ./gradlew hiddenEffectStudy}.
  */
 class HiddenEffectTest {
-  /** Seeds with a wrong name, which stay in the list until they are right: beside the worn region of this one a seam is named for a sideways force that nobody has a name for. */
-  private static final java.util.Set<Long> KNOWN_WRONG = java.util.Set.of(2026000050L);
+  /** Seeds with a wrong name, which stay in the list until they are right: of this one's waves in the carpet the strip that is worn most is named; the model predicts held-out kicks to 1.1 times the noise. */
+  private static final java.util.Set<Long> KNOWN_WRONG = java.util.Set.of(2026000016L);
 
   /** Visible named causes that are found at least: of the fourteen that are visible; measured of the diagnosis of 2026-11-22, to be raised with what it learns. */
   private static final int LEAST_FOUND = 12;
