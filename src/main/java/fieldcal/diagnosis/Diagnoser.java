@@ -28,7 +28,6 @@ import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.ExtendedModel;
-import fieldcal.effect.MotionEffect;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.FitSettings;
@@ -398,8 +397,77 @@ public final class Diagnoser {
       return new Answer(extended, best.judged(), kickers, best.held(), heldBase);
     }
 
-    /** With learned terms for what has no name. Several effects may have imitated one that has none: then curves alone leave much less, and nothing is named. */
+    /** With laws, chance and learned terms for what has no name. */
     private Weighed described(Weighed found, ModelChoice choice, HoldOut heldBase) {
+      LawForValues laws = laws();
+      // Beside none first: causes may have imitated a law.
+      List<FittedModel> starts = new ArrayList<>(List.of(base));
+      if (found.model() != base) {
+        starts.add(laws.withoutValues(found.model()));
+      }
+      Weighed lawful = withLaws(found, starts, laws, choice);
+      if (lawful != found) {
+        return besideLaws(lawful, laws, choice, heldBase);
+      }
+      Weighed best = withoutLaws(found, choice, heldBase);
+      if (best.judged().stream().noneMatch(j -> isChance(j) && j.follows().isPresent())) {
+        return best;
+      }
+      FittedModel start = laws.withoutValues(best.model());
+      HoldOut held = HoldOut.of(start, true, problem.seed());
+      Weighed plain = new Weighed(start, List.of(), held);
+      lawful = withLaws(plain, List.of(start), laws, choice);
+      return lawful != plain && !lawful.held().predictsWorseThan(best.held(), problem.seed())
+          ? besideLaws(lawful, laws, choice, heldBase)
+          : best;
+    }
+
+    /** With the laws that values of the kicks follow, one after another, as long as each takes most of what is left; as found where there is none. */
+    private Weighed withLaws(
+        Weighed found, List<FittedModel> starts, LawForValues laws, ModelChoice choice) {
+      Weighed best = found;
+      List<FittedModel> from = starts;
+      for (int i = 0; i < MOST_LEARNED; i++) {
+        Weighed before = best;
+        for (FittedModel start : from) {
+          for (FittedModel law : laws.beside(start)) {
+            Weighed with = lean(found.model(), choice.of(law), choice);
+            boolean sound = !with.held().predictsWorseThan(before.held(), problem.seed());
+            best = sound && excess(with) < IMITATED * excess(best) ? with : best;
+          }
+        }
+        if (best == before || !Leftover.of(best.model()).isSignificant()) {
+          break;
+        }
+        from = List.of(best.model());
+      }
+      return best;
+    }
+
+    /** Without causes whose place a law took, unless they take most of what it leaves: beside it a cause may get its true size, or describe what the law's form misses. */
+    private Weighed lean(FittedModel before, Weighed after, ModelChoice choice) {
+      FittedModel fewer = withoutSupplanted(before, after.model());
+      if (fewer == after.model()) {
+        return after;
+      }
+      Weighed lean = choice.of(fewer);
+      return excess(after) < IMITATED * excess(lean) ? after : lean;
+    }
+
+    private LawForValues laws() {
+      return new LawForValues(fitter, decision(), arena, catalogue, solver, problem.seed());
+    }
+
+    /** With curves for what laws leave, unless that differs from kick to kick by chance. */
+    private Weighed besideLaws(
+        Weighed lawful, LawForValues laws, ModelChoice choice, HoldOut heldBase) {
+      boolean done =
+          !Leftover.of(lawful.model()).isSignificant() || laws.leavesChance(lawful.model());
+      return done ? lawful : curved(lawful, choice, heldBase, false);
+    }
+
+    /** With chance and learned terms. Several effects may have imitated one that has no name: then curves alone leave much less, and nothing is named. */
+    private Weighed withoutLaws(Weighed found, ModelChoice choice, HoldOut heldBase) {
       Weighed best = curved(found, choice, heldBase);
       if (best.model().model().components().isEmpty()
           || !Leftover.of(best.model()).isSignificant()) {
@@ -413,6 +481,12 @@ public final class Diagnoser {
       return imitated && !alone.held().predictsWorseThan(best.held(), problem.seed())
           ? alone
           : best;
+    }
+
+    /** Variance on held-out kicks beyond the noise, mm². */
+    private double excess(Weighed weighed) {
+      double noise = quality(weighed.model(), weighed.held()).noiseMm();
+      return Math.pow(weighed.held().rmsMm(), 2) - noise * noise;
     }
 
     private static boolean isName(Judgement j) {
@@ -510,9 +584,9 @@ public final class Diagnoser {
      * takes its place for the little that it does not explain.
      */
     private List<Effect> learnedAndLaws(List<Judgement> judged, boolean chance) {
-      boolean timed = judged.stream().anyMatch(j -> isName(j) && changesGroundWithTime(j.effect()));
+      boolean timed = judged.stream().anyMatch(Run::isTimed);
       List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
-      all.removeIf(e -> timed && changesGroundWithTime(e));
+      all.removeIf(e -> timed && LawForValues.changesGroundWithTime(e));
       if (chance) {
         all.addAll(EffectCatalogue.unnamed());
       }
@@ -520,9 +594,8 @@ public final class Diagnoser {
       return all;
     }
 
-    private static boolean changesGroundWithTime(Effect effect) {
-      boolean ground = effect instanceof MotionEffect motion && !motion.actsOffTheGround();
-      return ground && effect.changesWithTime();
+    private static boolean isTimed(Judgement j) {
+      return isName(j) && LawForValues.changesGroundWithTime(j.effect());
     }
 
     private Diagnosis result(Answer a) {

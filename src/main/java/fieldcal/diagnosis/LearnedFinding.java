@@ -1,10 +1,12 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.decision.Dependence;
 import fieldcal.effect.Effect;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.LearnedTerm;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -16,6 +18,7 @@ import java.util.OptionalInt;
  * @param camera the camera whose reports it changes; empty for all else
  * @param curves one for each component, over the range of the data; empty for all but a learned curve
  * @param scatter standard deviation from kick to kick, in the unit of the effect's magnitude; NaN for what all kicks share
+ * @param follows what the values of the kicks follow; empty where they differ by chance, and of all that kicks share
  * @param gain on kicks that were held out
  */
 public record LearnedFinding(
@@ -25,11 +28,13 @@ public record LearnedFinding(
     OptionalInt camera,
     List<LearnedCurve> curves,
     double scatter,
+    Optional<Dependence> follows,
     Gain gain) {
 
   /** Copies the lists. {@inheritDoc} */
   public LearnedFinding {
     Objects.requireNonNull(effect, "effect");
+    Objects.requireNonNull(follows, "follows");
     dependsOn = List.copyOf(dependsOn);
     curves = List.copyOf(curves);
   }
@@ -40,7 +45,7 @@ public record LearnedFinding(
     CURVE,
     /** A law that takes the place of the simple model's. */
     LAW,
-    /** What differs from kick to kick by chance, and has no mean of its own. */
+    /** What differs from kick to kick and has no mean of its own: by chance, unless its values follow something. */
     SCATTER,
     /** An effect of the catalogue without which kicks are predicted worse, and which is not proven to be a cause. */
     UNPROVEN

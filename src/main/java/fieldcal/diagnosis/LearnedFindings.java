@@ -32,10 +32,14 @@ final class LearnedFindings {
       return new LearnedFinding(
           j.effect(),
           actsOn(j.effect()),
-          j.effect().dependsOn(),
+          j.follows()
+              .filter(d -> !j.effect().hasOwnMean())
+              .map(d -> List.of(d.on().label()))
+              .orElse(j.effect().dependsOn()),
           OptionalInt.empty(),
           List.of(),
           j.scatter(),
+          j.follows(),
           gain);
     }
     return new LearnedFinding(
@@ -45,10 +49,12 @@ final class LearnedFindings {
         term.camera(),
         curves(model, component, term, arena),
         j.scatter(),
+        j.follows(),
         gain);
   }
 
-  private static String actsOn(Effect effect) {
+  /** Where an effect acts: "ground", "impact", "kick" or "measurement". */
+  static String actsOn(Effect effect) {
     if (effect instanceof MeasurementEffect) {
       return "measurement";
     }

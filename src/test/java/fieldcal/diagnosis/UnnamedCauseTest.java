@@ -8,6 +8,7 @@ import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.ExtraLaw;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -69,6 +70,34 @@ class UnnamedCauseTest {
     assertThat(found.scatter()).isCloseTo(Whims.SCATTER, within(2 * Whims.SCATTER / Math.sqrt(24)));
     assertThat(diagnosis.model().effects()).as("nothing to predict with").isEmpty();
     assertThat(diagnosis.unexplained().significant()).isFalse();
+  }
+
+  /** A carpet that gets warm and cool again as the sun comes and goes, a wave in so many seconds. */
+  private record Sun(double period) implements ExtraLaw {
+    static final double SHARE = 0.12;
+
+    @Override
+    public double rollingFactor(BallMoment m) {
+      return 1 + SHARE * Math.sin(2 * Math.PI * m.sessionTime() / period);
+    }
+  }
+
+  @Test
+  void whatFollowsTheTimeOfTheSessionDoesNotDifferByChance() {
+    SimulationSettings plain = FittedField.SOUND.withScenario(ScenarioKind.FLAT, 24);
+    double[] times = FittedField.of(plain).arena().kickTimes();
+    double period = times[times.length - 1] / 1.6;
+    SimulationSettings world =
+        plain.withPhysics(FittedField.SOUND.physics().withExtra(new Sun(period)));
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.learned()).isEmpty();
+    assertThat(diagnosis.learned())
+        .as("%s", diagnosis.learned())
+        .noneMatch(l -> l.kind() == LearnedFinding.Kind.SCATTER && l.follows().isEmpty())
+        .anyMatch(l -> l.dependsOn().equals(List.of("session_time")));
+    assertThat(diagnosis.extended().predictionErrorMm().get(2.0))
+        .as("a curve predicts, chance does not")
+        .isLessThan(0.7 * diagnosis.base().predictionErrorMm().get(2.0));
   }
 
   /** Bounces another height in each kick, by chance. */

@@ -185,6 +185,24 @@ class LearnedTermTest {
     }
   }
 
+  /** Rolling that is the same factor everywhere is accRoll times it, and sliding is as before. */
+  @Test
+  void aConstantRollingIsThatOfTheModel() {
+    LearnedTerm constant =
+        LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, new Spline(0, 8, 4, false))
+            .term(0.2, 0.2, 0.2, 0.2);
+    ExtendedTrajectory braked =
+        ExtendedTrajectory.flat(
+            FLAT, MotionEffects.of(List.of((MotionEffect) constant)), 0, 0, 0, 0, 4, 1);
+    FlatModel stronger = new FlatModel(FLAT.accSlide(), 1.2 * FLAT.accRoll(), FLAT.kSwitch());
+    ExtendedTrajectory same =
+        ExtendedTrajectory.flat(stronger, MotionEffects.NONE, 0, 0, 0, 0, 4, 1);
+    assertThat(braked.restTime()).isEqualTo(same.restTime(), within(1e-6));
+    for (double t : new double[] {0.3, 2}) {
+      assertThat(braked.stateAt(t).x()).isEqualTo(same.stateAt(t).x(), within(1e-6));
+    }
+  }
+
   /** Steps an eighth as long change the path by less than a hundredth of a millimetre. */
   @ParameterizedTest
   @MethodSource("terms")

@@ -83,7 +83,7 @@ public final class CauseWords {
    */
   public CauseText of(LearnedFinding finding) {
     if (finding.kind() == LearnedFinding.Kind.SCATTER) {
-      return ChanceWords.of(finding.effect(), finding.scatter());
+      return ChanceWords.of(finding.effect(), finding.scatter(), finding.follows());
     }
     return finding.effect() instanceof LearnedTerm term
         ? LearnedWords.of(term, finding.curves())

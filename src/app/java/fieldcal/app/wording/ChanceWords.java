@@ -2,22 +2,29 @@ package fieldcal.app.wording;
 
 import static fieldcal.app.wording.Sentences.text;
 
+import fieldcal.diagnosis.decision.Dependence;
+import fieldcal.diagnosis.decision.Dependence.Level;
 import fieldcal.effect.Effect;
+import fieldcal.effect.learned.Variable;
 import java.util.Map;
+import java.util.Optional;
 
-/** Words for what differs from kick to kick by chance. */
+/** Words for what differs from kick to kick, by chance or following something that was recorded. */
 final class ChanceWords {
+  /** A form that leaves less than that share of the scatter leaves nothing worth saying. */
+  private static final double LEFT = 0.2;
+
   private static final Map<String, ChanceWords> ALL =
       Map.of(
           "roll_scatter",
           new ChanceWords(
-              "rolling that differs from kick to kick",
+              "rolling",
               "rolling deceleration (acc_roll)",
               "leave a margin on long passes. See whether several balls are in play, or one that is"
                   + " dirty or out of round."),
           "bounce_scatter",
           new ChanceWords(
-              "bounces that differ from kick to kick",
+              "height of bounces",
               "vertical damping of bounces (damping_z)",
               "let robots wait for the second bounce of a chip. See whether the carpet is rough or"
                   + " has seams where the chips come down."));
@@ -33,19 +40,103 @@ final class ChanceWords {
   }
 
   static String name(Effect effect) {
-    return ALL.get(effect.id()).name;
+    return ALL.get(effect.id()).name + " that differs from kick to kick";
   }
 
-  static CauseText of(Effect effect, double scatter) {
+  static CauseText of(Effect effect, double scatter, Optional<Dependence> follows) {
     ChanceWords words = ALL.get(effect.id());
     String percent = Amount.of(100 * scatter);
+    String strength = text("scatter %s %% of the %s", percent, words.quantity);
+    if (follows.isPresent()) {
+      Dependence d = follows.get();
+      return new CauseText(
+          words.name + " that depends on " + LearnedWords.variable(d.on()),
+          words.form(d) + rest(d, scatter),
+          "",
+          advice(d),
+          strength);
+    }
     return new CauseText(
-        words.name,
+        name(effect),
         text(
             "The %s differs by %s %% from kick to kick, and nothing that was recorded says why.",
             words.quantity, percent),
         "",
         "No model predicts it: " + words.advice,
-        text("scatter %s %% of the %s", percent, words.quantity));
+        strength);
+  }
+
+  private String form(Dependence d) {
+    return switch (d.form()) {
+      case STEP ->
+          text(
+              "%s, the %s is %s %% %s.",
+              Sentences.begin(FieldWords.from(d.place())),
+              quantity,
+              Amount.of(100 * Math.abs(d.change())),
+              d.change() < 0 ? "lower" : "higher");
+      case LINE ->
+          text(
+              "The %s %s: it is %s its mean %s and %s it %s.",
+              quantity,
+              d.on() == Variable.SESSION_TIME
+                  ? "drifts during the session"
+                  : "changes steadily with " + LearnedWords.variable(d.on()),
+              from(d.lowest()),
+              where(d, d.lowest()),
+              from(d.highest()),
+              where(d, d.highest()));
+      case CURVE ->
+          text(
+              "The %s follows %s in a smooth curve: it is lowest %s, %s its mean, and highest %s,"
+                  + " %s it.",
+              quantity,
+              LearnedWords.variable(d.on()),
+              where(d, d.lowest()),
+              from(d.lowest()),
+              where(d, d.highest()),
+              from(d.highest()));
+    };
+  }
+
+  private static String from(Level level) {
+    return text(
+        "%s %% %s",
+        Amount.of(100 * Math.abs(level.value())), level.value() < 0 ? "below" : "above");
+  }
+
+  private static String where(Dependence d, Level level) {
+    return switch (d.on()) {
+      case SESSION_TIME -> text("at minute %s", LearnedWords.minute(level.x()));
+      case HEADING -> FieldWords.direction(level.x());
+      case PLACE ->
+          text(
+              "at x = %s m, y = %s m",
+              Amount.decimals(level.x(), 1), Amount.decimals(level.y(), 1));
+      default -> text("at %s %s", Amount.of(level.x()), d.on().unit());
+    };
+  }
+
+  private static String rest(Dependence d, double scatter) {
+    double left = Math.sqrt(Math.max(0, 1 - d.explained()));
+    return left < LEFT
+        ? ""
+        : text(
+            " Beyond that it differs by %s %% from kick to kick, and nothing that was recorded says"
+                + " why.",
+            Amount.of(100 * scatter * left));
+  }
+
+  private static String advice(Dependence d) {
+    if (d.on() != Variable.SESSION_TIME) {
+      return text(
+          "Record kicks that differ in nothing but %s, and diagnose again.",
+          LearnedWords.variable(d.on()));
+    }
+    return d.form() == Dependence.Form.STEP
+        ? "See whether another ball came into play then, or something was done to the carpet, and"
+            + " calibrate before and after it apart."
+        : "See what changed meanwhile, such as temperature, humidity or the wear of the ball, and"
+            + " calibrate again during the session.";
   }
 }

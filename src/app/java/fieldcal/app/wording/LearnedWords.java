@@ -18,6 +18,9 @@ public final class LearnedWords {
 
   private static final double MINUTE = 60;
 
+  /** In a session's first minutes a tenth of one matters, s. */
+  private static final double SHORT_SESSION = 1200;
+
   private static final double PER_CENT = 100;
 
   private LearnedWords() {}
@@ -38,6 +41,7 @@ public final class LearnedWords {
       case ACCELERATION_ALONG -> "braking that depends on " + on;
       case ACCELERATION_ACROSS -> "sideways pull that depends on " + on;
       case FRICTION -> "friction that depends on " + on;
+      case ROLLING -> "rolling that depends on " + on;
       case PUSH -> "push that depends on " + on;
       case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
       case TANGENTIAL_RESTITUTION -> "loss of speed at bounces that depends on " + on;
@@ -137,6 +141,7 @@ public final class LearnedWords {
       case ACCELERATION_ALONG -> "acceleration along the path";
       case ACCELERATION_ACROSS -> "acceleration to the left";
       case FRICTION -> "change of the friction";
+      case ROLLING -> "change of the rolling deceleration";
       case PUSH -> "acceleration towards " + (curve.component() == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "change of the vertical damping";
       case TANGENTIAL_RESTITUTION -> "change of the horizontal damping";
@@ -151,12 +156,12 @@ public final class LearnedWords {
    * The unit of {@link #inUnit}.
    *
    * @param curve of a fitted term
-   * @return degrees for a turn, per cent for friction; may be empty
+   * @return degrees for a turn, per cent for friction and rolling; may be empty
    */
   public static String unit(LearnedCurve curve) {
     return switch (curve.family().quantity()) {
       case TURN -> "°";
-      case FRICTION -> "%";
+      case FRICTION, ROLLING -> "%";
       default -> curve.family().quantity().unit();
     };
   }
@@ -171,7 +176,7 @@ public final class LearnedWords {
   public static double inUnit(LearnedCurve curve, double value) {
     return switch (curve.family().quantity()) {
       case TURN -> Math.toDegrees(value);
-      case FRICTION -> PER_CENT * value;
+      case FRICTION, ROLLING -> PER_CENT * value;
       default -> value;
     };
   }
@@ -289,6 +294,7 @@ public final class LearnedWords {
               : "ball is braked " + (more ? "less" : "more") + " than the model says";
       case ACCELERATION_ACROSS -> "ball is pulled to its " + (more ? "left" : "right");
       case FRICTION -> "carpet brakes the ball " + (more ? "more" : "less");
+      case ROLLING -> "rolling ball is braked " + (more ? "more" : "less");
       case PUSH -> "ball is pushed " + side(curve.component(), more);
       case VERTICAL_RESTITUTION -> "ball bounces " + (more ? "higher" : "lower");
       case TANGENTIAL_RESTITUTION ->
@@ -312,6 +318,7 @@ public final class LearnedWords {
       case ACCELERATION_ALONG -> "how the ball is braked";
       case ACCELERATION_ACROSS -> "a sideways pull";
       case FRICTION -> "the friction of the carpet";
+      case ROLLING -> "how a rolling ball is braked";
       case PUSH -> "the push " + (curve.component() == 0 ? "along x" : "along y");
       case VERTICAL_RESTITUTION -> "the height of bounces";
       case TANGENTIAL_RESTITUTION -> "the loss of speed at a bounce";
@@ -322,7 +329,8 @@ public final class LearnedWords {
     };
   }
 
-  private static String variable(Variable variable) {
+  /** A variable, following "depends on". */
+  static String variable(Variable variable) {
     return switch (variable) {
       case SPEED -> "the speed";
       case SLIP -> "how fast the ball slips";
@@ -372,9 +380,14 @@ public final class LearnedWords {
     return switch (variable) {
       case HOP -> "bounce " + (int) Math.ceil(place);
       case HEADING -> text("direction %s°", Amount.decimals(Math.toDegrees(place), 0));
-      case SESSION_TIME -> text("minute %s of the session", Amount.decimals(place / 60, 0));
+      case SESSION_TIME -> text("minute %s of the session", minute(place));
       case TIME_SINCE_KICK -> Amount.of(place) + " s after the kick";
       default -> Amount.of(place) + " " + variable.unit();
     };
+  }
+
+  /** A time of the session in minutes. */
+  static String minute(double time) {
+    return Amount.decimals(time / MINUTE, time < SHORT_SESSION ? 1 : 0);
   }
 }

@@ -98,6 +98,19 @@ public final class Decision {
     return alternatives.equalTo(model, i, tolerance);
   }
 
+  /**
+   * What the values of a component follow that has one for each kick.
+   *
+   * @param model fitted to all kicks
+   * @param i component
+   * @return empty when they differ by chance, and for what all kicks share
+   */
+  public Optional<Dependence> follows(FittedModel model, int i) {
+    return model.model().components().get(i).isPerKick()
+        ? DependenceSearch.of(KickValues.of(model, i), settings.dependent(), seed)
+        : Optional.empty();
+  }
+
   private FittedModel without(FittedModel model, int i) {
     List<Component> rest = new ArrayList<>();
     List<Effect> now = model.effects();
@@ -126,20 +139,21 @@ public final class Decision {
     // What is left may be another form of anything.
     double largest = excess;
     double unexplained = excess;
-    boolean law = c.isLaw();
     for (int j = 0; j < evidence.length; j++) {
       // A law is the form of everything that it takes part in; other causes only of their kind.
-      boolean compared = law || isMotion(model.model().components().get(j)) == isMotion(c);
+      boolean compared = c.isLaw() || isMotion(model.model().components().get(j)) == isMotion(c);
       largest = compared ? Math.max(largest, evidence[j]) : largest;
       if (compared && model.effects().get(j) instanceof LearnedTerm) {
         unexplained = Math.max(unexplained, evidence[j]);
       }
     }
+    Optional<Dependence> follows = follows(model, i);
+    boolean law = follows.isPresent() && c.template().hasOwnMean();
     Outcome outcome =
         c.hasPlace() && evidence[i] < unexplained
             // A place is chosen where it takes up most of whatever has no name.
             ? Outcome.FORM
-            : outcome(model, i, without, evidence[i], largest, excess, gain);
+            : outcome(model, i, without, evidence[i], largest, excess, law, gain);
     return new Judgement(
         c,
         model.effects().get(i),
@@ -147,6 +161,7 @@ public final class Decision {
         model.scatter(i),
         evidence[i],
         gain,
+        follows,
         outcome);
   }
 
@@ -161,6 +176,7 @@ public final class Decision {
       double evidence,
       double largest,
       double excess,
+      boolean law,
       double[] gain) {
     Component c = model.model().components().get(i);
     int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
@@ -177,9 +193,9 @@ public final class Decision {
             && excess > 0
             && (isUneven(model, i, settings.uneven())
                 || wald(model, i) < settings.formShare() * evidence);
-    if (c.isPerKick() && (evidence < excess || small || Independence.isLaw(model, i))) {
-      // A value for each kick takes up something of whatever is left, and is no chance where it
-      // follows from the kick.
+    if (c.isPerKick() && (evidence < excess || small || law)) {
+      // A value for each kick takes up something of whatever is left, and is no kicker's doing
+      // where it follows from the kick.
       return Outcome.UNSTEADY;
     }
     if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
@@ -195,8 +211,7 @@ public final class Decision {
     if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
-    boolean law = c.isLaw();
-    return law && evidence < largest ? Outcome.FORM : Outcome.NAMED;
+    return c.isLaw() && evidence < largest ? Outcome.FORM : Outcome.NAMED;
   }
 
   /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */

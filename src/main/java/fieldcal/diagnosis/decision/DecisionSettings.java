@@ -12,6 +12,8 @@ package fieldcal.diagnosis.decision;
  * @param fewKicks share of what values of each kick's own explain that kicks other than the two that gain most must have: two numbers, a mean and a scatter, fit any two
  * @param tie difference of cost up to which two explanations are equals: odds of e³ = 20 : 1
  * @param tieShare the same as a share of what the cause explains: where much is explained, errors of the model that all explanations share decide more than noise does
+ * @param dependent chance that values which differ from kick to kick by chance are found to follow something that is recorded; counted by dealing them out to the kicks in other orders, so it holds for everything that is tried together. A twentieth of {@code falseAlarms},
+ *     since only a recording with such values can raise this alarm, and several models of it are judged
  * @param leastGain share of the held-out residual that a cause must gain; one whose magnitude differs from kick to kick, which takes up something of anything, must gain {@code formGain}
  */
 public record DecisionSettings(
@@ -23,6 +25,7 @@ public record DecisionSettings(
     double fewKicks,
     double tie,
     double tieShare,
+    double dependent,
     double leastGain) {
 
   /**
@@ -31,6 +34,6 @@ public record DecisionSettings(
    * @return the defaults
    */
   public static DecisionSettings defaults() {
-    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 0.15, 6, 0.002, 0.002);
+    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 0.15, 6, 0.002, 1e-4, 0.002);
   }
 }

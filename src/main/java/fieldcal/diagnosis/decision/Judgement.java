@@ -3,6 +3,7 @@ package fieldcal.diagnosis.decision;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.effect.Effect;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What was decided about one component of a model.
@@ -13,6 +14,7 @@ import java.util.Map;
  * @param scatter of its magnitude from kick to kick; 0 when it is the same for all
  * @param evidence by how much chi-square rises without it, everything else fitted again, in units of what is left
  * @param gain on held-out kicks: mm, per cent, lower and upper bound in mm
+ * @param follows what its values follow, if it has one for each kick and these do not differ by chance
  * @param outcome the decision
  */
 public record Judgement(
@@ -22,6 +24,7 @@ public record Judgement(
     double scatter,
     double evidence,
     double[] gain,
+    Optional<Dependence> follows,
     Outcome outcome) {
 
   /** What it is taken for. */

@@ -109,6 +109,16 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   /**
+   * When the ball was kicked.
+   *
+   * @param own the kick's own parameters
+   * @return s since the beginning of the session
+   */
+  public double sessionTime(double[] own) {
+    return own[record.timeIndex()] - sessionStart;
+  }
+
+  /**
    * The ball's path.
    *
    * @param own the kick's own parameters

@@ -68,6 +68,7 @@ final class FormulaText {
       case ACCELERATION_ALONG -> "deceleration";
       case ACCELERATION_ACROSS -> "acceleration to the ball's left";
       case FRICTION -> "relative friction";
+      case ROLLING -> "relative rolling deceleration";
       case PUSH -> "acceleration towards " + (component == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "vertical restitution";
       case TANGENTIAL_RESTITUTION -> "tangential restitution";

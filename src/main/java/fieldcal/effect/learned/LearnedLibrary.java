@@ -5,6 +5,7 @@ import fieldcal.effect.Arena;
 import fieldcal.effect.ObservedCamera;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The families of smooth terms that a recording is searched for. None has a constant part: that is a parameter of the simple model or a named effect's (camera offset,
@@ -109,6 +110,24 @@ public final class LearnedLibrary {
       camera(arena, camera, all);
     }
     return all.stream().map(LearnedFamily::absent).filter(term -> term.canShowIn(arena)).toList();
+  }
+
+  /**
+   * Families of the rolling deceleration alone, for the place of a rolling deceleration that differs from kick to kick. They are not among {@link #of(Arena)}: beside friction and braking a search could hardly tell them.
+   *
+   * @param arena what was recorded
+   * @return absent terms that can show in the recording
+   */
+  public static List<LearnedTerm> ofRolling(Arena arena) {
+    Basis speed = curve(0, Ranges.typical().speed(), KNOTS_SPEED);
+    return Stream.of(
+            LearnedFamily.of(Quantity.ROLLING, Variable.SESSION_TIME, session(arena)),
+            LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, speed),
+            LearnedFamily.of(Quantity.ROLLING, Variable.HEADING, Harmonics.ofAngle(HARMONICS)),
+            LearnedFamily.of(Quantity.ROLLING, Variable.PLACE, place(arena)))
+        .map(LearnedFamily::absent)
+        .filter(term -> term.canShowIn(arena))
+        .toList();
   }
 
   private static void ground(Arena arena, Ranges ranges, List<LearnedFamily> all) {

@@ -16,6 +16,7 @@ import java.util.OptionalInt;
 public abstract sealed class LearnedTerm implements Effect
     permits LearnedAcceleration,
         LearnedFriction,
+        LearnedRolling,
         LearnedPush,
         LearnedBounce,
         LearnedSpin,

@@ -15,6 +15,9 @@ public enum Quantity {
   FRICTION(
       "ground", "friction", "", 1, 0.05, 0.9, "carpets differ by 0.08 with the heading in 2026"),
 
+  /** Relative change of the rolling deceleration alone (–); positive brakes more. */
+  ROLLING("ground", "rolling", "", 1, 0.05, 0.9, "accRoll scatters by 0.1 in matches of 2026"),
+
   /** Force over the mass along x and y of the field on a ball on the carpet, m/s²: the coefficients of x come first, then those of y. A rolling ball follows it with 5/7, since it must be turned, too. */
   PUSH("ground", "push", "m/s²", 2, 0.05, 3, "a slope of 0.5 % pulls so much"),
 

@@ -20,6 +20,8 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     ACCELERATION_ACROSS,
     /** Relative change of the friction, sliding and rolling (–); positive brakes more. */
     FRICTION,
+    /** Relative change of the rolling deceleration alone (–); positive brakes more. */
+    ROLLING,
     /** Force over the mass along x on a ball on the carpet, m/s²; a rolling ball takes a part of it. */
     PUSH_X,
     /** Force over the mass along y on a ball on the carpet, m/s². */
@@ -124,7 +126,7 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
 
   @Override
   public double rollingFactor(BallMoment moment) {
-    return frictionFactor(moment);
+    return changes == Quantity.ROLLING ? Math.max(0, 1 + at(moment)) : frictionFactor(moment);
   }
 
   private double frictionFactor(BallMoment moment) {

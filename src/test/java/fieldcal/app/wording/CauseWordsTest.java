@@ -8,9 +8,13 @@ import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.Gain;
 import fieldcal.diagnosis.LearnedFinding;
+import fieldcal.diagnosis.decision.Dependence;
+import fieldcal.diagnosis.decision.Dependence.Form;
+import fieldcal.diagnosis.decision.Dependence.Level;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.EffectParameters;
+import fieldcal.effect.learned.Variable;
 import fieldcal.effect.measurement.BallHeightError;
 import fieldcal.effect.measurement.CameraMoved;
 import fieldcal.effect.measurement.CameraOffset;
@@ -31,6 +35,7 @@ import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Magnus;
 import fieldcal.effect.motion.RobotKickBias;
+import fieldcal.effect.motion.RollScatter;
 import fieldcal.effect.motion.SideSpin;
 import fieldcal.effect.motion.SlipDependentFriction;
 import fieldcal.effect.motion.SpeedDependentRestitution;
@@ -40,6 +45,7 @@ import fieldcal.effect.motion.WornRegion;
 import fieldcal.vision.Team;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -213,12 +219,88 @@ class CauseWordsTest {
               OptionalInt.empty(),
               List.of(),
               0.12,
+              Optional.empty(),
               new Gain(1, 10, 0.5, 1.5));
       assertThat(WORDS.of(found).sentences())
           .contains("differs by 12 % from kick to kick")
           .contains("No model predicts it: ");
       assertThat(EffectName.of(effect)).endsWith("from kick to kick");
     }
+  }
+
+  private static Stream<Arguments> dependences() {
+    Level low = new Level(66, 0, -0.12);
+    Level high = new Level(250, 0, 0.1);
+    double none = Double.NaN;
+    return Stream.of(
+        Arguments.of(
+            new Dependence(Variable.SESSION_TIME, Form.STEP, 1, 186, 0.17, low, high, 0.97, 1e-5),
+            "From 3.1 minutes after the beginning on, the rolling deceleration (acc_roll) is 17 %"
+                + " higher. See whether another ball"),
+        Arguments.of(
+            new Dependence(Variable.SESSION_TIME, Form.LINE, 1, none, 1e-3, low, high, 0.75, 1e-5),
+            "The rolling deceleration (acc_roll) drifts during the session: it is 12 % below its"
+                + " mean at minute 1.1 and 10 % above it at minute 4.2. Beyond that it differs by"
+                + " 6.0 % from kick to kick, and nothing that was recorded says why. See what"
+                + " changed"),
+        Arguments.of(
+            new Dependence(Variable.SESSION_TIME, Form.CURVE, 4, none, none, low, high, 0.97, 1e-5),
+            "follows the time since the session began in a smooth curve: it is lowest at minute"
+                + " 1.1, 12 % below its mean, and highest at minute 4.2, 10 % above it. See what"),
+        Arguments.of(
+            new Dependence(
+                Variable.SPEED,
+                Form.LINE,
+                1,
+                none,
+                0.05,
+                new Level(2, 0, -0.1),
+                new Level(6, 0, 0.1),
+                0.97,
+                1e-5),
+            "changes steadily with the speed: it is 10 % below its mean at 2.0 m/s and 10 % above"
+                + " it at 6.0 m/s. Record kicks that differ in nothing but the speed"),
+        Arguments.of(
+            new Dependence(
+                Variable.PLACE,
+                Form.CURVE,
+                5,
+                none,
+                none,
+                new Level(-2, 1, -0.1),
+                new Level(3, -1, 0.1),
+                0.97,
+                1e-5),
+            "lowest at x = −2.0 m, y = 1.0 m, 10 % below its mean"),
+        Arguments.of(
+            new Dependence(
+                Variable.HEADING,
+                Form.CURVE,
+                2,
+                none,
+                none,
+                new Level(0, 0, -0.1),
+                new Level(Math.PI / 2, 0, 0.1),
+                0.97,
+                1e-5),
+            "lowest towards the +x goal, direction 0°, 10 % below its mean"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("dependences")
+  void whatFollowsSomethingIsNotSaidToDifferByChance(Dependence follows, String words) {
+    LearnedFinding found =
+        new LearnedFinding(
+            new RollScatter(0),
+            "ground",
+            List.of(follows.on().label()),
+            OptionalInt.empty(),
+            List.of(),
+            0.12,
+            Optional.of(follows),
+            new Gain(1, 10, 0.5, 1.5));
+    assertThat(WORDS.of(found).sentences()).contains(words).doesNotContain("No model predicts it");
+    assertThat(WORDS.of(found).name()).startsWith("rolling that depends on the ");
   }
 
   @Test

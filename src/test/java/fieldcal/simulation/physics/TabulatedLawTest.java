@@ -103,6 +103,17 @@ class TabulatedLawTest {
   }
 
   @Test
+  void rollingFromATableIsAFactorOfRollingAlone() {
+    Table more = Table.curve(new double[] {0}, new double[] {0.2}, 0);
+    BallPhysics braked = with(Quantity.ROLLING, Variable.SESSION_TIME, more);
+    BallPhysics same = BallPhysics.ideal(-3, -0.36, 0.7, 0.75, 0.9, 0.5);
+    for (double seconds : new double[] {0.2, 2}) {
+      assertThat(after(braked, 4, 0, seconds).x())
+          .isCloseTo(after(same, 4, 0, seconds).x(), within(1e-6));
+    }
+  }
+
+  @Test
   void aBallThatATablePushesStillStops() {
     Table push = Table.curve(new double[] {0}, new double[] {2}, 0);
     BallBody ball = after(with(Quantity.ACCELERATION_ALONG, Variable.SPEED, push), 1, 0, 120);

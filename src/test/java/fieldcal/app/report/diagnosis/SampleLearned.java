@@ -35,6 +35,7 @@ public final class SampleLearned {
             OptionalInt.empty(),
             List.of(),
             Double.NaN,
+            Optional.empty(),
             new Gain(3.2, 20, 2.1, 4.0)),
         learned(Quantity.ACCELERATION_ALONG, Variable.SPEED, Support.of(0, 6)),
         learned(Quantity.VERTICAL_RESTITUTION, Variable.PLACE, new Support(-6, 6, -4.5, 4.5)),
@@ -46,6 +47,7 @@ public final class SampleLearned {
             OptionalInt.empty(),
             List.of(),
             0.1,
+            Optional.empty(),
             new Gain(5, 40, 4, 6)));
   }
 
@@ -81,6 +83,7 @@ public final class SampleLearned {
         term.camera(),
         curves,
         Double.NaN,
+        Optional.empty(),
         new Gain(1.4, 12, 0.8, 1.9));
   }
 }

@@ -1,0 +1,515 @@
+package fieldcal.diagnosis.decision;
+
+import fieldcal.diagnosis.decision.Dependence.Form;
+import fieldcal.diagnosis.decision.Dependence.Level;
+import fieldcal.diagnosis.decision.KickValues.Kick;
+import fieldcal.effect.learned.Variable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.apache.commons.math3.distribution.NormalDistribution;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.apache.commons.math3.special.Beta;
+
+/**
+ * Whether values that differ from kick to kick follow something that is recorded. If they do, a law is missing, and they do not differ by chance.
+ *
+ * <p>Tried are straight lines, curves of rising order and steps, of the values themselves and of their normal scores, to which a kick that is far off is only the last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often
+ * chance alone makes it as small is counted by dealing the same values out to the kicks in other orders, so the level holds whatever the values' distribution, and however many forms are tried and overlap.
+ */
+final class DependenceSearch {
+  /** When that many other orders do as well, the chance is above the limit, and no more are needed (Besag and Clifford 1991): ten show it to a third. */
+  private static final int ENOUGH = 10;
+
+  /** Highest order of a curve over the session's time: six full waves. */
+  private static final int TIME_ORDER = 12;
+
+  /** Highest order of a curve over the speed; chosen: friction rises, falls and rises again at most (Stribeck). */
+  private static final int SPEED_ORDER = 4;
+
+  /** Orders of a surface over the place, with their numbers of functions: a plane, a quadric, a cubic. */
+  private static final int[] PLACE_FUNCTIONS = {2, 5, 9};
+
+  /** The same over the direction: a slope or nap, a preferred axis, the square weave of a carpet. */
+  private static final int[] HEADING_FUNCTIONS = {2, 4, 8};
+
+  /** A form may have one function for so many kicks. */
+  private static final int KICKS_PER_FUNCTION = 3;
+
+  /** Kicks that a step needs on each side: two may be bad for any reason. */
+  private static final int FEWEST_ON_A_SIDE = 3;
+
+  /** A column that others explain but for that share of its square is no function of its own. */
+  private static final double DEPENDENT = 1e-9;
+
+  /** Rounds of a robust fit: it then moves by less than a per cent. */
+  private static final int ROUNDS = 15;
+
+  /** Distance from which on a robust fit gives less weight, in standard deviations: 95 % as efficient where all is normal (Huber 1981). */
+  private static final double HUBER = 1.345;
+
+  /** Standard deviation of what is normal, in medians of the distance. */
+  private static final double MEDIAN_TO_DEVIATION = 1.4826;
+
+  /** Steps of a bisection: a double has 52 binary digits. */
+  private static final int BISECTIONS = 60;
+
+  private final double limit;
+  private final List<Kick> kicks;
+  private final int n;
+  private final double[] roots;
+  private final double weight;
+  private final double[] values;
+
+  /** The values, and their normal scores. */
+  private final double[][] kinds;
+
+  private final List<Family> families = new ArrayList<>();
+
+  private DependenceSearch(KickValues all, double limit) {
+    this.limit = limit;
+    kicks = all.kicks();
+    n = kicks.size();
+    roots = new double[n];
+    values = new double[n];
+    double sum = 0;
+    double total = 0;
+    for (int i = 0; i < n; i++) {
+      Kick k = kicks.get(i);
+      roots[i] = Math.sqrt(k.reliability());
+      sum += k.value();
+      total += k.reliability();
+    }
+    weight = total;
+    for (int i = 0; i < n; i++) {
+      // A value is drawn to the mean by its reliability r; the value that its detections alone give
+      // varies by 1/r. Times the root of r, all vary alike, and may be dealt out in any order.
+      values[i] = kicks.get(i).value() / roots[i] - roots[i] * sum / total;
+    }
+    kinds = new double[][] {values, scores(values)};
+    kinds[1] = centred(kinds[1]);
+  }
+
+  /** What normally distributed values of the same order would be; equal ones share their mean. */
+  private static double[] scores(double[] values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    NormalDistribution normal = new NormalDistribution(null, 0, 1);
+    double[] scores = new double[values.length];
+    for (int i = 0; i < values.length; i++) {
+      double sum = 0;
+      int equal = 0;
+      for (int rank = 0; rank < sorted.length; rank++) {
+        if (sorted[rank] == values[i]) {
+          sum += normal.inverseCumulativeProbability((rank + 1.0) / (sorted.length + 1));
+          equal++;
+        }
+      }
+      scores[i] = sum / equal;
+    }
+    return scores;
+  }
+
+  /** Without what one value for all kicks explains. */
+  private double[] centred(double[] z) {
+    double mean = dot(z, roots) / weight;
+    double[] centred = new double[n];
+    for (int i = 0; i < n; i++) {
+      centred[i] = z[i] - mean * roots[i];
+    }
+    return centred;
+  }
+
+  /**
+   * What the values follow.
+   *
+   * @param values of the kicks
+   * @param limit chance of finding something in values that follow nothing
+   * @param seed of the orders
+   * @return empty when nothing tells the values from chance
+   */
+  static Optional<Dependence> of(KickValues values, double limit, long seed) {
+    return new DependenceSearch(values, limit).test(seed);
+  }
+
+  /** Forms over one quantity, each of which has the functions of the one before and more; or all steps. */
+  private final class Family {
+    final Variable on;
+    final double[][] columns;
+    final int[] sizes;
+    final boolean steps;
+    final double[] enough;
+
+    Family(Variable on, double[][] columns, int[] sizes, boolean steps) {
+      this.on = on;
+      this.columns = columns;
+      this.sizes = sizes;
+      this.steps = steps;
+      enough = new double[sizes.length];
+    }
+
+    int count() {
+      return steps ? columns.length : sizes.length;
+    }
+
+    /** Share of the squares that a form explains. */
+    double share(int form, double[] z, double squares) {
+      double sum = 0;
+      int from = steps ? form : 0;
+      int to = steps ? form + 1 : sizes[form];
+      for (int c = from; c < to; c++) {
+        double p = dot(columns[c], z);
+        sum += p * p;
+      }
+      return sum / squares;
+    }
+
+    int functions(int form) {
+      return steps ? 1 : sizes[form];
+    }
+
+    /** Chance of an F-test, times the forms of the family. */
+    double corrected(int form, double share) {
+      return count() * chance(share, functions(form));
+    }
+
+    /** Remembers which share each size of a form must explain for the same chance. */
+    void require(double corrected) {
+      for (int i = 0; i < sizes.length; i++) {
+        enough[i] = shareOf(corrected / count(), sizes[i]);
+      }
+    }
+
+    /** Whether any form explains as much as it was required to. */
+    boolean reaches(double[] z, double squares) {
+      double sum = 0;
+      int size = 0;
+      for (int c = 0; c < columns.length; c++) {
+        double p = dot(columns[c], z);
+        sum = steps ? p * p : sum + p * p;
+        boolean whole = steps || c + 1 == sizes[size];
+        if (whole && sum >= enough[steps ? 0 : size++] * squares) {
+          return true;
+        }
+      }
+      return false;
+    }
+  }
+
+  private static double dot(double[] a, double[] b) {
+    double sum = 0;
+    for (int i = 0; i < a.length; i++) {
+      sum += a[i] * b[i];
+    }
+    return sum;
+  }
+
+  /** That noise explains that share with so many functions (F-test). */
+  private double chance(double share, int functions) {
+    double left = Math.max(0, Math.min(1, 1 - share));
+    return Beta.regularizedBeta(left, 0.5 * (n - functions - 1), 0.5 * functions);
+  }
+
+  /** The share whose chance that is. */
+  private double shareOf(double chance, int functions) {
+    double low = 0;
+    double high = 1;
+    for (int i = 0; i < BISECTIONS; i++) {
+      double middle = 0.5 * (low + high);
+      if (chance(middle, functions) > chance) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    // Orders that are equal but for rounding count.
+    return low * (1 - DEPENDENT);
+  }
+
+  private Optional<Dependence> test(long seed) {
+    if (n < 2 * FEWEST_ON_A_SIDE || !(dot(values, values) > 0)) {
+      return Optional.empty();
+    }
+    addFamilies();
+    Family best = null;
+    int form = -1;
+    double least = 1;
+    for (Family f : families) {
+      for (int i = 0; i < f.count(); i++) {
+        for (double[] z : kinds) {
+          double corrected = f.corrected(i, f.share(i, z, dot(z, z)));
+          if (corrected < least) {
+            least = corrected;
+            best = f;
+            form = i;
+          }
+        }
+      }
+    }
+    if (best == null || least > limit) {
+      // Several families find something by chance more often than one: this needs no counting.
+      return Optional.empty();
+    }
+    double required = least;
+    families.forEach(f -> f.require(required));
+    double chance = chanceOfOrders(seed);
+    return chance <= limit ? Optional.of(describe(best, form, chance)) : Optional.empty();
+  }
+
+  /** How often other orders of the values reach as much. */
+  private double chanceOfOrders(long seed) {
+    Random random = new Random(seed);
+    int orders = (int) Math.round(ENOUGH / limit) - 1;
+    int[] order = new int[n];
+    Arrays.setAll(order, i -> i);
+    double[] z = new double[n];
+    int reached = 0;
+    for (int b = 1; b <= orders; b++) {
+      for (int i = n - 1; i > 0; i--) {
+        int j = random.nextInt(i + 1);
+        int swapped = order[i];
+        order[i] = order[j];
+        order[j] = swapped;
+      }
+      boolean any = false;
+      for (int k = 0; k < kinds.length && !any; k++) {
+        any = reaches(kinds[k], order, z);
+      }
+      reached += any ? 1 : 0;
+      if (reached >= ENOUGH) {
+        return (double) reached / b;
+      }
+    }
+    return (reached + 1.0) / (orders + 1);
+  }
+
+  /** Whether any form explains as much of the values in another order; uses z. */
+  private boolean reaches(double[] values, int[] order, double[] z) {
+    double mean = 0;
+    for (int i = 0; i < n; i++) {
+      z[i] = values[order[i]];
+      mean += z[i] * roots[i] / weight;
+    }
+    double squares = 0;
+    for (int i = 0; i < n; i++) {
+      z[i] -= mean * roots[i];
+      squares += z[i] * z[i];
+    }
+    for (Family f : families) {
+      if (f.reaches(z, squares)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void addFamilies() {
+    double[] times = kicks.stream().mapToDouble(Kick::time).toArray();
+    add(Variable.SESSION_TIME, polynomials(times, TIME_ORDER), orders(TIME_ORDER));
+    double[] speeds = kicks.stream().mapToDouble(Kick::speed).toArray();
+    add(Variable.SPEED, polynomials(speeds, SPEED_ORDER), orders(SPEED_ORDER));
+    add(Variable.HEADING, headings(), HEADING_FUNCTIONS);
+    add(Variable.PLACE, places(), PLACE_FUNCTIONS);
+    double[][] steps = new double[Math.max(0, n - 2 * FEWEST_ON_A_SIDE + 1)][n];
+    for (int s = 0; s < steps.length; s++) {
+      for (int i = FEWEST_ON_A_SIDE + s; i < n; i++) {
+        steps[s][i] = 1;
+      }
+      orthonormal(new double[][] {steps[s]});
+    }
+    families.add(new Family(Variable.SESSION_TIME, steps, new int[] {1}, true));
+  }
+
+  private static int[] orders(int highest) {
+    int[] orders = new int[highest];
+    for (int i = 0; i < highest; i++) {
+      orders[i] = i + 1;
+    }
+    return orders;
+  }
+
+  private void add(Variable on, double[][] functions, int[] sizes) {
+    int determined = orthonormal(functions);
+    int most = Math.min(determined, n / KICKS_PER_FUNCTION);
+    int count = 0;
+    while (count < sizes.length && sizes[count] <= most) {
+      count++;
+    }
+    if (count > 0) {
+      int[] kept = Arrays.copyOf(sizes, count);
+      double[][] columns = Arrays.copyOf(functions, kept[count - 1]);
+      families.add(new Family(on, columns, kept, false));
+    }
+  }
+
+  /** Legendre's polynomials over the range of the numbers; powers would lose all digits. */
+  private static double[][] polynomials(double[] of, int highest) {
+    double low = Arrays.stream(of).min().orElse(0);
+    double high = Arrays.stream(of).max().orElse(1);
+    double[][] columns = new double[highest][of.length];
+    for (int i = 0; i < of.length; i++) {
+      double u = high > low ? 2 * (of[i] - low) / (high - low) - 1 : 0;
+      double before = 1;
+      double now = u;
+      for (int order = 1; order <= highest; order++) {
+        columns[order - 1][i] = now;
+        double next = ((2 * order + 1) * u * now - order * before) / (order + 1);
+        before = now;
+        now = next;
+      }
+    }
+    return columns;
+  }
+
+  private double[][] headings() {
+    int[] waves = {1, 2, 3, 4};
+    double[][] columns = new double[2 * waves.length][n];
+    for (int i = 0; i < n; i++) {
+      for (int w = 0; w < waves.length; w++) {
+        columns[2 * w][i] = Math.cos(waves[w] * kicks.get(i).heading());
+        columns[2 * w + 1][i] = Math.sin(waves[w] * kicks.get(i).heading());
+      }
+    }
+    return columns;
+  }
+
+  private double[][] places() {
+    double[][] x = polynomials(kicks.stream().mapToDouble(Kick::x).toArray(), 3);
+    double[][] y = polynomials(kicks.stream().mapToDouble(Kick::y).toArray(), 3);
+    return new double[][] {
+      x[0],
+      y[0],
+      x[1],
+      product(x[0], y[0]),
+      y[1],
+      x[2],
+      product(x[1], y[0]),
+      product(x[0], y[1]),
+      y[2]
+    };
+  }
+
+  private static double[] product(double[] a, double[] b) {
+    double[] c = new double[a.length];
+    for (int i = 0; i < c.length; i++) {
+      c[i] = a[i] * b[i];
+    }
+    return c;
+  }
+
+  /** Weighs functions, takes the mean out and what the ones before explain, and gives each length 1 (Gram and Schmidt, twice for its rounding); how many of them are determined. */
+  private int orthonormal(double[][] columns) {
+    for (int c = 0; c < columns.length; c++) {
+      double[] column = columns[c];
+      for (int i = 0; i < n; i++) {
+        column[i] *= roots[i];
+      }
+      double before = dot(column, column);
+      for (int twice = 0; twice < 2; twice++) {
+        double mean = dot(column, roots) / weight;
+        for (int i = 0; i < n; i++) {
+          column[i] -= mean * roots[i];
+        }
+        for (int o = 0; o < c; o++) {
+          double p = dot(column, columns[o]);
+          for (int i = 0; i < n; i++) {
+            column[i] -= p * columns[o][i];
+          }
+        }
+      }
+      double after = dot(column, column);
+      if (!(after > DEPENDENT * before)) {
+        return c;
+      }
+      double length = Math.sqrt(after);
+      for (int i = 0; i < n; i++) {
+        column[i] /= length;
+      }
+    }
+    return columns.length;
+  }
+
+  private Dependence describe(Family family, int form, double chance) {
+    int from = family.steps ? form : 0;
+    int functions = family.functions(form);
+    double[] fitted = fitted(Arrays.copyOfRange(family.columns, from, from + functions));
+    double left = 0;
+    for (int i = 0; i < n; i++) {
+      left += Math.pow(values[i] - fitted[i] * roots[i], 2);
+    }
+    double explained = Math.max(0, 1 - left / dot(values, values));
+    int low = 0;
+    int high = 0;
+    for (int i = 1; i < n; i++) {
+      low = fitted[i] < fitted[low] ? i : low;
+      high = fitted[i] > fitted[high] ? i : high;
+    }
+    Level lowest = level(family.on, low, fitted[low]);
+    Level highest = level(family.on, high, fitted[high]);
+    double place = Double.NaN;
+    double change = Double.NaN;
+    Form kind = Form.CURVE;
+    if (family.steps) {
+      int first = FEWEST_ON_A_SIDE + form;
+      kind = Form.STEP;
+      place = 0.5 * (kicks.get(first - 1).time() + kicks.get(first).time());
+      change = fitted[n - 1] - fitted[0];
+    } else if (functions == 1) {
+      kind = Form.LINE;
+      change = (highest.value() - lowest.value()) / (highest.x() - lowest.x());
+    }
+    return new Dependence(
+        family.on, kind, functions, place, change, lowest, highest, explained, chance);
+  }
+
+  /** The form at each kick, with less weight for kicks that it does not come near to (Huber 1964), or these would bend it. */
+  private double[] fitted(double[][] columns) {
+    double[] fitted = new double[n];
+    double[] weights = new double[n];
+    Arrays.fill(weights, 1);
+    for (int round = 0; round < ROUNDS; round++) {
+      RealMatrix a = new Array2DRowRealMatrix(n, columns.length + 1);
+      RealVector z = new ArrayRealVector(n);
+      for (int i = 0; i < n; i++) {
+        a.setEntry(i, 0, weights[i] * roots[i]);
+        for (int c = 0; c < columns.length; c++) {
+          a.setEntry(i, c + 1, weights[i] * columns[c][i]);
+        }
+        z.setEntry(i, weights[i] * values[i]);
+      }
+      RealVector solved = new SingularValueDecomposition(a).getSolver().solve(z);
+      double[] distances = new double[n];
+      for (int i = 0; i < n; i++) {
+        double sum = solved.getEntry(0) * roots[i];
+        for (int c = 0; c < columns.length; c++) {
+          sum += solved.getEntry(c + 1) * columns[c][i];
+        }
+        fitted[i] = sum / roots[i];
+        distances[i] = Math.abs(values[i] - sum);
+      }
+      double[] sorted = distances.clone();
+      Arrays.sort(sorted);
+      double scale = HUBER * MEDIAN_TO_DEVIATION * sorted[n / 2];
+      for (int i = 0; i < n; i++) {
+        weights[i] = distances[i] > scale ? Math.sqrt(scale / distances[i]) : 1;
+      }
+    }
+    return fitted;
+  }
+
+  private Level level(Variable on, int kick, double value) {
+    Kick k = kicks.get(kick);
+    return switch (on) {
+      case SPEED -> new Level(k.speed(), 0, value);
+      case HEADING -> new Level(k.heading(), 0, value);
+      case PLACE -> new Level(k.x(), k.y(), value);
+      default -> new Level(k.time(), 0, value);
+    };
+  }
+}

@@ -1,0 +1,75 @@
+package fieldcal.diagnosis.decision;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.Weighing;
+import fieldcal.fit.joint.ScoreSystem;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * A value that differs from kick to kick, beside what is recorded of each kick. Immutable.
+ *
+ * @param kicks in the order of time
+ */
+record KickValues(List<Kick> kicks) {
+  /** A kick whose detections tell less than that share of its value has only what the other kicks lead one to expect. */
+  private static final double LEAST_RELIABILITY = 0.1;
+
+  /**
+   * One kick.
+   *
+   * @param value of the magnitude, estimated with the scatter of all kicks as what is known beforehand
+   * @param reliability share of the value's variance over the kicks that its detections determine, 0 to 1; the rest is drawn to the mean
+   * @param time of the session, s
+   * @param speed at the kick, m/s
+   * @param heading direction of the kick, rad
+   * @param x place of the kick, m
+   * @param y place of the kick, m
+   */
+  record Kick(
+      double value,
+      double reliability,
+      double time,
+      double speed,
+      double heading,
+      double x,
+      double y) {}
+
+  KickValues {
+    kicks =
+        kicks.stream()
+            .filter(k -> k.reliability >= LEAST_RELIABILITY)
+            .sorted(Comparator.comparingDouble(Kick::time))
+            .toList();
+  }
+
+  /** The values of a component that has one for each kick. */
+  static KickValues of(FittedModel model, int component) {
+    Component c = model.model().components().get(component);
+    int random = model.model().random().indexOf(c);
+    int mean = model.model().freeIndex(model.model().offset(component));
+    double scatter = model.scatter(component);
+    // The kick's own value is eliminated from them: of the mean a kick tells 1/(scatter² + error²).
+    ScoreSystem equations =
+        model.solution().scores(List.of(), new double[0], Weighing.ALIKE.of(model));
+    List<Kick> all = new ArrayList<>();
+    for (int k = 0; k < model.kickCount(); k++) {
+      EffectKick kick = model.kick(k);
+      double[] own = model.solution().own(k);
+      double reliability = scatter * scatter * equations.curvature(k, mean, mean);
+      all.add(
+          new Kick(
+              own[kick.record().timeIndex() + 1 + random],
+              Math.min(1, reliability),
+              kick.sessionTime(own),
+              Math.hypot(own[2], own[3]),
+              Math.atan2(own[3], own[2]),
+              own[0],
+              own[1]));
+    }
+    return new KickValues(all);
+  }
+}
