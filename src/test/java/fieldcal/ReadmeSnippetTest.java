@@ -10,10 +10,13 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.camera.Camera;
+import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.ExtendedModelDocument;
 import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.MeasurementEffect;
+import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.motion.AirDrag;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
@@ -238,6 +241,42 @@ class ReadmeSnippetTest {
     String text = Files.readString(Documents.PROJECT.resolve("docs/effects.md"));
     assertThat(EffectCatalogue.all())
         .allSatisfy(effect -> assertThat(text).contains("\n`" + effect.id() + "`:"));
+  }
+
+  /** What changes what other cameras report, too, is shared out among all; the document says so of exactly these. */
+  @Test
+  void whatIsMeasuredAgainstTheMeanOfAllCamerasSaysSo() throws IOException {
+    String text = Files.readString(Documents.PROJECT.resolve("docs/effects.md"));
+    ObservedCamera other =
+        new ObservedCamera(
+            0,
+            4,
+            Optional.of(Camera.ofPosition(0, -3, 2, 5)),
+            Double.NaN,
+            Double.NaN,
+            Double.NaN,
+            Double.NaN,
+            0);
+    List<String> shared = new ArrayList<>();
+    List<String> said = new ArrayList<>();
+    for (Effect effect : EffectCatalogue.all()) {
+      boolean ofOneCamera = effect.parameters().stream().anyMatch(p -> p.name().equals("camera"));
+      if (ofOneCamera && effect instanceof MeasurementEffect measurement) {
+        MeasurementEffect first = (MeasurementEffect) measurement.with("camera", 1);
+        if (first.concerns(other)) {
+          shared.add(effect.id());
+        }
+        int from = text.indexOf("\n`" + effect.id() + "`:");
+        String section = text.substring(from, text.indexOf("\n#", from));
+        if (section.replaceAll("\\s+", " ").contains("measured against the mean of all cameras")) {
+          said.add(effect.id());
+        }
+      }
+    }
+    assertThat(said).isEqualTo(shared).isNotEmpty();
+    String introduction =
+        text.substring(text.indexOf("\n## Causes in cameras"), text.indexOf("\n### Camera offset"));
+    assertThat(introduction).doesNotContain("every value is measured against the mean");
   }
 
   @Test

@@ -713,7 +713,8 @@ public final class Diagnoser {
           1000 * Math.sqrt(squares / n),
           1000 * Math.sqrt(variance / n),
           held.rmsMm(),
-          held.predictionMm());
+          held.predictionMm(),
+          held.typicalMm());
     }
 
     private List<KickResiduals> residuals(Answer a) {

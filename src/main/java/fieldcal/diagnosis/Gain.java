@@ -8,4 +8,14 @@ package fieldcal.diagnosis;
  * @param lowMm lower bound of {@code mm}: 2.5 % quantile of a bootstrap over kicks
  * @param highMm upper bound: 97.5 % quantile
  */
-public record Gain(double mm, double percent, double lowMm, double highMm) {}
+public record Gain(double mm, double percent, double lowMm, double highMm) {
+
+  /**
+   * Whether kicks that were held out show that it helps at all.
+   *
+   * @return true when the lower bound is above zero; false of an unknown one
+   */
+  public boolean isBeyondChance() {
+    return lowMm > 0;
+  }
+}

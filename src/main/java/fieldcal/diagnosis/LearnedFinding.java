@@ -65,4 +65,13 @@ public record LearnedFinding(
     }
     return effect.starts().isEmpty() ? Kind.UNPROVEN : Kind.LAW;
   }
+
+  /**
+   * Whether it may be told as something that helps. A law and what differs by chance are in the model for what they explain, whatever they gain; all else must gain on kicks that were held out.
+   *
+   * @return false of a curve or an effect whose gain is no more than the choice of the kicks can make
+   */
+  public boolean isShownToHelp() {
+    return kind() == Kind.LAW || kind() == Kind.SCATTER || gain.isBeyondChance();
+  }
 }

@@ -13,12 +13,16 @@ import fieldcal.effect.learned.LearnedCurve.Support;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Variable;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 
 /** What helps the prediction without being a named cause, as findings. */
 final class LearnedFindings {
+  /** What fewer kicks show may be theirs; the decision about names has the same rule. */
+  private static final int ENOUGH_KICKS = 3;
+
   private LearnedFindings() {}
 
   /** Whether an effect is a learned curve or what differs by chance, not a law or an effect of the catalogue. */
@@ -83,15 +87,19 @@ final class LearnedFindings {
     return curves;
   }
 
-  /** The range over which the kicks show a term. */
+  /** The range over which the kicks show a term: not the speeds of one or two kicks alone, where a curve says what these need. */
   private static Support support(FittedModel model, LearnedTerm term, Arena arena) {
-    double speed = 0;
-    double rise = 0;
+    List<Double> speeds = new ArrayList<>();
+    List<Double> rises = new ArrayList<>();
     for (int k = 0; k < model.kickCount(); k++) {
       double[] own = model.solution().own(k);
-      speed = Math.max(speed, Math.hypot(own[2], own[3]));
-      rise = model.kick(k).record().timeIndex() == 5 ? Math.max(rise, own[4]) : rise;
+      speeds.add(Math.hypot(own[2], own[3]));
+      if (model.kick(k).record().timeIndex() == 5) {
+        rises.add(own[4]);
+      }
     }
+    double speed = reachedBySome(speeds);
+    double rise = reachedBySome(rises);
     double[] times = arena.kickTimes();
     double session = times.length == 0 ? 1 : times[times.length - 1];
     List<Variable> variables = term.family().variables();
@@ -122,5 +130,11 @@ final class LearnedFindings {
     return n == 2
         ? new Support(range[0][0], range[0][1], range[1][0], range[1][1])
         : Support.of(range[0][0], range[0][1]);
+  }
+
+  /** The largest value that so many kicks reach that it is not told by too few; 0 without any. */
+  private static double reachedBySome(List<Double> values) {
+    List<Double> sorted = values.stream().sorted(Comparator.reverseOrder()).toList();
+    return sorted.isEmpty() ? 0 : sorted.get(Math.min(ENOUGH_KICKS, sorted.size()) - 1);
   }
 }

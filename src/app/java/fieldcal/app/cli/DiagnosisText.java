@@ -106,17 +106,28 @@ final class DiagnosisText {
   /** What has no name: an item each. */
   private void learned(DiagnosisOutcome outcome) {
     Diagnosis diagnosis = outcome.diagnosis();
-    if (diagnosis.learned().isEmpty()) {
-      return;
-    }
-    CauseWords words = new CauseWords(diagnosis, outcome.problem().observers());
-    line("");
-    boolean laws = diagnosis.learned().stream().allMatch(f -> f.kind() == LearnedFinding.Kind.LAW);
-    line(
+    List<LearnedFinding> helping =
+        diagnosis.learned().stream().filter(LearnedFinding::isShownToHelp).toList();
+    List<LearnedFinding> others =
+        diagnosis.learned().stream().filter(f -> !f.isShownToHelp()).toList();
+    boolean laws = helping.stream().allMatch(f -> f.kind() == LearnedFinding.Kind.LAW);
+    items(
+        outcome,
         laws
             ? "A law that replaces a law of the simple model:"
-            : "What helps without a proven cause:");
-    for (LearnedFinding finding : diagnosis.learned()) {
+            : "What helps without a proven cause:",
+        helping);
+    items(outcome, "In the extended model, but held-out kicks do not show that it helps:", others);
+  }
+
+  private void items(DiagnosisOutcome outcome, String title, List<LearnedFinding> findings) {
+    if (findings.isEmpty()) {
+      return;
+    }
+    CauseWords words = new CauseWords(outcome.diagnosis(), outcome.problem().observers());
+    line("");
+    line("%s", title);
+    for (LearnedFinding finding : findings) {
       CauseText text = words.of(finding);
       wrapped("-  ", "   ", text.what() + " " + gainSentence(finding.gain()));
     }
@@ -146,7 +157,7 @@ final class DiagnosisText {
   }
 
   private void table(Diagnosis d) {
-    TreeSet<Double> horizons = new TreeSet<>(d.base().predictionErrorMm().keySet());
+    TreeSet<Double> horizons = new TreeSet<>(d.base().typicalErrorMm().keySet());
     StringBuilder head = new StringBuilder(String.format("%-21s%8s%10s", "mm", "fit", "held out"));
     horizons.forEach(h -> head.append(String.format("%13s", seconds(h) + " s ahead")));
     line("%s", head);
@@ -155,6 +166,9 @@ final class DiagnosisText {
       row("with what was found", d.extended(), horizons);
     }
     line("%-21s%8s", "noise of the cameras", mm(d.base().noiseMm()));
+    if (d.verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
+      VerdictText.farWorse(d).ifPresent(text -> wrapped("", "", text));
+    }
     Unexplained rest = d.unexplained();
     if (!rest.significant()) {
       line("What remains is no more than noise.");
@@ -173,6 +187,8 @@ final class DiagnosisText {
     }
     if (d.verdict() == Verdict.PARTLY_EXPLAINED) {
       wrapped("", "", VerdictText.advice(d));
+    } else if (d.verdict() == Verdict.EXPLAINED) {
+      VerdictText.caveat(d).ifPresent(text -> wrapped("", "", text));
     }
   }
 
@@ -181,7 +197,7 @@ final class DiagnosisText {
         new StringBuilder(
             String.format("%-21s%8s%10s", name, mm(quality.rmsMm()), mm(quality.holdoutRmsMm())));
     for (double h : horizons) {
-      double error = quality.predictionErrorMm().getOrDefault(h, Double.NaN);
+      double error = quality.typicalErrorMm().getOrDefault(h, Double.NaN);
       row.append(String.format("%13s", Amount.decimals(error, 1)));
     }
     line("%s", row);

@@ -12,6 +12,7 @@ import fieldcal.app.wording.NextKicks;
 import fieldcal.diagnosis.Candidate;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.Gain;
 import fieldcal.diagnosis.KickResiduals;
 import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.diagnosis.Quality;
@@ -31,7 +32,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** Builds {@code diagnosis.json}. SI units unless the name says otherwise; what is not known is null; never NaN. */
+/**
+ * Builds {@code diagnosis.json}. SI units unless the name says otherwise; what is not known is null; never NaN. {@code prediction_error_mm} is the root mean square of all predictions, {@code typical_prediction_error_mm} what headline and tables say: the
+ * same of a usual kick, see {@link Quality#typicalErrorMm}.
+ */
 final class DiagnosisJson {
   static final String SCHEMA = "fieldcal.diagnosis/1";
 
@@ -105,13 +109,17 @@ final class DiagnosisJson {
     ObjectNode node = nodes.objectNode();
     put(node, "rms_mm", quality.rmsMm());
     put(node, "holdout_rms_mm", quality.holdoutRmsMm());
-    Map<Double, Double> errors = new TreeMap<>(quality.predictionErrorMm());
+    byHorizon(node.putObject("prediction_error_mm"), quality.predictionErrorMm());
+    byHorizon(node.putObject("typical_prediction_error_mm"), quality.typicalErrorMm());
+    return node;
+  }
+
+  private static void byHorizon(ObjectNode node, Map<Double, Double> known) {
+    Map<Double, Double> errors = new TreeMap<>(known);
     for (double horizon : HORIZONS) {
       errors.putIfAbsent(horizon, Double.NaN);
     }
-    ObjectNode prediction = node.putObject("prediction_error_mm");
-    errors.forEach((horizon, error) -> put(prediction, Double.toString(horizon), error));
-    return node;
+    errors.forEach((horizon, error) -> put(node, Double.toString(horizon), error));
   }
 
   private ObjectNode cause(Cause cause) {
@@ -124,9 +132,7 @@ final class DiagnosisJson {
     put(node, "evidence", cause.evidence());
     put(node, "holdout_gain_mm", cause.gain().mm());
     put(node, "holdout_gain_percent", cause.gain().percent());
-    ArrayNode bounds = node.putArray("holdout_gain_bounds_mm");
-    add(bounds, cause.gain().lowMm());
-    add(bounds, cause.gain().highMm());
+    bounds(node, cause.gain());
     ArrayNode rivals = node.putArray("indistinguishable_from");
     cause.indistinguishableFrom().forEach(rivals::add);
     node.put(
@@ -134,6 +140,12 @@ final class DiagnosisJson {
         NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
     node.put("sentence", cause.effect().sentence());
     return node;
+  }
+
+  private static void bounds(ObjectNode node, Gain gain) {
+    ArrayNode bounds = node.putArray("holdout_gain_bounds_mm");
+    add(bounds, gain.lowMm());
+    add(bounds, gain.highMm());
   }
 
   private ObjectNode learned(LearnedFinding finding) {
@@ -154,6 +166,7 @@ final class DiagnosisJson {
     }
     put(node, "holdout_gain_mm", finding.gain().mm());
     put(node, "holdout_gain_percent", finding.gain().percent());
+    bounds(node, finding.gain());
     CauseText text = words.of(finding);
     node.put("name", text.name());
     node.put("sentence", text.what());

@@ -86,7 +86,7 @@ public final class CauseWords {
       return ChanceWords.of(finding.effect(), finding.scatter(), finding.follows());
     }
     return finding.effect() instanceof LearnedTerm term
-        ? LearnedWords.of(term, finding.curves())
+        ? LearnedWords.of(term, finding.curves(), finding.isShownToHelp())
         : of(finding.effect(), Map.of());
   }
 

@@ -9,7 +9,9 @@ import fieldcal.effect.learned.Quantity;
 import fieldcal.effect.learned.SimpleFormula;
 import fieldcal.effect.learned.Variable;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** What a learned term says of the field, in an operator's words. */
 public final class LearnedWords {
@@ -53,23 +55,24 @@ public final class LearnedWords {
   }
 
   /**
-   * A fitted term.
+   * A fitted term. Of one that kicks that were held out do not gain by, only the name is told: what its curve shows may be the shape of anything else that is left.
    *
    * @param term which
    * @param curves its curves, one of each component
+   * @param helps whether kicks that were held out gain by it
    * @return its text; the consequence is empty
    */
-  public static CauseText of(LearnedTerm term, List<LearnedCurve> curves) {
-    String what =
+  public static CauseText of(LearnedTerm term, List<LearnedCurve> curves, boolean helps) {
+    String told =
         curves.stream()
-            .filter(
-                c -> curves.size() == 1 || SimpleFormula.of(c).kind() != SimpleFormula.Kind.NONE)
             .map(c -> sentence(c, SimpleFormula.of(c)))
+            .flatMap(Optional::stream)
             .collect(Collectors.joining(" "));
     String strength =
         curves.stream().map(c -> SimpleFormula.of(c).text()).collect(Collectors.joining(", "));
-    return new CauseText(
-        name(term), what.isEmpty() ? nothing(term) : what, "", advice(term), strength);
+    String what =
+        helps ? told.isEmpty() ? uncertain(term) : told : Sentences.begin(name(term)) + ".";
+    return new CauseText(name(term), what, "", advice(term), strength);
   }
 
   /**
@@ -181,8 +184,11 @@ public final class LearnedWords {
     };
   }
 
-  private static String nothing(LearnedTerm term) {
-    return Sentences.begin(name(term)) + ": within its errors nothing changes.";
+  /** Where no single value of a curve is certain and all of them together are. */
+  private static String uncertain(LearnedTerm term) {
+    return Sentences.begin(name(term))
+        + ": held-out kicks show that there is some, but not in which way; every value of the curve"
+        + " is within two standard errors of nothing.";
   }
 
   private static String advice(LearnedTerm term) {
@@ -202,9 +208,16 @@ public final class LearnedWords {
    *
    * @param curve of a fitted term
    * @param formula its best simple formula
-   * @return for example "From 4 m/s on, the ball slides longer than the model says: it is braked by 0.30 m/s² less."
+   * @return for example "From 4 m/s on, the ball slides longer than the model says: it is braked by 0.30 m/s² less."; empty when the curve has no formula, and no value beyond two standard errors
    */
-  public static String sentence(LearnedCurve curve, SimpleFormula formula) {
+  public static Optional<String> sentence(LearnedCurve curve, SimpleFormula formula) {
+    return switch (formula.kind()) {
+      case NONE, CURVE -> between(curve, curve.family().variables().get(0));
+      default -> Optional.of(simple(curve, formula));
+    };
+  }
+
+  private static String simple(LearnedCurve curve, SimpleFormula formula) {
     double a = formula.amount();
     Variable variable = curve.family().variables().get(0);
     boolean session = variable == Variable.SESSION_TIME;
@@ -213,10 +226,6 @@ public final class LearnedWords {
     String size = size(curve, a);
     String eachSize = size(curve, perStep);
     return switch (formula.kind()) {
-      case NONE ->
-          text(
-              "%s changes a little with %s, nowhere by more than its error.",
-              Sentences.begin(subject(curve)), variable(variable));
       case SLOPE -> text("The %s: by %s for each %s.", change, eachSize, each(variable));
       case QUADRATIC ->
           text(
@@ -238,7 +247,7 @@ public final class LearnedWords {
               change(curve, 1), FieldWords.direction(formula.place()), size(curve, a));
       case STEP_X -> text("Beyond x = %s m, the %s: by %s.", place(formula), change, size);
       case STEP_Y -> text("Beyond y = %s m, the %s: by %s.", place(formula), change, size);
-      case CURVE -> between(curve, variable);
+      case NONE, CURVE -> throw new IllegalArgumentException("no simple formula");
     };
   }
 
@@ -256,18 +265,17 @@ public final class LearnedWords {
             change, FieldWords.direction(formula.place()), size);
   }
 
-  private static String between(LearnedCurve curve, Variable variable) {
-    Point low = curve.lowest();
-    Point high = curve.highest();
-    return text(
-        "How the model errs depends on %s: %s the %s by %s, and %s the %s by %s.",
-        variable(variable),
-        where(variable, low),
-        change(curve, low.value()),
-        size(curve, low.value()),
-        where(variable, high),
-        change(curve, high.value()),
-        size(curve, high.value()));
+  /** The places where the curve is most certainly on one side and on the other. */
+  private static Optional<String> between(LearnedCurve curve, Variable variable) {
+    return Stream.of(curve.certainlyLowest(), curve.certainlyHighest())
+        .flatMap(Optional::stream)
+        .map(
+            p ->
+                text(
+                    "%s the %s by %s",
+                    where(variable, p), change(curve, p.value()), size(curve, p.value())))
+        .reduce((low, high) -> low + ", and " + high)
+        .map(places -> text("How the model errs depends on %s: %s.", variable(variable), places));
   }
 
   private static String where(Variable variable, Point p) {
@@ -313,23 +321,6 @@ public final class LearnedWords {
     return more ? "to the left (+y)" : "to the right (−y)";
   }
 
-  private static String subject(LearnedCurve curve) {
-    return switch (curve.family().quantity()) {
-      case ACCELERATION_ALONG -> "how the ball is braked";
-      case ACCELERATION_ACROSS -> "a sideways pull";
-      case FRICTION -> "the friction of the carpet";
-      case ROLLING -> "how a rolling ball is braked";
-      case PUSH -> "the push " + (curve.component() == 0 ? "along x" : "along y");
-      case VERTICAL_RESTITUTION -> "the height of bounces";
-      case TANGENTIAL_RESTITUTION -> "the loss of speed at a bounce";
-      case TURN -> "the turn at a bounce";
-      case SPIN -> "the spin after the kick";
-      case SHIFT -> curve.component() == 0 ? "the reported x" : "the reported y";
-      case TIME_ERROR -> "the error of the time stamps";
-    };
-  }
-
-  /** A variable, following "depends on". */
   static String variable(Variable variable) {
     return switch (variable) {
       case SPEED -> "the speed";

@@ -18,7 +18,7 @@ final class FormulaText {
     String verb = a < 0 ? "falls" : "grows";
     String side = a < 0 ? "lower" : "higher";
     return switch (kind) {
-      case NONE -> what + " changes by no more than its error";
+      case NONE -> what + ": its errors are too large for a formula";
       case SLOPE -> what + " " + verb + " by " + size + " per " + per;
       case QUADRATIC ->
           what
@@ -48,13 +48,21 @@ final class FormulaText {
       case CURVE ->
           what
               + " varies between "
-              + number(Math.min(sign * curve.lowest().value(), sign * curve.highest().value()))
+              + number(Math.min(sign * lowest(curve), sign * highest(curve)))
               + " and "
-              + number(Math.max(sign * curve.lowest().value(), sign * curve.highest().value()))
+              + number(Math.max(sign * lowest(curve), sign * highest(curve)))
               + unit
               + " with the "
               + name(variable);
     };
+  }
+
+  private static double lowest(LearnedCurve curve) {
+    return curve.certainlyLowest().orElseGet(curve::lowest).value();
+  }
+
+  private static double highest(LearnedCurve curve) {
+    return curve.certainlyHighest().orElseGet(curve::highest).value();
   }
 
   private static String sine(String what, String size, double place, Variable variable) {

@@ -1,8 +1,10 @@
 package fieldcal.effect.learned;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A learned term with its errors over the range where data lie: points of a curve, or a table of a place. Immutable.
@@ -16,6 +18,9 @@ import java.util.Objects;
  * @param points by x, of a table by y and then by x
  */
 public record LearnedCurve(LearnedFamily family, int component, List<Point> points) {
+  /** Standard errors within which a value may be nothing: 95 % of those that are do not exceed it. */
+  private static final double ERRORS = 2;
+
   /** Points of a curve and rows of a table; chosen, enough for a plot. */
   private static final int POINTS = 33;
 
@@ -202,5 +207,27 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
       highest = p.value() > highest.value() ? p : highest;
     }
     return highest;
+  }
+
+  /**
+   * Where the curve is most certainly below zero. The ends of a curve, which few data reach, often have the largest values and the largest errors, and then show nothing.
+   *
+   * @return the point whose upper bound, two standard errors above its value, is lowest; empty when none is below zero
+   */
+  public Optional<Point> certainlyLowest() {
+    return points.stream()
+        .filter(p -> p.value() + ERRORS * p.error() < 0)
+        .min(Comparator.comparingDouble(p -> p.value() + ERRORS * p.error()));
+  }
+
+  /**
+   * Where the curve is most certainly above zero.
+   *
+   * @return the point whose lower bound, two standard errors below its value, is highest; empty when none is above zero
+   */
+  public Optional<Point> certainlyHighest() {
+    return points.stream()
+        .filter(p -> p.value() - ERRORS * p.error() > 0)
+        .max(Comparator.comparingDouble(p -> p.value() - ERRORS * p.error()));
   }
 }

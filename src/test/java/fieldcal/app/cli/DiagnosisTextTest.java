@@ -6,11 +6,15 @@ import fieldcal.app.diagnose.SampleOutcome;
 import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.Gain;
+import fieldcal.diagnosis.LearnedFinding;
+import fieldcal.diagnosis.Quality;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 /** What the terminal shows: words first, no more than a screen. */
@@ -31,7 +35,7 @@ class DiagnosisTextTest {
   void nothingWrongIsSaidAtOnce() {
     List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
     assertThat(lines.get(0))
-        .startsWith("Passes are predicted 13 mm wrong after 1 s. The model is right");
+        .startsWith("Kicks are predicted 13 mm wrong after 1 s. The model is right");
     assertThat(lines.get(1)).contains("24 kicks");
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
     assertThat(String.join(" ", lines)).doesNotContain("So few kicks");
@@ -42,7 +46,7 @@ class DiagnosisTextTest {
   void causesComeInWordsWithTheirNumbers() {
     String text = String.join("\n", printed(SampleDiagnosis.explained(24), 2));
     assertThat(text)
-        .startsWith("Passes are predicted 38 mm wrong after 1 s; with what was found 12 mm. The");
+        .startsWith("Kicks are predicted 38 mm wrong after 1 s; with what was found 12 mm. The");
     assertThat(text.replace('\n', ' '))
         .contains("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
@@ -61,7 +65,7 @@ class DiagnosisTextTest {
   @Test
   void whatIsUnexplainedSaysOnWhatItDepends() {
     String text = String.join("\n", printed(SampleDiagnosis.unexplained(24), 12));
-    assertThat(text).startsWith("Passes are predicted 19 mm wrong after 1 s. Something is wrong");
+    assertThat(text).startsWith("Kicks are predicted 19 mm wrong after 1 s. Something is wrong");
     assertThat(text).contains("depending on the time since the kick");
     assertThat(text).contains("In the data:\n  ").contains("\n  9 more, see diagnosis.json");
   }
@@ -70,7 +74,7 @@ class DiagnosisTextTest {
   void whatIsPartlyExplainedSaysWhatIsFoundWhatIsLeftAndWhatToDo() {
     String text = String.join("\n", printed(SampleDiagnosis.partly(24), 0));
     assertThat(text)
-        .startsWith("Passes are predicted 50 cm wrong after 1 s; with what was found 9 cm. The");
+        .startsWith("Kicks are predicted 50 cm wrong after 1 s; with what was found 9 cm. The");
     String line = text.replace("\n   ", " ").replace('\n', ' ');
     assertThat(line).contains("a part of it is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");
@@ -79,6 +83,49 @@ class DiagnosisTextTest {
     assertThat(line)
         .contains("2.90 mm beyond the noise remain unexplained, depending on the height");
     assertThat(line).contains("Use the extended model").contains("To find the rest: record chips");
+  }
+
+  @Test
+  void whatGainsNothingBeyondChanceStandsApart() {
+    Diagnosis d = SampleDiagnosis.partly(24);
+    List<LearnedFinding> learned = new ArrayList<>();
+    for (LearnedFinding f : d.learned()) {
+      learned.add(
+          new LearnedFinding(
+              f.effect(),
+              f.actsOn(),
+              f.dependsOn(),
+              f.camera(),
+              f.curves(),
+              f.scatter(),
+              f.follows(),
+              f.kind() == LearnedFinding.Kind.CURVE ? new Gain(0.011, 0.4, -1.2, 1.2) : f.gain()));
+    }
+    List<String> lines = printed(SampleDiagnosis.learning(d, learned), 0);
+    int helping = lines.indexOf("What helps without a proven cause:");
+    int others =
+        lines.indexOf("In the extended model, but held-out kicks do not show that it helps:");
+    assertThat(lines.subList(helping, others)).filteredOn(line -> line.startsWith("-")).hasSize(2);
+    assertThat(lines.subList(others, lines.size()))
+        .filteredOn(line -> line.startsWith("-"))
+        .hasSize(3);
+    assertThat(String.join(" ", lines).replaceAll(" +", " "))
+        .contains("It gains 0.011 mm (−1.2 to 1.2), 0 %, on kicks held out.")
+        .doesNotContain("This also helps");
+  }
+
+  @Test
+  void theTableDoesNotHideWhatASingleKickDoes() {
+    Diagnosis d = SampleDiagnosis.explained(24);
+    Quality base =
+        new Quality(13.6, 1.5, 17.8, Map.of(0.5, 514.7, 1.0, 1048.7), Map.of(0.5, 28.1, 1.0, 54.3));
+    String text =
+        String.join(" ", printed(SampleDiagnosis.with(d, d.causes(), base, List.of()), 0));
+    assertThat(text)
+        .startsWith("Kicks are predicted 54 mm wrong after 1 s")
+        .contains("54.3")
+        .contains("some kicks are predicted far worse than most")
+        .contains("1049 mm instead of 54 mm");
   }
 
   @Test

@@ -47,7 +47,12 @@ class SecondLookTest {
     Diagnosis d = found.diagnosis();
     Quality q = d.extended();
     Quality other =
-        new Quality(q.rmsMm(), q.noiseMm(), worse * q.holdoutRmsMm(), q.predictionErrorMm());
+        new Quality(
+            q.rmsMm(),
+            q.noiseMm(),
+            worse * q.holdoutRmsMm(),
+            q.predictionErrorMm(),
+            q.typicalErrorMm());
     return new DiagnosisOutcome(
         found.calibration(),
         found.problem(),

@@ -136,10 +136,21 @@ class DiagnosisFilesTest {
     assertThat(root.get("causes")).isEmpty();
   }
 
+  /** The contract's field stays the root mean square of all predictions; what the words say stands beside it. */
+  @Test
+  void typicalErrorsStandBesideTheRootMeanSquare() throws IOException {
+    Diagnosis d = SampleDiagnosis.explained(8);
+    Quality stray = new Quality(3, 1.5, 4, Map.of(1.0, 1048.7), Map.of(1.0, 54.3));
+    JsonNode base = written(withCauses(d, d.causes(), stray)).get("base");
+    assertThat(base.get("prediction_error_mm").get("1.0").doubleValue()).isEqualTo(1048.7);
+    assertThat(base.get("typical_prediction_error_mm").get("1.0").doubleValue()).isEqualTo(54.3);
+    assertThat(base.get("typical_prediction_error_mm").get("2.0").isNull()).isTrue();
+  }
+
   @Test
   void whatIsNotKnownIsNull() throws IOException {
     Diagnosis d = SampleDiagnosis.explained(8);
-    Quality few = new Quality(3, Double.NaN, Double.NaN, Map.of(0.5, 4.0));
+    Quality few = SampleDiagnosis.quality(3, Double.NaN, Double.NaN, Map.of(0.5, 4.0));
     Gain none = new Gain(Double.NaN, Double.NaN, Double.NaN, Double.POSITIVE_INFINITY);
     Cause cause =
         new Cause(

@@ -43,12 +43,12 @@ class LearnedWordsTest {
       for (SimpleFormula.Kind kind : SimpleFormula.Kind.values()) {
         for (double amount : new double[] {-0.1, 0.1}) {
           SimpleFormula formula = new SimpleFormula(kind, amount, 0.01, 1.5, 0, 1, "text");
-          String sentence = LearnedWords.sentence(curve, formula);
+          String sentence = LearnedWords.sentence(curve, formula).orElseThrow();
           assertThat(sentence).endsWith(".").doesNotContain("NaN", "null", "%s", "_", "<", "  ");
           assertThat(Character.isUpperCase(sentence.charAt(0))).isTrue();
         }
       }
-      CauseText text = LearnedWords.of(term, List.of(curve));
+      CauseText text = LearnedWords.of(term, List.of(curve), true);
       assertThat(text.sentences()).endsWith(".").doesNotContain("_");
       assertThat(text.strength()).doesNotContain("_");
     }
@@ -60,7 +60,7 @@ class LearnedWordsTest {
       points.add(new Point(x, 0, law.applyAsDouble(x), 0.004));
     }
     LearnedCurve curve = new LearnedCurve(family, component, points);
-    return LearnedWords.sentence(curve, SimpleFormula.of(curve));
+    return LearnedWords.sentence(curve, SimpleFormula.of(curve)).orElseThrow();
   }
 
   @Test
@@ -88,5 +88,92 @@ class LearnedWordsTest {
         .isEqualTo(
             "From minute 0.0 of the session on, the reports of camera 2 are too far to the right"
                 + " (−y): by 8.0 mm.");
+  }
+
+  private static LearnedTerm term(Quantity quantity, Variable variable) {
+    return terms().stream()
+        .filter(t -> t.family().quantity() == quantity)
+        .filter(t -> t.family().variables().get(0) == variable)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** Of a real recording: the largest value is that of the fastest kick alone, with a sign that all others contradict. */
+  @Test
+  void theUncertainEndOfACurveIsNotTold() {
+    LearnedTerm pull = term(Quantity.ACCELERATION_ACROSS, Variable.SPEED);
+    List<Point> points =
+        List.of(
+            new Point(0.5, 0, 0.010, 0.012),
+            new Point(2, 0, -0.020, 0.008),
+            new Point(3, 0, -0.055, 0.006),
+            new Point(4, 0, -0.030, 0.006),
+            new Point(5, 0, 0.040, 0.012),
+            new Point(5.5, 0, 0.060, 0.029),
+            new Point(6.3, 0, 0.230, 0.125));
+    LearnedCurve curve = new LearnedCurve(pull.family(), 0, points);
+    SimpleFormula none = formula(SimpleFormula.Kind.CURVE, curve);
+    assertThat(LearnedWords.sentence(curve, none))
+        .hasValue(
+            "How the model errs depends on the speed: at 3.0 m/s the ball is pulled to its right by"
+                + " 0.055 m/s², and at 5.0 m/s the ball is pulled to its left by 0.040 m/s².");
+    LearnedCurve slow = new LearnedCurve(pull.family(), 0, points.subList(0, 4));
+    assertThat(LearnedWords.sentence(slow, none))
+        .hasValue(
+            "How the model errs depends on the speed: at 3.0 m/s the ball is pulled to its right by"
+                + " 0.055 m/s².");
+    assertThat(none.text())
+        .isEqualTo(
+            "acceleration to the ball's left varies between −0.055 and 0.040 m/s² with the speed");
+  }
+
+  private static SimpleFormula formula(SimpleFormula.Kind kind, LearnedCurve curve) {
+    SimpleFormula best = SimpleFormula.of(curve);
+    assertThat(best.kind()).isEqualTo(kind);
+    return best;
+  }
+
+  /** Values may be uncertain one by one, as their errors go together, and the whole curve be needed. */
+  @Test
+  void aCurveThatHelpsIsNotSaidToChangeNothing() {
+    LearnedTerm braking = term(Quantity.ACCELERATION_ALONG, Variable.SPEED);
+    List<Point> points = new ArrayList<>();
+    for (double v = 0; v <= 6; v += 0.2) {
+      points.add(new Point(v, 0, 0.05 * Math.sin(v), 0.08));
+    }
+    LearnedCurve curve = new LearnedCurve(braking.family(), 0, points);
+    String strength = formula(SimpleFormula.Kind.NONE, curve).text();
+    assertThat(strength).isEqualTo("deceleration: its errors are too large for a formula");
+    assertThat(LearnedWords.of(braking, List.of(curve), true).what())
+        .isEqualTo(
+            "Braking that depends on the speed: held-out kicks show that there is some, but not in"
+                + " which way; every value of the curve is within two standard errors of nothing.");
+  }
+
+  /** Its shape may be that of anything else that is left. */
+  @Test
+  void ofACurveThatIsNotShownToHelpOnlyTheNameIsTold() {
+    LearnedTerm pull = term(Quantity.ACCELERATION_ACROSS, Variable.SPEED);
+    List<Point> points = List.of(new Point(1, 0, -0.1, 0.01), new Point(6, 0, 0.2, 0.01));
+    LearnedCurve curve = new LearnedCurve(pull.family(), 0, points);
+    assertThat(LearnedWords.of(pull, List.of(curve), true).what()).contains("m/s²");
+    assertThat(LearnedWords.of(pull, List.of(curve), false).what())
+        .isEqualTo("Sideways pull that depends on the speed.");
+  }
+
+  /** The best formula may be none although a value is beyond its error: then that value is told. */
+  @Test
+  void aValueBeyondItsErrorIsTold() {
+    LearnedTerm braking = term(Quantity.ACCELERATION_ALONG, Variable.SPEED);
+    List<Point> points = new ArrayList<>();
+    for (double v = 0; v <= 6; v += 0.2) {
+      points.add(new Point(v, 0, v == 0 ? -0.14 : 0.02 * Math.sin(v), v == 0 ? 0.06 : 0.08));
+    }
+    LearnedCurve curve = new LearnedCurve(braking.family(), 0, points);
+    formula(SimpleFormula.Kind.NONE, curve);
+    assertThat(LearnedWords.of(braking, List.of(curve), true).what())
+        .isEqualTo(
+            "How the model errs depends on the speed: at 0 m/s the ball is braked more than the"
+                + " model says by 0.14 m/s².");
   }
 }

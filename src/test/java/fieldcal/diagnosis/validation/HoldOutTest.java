@@ -8,6 +8,7 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.Weighing;
+import fieldcal.diagnosis.validation.HoldOut.Ahead;
 import fieldcal.effect.motion.AirDrag;
 import java.util.ArrayList;
 import java.util.List;
@@ -83,6 +84,46 @@ class HoldOutTest {
     assertThat(predicted).containsOnlyKeys(0.5, 1.0, 2.0);
     predicted.forEach(
         (horizon, mm) -> assertThat(mm).isLessThan(without.predictionMm().get(horizon)));
+  }
+
+  /** A root mean square over thirty kicks is that of the worst, if one is metres off. */
+  @Test
+  void noSingleKickDecidesWhatIsTypical() {
+    double[] squares = new double[30];
+    int[] counts = new int[30];
+    for (int k = 0; k < 29; k++) {
+      // Two detections of 8 to 12 mm each; the last kick has none at that horizon.
+      double error = 1e-3 * (8 + 4 * k / 28.0);
+      counts[k] = 2;
+      squares[k] = 2 * error * error;
+    }
+    HoldOut even = new HoldOut(squares, counts, Map.of(1.0, new Ahead(squares, counts)));
+    double rms = even.predictionMm().get(1.0);
+    assertThat(even.typicalMm().get(1.0)).isEqualTo(rms, within(1e-9));
+    squares[0] = 2 * 5.5 * 5.5;
+    HoldOut stray = new HoldOut(squares, counts, Map.of(1.0, new Ahead(squares, counts)));
+    assertThat(stray.predictionMm().get(1.0)).isGreaterThan(1000);
+    double counted = 3 * 10;
+    assertThat(stray.typicalMm().get(1.0))
+        .isEqualTo(Math.sqrt((29 * rms * rms - 64 + counted * counted) / 29), within(0.1));
+  }
+
+  /** Unlike the median, it shows what few kicks gain: those that one camera sees, for example. */
+  @Test
+  void whatAFifthOfTheKicksGainShows() {
+    double[] before = new double[20];
+    double[] after = new double[20];
+    int[] counts = new int[20];
+    for (int k = 0; k < 20; k++) {
+      counts[k] = 1;
+      after[k] = 1e-4;
+      before[k] = k % 5 == 0 ? 25e-4 : 1e-4;
+    }
+    HoldOut with = new HoldOut(after, counts, Map.of(1.0, new Ahead(after, counts)));
+    HoldOut without = new HoldOut(before, counts, Map.of(1.0, new Ahead(before, counts)));
+    assertThat(with.typicalMm().get(1.0)).isEqualTo(10, within(1e-9));
+    assertThat(without.typicalMm().get(1.0))
+        .isEqualTo(Math.sqrt(0.8 * 100 + 0.2 * 900), within(1e-9));
   }
 
   @Test

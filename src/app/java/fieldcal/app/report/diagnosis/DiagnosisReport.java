@@ -140,19 +140,19 @@ public record DiagnosisReport(
    * @param noiseMm what the cameras make of it, mm
    * @param holdoutRmsMm residual per axis of kicks that were held out, mm
    * @param horizons how far ahead is predicted, s
-   * @param predictionErrorMm error of these predictions, mm; of the same length
+   * @param typicalErrorMm error of these predictions of a usual kick, mm; of the same length
    */
   public record QualityRow(
       @Rounded(3) double rmsMm,
       @Rounded(3) double noiseMm,
       @Rounded(3) double holdoutRmsMm,
       double[] horizons,
-      @Rounded(2) double[] predictionErrorMm) {
+      @Rounded(2) double[] typicalErrorMm) {
 
     /** Copies the arrays. */
     public QualityRow {
       horizons = horizons.clone();
-      predictionErrorMm = predictionErrorMm.clone();
+      typicalErrorMm = typicalErrorMm.clone();
     }
   }
 
@@ -175,6 +175,7 @@ public record DiagnosisReport(
    * @param advice what to do; may be empty
    * @param formula the best simple formula of a curve, the numbers of all else
    * @param kind "curve", "law" (takes the place of the simple model's) "scatter" (differs from kick to kick by chance) or "unproven" (an effect that is not proven to be a cause); only curves have pictures
+   * @param helps whether it may be told as something that helps
    * @param gainMm what kicks that were held out gain, root mean square, mm
    * @param gainPercent the same in per cent
    * @param gainLowMm lower bound, 2.5 %
@@ -187,6 +188,7 @@ public record DiagnosisReport(
       String advice,
       String formula,
       String kind,
+      boolean helps,
       @Rounded(3) double gainMm,
       @Rounded(2) double gainPercent,
       @Rounded(3) double gainLowMm,

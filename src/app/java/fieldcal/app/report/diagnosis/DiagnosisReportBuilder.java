@@ -142,6 +142,7 @@ public final class DiagnosisReportBuilder {
         text.advice(),
         text.strength(),
         finding.kind().name().toLowerCase(Locale.ROOT),
+        finding.isShownToHelp(),
         finding.gain().mm(),
         finding.gain().percent(),
         finding.gain().lowMm(),
@@ -154,8 +155,8 @@ public final class DiagnosisReportBuilder {
         q.rmsMm(),
         q.noiseMm(),
         q.holdoutRmsMm(),
-        q.predictionErrorMm().keySet().stream().mapToDouble(h -> h).toArray(),
-        q.predictionErrorMm().values().stream().mapToDouble(e -> e).toArray());
+        q.typicalErrorMm().keySet().stream().mapToDouble(h -> h).toArray(),
+        q.typicalErrorMm().values().stream().mapToDouble(e -> e).toArray());
   }
 
   /** The causes, then by what each explains alone; of what the search tried in several ways, the best. */

@@ -291,7 +291,7 @@ const DiagnosisPlots = (() => {
         label: {show: true, position: 'top', color: theme.text, fontSize: 13, formatter: ({data}) => data ? number(data.mm, data.mm < 10 ? 1 : 0) : ''},
         data: all.map(h => {
           const i = quality.horizons.indexOf(h);
-          return i < 0 ? null : {value: quality.predictionErrorMm[i], mm: quality.predictionErrorMm[i], name};
+          return i < 0 ? null : {value: quality.typicalErrorMm[i], mm: quality.typicalErrorMm[i], name};
         }),
       });
     }

@@ -72,7 +72,7 @@
     const item = el('article', {},
       el('p', {class: 'what'}, finding.what),
       finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'A law with ', unproven: 'Not proven to be a cause. Its size: ', scatter: 'How much: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
-      el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.'),
+      el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.', finding.helps ? '' : ' They do not show that it helps.'),
       finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
       el('div', {class: 'charts two'}));
     box.append(item);
@@ -95,8 +95,9 @@
       ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
       ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of nothing')] : [])] : []));
     const laws = report.learned.every(finding => finding.kind === 'law');
-    $('learned-title').textContent = laws ? 'A law that replaces a law of the simple model' : 'What helps without a proven cause';
-    report.learned.forEach(finding => learnedItem(box, finding));
+    const helping = report.learned.filter(finding => finding.helps);
+    $('learned-title').textContent = laws ? 'A law that replaces a law of the simple model' : helping.length ? 'What helps without a proven cause' : 'In the extended model, without a gain that is shown';
+    [...helping, ...report.learned.filter(finding => !finding.helps)].forEach(finding => learnedItem(box, finding));
   }
 
   // ---- what the error depends on ----
@@ -212,7 +213,7 @@
       box.append(el('p', {class: 'empty'}, 'No kick is long enough to predict ahead.'));
       return;
     }
-    const place = figure(box, 'Prediction error', 'held-out kicks, rms distance');
+    const place = figure(box, 'Prediction error', 'held-out kicks, typical distance');
     draw(place, DiagnosisPlots.horizons(theme, sides.map(side => ({side, name: sideName(side), quality: report[side]}))));
     box.append(el('p', {class: 'legend'}, sideSwatches()));
   }

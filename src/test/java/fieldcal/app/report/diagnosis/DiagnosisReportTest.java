@@ -54,9 +54,9 @@ class DiagnosisReportTest {
         .startsWith("These kicks cannot tell whether camera 0 or camera 1 is shifted.")
         .contains("wrong ball height in vision");
     assertThat(offset.certainty()).isEqualTo("certain");
-    assertThat(report.verdict().headline()).startsWith("Passes are predicted 38 mm wrong");
+    assertThat(report.verdict().headline()).startsWith("Kicks are predicted 38 mm wrong");
     assertThat(report.before().horizons()).containsExactly(0.5, 1, 2);
-    assertThat(report.after().predictionErrorMm()).containsExactly(5.1, 12.4, 29.0);
+    assertThat(report.after().typicalErrorMm()).containsExactly(5.1, 12.4, 29.0);
     assertThat(report.candidates()).hasSize(d.candidates().size());
     assertThat(report.parameters()).hasSize(7);
     assertThat(report.cameras()).containsExactly(0, 1);

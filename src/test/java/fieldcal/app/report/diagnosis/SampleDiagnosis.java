@@ -52,13 +52,19 @@ public final class SampleDiagnosis {
     return new ExtendedModel(Optional.of(FLAT), Optional.of(CHIP), effects, 0);
   }
 
+  /** A model that predicts all kicks about equally well. */
+  public static Quality quality(
+      double rmsMm, double noiseMm, double holdoutRmsMm, Map<Double, Double> predictedMm) {
+    return new Quality(rmsMm, noiseMm, holdoutRmsMm, predictedMm, predictedMm);
+  }
+
   /** Offset and drag found in so many kicks. */
   public static Diagnosis explained(int kicks) {
     List<KickResiduals> residuals = SampleKicks.of(kicks, 7, List.of(OFFSET, DRAG), true);
     return new Diagnosis(
         Verdict.EXPLAINED,
-        new Quality(14.2, 1.5, 14.6, Map.of(0.5, 21.3, 1.0, 38.2, 2.0, 64.9)),
-        new Quality(1.52, 1.5, 1.56, Map.of(0.5, 5.1, 1.0, 12.4, 2.0, 29.0)),
+        quality(14.2, 1.5, 14.6, Map.of(0.5, 21.3, 1.0, 38.2, 2.0, 64.9)),
+        quality(1.52, 1.5, 1.56, Map.of(0.5, 5.1, 1.0, 12.4, 2.0, 29.0)),
         List.of(
             new Cause(
                 OFFSET,
@@ -91,8 +97,8 @@ public final class SampleDiagnosis {
     learned.stream().map(LearnedFinding::effect).filter(Effect::hasOwnMean).forEach(effects::add);
     return new Diagnosis(
         Verdict.PARTLY_EXPLAINED,
-        new Quality(24.2, 1.5, 25.1, Map.of(0.5, 121.3, 1.0, 502.0, 2.0, 864.9)),
-        new Quality(4.1, 1.5, 4.5, Map.of(0.5, 31.0, 1.0, 88.0, 2.0, 131.0)),
+        quality(24.2, 1.5, 25.1, Map.of(0.5, 121.3, 1.0, 502.0, 2.0, 864.9)),
+        quality(4.1, 1.5, 4.5, Map.of(0.5, 31.0, 1.0, 88.0, 2.0, 131.0)),
         List.of(
             new Cause(DRAG, Map.of("cd", 0.021), 0, 11.4, new Gain(9.4, 37.6, 7.1, 12), List.of())),
         learned,
@@ -153,10 +159,52 @@ public final class SampleDiagnosis {
         d.seed());
   }
 
+  /** The same with other things that have no name. */
+  public static Diagnosis learning(Diagnosis d, List<LearnedFinding> learned) {
+    return new Diagnosis(
+        d.verdict(),
+        d.base(),
+        d.extended(),
+        d.causes(),
+        learned,
+        d.candidates(),
+        d.unexplained(),
+        d.structureBefore(),
+        d.structureAfter(),
+        d.kicks(),
+        d.simpleModel(),
+        d.model(),
+        d.trace(),
+        d.problems(),
+        d.ballErrors(),
+        d.seed());
+  }
+
+  /** The same with other kicks. */
+  public static Diagnosis of(Diagnosis d, List<KickResiduals> kicks) {
+    return new Diagnosis(
+        d.verdict(),
+        d.base(),
+        d.extended(),
+        d.causes(),
+        d.learned(),
+        d.candidates(),
+        d.unexplained(),
+        d.structureBefore(),
+        d.structureAfter(),
+        kicks,
+        d.simpleModel(),
+        d.model(),
+        d.trace(),
+        d.problems(),
+        d.ballErrors(),
+        d.seed());
+  }
+
   /** Nothing wrong. */
   public static Diagnosis adequate(int kicks) {
     List<KickResiduals> residuals = SampleKicks.of(kicks, 8, List.of(), true);
-    Quality quality = new Quality(1.51, 1.5, 1.55, Map.of(0.5, 5.2, 1.0, 12.7, 2.0, 29.5));
+    Quality quality = quality(1.51, 1.5, 1.55, Map.of(0.5, 5.2, 1.0, 12.7, 2.0, 29.5));
     return new Diagnosis(
         Verdict.MODEL_ADEQUATE,
         quality,
@@ -179,7 +227,7 @@ public final class SampleDiagnosis {
   /** Something that no effect explains. */
   public static Diagnosis unexplained(int kicks) {
     List<KickResiduals> residuals = SampleKicks.of(kicks, 9, List.of(DRAG), false);
-    Quality quality = new Quality(3.4, 1.5, 3.6, Map.of(0.5, 7.2, 1.0, 18.7, 2.0, 40.5));
+    Quality quality = quality(3.4, 1.5, 3.6, Map.of(0.5, 7.2, 1.0, 18.7, 2.0, 40.5));
     return new Diagnosis(
         Verdict.UNEXPLAINED_STRUCTURE,
         quality,
