@@ -149,11 +149,8 @@ public final class Decision {
     }
     Optional<Dependence> follows = follows(model, i);
     boolean law = follows.isPresent() && c.template().hasOwnMean();
-    Outcome outcome =
-        c.hasPlace() && evidence[i] < unexplained
-            // A place is chosen where it takes up most of whatever has no name.
-            ? Outcome.FORM
-            : outcome(model, i, without, evidence[i], largest, excess, law, gain);
+    Rivals rivals = new Rivals(largest, excess, unexplained);
+    Outcome outcome = outcome(model, i, without, evidence[i], rivals, law, gain);
     return new Judgement(
         c,
         model.effects().get(i),
@@ -165,6 +162,15 @@ public final class Decision {
         outcome);
   }
 
+  /**
+   * What a component's evidence is compared with, in units of chi-square.
+   *
+   * @param largest evidence of its kind, or what is left
+   * @param left what the model leaves
+   * @param unnamed what is left, or the largest evidence of a learned curve of its kind
+   */
+  private record Rivals(double largest, double left, double unnamed) {}
+
   static boolean isMotion(Component c) {
     return c.template() instanceof MotionEffect;
   }
@@ -174,8 +180,7 @@ public final class Decision {
       int i,
       FittedModel without,
       double evidence,
-      double largest,
-      double excess,
+      Rivals rivals,
       boolean law,
       double[] gain) {
     Component c = model.model().components().get(i);
@@ -190,10 +195,10 @@ public final class Decision {
     }
     boolean small =
         c.isPerKick()
-            && excess > 0
+            && rivals.left > 0
             && (isUneven(model, i, settings.uneven())
                 || wald(model, i) < settings.formShare() * evidence);
-    if (c.isPerKick() && (evidence < excess || small || law)) {
+    if (c.isPerKick() && (evidence < rivals.left || small || law)) {
       // A value for each kick takes up something of whatever is left, and is no kicker's doing
       // where it follows from the kick.
       return Outcome.UNSTEADY;
@@ -201,17 +206,21 @@ public final class Decision {
     if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
     }
+    if (c.hasPlace() && evidence < rivals.unnamed) {
+      // A place is chosen where it takes up most of whatever has no name.
+      return Outcome.FORM;
+    }
     // A value for each kick takes up something of anything: it helps, too, where another cause has
     // not its true form.
     boolean helps = !c.isPerKick() && gain[1] >= 100 * settings.formGain();
-    if (evidence < settings.formShare() * largest && !helps) {
+    if (evidence < settings.formShare() * rivals.largest && !helps) {
       return Outcome.FORM;
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
     if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
-    return c.isLaw() && evidence < largest ? Outcome.FORM : Outcome.NAMED;
+    return c.isLaw() && evidence < rivals.largest ? Outcome.FORM : Outcome.NAMED;
   }
 
   /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */

@@ -329,6 +329,15 @@ public final class Component {
         .findFirst();
   }
 
+  /** Whether it is a number that this recording cannot tell. */
+  private boolean isUnused(Parameter p) {
+    return p.value() == 0 && !template.subject().contains(p.name()) && !isPlace(p);
+  }
+
+  private boolean isPlace(Parameter p) {
+    return template.places().contains(p.name());
+  }
+
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder(template.id());
@@ -336,7 +345,7 @@ public final class Component {
       text.append(magnitudes);
     }
     for (Parameter p : template.parameters()) {
-      if (!p.estimated()) {
+      if (!p.estimated() && !isUnused(p)) {
         text.append(' ').append(p.name()).append('=').append(Math.round(p.value() * 100) / 100.0);
       }
     }

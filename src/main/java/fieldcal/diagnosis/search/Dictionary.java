@@ -17,7 +17,7 @@ public final class Dictionary {
   private final Map<String, List<Proposal>> placed = new LinkedHashMap<>();
   private final List<Effect> laws = new ArrayList<>();
   private final List<Proposal> together = new ArrayList<>();
-  private final double[] instants;
+  private final double[] kickTimes;
 
   /**
    * A dictionary.
@@ -26,7 +26,7 @@ public final class Dictionary {
    * @param arena what was recorded
    */
   public Dictionary(List<? extends Effect> effects, Arena arena) {
-    instants = arena.instantsBetweenKicks(Integer.MAX_VALUE);
+    kickTimes = arena.kickTimes();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
         // A kicker's command is compared with what the kick's own velocity came out as.
@@ -94,9 +94,9 @@ public final class Dictionary {
         .toList();
   }
 
-  /** All instants between two kicks, session time, s, ascending. */
-  double[] instants() {
-    return instants.clone();
+  /** When the kicks were, session time, s, ascending. */
+  double[] kickTimes() {
+    return kickTimes.clone();
   }
 
   /** Effects that do nothing alone, with those that they need at usual values, of which the model has none: a score test at their absence cannot see them. */

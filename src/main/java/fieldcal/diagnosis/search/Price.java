@@ -46,7 +46,12 @@ record Price(Weighing weighing) {
 
   /** By how much the cost falls. */
   double gain(FittedModel from, FittedModel to) {
-    double[] weights = weighing.of(from);
+    return gain(from, from, to);
+  }
+
+  /** The same with the weights that a third model gives. */
+  double gain(FittedModel weighted, FittedModel from, FittedModel to) {
+    double[] weights = weighing.of(weighted);
     return from.solution().costWith(weights) - to.solution().costWith(weights);
   }
 

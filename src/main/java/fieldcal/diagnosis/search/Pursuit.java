@@ -6,6 +6,7 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.effect.Effect;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -37,6 +38,9 @@ final class Pursuit {
 
   /** Gaps between kicks over which an instant is moved at once, at most: farther off the score test sees it. */
   private static final int FARTHEST_GAP = 4;
+
+  /** What a move must gain at least: less than the unit of chi-square is rounding of the fits. */
+  private static final double LEAST_MOVE = 1;
 
   /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
   private static final double WORTH = 0.003;
@@ -426,14 +430,14 @@ final class Pursuit {
     if (!from.model().components().get(index).isInstant()) {
       return from;
     }
-    double[] instants = dictionary.instants();
     FittedModel at = from;
     int reach = 1;
     while (reach <= FARTHEST_GAP) {
       FittedModel top = at;
       for (int gaps : new int[] {-reach, reach}) {
-        FittedModel tried = shifted(at, index, instants, gaps);
-        top = price.gain(top, tried) > 0 ? tried : top;
+        FittedModel tried = shifted(at, index, gaps);
+        // Weights that moved along could lead round in a circle.
+        top = price.gain(from, top, tried) > LEAST_MOVE ? tried : top;
       }
       reach = top == at ? 2 * reach : 1;
       at = top;
@@ -442,27 +446,19 @@ final class Pursuit {
   }
 
   /** The same model with an instant so many gaps later; the model itself where there is none. */
-  private FittedModel shifted(FittedModel at, int index, double[] instants, int gaps) {
+  private FittedModel shifted(FittedModel at, int index, int gaps) {
     Component now = at.model().components().get(index).startingAt(at.effects().get(index));
     String name = now.template().places().get(0);
     double instant = now.template().value(name);
-    int gap = nearest(instants, instant) + gaps;
-    if (gap < 0 || gap >= instants.length) {
+    double[] kicks = dictionary.kickTimes();
+    int before = (int) Arrays.stream(kicks).filter(t -> t < instant).count() + gaps;
+    if (before < 1 || before >= kicks.length) {
       return at;
     }
+    double there = 0.5 * (kicks[before - 1] + kicks[before]);
     List<Component> moved = new ArrayList<>(at.model().components());
-    moved.set(index, now.startingAt(now.template().with(name, instants[gap])));
+    moved.set(index, now.startingAt(now.template().with(name, there)));
     return refits.fit(at, moved);
-  }
-
-  private static int nearest(double[] instants, double instant) {
-    int nearest = 0;
-    for (int i = 1; i < instants.length; i++) {
-      if (Math.abs(instants[i] - instant) < Math.abs(instants[nearest] - instant)) {
-        nearest = i;
-      }
-    }
-    return nearest;
   }
 
   /** Tries laws that replace another: they cannot be score-tested. What gains more than a law comes first, since a law with its several numbers takes up a part of anything that happens at impacts. */

@@ -24,7 +24,6 @@ final class Scorer {
   private final FittedModel model;
   private final ScoreSystem system;
   private final double[] precisions;
-  private final double[] pulls;
   private final Sweep sweep;
   private final Map<Component, int[]> columns = new IdentityHashMap<>();
 
@@ -59,27 +58,20 @@ final class Scorer {
     double[] widths = steps.stream().mapToDouble(s -> s).toArray();
     system = model.solution().scores(states, widths, weighing.of(model));
     precisions = new double[system.size()];
-    pulls = new double[system.size()];
     List<Prior> known = model.model().priors();
-    double[] values = model.solution().values();
     int free = 0;
     for (int g = 0; g < known.size(); g++) {
       if (model.model().globals().get(g).estimated()) {
-        set(free++, known.get(g), values[g]);
+        precisions[free++] = known.get(g).precision();
       }
     }
     for (int i = 0; i < priors.size(); i++) {
-      set(base + i, priors.get(i), 0);
+      precisions[base + i] = priors.get(i).precision();
     }
-    sweep = new Sweep(system, precisions, pulls);
+    sweep = new Sweep(system, precisions);
     for (int i = 0; i < base; i++) {
       sweep.toggle(i);
     }
-  }
-
-  private void set(int column, Prior known, double value) {
-    precisions[column] = known.precision();
-    pulls[column] = known.precision() * (known.mean() - value);
   }
 
   private static int freeCount(FittedModel model) {
@@ -105,7 +97,7 @@ final class Scorer {
         removed[model.model().freeIndex(from + j)] = values[from + j];
       }
     }
-    Sweep moved = new Sweep(system, precisions, pulls, removed);
+    Sweep moved = new Sweep(system, precisions, removed);
     for (int i = 0; i < system.base(); i++) {
       if (!out[i]) {
         moved.toggle(i);

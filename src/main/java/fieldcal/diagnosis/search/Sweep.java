@@ -16,16 +16,15 @@ final class Sweep {
 
   /**
    * @param precisions prior precision of each column, 0 = none
-   * @param pulls slope of half of what the priors add to the log-density where the system was made: precision times what the mean is away
    */
-  Sweep(ScoreSystem system, double[] precisions, double[] pulls) {
-    this(system, precisions, pulls, new double[system.size()]);
+  Sweep(ScoreSystem system, double[] precisions) {
+    this(system, precisions, new double[system.size()]);
   }
 
   /**
    * @param removed by how much each parameter is taken back from where the system was made
    */
-  Sweep(ScoreSystem system, double[] precisions, double[] pulls, double[] removed) {
+  Sweep(ScoreSystem system, double[] precisions, double[] removed) {
     n = system.size();
     m = new double[n + 1][n + 1];
     original = new double[n];
@@ -36,7 +35,7 @@ final class Sweep {
       }
       m[i][i] += precisions[i];
       original[i] = m[i][i];
-      m[i][n] = system.slope(i) + pulls[i] + precisions[i] * removed[i];
+      m[i][n] = system.slope(i);
       for (int j = 0; j < n; j++) {
         if (removed[j] != 0) {
           m[i][n] += system.curvature(i, j) * removed[j];

@@ -11,10 +11,8 @@ class SweepTest {
   /** Rounding of sums of squares of some dozens. */
   private static final Offset<Double> EXACT = within(1e-8);
 
-  private static final double[] NOTHING = new double[LinearKicks.COLUMNS];
-
   private final LinearKicks kicks = new LinearKicks(3);
-  private final Sweep sweep = new Sweep(kicks.system(), NOTHING, NOTHING);
+  private final Sweep sweep = new Sweep(kicks.system(), new double[LinearKicks.COLUMNS]);
 
   private Sweep withBase() {
     Sweep base = sweep.copy();
@@ -86,7 +84,7 @@ class SweepTest {
   void whatTheModelHasMayBeTakenBack() {
     double[] removed = new double[LinearKicks.COLUMNS];
     removed[1] = kicks.solution().values()[1];
-    Sweep without = new Sweep(kicks.system(), NOTHING, NOTHING, removed);
+    Sweep without = new Sweep(kicks.system(), new double[LinearKicks.COLUMNS], removed);
     without.toggle(0);
     assertThat(without.gain(new int[] {1})).isCloseTo(kicks.left(0) - kicks.left(0, 1), EXACT);
     assertThat(without.gain(new int[] {2, 4}))
@@ -97,33 +95,10 @@ class SweepTest {
   void whatIsKnownBeforehandHoldsAColumnBack() {
     double[] precisions = new double[LinearKicks.COLUMNS];
     precisions[2] = 1e12;
-    Sweep held = new Sweep(kicks.system(), precisions, NOTHING);
+    Sweep held = new Sweep(kicks.system(), precisions);
     held.toggle(0);
     held.toggle(1);
     assertThat(held.gain(new int[] {2})).isCloseTo(0, within(1e-6));
     assertThat(held.gain(new int[] {4})).isCloseTo(kicks.left(0, 1) - kicks.left(0, 1, 4), EXACT);
-  }
-
-  /** Whoever knows a parameter for sure holds it there, and the others follow. */
-  @Test
-  void whatIsKnownBeforehandPullsAColumn() {
-    double[] precisions = new double[LinearKicks.COLUMNS];
-    double[] pulls = new double[LinearKicks.COLUMNS];
-    precisions[1] = 1e9;
-    pulls[1] = 0.25 * precisions[1];
-    Sweep pulled = new Sweep(kicks.system(), precisions, pulls);
-    pulled.toggle(0);
-    pulled.toggle(1);
-    double[] moved = new double[LinearKicks.COLUMNS];
-    moved[1] = -0.25;
-    Sweep there = new Sweep(kicks.system(), NOTHING, NOTHING, moved);
-    there.toggle(0);
-    assertThat(pulled.estimate(1)).isCloseTo(0.25, within(1e-6));
-    assertThat(pulled.estimate(0)).isCloseTo(there.estimate(0), within(1e-6));
-    assertThat(pulled.gain(new int[] {4})).isCloseTo(there.gain(new int[] {4}), within(1e-6));
-    Sweep from = new Sweep(kicks.system(), precisions, pulls, moved);
-    from.toggle(0);
-    from.toggle(1);
-    assertThat(from.estimate(1)).as("already there").isCloseTo(0, within(1e-6));
   }
 }
