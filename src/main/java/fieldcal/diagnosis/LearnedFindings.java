@@ -1,5 +1,6 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.decision.Decision;
 import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.effect.Arena;
@@ -20,9 +21,6 @@ import java.util.OptionalInt;
 
 /** What helps the prediction without being a named cause, as findings. */
 final class LearnedFindings {
-  /** What fewer kicks show may be theirs; the decision about names has the same rule. */
-  private static final int ENOUGH_KICKS = 3;
-
   private LearnedFindings() {}
 
   /** Whether an effect is a learned curve or what differs by chance, not a law or an effect of the catalogue. */
@@ -135,6 +133,6 @@ final class LearnedFindings {
   /** The largest value that so many kicks reach that it is not told by too few; 0 without any. */
   private static double reachedBySome(List<Double> values) {
     List<Double> sorted = values.stream().sorted(Comparator.reverseOrder()).toList();
-    return sorted.isEmpty() ? 0 : sorted.get(Math.min(ENOUGH_KICKS, sorted.size()) - 1);
+    return sorted.isEmpty() ? 0 : sorted.get(Math.min(Decision.TOO_FEW_KICKS, sorted.size() - 1));
   }
 }

@@ -81,12 +81,7 @@ public final class EffectFields {
           switch (name) {
             case REGION -> bound(value, bounds++);
             case TEAM -> team(value);
-            default -> {
-              if (WHOLE.contains(name)) {
-                yield whole(p, value);
-              }
-              yield value == null && isOptional(effect, p) ? 0 : within(p, number(name, value));
-            }
+            default -> WHOLE.contains(name) ? whole(p, value) : plain(effect, p, value);
           };
     }
     if (!unknown.isEmpty()) {
@@ -132,6 +127,10 @@ public final class EffectFields {
     }
     throw new IllegalArgumentException(
         p.name() + ": must be within " + p.min() + " and " + p.max() + ", but is " + value);
+  }
+
+  private static double plain(Effect effect, Parameter p, Object value) {
+    return value == null && isOptional(effect, p) ? 0 : within(p, number(p.name(), value));
   }
 
   /** Whether a number is held at zero: files may leave it out, as files of before it was known do. */

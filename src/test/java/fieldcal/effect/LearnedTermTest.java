@@ -170,31 +170,24 @@ class LearnedTermTest {
   /** Friction that is the same factor everywhere is accSlide and accRoll times it. */
   @Test
   void aConstantFrictionIsThatOfTheModel() {
-    LearnedTerm constant =
-        LearnedFamily.of(Quantity.FRICTION, Variable.SPEED, new Spline(0, 8, 4, false))
-            .term(0.2, 0.2, 0.2, 0.2);
-    ExtendedTrajectory braked =
-        ExtendedTrajectory.flat(
-            FLAT, MotionEffects.of(List.of((MotionEffect) constant)), 0, 0, 0, 0, 4, 1);
-    FlatModel stronger = new FlatModel(1.2 * FLAT.accSlide(), 1.2 * FLAT.accRoll(), FLAT.kSwitch());
-    ExtendedTrajectory same =
-        ExtendedTrajectory.flat(stronger, MotionEffects.NONE, 0, 0, 0, 0, 4, 1);
-    assertThat(braked.restTime()).isEqualTo(same.restTime(), within(1e-6));
-    for (double t : new double[] {0.3, 2}) {
-      assertThat(braked.stateAt(t).x()).isEqualTo(same.stateAt(t).x(), within(1e-6));
-    }
+    assertBrakesLike(Quantity.FRICTION, 1.2 * FLAT.accSlide());
   }
 
   /** Rolling that is the same factor everywhere is accRoll times it, and sliding is as before. */
   @Test
   void aConstantRollingIsThatOfTheModel() {
+    assertBrakesLike(Quantity.ROLLING, FLAT.accSlide());
+  }
+
+  /** A fifth more of a quantity everywhere is a model with a fifth more accRoll, and this accSlide. */
+  private static void assertBrakesLike(Quantity quantity, double accSlide) {
     LearnedTerm constant =
-        LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, new Spline(0, 8, 4, false))
+        LearnedFamily.of(quantity, Variable.SPEED, new Spline(0, 8, 4, false))
             .term(0.2, 0.2, 0.2, 0.2);
     ExtendedTrajectory braked =
         ExtendedTrajectory.flat(
             FLAT, MotionEffects.of(List.of((MotionEffect) constant)), 0, 0, 0, 0, 4, 1);
-    FlatModel stronger = new FlatModel(FLAT.accSlide(), 1.2 * FLAT.accRoll(), FLAT.kSwitch());
+    FlatModel stronger = new FlatModel(accSlide, 1.2 * FLAT.accRoll(), FLAT.kSwitch());
     ExtendedTrajectory same =
         ExtendedTrajectory.flat(stronger, MotionEffects.NONE, 0, 0, 0, 0, 4, 1);
     assertThat(braked.restTime()).isEqualTo(same.restTime(), within(1e-6));

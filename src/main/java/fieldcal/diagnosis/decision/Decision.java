@@ -30,7 +30,7 @@ import org.apache.commons.math3.linear.SingularMatrixException;
 /** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
 public final class Decision {
   /** What only so many kicks show may be theirs. */
-  private static final int TOO_FEW_KICKS = 2;
+  public static final int TOO_FEW_KICKS = 2;
 
   /** Hotelling's test needs more kicks than that times the numbers; with fewer it has little power. */
   private static final int KICKS_PER_NUMBER = 2;

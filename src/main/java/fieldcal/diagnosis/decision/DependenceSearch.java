@@ -25,7 +25,7 @@ import org.apache.commons.math3.special.Beta;
  */
 final class DependenceSearch {
   /** When that many other orders do as well, the chance is above the limit, and no more are needed (Besag and Clifford 1991): ten show it to a third. */
-  private static final int ENOUGH = 10;
+  private static final int ENOUGH_ORDERS = 10;
 
   /** Highest order of a curve over the session's time: six full waves. */
   private static final int TIME_ORDER = 12;
@@ -265,7 +265,7 @@ final class DependenceSearch {
   /** How often other orders of the values reach as much. */
   private double chanceOfOrders(long seed) {
     Random random = new Random(seed);
-    int orders = (int) Math.round(ENOUGH / limit) - 1;
+    int orders = (int) Math.round(ENOUGH_ORDERS / limit) - 1;
     int[] order = new int[n];
     Arrays.setAll(order, i -> i);
     double[] z = new double[n];
@@ -282,7 +282,7 @@ final class DependenceSearch {
         any = reaches(kinds[k], order, z);
       }
       reached += any ? 1 : 0;
-      if (reached >= ENOUGH) {
+      if (reached >= ENOUGH_ORDERS) {
         return (double) reached / b;
       }
     }

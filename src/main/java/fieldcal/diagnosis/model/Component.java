@@ -329,13 +329,9 @@ public final class Component {
         .findFirst();
   }
 
-  /** Whether it is a number that this recording cannot tell. */
-  private boolean isUnused(Parameter p) {
-    return p.value() == 0 && !template.subject().contains(p.name()) && !isPlace(p);
-  }
-
-  private boolean isPlace(Parameter p) {
-    return template.places().contains(p.name());
+  /** Whether a number says where or on what it acts. */
+  private boolean tellsWhere(Parameter p) {
+    return template.places().contains(p.name()) || template.subject().contains(p.name() + '=');
   }
 
   @Override
@@ -345,7 +341,7 @@ public final class Component {
       text.append(magnitudes);
     }
     for (Parameter p : template.parameters()) {
-      if (!p.estimated() && !isUnused(p)) {
+      if (!p.estimated() && tellsWhere(p)) {
         text.append(' ').append(p.name()).append('=').append(Math.round(p.value() * 100) / 100.0);
       }
     }

@@ -4,8 +4,9 @@ import fieldcal.effect.BallMotion;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.Varying;
 
-/** A learned factor on the rolling deceleration alone: what a ball's skin or the pile of the carpet does, and the slip of a sliding ball does not feel. */
-final class LearnedRolling extends LearnedTerm implements RollingResistance, Varying {
+/** A learned factor on the rolling deceleration; on it alone: what a ball's skin or the pile of the carpet does, and the slip of a sliding ball does not feel. */
+sealed class LearnedRolling extends LearnedTerm implements RollingResistance, Varying
+    permits LearnedFriction {
 
   LearnedRolling(LearnedFamily family, double[] coefficients) {
     super(family, coefficients);

@@ -15,7 +15,6 @@ import java.util.OptionalInt;
  */
 public abstract sealed class LearnedTerm implements Effect
     permits LearnedAcceleration,
-        LearnedFriction,
         LearnedRolling,
         LearnedPush,
         LearnedBounce,

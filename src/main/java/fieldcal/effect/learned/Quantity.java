@@ -13,7 +13,7 @@ public enum Quantity {
 
   /** Relative change of the carpet's friction, sliding and rolling (–); positive brakes more. */
   FRICTION(
-      "ground", "friction", "", 1, 0.05, 0.9, "carpets differ by 0.08 with the heading in 2026"),
+      "ground", "friction", "", 1, 0.05, 0.9, "up to 0.08 with the heading in matches of 2026"),
 
   /** Relative change of the rolling deceleration alone (–); positive brakes more. */
   ROLLING("ground", "rolling", "", 1, 0.05, 0.9, "accRoll scatters by 0.1 in matches of 2026"),

@@ -140,56 +140,33 @@ public final class SampleDiagnosis {
 
   /** The same with another quality of the extended model, and other residuals without a cause. */
   public static Diagnosis leaving(Diagnosis d, Quality extended, Unexplained left) {
+    return with(d, extended, d.learned(), left, d.kicks());
+  }
+
+  /** The same with other things that have no name. */
+  public static Diagnosis learning(Diagnosis d, List<LearnedFinding> learned) {
+    return with(d, d.extended(), learned, d.unexplained(), d.kicks());
+  }
+
+  /** The same with other kicks. */
+  public static Diagnosis of(Diagnosis d, List<KickResiduals> kicks) {
+    return with(d, d.extended(), d.learned(), d.unexplained(), kicks);
+  }
+
+  private static Diagnosis with(
+      Diagnosis d,
+      Quality extended,
+      List<LearnedFinding> learned,
+      Unexplained left,
+      List<KickResiduals> kicks) {
     return new Diagnosis(
         d.verdict(),
         d.base(),
         extended,
         d.causes(),
-        d.learned(),
-        d.candidates(),
-        left,
-        d.structureBefore(),
-        d.structureAfter(),
-        d.kicks(),
-        d.simpleModel(),
-        d.model(),
-        d.trace(),
-        d.problems(),
-        d.ballErrors(),
-        d.seed());
-  }
-
-  /** The same with other things that have no name. */
-  public static Diagnosis learning(Diagnosis d, List<LearnedFinding> learned) {
-    return new Diagnosis(
-        d.verdict(),
-        d.base(),
-        d.extended(),
-        d.causes(),
         learned,
         d.candidates(),
-        d.unexplained(),
-        d.structureBefore(),
-        d.structureAfter(),
-        d.kicks(),
-        d.simpleModel(),
-        d.model(),
-        d.trace(),
-        d.problems(),
-        d.ballErrors(),
-        d.seed());
-  }
-
-  /** The same with other kicks. */
-  public static Diagnosis of(Diagnosis d, List<KickResiduals> kicks) {
-    return new Diagnosis(
-        d.verdict(),
-        d.base(),
-        d.extended(),
-        d.causes(),
-        d.learned(),
-        d.candidates(),
-        d.unexplained(),
+        left,
         d.structureBefore(),
         d.structureAfter(),
         kicks,
