@@ -220,7 +220,9 @@ public final class Decision {
     if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
-    return c.isLaw() && evidence < rivals.largest ? Outcome.FORM : Outcome.NAMED;
+    return c.isLaw() && rivals.unnamed > 0 && evidence < rivals.largest
+        ? Outcome.FORM
+        : Outcome.NAMED;
   }
 
   /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */

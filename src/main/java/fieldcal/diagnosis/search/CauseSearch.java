@@ -115,6 +115,7 @@ public final class CauseSearch {
       progress.accept("exchanging early choices");
       best = pursuit(refits).revised(best);
     }
+    best = pursuit(refits).settled(best);
     progress.accept("looking for simpler models");
     return simplification.simplified(best, maxComponents);
   }

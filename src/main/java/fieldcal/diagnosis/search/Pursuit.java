@@ -12,6 +12,7 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * A matching pursuit with joint refits (orthogonal matching pursuit; Pati et al. 1993): everything in a dictionary is score-tested beside the present model, the best are added, all is refitted, what is not needed any more is removed (Wald), until
@@ -59,7 +60,7 @@ final class Pursuit {
   private final Set<String> rejected = new HashSet<>();
   private Component banned;
   private List<Component> held = List.of();
-  private boolean onlyShared;
+  private Predicate<Proposal> allowed = p -> true;
   private FittedModel best;
 
   /**
@@ -80,7 +81,7 @@ final class Pursuit {
   enum Order {
     /** Whatever gains most. */
     BEST,
-    /** What all kicks share: values of each kick's own take up something of anything. */
+    /** What all kicks share, and first what acts everywhere: places, and values of each kick's own, take up something of anything. */
     SHARED,
     /** What differs from kick to kick and has no mean of its own. */
     RANDOM
@@ -95,9 +96,14 @@ final class Pursuit {
     }
     addLaws();
     if (order == Order.SHARED) {
-      onlyShared = true;
+      // A place that is chosen early takes up something of anything, and stays where it was needed
+      // then.
+      allowed = p -> isShared(p) && !p.components().get(0).hasPlace();
+      addBest(MOST_AT_ONCE);
+      prune();
+      allowed = Pursuit::isShared;
       grow(MOST_AT_ONCE);
-      onlyShared = false;
+      allowed = p -> true;
       rejected.clear();
     }
     grow(MOST_AT_ONCE);
@@ -112,6 +118,42 @@ final class Pursuit {
       grow(MOST_AT_ONCE);
     }
     return best;
+  }
+
+  /** Moves what has a place to where it explains most, and takes out what was only needed beside a place that was wrong. */
+  FittedModel settled(FittedModel start) {
+    best = start;
+    held = List.of();
+    int i = 0;
+    while (i < best.model().components().size()) {
+      FittedModel at = best;
+      if (!at.model().components().get(i).hasPlace()) {
+        i++;
+        continue;
+      }
+      FittedModel moved = relocated(at, i);
+      FittedModel fewer = settledWithout(at, i);
+      boolean idle = price.net(at, fewer) > Math.max(0, price.net(at, moved));
+      best = idle ? fewer : moved;
+      if (best != at) {
+        Component c = at.model().components().get(i);
+        Action action = idle ? Action.REMOVED : Action.MOVED;
+        trace.add(new SearchStep(c.toString(), action, Double.NaN, price.gain(at, best)));
+      }
+      i = idle ? 0 : i + 1;
+    }
+    return best;
+  }
+
+  /** Without a component, and everything else that has a place moved. */
+  private FittedModel settledWithout(FittedModel from, int index) {
+    List<Component> without = new ArrayList<>(from.model().components());
+    without.remove(index);
+    FittedModel at = refits.fit(from, without);
+    for (int i = 0; i < without.size(); i++) {
+      at = without.get(i).hasPlace() ? relocated(at, i) : at;
+    }
+    return at;
   }
 
   /** Each round adds something, or rejects or removes it. */
@@ -233,10 +275,7 @@ final class Pursuit {
     }
     List<Proposal> proposals = new ArrayList<>(dictionary.everywhere(model));
     proposals.addAll(bestPlaces(model));
-    proposals.removeIf(p -> rejected.contains(p.toString()));
-    if (onlyShared) {
-      proposals.removeIf(p -> p.components().get(0).isPerKick());
-    }
+    proposals.removeIf(p -> rejected.contains(p.toString()) || !allowed.test(p));
     if (proposals.isEmpty()) {
       return false;
     }
@@ -502,12 +541,16 @@ final class Pursuit {
 
   /** Adds what all kicks share and gains most; whether there was any. */
   private boolean addRival() {
-    boolean before = onlyShared;
+    Predicate<Proposal> before = allowed;
     FittedModel from = best;
-    onlyShared = true;
+    allowed = before.and(Pursuit::isShared);
     addBest(1);
-    onlyShared = before;
+    allowed = before;
     return best != from;
+  }
+
+  private static boolean isShared(Proposal p) {
+    return !p.components().get(0).isPerKick();
   }
 
   /** Tries the other forms of the laws that the model has. They must explain as much of what is left as a law that is added. */
