@@ -13,13 +13,13 @@ import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.learned.LearnedTerm;
-import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.FDistribution;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
@@ -34,6 +34,9 @@ public final class Decision {
 
   /** Hotelling's test needs more kicks than that times the numbers; with fewer it has little power. */
   private static final int KICKS_PER_NUMBER = 2;
+
+  /** A curve that takes back that share of what a cause does leaves less of it than it takes. */
+  private static final double TAKEN_BACK = 0.5;
 
   private final DecisionSettings settings;
   private final ModelFitter fitter;
@@ -78,9 +81,10 @@ public final class Decision {
       without.add(w);
       evidence[i] = (w.evenCost() - model.evenCost()) / noise;
     }
+    Information information = Information.of(model);
     List<Judgement> all = new ArrayList<>();
     for (int i = 0; i < n; i++) {
-      all.add(judge(model, i, without.get(i), evidence, excess, held));
+      all.add(judge(model, information, i, without.get(i), evidence, excess, held));
     }
     return all;
   }
@@ -127,6 +131,7 @@ public final class Decision {
 
   private Judgement judge(
       FittedModel model,
+      Information information,
       int i,
       FittedModel without,
       double[] evidence,
@@ -150,7 +155,7 @@ public final class Decision {
     Optional<Dependence> follows = follows(model, i);
     boolean law = follows.isPresent() && c.template().hasOwnMean();
     Rivals rivals = new Rivals(largest, excess, unexplained);
-    Outcome outcome = outcome(model, i, without, evidence[i], rivals, law, gain);
+    Outcome outcome = outcome(model, information, i, without, evidence[i], rivals, law, gain);
     return new Judgement(
         c,
         model.effects().get(i),
@@ -177,6 +182,7 @@ public final class Decision {
 
   private Outcome outcome(
       FittedModel model,
+      Information information,
       int i,
       FittedModel without,
       double evidence,
@@ -203,8 +209,13 @@ public final class Decision {
       // where it follows from the kick.
       return Outcome.UNSTEADY;
     }
-    if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
+    if (c.isPerKick()
+        ? isGainOfFewKicks(model, without)
+        : isToldByFewKicks(model, information, i, limit)) {
       return Outcome.FEW_KICKS;
+    }
+    if (!c.isPerKick() && isTakenBack(model, information, i)) {
+      return Outcome.FORM;
     }
     if (c.hasPlace() && evidence < rivals.unnamed) {
       // A place is chosen where it takes up most of whatever has no name.
@@ -223,6 +234,16 @@ public final class Decision {
     return c.isLaw() && rivals.unnamed > 0 && evidence < rivals.largest
         ? Outcome.FORM
         : Outcome.NAMED;
+  }
+
+  /** Whether learned curves undo most of what a cause does: together they are one curve, and its size is a matter of taste. */
+  private static boolean isTakenBack(FittedModel model, Information information, int i) {
+    List<Effect> effects = model.effects();
+    int[] curves =
+        IntStream.range(0, effects.size())
+            .filter(j -> effects.get(j) instanceof LearnedTerm)
+            .toArray();
+    return !(effects.get(i) instanceof LearnedTerm) && information.shared(i, curves) < -TAKEN_BACK;
   }
 
   /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */
@@ -298,24 +319,11 @@ public final class Decision {
 
   /**
    * Whether the kicks other than the two most informative ones would not show a cause of that size. What counts is what the equations let each kick tell, not by how much it was wrong: a kick that is metres wrong bends what all kicks share, and then
-   * others gain, too.
+   * others gain, too. Nor what all parameters can do as well: a region that covers nearly the whole field is told by the kicks that leave it.
    */
-  private static boolean isToldByFewKicks(FittedModel model, int i, double limit) {
-    double[] ones = Weighing.ALIKE.of(model);
-    ScoreSystem equations = model.solution().scores(List.of(), new double[0], ones);
-    int from = model.model().offset(i);
-    int size = model.model().components().get(i).magnitudeCount();
-    double[] values = model.solution().values();
-    double[] told = new double[model.kickCount()];
-    for (int a = from; a < from + size; a++) {
-      for (int b = from; b < from + size; b++) {
-        int row = model.model().freeIndex(a);
-        int column = model.model().freeIndex(b);
-        for (int k = 0; k < told.length; k++) {
-          told[k] += values[a] * equations.curvature(k, row, column) * values[b];
-        }
-      }
-    }
+  private static boolean isToldByFewKicks(
+      FittedModel model, Information information, int i, double limit) {
+    double[] told = information.told(i);
     Arrays.sort(told);
     double others = Arrays.stream(told).limit(Math.max(0, told.length - TOO_FEW_KICKS)).sum();
     return !(others > limit * Math.max(1, model.solution().reducedChiSquare()));
