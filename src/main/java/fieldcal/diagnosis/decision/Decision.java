@@ -231,9 +231,7 @@ public final class Decision {
     if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
-    return c.isLaw() && rivals.unnamed > 0 && evidence < rivals.largest
-        ? Outcome.FORM
-        : Outcome.NAMED;
+    return c.isLaw() && evidence < rivals.largest ? Outcome.FORM : Outcome.NAMED;
   }
 
   /** Whether learned curves undo most of what a cause does: together they are one curve, and its size is a matter of taste. */
