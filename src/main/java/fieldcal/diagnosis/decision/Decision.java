@@ -13,6 +13,7 @@ import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -209,9 +210,7 @@ public final class Decision {
       // where it follows from the kick.
       return Outcome.UNSTEADY;
     }
-    if (c.isPerKick()
-        ? isGainOfFewKicks(model, without)
-        : isToldByFewKicks(model, information, i, limit)) {
+    if (c.isPerKick() ? isGainOfFewKicks(model, without) : isToldByFewKicks(model, i, limit)) {
       return Outcome.FEW_KICKS;
     }
     if (!c.isPerKick() && isTakenBack(model, information, i)) {
@@ -317,11 +316,24 @@ public final class Decision {
 
   /**
    * Whether the kicks other than the two most informative ones would not show a cause of that size. What counts is what the equations let each kick tell, not by how much it was wrong: a kick that is metres wrong bends what all kicks share, and then
-   * others gain, too. Nor what all parameters can do as well: a region that covers nearly the whole field is told by the kicks that leave it.
+   * others gain, too.
    */
-  private static boolean isToldByFewKicks(
-      FittedModel model, Information information, int i, double limit) {
-    double[] told = information.told(i);
+  private static boolean isToldByFewKicks(FittedModel model, int i, double limit) {
+    double[] ones = Weighing.ALIKE.of(model);
+    ScoreSystem equations = model.solution().scores(List.of(), new double[0], ones);
+    int from = model.model().offset(i);
+    int size = model.model().components().get(i).magnitudeCount();
+    double[] values = model.solution().values();
+    double[] told = new double[model.kickCount()];
+    for (int a = from; a < from + size; a++) {
+      for (int b = from; b < from + size; b++) {
+        int row = model.model().freeIndex(a);
+        int column = model.model().freeIndex(b);
+        for (int k = 0; k < told.length; k++) {
+          told[k] += values[a] * equations.curvature(k, row, column) * values[b];
+        }
+      }
+    }
     Arrays.sort(told);
     double others = Arrays.stream(told).limit(Math.max(0, told.length - TOO_FEW_KICKS)).sum();
     return !(others > limit * Math.max(1, model.solution().reducedChiSquare()));

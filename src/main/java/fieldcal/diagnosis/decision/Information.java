@@ -17,14 +17,13 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 final class Information {
   private final EffectModel model;
   private final double[] values;
-  private final ScoreSystem equations;
   private final double[][] all;
 
   private Information(FittedModel fitted) {
     model = fitted.model();
     values = fitted.solution().values();
     double[] weights = Weighing.ALIKE.of(fitted);
-    equations = fitted.solution().scores(List.of(), new double[0], weights);
+    ScoreSystem equations = fitted.solution().scores(List.of(), new double[0], weights);
     int n = equations.size();
     all = new double[n][n];
     for (int i = 0; i < n; i++) {
@@ -42,20 +41,6 @@ final class Information {
 
   static Information of(FittedModel fitted) {
     return new Information(fitted);
-  }
-
-  /** How much each kick tells of a component's present size. */
-  double[] told(int component) {
-    double[] change = whole(component, columns(component));
-    double[] told = new double[equations.kicks()];
-    for (int k = 0; k < told.length; k++) {
-      for (int i = 0; i < change.length; i++) {
-        for (int j = 0; change[i] != 0 && j < change.length; j++) {
-          told[k] += change[i] * equations.curvature(k, i, j) * change[j];
-        }
-      }
-    }
-    return told;
   }
 
   /** Which share of what a component does others do once more; negative where they take it back. */
