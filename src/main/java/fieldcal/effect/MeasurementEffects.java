@@ -18,6 +18,9 @@ public final class MeasurementEffects {
 
   private final List<MeasurementEffect> effects;
 
+  /** Whether any camera reports balls at another time than they were there. */
+  private final boolean late;
+
   private MeasurementEffects(
       Collection<ObservedCamera> cameras, List<? extends MeasurementEffect> effects) {
     this.effects = List.copyOf(effects);
@@ -27,11 +30,14 @@ public final class MeasurementEffects {
       views[n++] = new View(camera, this.effects);
     }
     byId = new View[TABLE];
+    boolean anyLate = false;
     for (View view : views) {
+      anyLate |= view.isLate();
       if (view.id >= 0 && view.id < TABLE) {
         byId[view.id] = view;
       }
     }
+    late = anyLate;
   }
 
   /**
@@ -100,6 +106,9 @@ public final class MeasurementEffects {
    * @return the latest time at which the ball was where a camera saw it, on the same clock, s; −∞ without sightings
    */
   public double lastBallTime(Sightings seen, double sessionStart) {
+    if (!late) {
+      return seen.latest;
+    }
     double last = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < seen.size(); i++) {
       last = Math.max(last, ballTime(find(seen.camera[i]), seen, i, sessionStart));

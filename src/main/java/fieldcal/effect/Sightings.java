@@ -1,5 +1,7 @@
 package fieldcal.effect;
 
+import java.util.Arrays;
+
 /**
  * Through which cameras and when a ball was seen: what the reports of its place depend on apart from its path. Predictions are fastest when the stamps are in order. The arrays are not copied and must not be changed;
  * then it may be used by many threads.
@@ -8,6 +10,9 @@ public final class Sightings {
   final int[] camera;
   final double[] stamp;
   final double[] pixelRow;
+
+  /** The latest stamp, s; −∞ without sightings. */
+  final double latest;
 
   /**
    * Sightings, one per index.
@@ -26,6 +31,7 @@ public final class Sightings {
     this.camera = camera;
     this.stamp = stamp;
     this.pixelRow = pixelRow;
+    latest = Arrays.stream(stamp).max().orElse(Double.NEGATIVE_INFINITY);
   }
 
   /**

@@ -217,7 +217,8 @@ public final class EffectKick implements KickTerm<ModelState> {
   @Override
   public void ownColumns(double[] own, ModelState state, double[] residuals, double[][] columns) {
     int n = record.blocks.length;
-    ExtendedTrajectory path = path(own, state, record.blockSightings);
+    double until = state.measurement().lastBallTime(record.blockSightings, sessionStart);
+    ExtendedTrajectory path = path(own, state, until);
     double[] centre = new double[2 * n];
     report(state, path, centre);
     double[] ball = new double[3];
@@ -238,7 +239,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     for (int k = 2; k < own.length; k++) {
       double h = step(k);
       p[k] = own[k] + h;
-      report(state, path(p, state, record.blockSightings), columns[k]);
+      report(state, path(p, state, until), columns[k]);
       p[k] = own[k];
       difference(centre, h, columns[k]);
     }

@@ -111,11 +111,14 @@ public final class CauseSearch {
     if (!revises) {
       return simplification.withLawForOther(best).orElse(best);
     }
-    if (!isExplained(best)) {
-      progress.accept("exchanging early choices");
-      best = pursuit(refits).revised(best);
+    if (free || best != start) {
+      // What an earlier search has exchanged and moved is not better now.
+      if (!isExplained(best)) {
+        progress.accept("exchanging early choices");
+        best = pursuit(refits).revised(best);
+      }
+      best = pursuit(refits).settled(best);
     }
-    best = pursuit(refits).settled(best);
     progress.accept("looking for simpler models");
     return simplification.simplified(best, maxComponents);
   }

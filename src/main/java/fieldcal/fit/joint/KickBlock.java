@@ -46,12 +46,44 @@ final class KickBlock {
     l = new double[own][own];
   }
 
+  /** A copy, to be tied and factored by itself. */
+  KickBlock(KickBlock of) {
+    this(of.own, of.shared);
+    for (int i = 0; i < own; i++) {
+      System.arraycopy(of.a[i], 0, a[i], 0, own);
+      System.arraycopy(of.b[i], 0, b[i], 0, shared);
+    }
+    for (int k = 0; k < shared; k++) {
+      System.arraycopy(of.c[k], 0, c[k], 0, shared);
+    }
+    System.arraycopy(of.ga, 0, ga, 0, own);
+    System.arraycopy(of.gc, 0, gc, 0, shared);
+    chiSquare = of.chiSquare;
+    priorCost = of.priorCost;
+  }
+
   /** Adds rows: columns are derivatives of the prediction, residuals observed minus predicted. */
   void add(double[][] ownColumns, double[][] sharedColumns, double[] residuals, double weight) {
+    addProducts(ownColumns, sharedColumns, residuals.length, weight);
+    addResiduals(ownColumns, sharedColumns, residuals, weight);
+  }
+
+  /** Adds what the residuals of rows bring, whose products have been added. */
+  void addResiduals(
+      double[][] ownColumns, double[][] sharedColumns, double[] residuals, double weight) {
     chiSquare += weight * dot(residuals, residuals);
     for (int i = 0; i < own; i++) {
+      ga[i] += weight * dot(ownColumns[i], residuals);
+    }
+    for (int k = 0; k < shared; k++) {
+      gc[k] += weight * dot(sharedColumns[k], residuals);
+    }
+  }
+
+  /** Adds the products of the columns of rows. */
+  void addProducts(double[][] ownColumns, double[][] sharedColumns, int rows, double weight) {
+    for (int i = 0; i < own; i++) {
       double[] ci = ownColumns[i];
-      ga[i] += weight * dot(ci, residuals);
       for (int j = 0; j <= i; j++) {
         a[i][j] += weight * dot(ci, ownColumns[j]);
         a[j][i] = a[i][j];
@@ -60,13 +92,12 @@ final class KickBlock {
     // Some rows of all columns at once: the search asks for hundreds of columns, of which dot
     // products would each read all rows.
     double[][] some = new double[GATHERED][shared];
-    for (int from = 0; from < residuals.length; from += GATHERED) {
+    for (int from = 0; from < rows; from += GATHERED) {
       gather(sharedColumns, from, some);
       for (int r = 0; r < GATHERED; r += TOGETHER) {
         for (int i = 0; i < own; i++) {
           addProducts(ownColumns[i], from + r, weight, some, r, b[i], shared);
         }
-        addProducts(residuals, from + r, weight, some, r, gc, shared);
         for (int k = 0; k < shared; k++) {
           addProducts(sharedColumns[k], from + r, weight, some, r, c[k], k + 1);
         }

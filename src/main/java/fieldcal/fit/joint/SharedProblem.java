@@ -99,6 +99,16 @@ public record SharedProblem<S>(
     return IntStream.range(0, globals.size()).filter(k -> globals.get(k).estimated()).toArray();
   }
 
+  /** Scales of some of the global parameters. */
+  double[] scales(int[] of) {
+    return Arrays.stream(of).mapToDouble(k -> globals.get(k).scale()).toArray();
+  }
+
+  /** Means of the random effects. */
+  double[] means(double[] at) {
+    return randoms.stream().mapToDouble(r -> at[r.mean()]).toArray();
+  }
+
   /** For each random effect, the column of its mean among the free global parameters; −1 when that is held. */
   int[] meanColumns(int[] free) {
     return randoms.stream()

@@ -8,8 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.CholeskyDecomposition;
-import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
 
 /**
  * The solution of a {@link SharedProblem}.
@@ -310,7 +308,7 @@ public final class SharedSolution<S> {
     int n = free.length;
     double[] scale = scales();
     double[][] h = information(new boolean[kicks.size()]);
-    Optional<double[][]> inverse = inverse(h, scale);
+    Optional<double[][]> inverse = ScaledEquations.inverse(h, scale);
     if (inverse.isEmpty()) {
       return Optional.empty();
     }
@@ -351,11 +349,7 @@ public final class SharedSolution<S> {
   }
 
   private double[] scales() {
-    double[] scale = new double[free.length];
-    for (int f = 0; f < free.length; f++) {
-      scale[f] = problem.globals().get(free[f]).scale();
-    }
-    return scale;
+    return problem.scales(free);
   }
 
   private double[][] information(boolean[] without) {
@@ -376,35 +370,6 @@ public final class SharedSolution<S> {
     return h;
   }
 
-  /** Inverse of an information matrix; empty when that is singular. */
-  static Optional<double[][]> inverse(double[][] h, double[] scale) {
-    int n = scale.length;
-    double[][] scaled = SharedSolver.scaled(h, scale);
-    for (int i = 0; i < n; i++) {
-      scaled[i][i] += SharedSolver.UNDETERMINED;
-      if (!Double.isFinite(scaled[i][i])) {
-        return Optional.empty();
-      }
-    }
-    try {
-      double[][] v =
-          n == 0
-              ? scaled
-              : new CholeskyDecomposition(new Array2DRowRealMatrix(scaled, false), 1e-9, 1e-14)
-                  .getSolver()
-                  .getInverse()
-                  .getData();
-      for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-          v[i][j] *= scale[i] * scale[j];
-        }
-      }
-      return Optional.of(v);
-    } catch (NonPositiveDefiniteMatrixException e) {
-      return Optional.empty();
-    }
-  }
-
   /**
    * What the cost would rise by, to first order, were some global parameters zero and all others fitted again: Wald's statistic.
    *
@@ -412,7 +377,8 @@ public final class SharedSolution<S> {
    * @return rise of the cost; NaN when the equations are singular
    */
   public double waldLoss(int... indices) {
-    Optional<double[][]> inverse = inverse(information(new boolean[kicks.size()]), scales());
+    Optional<double[][]> inverse =
+        ScaledEquations.inverse(information(new boolean[kicks.size()]), scales());
     if (inverse.isEmpty()) {
       return Double.NaN;
     }
@@ -432,7 +398,7 @@ public final class SharedSolution<S> {
         correlation[i][j] = v[at[i]][at[j]] / Math.sqrt(v[at[i]][at[i]] * v[at[j]][at[j]]);
       }
     }
-    double[] solved = SharedSolver.solveScaled(correlation, z, one, 0);
+    double[] solved = ScaledEquations.solve(correlation, z, one, 0);
     if (solved == null) {
       return Double.NaN;
     }
@@ -463,7 +429,7 @@ public final class SharedSolution<S> {
       Prior prior = problem.priors().get(free[i]);
       g[i] -= prior.precision() * (values[free[i]] - prior.mean());
     }
-    double[] step = SharedSolver.solveScaled(information(without), g, scales(), NEWTON_DAMPING);
+    double[] step = ScaledEquations.solve(information(without), g, scales(), NEWTON_DAMPING);
     double[] moved = values.clone();
     for (int i = 0; step != null && i < n; i++) {
       moved[free[i]] = problem.globals().get(free[i]).clamp(values[free[i]] + step[i]);

@@ -82,7 +82,7 @@ public abstract class KickTermContract<S> {
           double[][] expected = new double[n][];
           for (int k = 0; k < n; k++) {
             scales[k] = c.globals.get(k).scale();
-            steps[k] = SharedSolver.DERIVATIVE_STEP * scales[k];
+            steps[k] = Linearizer.DERIVATIVE_STEP * scales[k];
             stepped.add(c.model.at(moved(c, k, steps[k])));
             double h = STEP * scales[k];
             expected[k] =

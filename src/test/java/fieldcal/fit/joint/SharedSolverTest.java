@@ -267,9 +267,9 @@ class SharedSolverTest {
   void roundingBesideTheDiagonalIsNoAsymmetry() {
     double[][] h = {{4, 1e-18}, {-2e-18, 25}};
     double[] scale = {1, 1};
-    assertThat(SharedSolver.solveScaled(h, new double[] {8, 50}, scale, 0))
+    assertThat(ScaledEquations.solve(h, new double[] {8, 50}, scale, 0))
         .containsExactly(new double[] {2, 2}, within(1e-8));
-    double[][] inverse = SharedSolution.inverse(h, scale).orElseThrow();
+    double[][] inverse = ScaledEquations.inverse(h, scale).orElseThrow();
     assertThat(inverse[0][0]).isEqualTo(0.25, within(1e-8));
     assertThat(inverse[1][1]).isEqualTo(0.04, within(1e-8));
   }
