@@ -539,7 +539,12 @@ public final class Diagnoser {
       return guarded(
           "the search for learned terms",
           start,
-          () -> search(start, learnedAndLaws(judged, chance), most, false));
+          () -> {
+            FittedModel curved = search(start, learnedAndLaws(judged, chance), most, false);
+            return Leftover.of(curved).isSignificant()
+                ? search(curved, LearnedLibrary.maps(arena), most + 1, false)
+                : curved;
+          });
     }
 
     /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */

@@ -2,6 +2,7 @@ package fieldcal.effect;
 
 import fieldcal.ball.Parameter;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * One cause that the simple model leaves out, with its numbers. Immutable; the same cause with other numbers is another value ({@link
@@ -159,6 +160,15 @@ public interface Effect {
    */
   default List<BallKnowledge> ballKnowledge() {
     return List.of();
+  }
+
+  /**
+   * Where a ball must have been on the carpet for it to matter. A path that never comes there is the same without it, which spares the search most of its work.
+   *
+   * @return empty unless an effect says otherwise: anywhere
+   */
+  default Optional<Area> reach() {
+    return Optional.empty();
   }
 
   /**

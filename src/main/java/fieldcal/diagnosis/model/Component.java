@@ -1,6 +1,7 @@
 package fieldcal.diagnosis.model;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedProblem.Prior;
@@ -8,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -263,6 +265,19 @@ public final class Component {
       values[i] = at[k++];
     }
     return template.withParameters(values);
+  }
+
+  /** Where a ball must have been for one of the coordinates to matter; empty = anywhere. */
+  Optional<Area> reach(double[] at, int from, int coordinate) {
+    if (perKick || coordinate >= magnitudeCount()) {
+      return Optional.empty();
+    }
+    double[] alone = new double[size()];
+    alone[coordinate] = coordinates.get(coordinate).scale();
+    for (int i = magnitudeCount(); i < alone.length; i++) {
+      alone[i] = at[from + i];
+    }
+    return effect(alone, 0).reach();
   }
 
   private double within(int index, double value) {

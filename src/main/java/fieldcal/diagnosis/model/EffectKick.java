@@ -1,6 +1,7 @@
 package fieldcal.diagnosis.model;
 
 import fieldcal.ball.ChipModel;
+import fieldcal.effect.Area;
 import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffects;
@@ -8,6 +9,7 @@ import fieldcal.effect.Sightings;
 import fieldcal.fit.joint.KickTerm;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -32,6 +34,9 @@ public final class EffectKick implements KickTerm<ModelState> {
 
   /** How many numbers of flights a restart tries; a chip of 6.5 m/s makes five or six. */
   private static final int MOST_TRIED = 6;
+
+  /** How near to a place a path counts as having come there, m: what it bends by between two sightings, and goes on while cameras are late. */
+  private static final double NEAR = 0.1;
 
   private final KickRecord record;
   private final double[] randomScales;
@@ -280,11 +285,43 @@ public final class EffectKick implements KickTerm<ModelState> {
     ExtendedTrajectory path = path(own, state, until);
     double[] centre = new double[2 * record.blocks.length];
     report(state, path, centre);
+    double[] way = null;
     for (int c = 0; c < steps.length; c++) {
       ModelState there = stepped.get(c);
+      if (there.reach().isPresent()) {
+        way = way == null ? way(path) : way;
+        if (!comes(way, there.reach().get())) {
+          Arrays.fill(columns[c], 0);
+          continue;
+        }
+      }
       report(there, there.hasMotionOf(state) ? path : path(own, there, until), columns[c]);
       difference(centre, steps[c], columns[c]);
     }
+  }
+
+  /** Places of the ball at the kick and whenever it was seen, x and y in turn. */
+  private double[] way(ExtendedTrajectory path) {
+    double[] way = new double[2 * (record.blocks.length + 1)];
+    double[] ball = new double[3];
+    path.positionAt(path.kickTime(), ball);
+    way[0] = ball[0];
+    way[1] = ball[1];
+    for (int b = 0; b < record.blocks.length; b++) {
+      path.positionAt(record.blockTime[b], ball);
+      way[2 * b + 2] = ball[0];
+      way[2 * b + 3] = ball[1];
+    }
+    return way;
+  }
+
+  private static boolean comes(double[] way, Area area) {
+    for (int i = 2; i < way.length; i += 2) {
+      if (area.isNear(way[i - 2], way[i - 1], way[i], way[i + 1], NEAR)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void report(ModelState state, ExtendedTrajectory path, double[] out) {

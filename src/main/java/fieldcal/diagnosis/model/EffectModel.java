@@ -256,6 +256,21 @@ public final class EffectModel implements SharedModel<ModelState> {
         flat(globals), chip(globals), fixedEffects(globals), ownEffects(globals), observers);
   }
 
+  @Override
+  public ModelState stepped(double[] globals, int index, double step) {
+    double[] moved = globals.clone();
+    moved[index] += step;
+    ModelState state = at(moved);
+    int k = BALL;
+    for (Component c : components) {
+      if (index >= k && index < k + c.size()) {
+        return c.reach(globals, k, index - k).map(state::differingIn).orElse(state);
+      }
+      k += c.size();
+    }
+    return state;
+  }
+
   private List<OwnEffect> ownEffects(double[] globals) {
     List<OwnEffect> effects = new ArrayList<>();
     int k = BALL;

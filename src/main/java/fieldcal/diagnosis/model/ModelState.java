@@ -2,6 +2,7 @@ package fieldcal.diagnosis.model;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.effect.Area;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.MeasurementEffects;
@@ -10,6 +11,7 @@ import fieldcal.effect.MotionEffects;
 import fieldcal.effect.ObservedCamera;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** What kicks predict with at one setting of the global parameters: ball models and effects. Immutable. */
 public final class ModelState {
@@ -19,17 +21,22 @@ public final class ModelState {
   private final MeasurementEffects measurement;
   private final List<OwnEffect> random;
 
+  /** Where a ball must have been for this to differ from the state that it is compared with; null = anywhere. */
+  private final Area reach;
+
   private ModelState(
       FlatModel flat,
       ChipModel chip,
       MotionEffects motion,
       MeasurementEffects measurement,
-      List<OwnEffect> random) {
+      List<OwnEffect> random,
+      Area reach) {
     this.flat = flat;
     this.chip = chip;
     this.motion = motion;
     this.measurement = measurement;
     this.random = random;
+    this.reach = reach;
   }
 
   static ModelState of(
@@ -43,7 +50,8 @@ public final class ModelState {
         chip,
         MotionEffects.of(pick(effects, MotionEffect.class)),
         MeasurementEffects.of(observers, pick(effects, MeasurementEffect.class)),
-        random);
+        random,
+        null);
   }
 
   private static <E> List<E> pick(List<Effect> effects, Class<E> type) {
@@ -73,7 +81,18 @@ public final class ModelState {
         chip,
         moving.isEmpty() ? motion : motion.plus(moving),
         measures ? MeasurementEffects.of(observers, measuring) : measurement,
-        random);
+        random,
+        more.size() == 1 ? more.get(0).reach().orElse(null) : null);
+  }
+
+  /** The same, known to differ from the state that it is compared with for balls that came there. */
+  ModelState differingIn(Area area) {
+    return new ModelState(flat, chip, motion, measurement, random, area);
+  }
+
+  /** Where a ball must have been for this to differ from the state that it is compared with; empty = anywhere. */
+  Optional<Area> reach() {
+    return Optional.ofNullable(reach);
   }
 
   /**

@@ -33,6 +33,9 @@ public final class LearnedLibrary {
   /** How far a ball rolls during one turn, m: its circumference. */
   private static final double TURN = 2 * Math.PI * Camera.BALL_RADIUS;
 
+  /** How far a ball rolls, m: the diagonal of a field of 9 m × 6 m. */
+  private static final double FARTHEST = 11;
+
   /** Impacts from the second on that are told apart; chosen, because later hops are millimetres high. */
   private static final int HOPS = 3;
 
@@ -44,6 +47,12 @@ public final class LearnedLibrary {
 
   /** Knots of stripes at most: the longest field has 12 m and a margin. */
   private static final int MOST_STRIPES = 16;
+
+  /** Distance of a map's knots, m: what robots wear is some robots wide (0.18 m), and with closer knots hardly two of twenty kicks would cross the same. */
+  private static final double MAP_SPACING = 0.75;
+
+  /** Knots of a map at most: with more the knots of a large field are farther apart. */
+  private static final int MOST_MAP_KNOTS = 120;
 
   /** Narrowest range of a place or time, so that a curve exists, m and s; chosen. */
   private static final double NARROWEST = 1;
@@ -130,6 +139,28 @@ public final class LearnedLibrary {
         .toList();
   }
 
+  /**
+   * Maps of the carpet, for what curves leave: what is worn in lanes, rings or patches. Their many functions reach no farther than some knots, so that they are cheap where few are asked for at once, and are not among {@link #of(Arena)}.
+   *
+   * @param arena what was recorded
+   * @return absent terms
+   */
+  public static List<LearnedTerm> maps(Arena arena) {
+    double[] x = wide(arena.x0(), arena.x1());
+    double[] y = wide(arena.y0(), arena.y1());
+    double field = (x[1] - x[0]) * (y[1] - y[0]);
+    double spacing = Math.max(MAP_SPACING, Math.sqrt(field / MOST_MAP_KNOTS));
+    Basis map = new Surface(mapped(x, spacing), mapped(y, spacing), false);
+    return Stream.of(Quantity.FRICTION, Quantity.ACCELERATION_ALONG)
+        .map(q -> LearnedFamily.of(q, Variable.PLACE, map).absent())
+        .toList();
+  }
+
+  private static Spline mapped(double[] range, double spacing) {
+    int knots = (int) Math.round((range[1] - range[0]) / spacing) + 1;
+    return new Spline(range[0], range[1], Math.max(KNOTS_Y, knots), false);
+  }
+
   private static void ground(Arena arena, Ranges ranges, List<LearnedFamily> all) {
     Quantity along = Quantity.ACCELERATION_ALONG;
     Quantity across = Quantity.ACCELERATION_ACROSS;
@@ -142,6 +173,7 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(along, Variable.HEADING, heading));
     all.add(LearnedFamily.of(along, Variable.PLACE, place(arena)));
     all.add(LearnedFamily.of(along, Variable.DISTANCE_ROLLED, new Harmonics(1, TURN)));
+    all.add(LearnedFamily.of(along, Variable.DISTANCE_ROLLED, curve(0, FARTHEST, KNOTS)));
     all.add(LearnedFamily.of(Quantity.FRICTION, Variable.SESSION_TIME, session(arena)));
     all.add(LearnedFamily.of(Quantity.FRICTION, Variable.HEADING, heading));
     all.add(LearnedFamily.of(Quantity.FRICTION, Variable.PLACE, place(arena)));
@@ -162,6 +194,7 @@ public final class LearnedLibrary {
       all.add(LearnedFamily.of(q, Variable.VERTICAL_SPEED, vertical));
       all.add(LearnedFamily.of(q, Variable.GROUND_SPEED, speed));
       all.add(LearnedFamily.of(q, Variable.HOP, hops));
+      all.add(LearnedFamily.of(q, Variable.HEADING, Harmonics.ofAngle(HARMONICS)));
       all.add(LearnedFamily.of(q, Variable.PLACE, place(arena)));
       all.add(LearnedFamily.of(q, Variable.SESSION_TIME, session(arena)));
     }

@@ -1,12 +1,14 @@
 package fieldcal.effect.learned;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.BallMotion;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
@@ -168,6 +170,13 @@ public abstract sealed class LearnedTerm implements Effect
       }
     }
     return true;
+  }
+
+  @Override
+  public final Optional<Area> reach() {
+    return first == Variable.PLACE && family.basis() instanceof Surface s
+        ? s.support(coefficients)
+        : Optional.empty();
   }
 
   @Override

@@ -80,6 +80,16 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
     }
   }
 
+  /** Where the B-spline of a knot is not zero; it is constant beyond the ends of the range, so that one which is not zero there reaches on. */
+  double[] support(int knot) {
+    double spacing = (to - from) / (knots - 1);
+    double begin = from + (knot - 2) * spacing;
+    double end = from + (knot + 2) * spacing;
+    return new double[] {
+      begin < from ? Double.NEGATIVE_INFINITY : begin, end > to ? Double.POSITIVE_INFINITY : end
+    };
+  }
+
   private double wave(int order, double[] hats) {
     double sum = 0;
     for (int i = 0; i < knots; i++) {

@@ -1,6 +1,8 @@
 package fieldcal.effect.learned;
 
+import fieldcal.effect.Area;
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * Tensor product of two splines, for what depends on a place. Centred, it is made of the products of both splines' waves without the constant.
@@ -58,6 +60,20 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     for (int n = skipped; n < ofX.length * ofY.length; n++) {
       values[n - skipped] = ofX[n / ofY.length] * ofY[n % ofY.length];
     }
+  }
+
+  /** The places around which any of the functions with a coefficient is not zero; empty where there is none, or all reach everywhere. */
+  Optional<Area> support(double[] coefficients) {
+    Area area = null;
+    for (int n = 0; !centred && n < coefficients.length; n++) {
+      if (coefficients[n] != 0) {
+        double[] alongX = x.support(n / y.knots());
+        double[] alongY = y.support(n % y.knots());
+        Area one = new Area(alongX[0], alongX[1], alongY[0], alongY[1]);
+        area = area == null ? one : area.and(one);
+      }
+    }
+    return Optional.ofNullable(area);
   }
 
   private static double[] waves(Spline spline, double[] hats) {

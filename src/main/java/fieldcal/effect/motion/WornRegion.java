@@ -1,12 +1,14 @@
 package fieldcal.effect.motion;
 
 import fieldcal.ball.Parameter;
+import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.MotionEffect.FrictionZone;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * A rectangle in which all friction, sliding and rolling, is multiplied by 1 + change. Files write its bounds as one value, {@code region}: [x0,x1,y0,y1].
@@ -116,6 +118,11 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
   @Override
   public List<String> places() {
     return List.of("region_x0", "region_x1", "region_y0", "region_y1");
+  }
+
+  @Override
+  public Optional<Area> reach() {
+    return Optional.of(new Area(x0, x1, y0, y1));
   }
 
   @Override

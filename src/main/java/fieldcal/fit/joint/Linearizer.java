@@ -13,6 +13,11 @@ final class Linearizer<S> {
    */
   static final double DERIVATIVE_STEP = 0.001;
 
+  /**
+   * The same where a parameter is zero: an absent effect leaves the path to be integrated in longer steps, and their errors (0.02 mm) must stay small beside what the step of the parameter does. It is where solutions begin, not where they end.
+   */
+  private static final double STEP_FROM_ABSENCE = 0.05;
+
   private final SharedProblem<S> problem;
   private final List<KickTerm<S>> kicks;
   private final List<double[]> own;
@@ -79,11 +84,10 @@ final class Linearizer<S> {
     double[] steps = new double[free.length + probeSteps.length];
     for (int i = 0; i < free.length; i++) {
       Parameter p = problem.globals().get(free[i]);
-      double h = DERIVATIVE_STEP * p.scale();
+      double share = values[free[i]] == 0 ? STEP_FROM_ABSENCE : DERIVATIVE_STEP;
+      double h = share * p.scale();
       steps[i] = values[free[i]] + h <= p.max() ? h : -h;
-      double[] moved = values.clone();
-      moved[free[i]] += steps[i];
-      states.add(problem.model().at(moved));
+      states.add(problem.model().stepped(values, free[i], steps[i]));
     }
     states.addAll(probes);
     System.arraycopy(probeSteps, 0, steps, free.length, probeSteps.length);
