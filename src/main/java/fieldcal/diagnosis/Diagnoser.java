@@ -386,6 +386,7 @@ public final class Diagnoser {
         progress.stage("describing what has no name");
         best = described(best, choice, heldBase);
       }
+      best = lawful(best, choice);
       if (!(best.held().rmsMm() <= heldBase.rmsMm())) {
         best = new Weighed(base, List.of(), heldBase);
       }
@@ -395,6 +396,28 @@ public final class Diagnoser {
               ? new KickerBias(extended, problem.commands(), seed).causes(catalogue, arena)
               : List.of();
       return new Answer(extended, best.judged(), kickers, best.held(), heldBase);
+    }
+
+    /** With laws for what kickers do: values that have a mean of their own and follow the kick are no chance, and a law predicts where values do not. */
+    private Weighed lawful(Weighed found, ModelChoice choice) {
+      Weighed best = found;
+      for (Judgement j : found.judged()) {
+        if (!j.effect().hasOwnMean() || j.follows().isEmpty()) {
+          continue;
+        }
+        int component = best.judged().indexOf(j);
+        Optional<FittedModel> law =
+            component < 0
+                ? Optional.empty()
+                : laws().insteadOf(best.model(), component, j.follows().get());
+        Weighed before = best;
+        best =
+            law.map(choice::of)
+                .filter(with -> with.isAsGoodAs(before, settings.formGain()))
+                .filter(with -> with.predictsBetterThan(before, problem.seed()))
+                .orElse(before);
+      }
+      return best;
     }
 
     /** With laws, chance and learned terms for what has no name. */

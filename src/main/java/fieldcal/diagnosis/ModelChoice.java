@@ -109,9 +109,12 @@ final class ModelChoice {
 
     /** Whether this does better beyond chance on held-out kicks, fitted and predicted: a value for each kick may fit what it does not help to predict. */
     boolean isBetterThan(Weighed other, long seed) {
-      return held.gainOn(other.held, seed)[HoldOut.LOWER] > 0
-          && other.held.predictsWorseThan(held, seed)
-          && !held.predictsWorseThan(other.held, seed);
+      return held.gainOn(other.held, seed)[HoldOut.LOWER] > 0 && predictsBetterThan(other, seed);
+    }
+
+    /** Whether this predicts held-out kicks better beyond chance, and at no horizon worse. */
+    boolean predictsBetterThan(Weighed other, long seed) {
+      return other.held.predictsWorseThan(held, seed) && !held.predictsWorseThan(other.held, seed);
     }
   }
 

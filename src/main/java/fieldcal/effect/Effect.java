@@ -127,6 +127,15 @@ public interface Effect {
   }
 
   /**
+   * Whether it acts on the ball through the ball's spin alone: what nobody can say of the spin, nobody can say of it.
+   *
+   * @return false unless an effect says otherwise
+   */
+  default boolean actsThroughSpin() {
+    return false;
+  }
+
+  /**
    * Effects without which this one does nothing, at usual values: there is no wind without drag. A search proposes them together.
    *
    * @return empty unless an effect says otherwise

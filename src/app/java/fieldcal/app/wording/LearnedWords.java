@@ -2,6 +2,7 @@ package fieldcal.app.wording;
 
 import static fieldcal.app.wording.Sentences.text;
 
+import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.LearnedCurve.Point;
 import fieldcal.effect.learned.LearnedTerm;
@@ -91,7 +92,6 @@ public final class LearnedWords {
     return switch (variable) {
       case HEADING -> "direction of travel";
       case HOP -> "bounce";
-      case DISTANCE_ROLLED -> "distance from the kick";
       case SESSION_TIME -> "time of the session";
       default -> noun(variable);
     };
@@ -198,7 +198,10 @@ public final class LearnedWords {
           ? text("Check the clock of the computer of camera %d, or use the extended model.", camera)
           : text("Calibrate camera %d in vision again, or use the extended model.", camera);
     }
-    return term.dependsOn().contains(Variable.DISTANCE_ROLLED.label())
+    boolean unround =
+        term.dependsOn().contains(Variable.DISTANCE_ROLLED.label())
+            && term.family().basis() instanceof Harmonics;
+    return unround
         ? "Try another ball; with this one, use the extended model."
         : "Use the extended model.";
   }
@@ -279,9 +282,12 @@ public final class LearnedWords {
   }
 
   private static String where(Variable variable, Point p) {
-    return variable.dimension() == 2
-        ? text("at x = %s m, y = %s m", Amount.decimals(p.x(), 1), Amount.decimals(p.y(), 1))
-        : "at " + at(variable, p.x());
+    if (variable.dimension() == 1) {
+      return "at " + at(variable, p.x());
+    }
+    String below = variable == Variable.IMAGE_POSITION ? ", seen from below the camera," : "";
+    return text(
+        "at x = %s m, y = %s m%s", Amount.decimals(p.x(), 1), Amount.decimals(p.y(), 1), below);
   }
 
   private static String size(LearnedCurve curve, double amount) {
@@ -329,7 +335,7 @@ public final class LearnedWords {
       case SESSION_TIME -> "the time since the session began";
       case HEADING -> "the direction of travel";
       case PLACE -> "the place on the field";
-      case DISTANCE_ROLLED -> "how far the ball has turned";
+      case DISTANCE_ROLLED -> "how far the ball has rolled";
       case VERTICAL_SPEED -> "how steeply the ball falls";
       case GROUND_SPEED -> "the speed over the ground";
       case HOP -> "which bounce it is";
@@ -345,7 +351,8 @@ public final class LearnedWords {
       case SESSION_TIME -> "time since the session began";
       case VERTICAL_SPEED -> "speed of the fall";
       case GROUND_SPEED -> "speed over the ground";
-      case HEADING, PLACE, DISTANCE_ROLLED, HOP, IMAGE_POSITION -> "number";
+      case DISTANCE_ROLLED -> "distance from the kick";
+      case HEADING, PLACE, HOP, IMAGE_POSITION -> "number";
     };
   }
 
@@ -354,7 +361,8 @@ public final class LearnedWords {
       case SPEED, SLIP, VERTICAL_SPEED, GROUND_SPEED -> "m/s of the " + noun(variable);
       case TIME_SINCE_KICK -> "second since the kick";
       case SESSION_TIME -> "ten minutes of the session";
-      case HEADING, PLACE, DISTANCE_ROLLED, HOP, IMAGE_POSITION -> step(variable);
+      case DISTANCE_ROLLED -> "metre from the kick";
+      case HEADING, PLACE, HOP, IMAGE_POSITION -> step(variable);
     };
   }
 
@@ -373,6 +381,7 @@ public final class LearnedWords {
       case HEADING -> text("direction %s°", Amount.decimals(Math.toDegrees(place), 0));
       case SESSION_TIME -> text("minute %s of the session", minute(place));
       case TIME_SINCE_KICK -> Amount.of(place) + " s after the kick";
+      case DISTANCE_ROLLED -> Amount.of(place) + " m from the kick";
       default -> Amount.of(place) + " " + variable.unit();
     };
   }

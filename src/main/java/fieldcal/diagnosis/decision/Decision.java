@@ -12,6 +12,7 @@ import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
+import fieldcal.effect.MotionEffect.SpinAtKick;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedSolver;
@@ -87,7 +88,20 @@ public final class Decision {
     for (int i = 0; i < n; i++) {
       all.add(judge(model, information, i, without.get(i), evidence, excess, held));
     }
-    return all;
+    return excess > 0 && all.stream().anyMatch(Decision::isUnprovenSpin)
+        ? all.stream().map(Decision::beyondSpin).toList()
+        : all;
+  }
+
+  /** Whether kicks have spins of which nobody can say that they are the kickers'. */
+  private static boolean isUnprovenSpin(Judgement j) {
+    boolean spin = j.effect() instanceof SpinAtKick && j.component().isPerKick();
+    return spin && j.outcome() != Outcome.NAMED;
+  }
+
+  /** What acts through such spins is no better proven: both together are a free number for each kick. */
+  private static Judgement beyondSpin(Judgement j) {
+    return j.outcome() == Outcome.NAMED && j.effect().actsThroughSpin() ? j.as(Outcome.FORM) : j;
   }
 
   /**
@@ -227,7 +241,9 @@ public final class Decision {
       return Outcome.FORM;
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
-    if (!(gain[1] > 100 * least)) {
+    boolean chosen = rivals.left > 0 && !(gain[HoldOut.LOWER] > 0);
+    if (!(gain[1] > 100 * least) || chosen) {
+      // Of everything that takes up something of what has no name, the search takes the most.
       return Outcome.NO_GAIN;
     }
     return c.isLaw() && evidence < rivals.largest ? Outcome.FORM : Outcome.NAMED;

@@ -43,6 +43,11 @@ public record Judgement(
     NO_GAIN
   }
 
+  /** The same, taken for something else. */
+  Judgement as(Outcome other) {
+    return new Judgement(component, effect, errors, scatter, evidence, gain, follows, other);
+  }
+
   @Override
   public String toString() {
     return "%s %s evidence %.0f gain %.2f %%".formatted(outcome, effect, evidence, gain[1]);

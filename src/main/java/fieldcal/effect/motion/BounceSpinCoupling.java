@@ -49,6 +49,11 @@ public record BounceSpinCoupling(double coefficient) implements Bounce {
   }
 
   @Override
+  public boolean actsThroughSpin() {
+    return true;
+  }
+
+  @Override
   public BounceSpinCoupling withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 1);
     return new BounceSpinCoupling(v[0]);

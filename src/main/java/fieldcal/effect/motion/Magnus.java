@@ -43,6 +43,11 @@ public record Magnus(double cl) implements ExternalForce {
   }
 
   @Override
+  public boolean actsThroughSpin() {
+    return true;
+  }
+
+  @Override
   public Magnus withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 1);
     return new Magnus(v[0]);
