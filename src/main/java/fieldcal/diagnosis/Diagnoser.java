@@ -412,7 +412,7 @@ public final class Diagnoser {
                 : laws().insteadOf(best.model(), component, j.follows().get());
         Weighed before = best;
         best =
-            law.map(choice::of)
+            law.map(m -> choice.withLaw(m, before, j))
                 .filter(with -> with.isAsGoodAs(before, settings.formGain()))
                 .filter(with -> with.predictsBetterThan(before, problem.seed()))
                 .orElse(before);

@@ -218,6 +218,19 @@ final class ModelChoice {
     }
   }
 
+  /** A model with a law in the place of values, or beside them where its form misses a little: beside a value for each kick a law explains nothing, but it predicts. So all stays, the law has what the values gained, and such values are no cause. */
+  Weighed withLaw(FittedModel model, Weighed before, Judgement values) {
+    HoldOut held = HoldOut.of(model, true, seed);
+    List<Judgement> judged = new ArrayList<>();
+    for (Judgement j : decision.judge(model, held)) {
+      boolean known =
+          before.judged.stream().anyMatch(k -> k.component().isSameCause(j.component()));
+      boolean same = j.component().isSameCause(values.component());
+      judged.add(same ? j.as(Outcome.FORM) : known ? j : j.inPlaceOf(values));
+    }
+    return new Weighed(model, judged, held);
+  }
+
   private Weighed reweighed(Weighed from, List<Judgement> going) {
     FittedModel model = without(from.model, from.judged, going);
     HoldOut held = HoldOut.of(model, true, seed);

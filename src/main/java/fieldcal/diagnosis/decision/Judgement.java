@@ -43,9 +43,25 @@ public record Judgement(
     NO_GAIN
   }
 
-  /** The same, taken for something else. */
-  Judgement as(Outcome other) {
+  /**
+   * The same, taken for something else.
+   *
+   * @param other what for
+   * @return the changed copy
+   */
+  public Judgement as(Outcome other) {
     return new Judgement(component, effect, errors, scatter, evidence, gain, follows, other);
+  }
+
+  /**
+   * The same, with what another one explained and gained whose place it took.
+   *
+   * @param other which
+   * @return the changed copy
+   */
+  public Judgement inPlaceOf(Judgement other) {
+    return new Judgement(
+        component, effect, errors, scatter, other.evidence, other.gain, follows, Outcome.NAMED);
   }
 
   @Override
