@@ -175,8 +175,8 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     }
     if (worse) {
       return Optional.of(
-          "The extended model follows kicks better, but does not predict them better from their"
-              + " first 0.3 s at every horizon: compare both in the table before you use it.");
+          "The extended model follows kicks better, but does not always predict them better from"
+              + " their first 0.3 s: compare both in the table before you use it.");
     }
     return better
         ? Optional.empty()
@@ -291,7 +291,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** Learned curves by name; begins with a blank. */
   private static String curves(Diagnosis d) {
     String names = names(d, f -> f.kind() == LearnedFinding.Kind.CURVE && f.isShownToHelp());
-    return names.isEmpty() ? "" : text(" This also helps, without a known cause: %s.", names);
+    return names.isEmpty()
+        ? ""
+        : text(
+            " %s helps without a known cause: %s.",
+            d.causes().isEmpty() ? "This" : "This also", names);
   }
 
   /** What takes the place of the simple model's own laws; begins with a blank. */
