@@ -84,7 +84,7 @@ final class VelocityLimit {
         2 * sure.width(),
         tops.samples(),
         false,
-        notReached + "; this one they certainly reached");
+        notReached + "; they certainly reached this one");
   }
 
   /** Robots that never exceed a speed of their own. */
