@@ -158,7 +158,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
    * That whoever predicts with the extended model should look at the predictions first.
    *
    * @param d the diagnosis
-   * @return a sentence; empty where it predicts no worse at any horizon, and better at one
+   * @return a sentence; empty where it predicts no worse at any horizon, and clearly better at the one of the first line
    */
   public static Optional<String> caveat(Diagnosis d) {
     Map<Double, Double> before = d.base().typicalErrorMm();
@@ -178,11 +178,16 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
           "The extended model follows kicks better, but does not always predict them better from"
               + " their first 0.3 s: compare both in the table before you use it.");
     }
-    return better
-        ? Optional.empty()
-        : Optional.of(
-            "The extended model follows kicks better, and predicts them as well as the simple one"
-                + " from their first 0.3 s.");
+    if (!better) {
+      return Optional.of(
+          "The extended model follows kicks better, and predicts them as well as the simple one"
+              + " from their first 0.3 s.");
+    }
+    return Headline.doubts(d)
+        ? Optional.of(
+            "The extended model follows kicks better, and predicts them hardly better from their"
+                + " first 0.3 s.")
+        : Optional.empty();
   }
 
   /**

@@ -153,6 +153,13 @@ class VerdictTextTest {
     Diagnosis same = predicting(before, Map.of(0.5, 20.1, 1.0, 41.9, 2.0, 76.0));
     assertThat(VerdictText.of(same).lines())
         .anyMatch(line -> line.contains("predicts them as well as the simple one"));
+    Diagnosis hardly = predicting(before, Map.of(0.5, 20.1, 1.0, 39.0, 2.0, 70.0));
+    assertThat(VerdictText.of(hardly).headline()).contains("hardly better");
+    assertThat(VerdictText.of(hardly).lines())
+        .anyMatch(line -> line.contains("predicts them hardly better"));
+    CauseWords words = new CauseWords(hardly, SampleDiagnosis.observers());
+    assertThat(hardly.causes())
+        .allSatisfy(c -> assertThat(words.of(c).advice()).doesNotContain("extended model"));
     Diagnosis better = predicting(before, Map.of(0.5, 20.1, 1.0, 30.0, 2.0, 60.0));
     assertThat(VerdictText.of(better).lines()).noneMatch(line -> line.contains("0.3 s"));
   }
