@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.wording.EffectName;
 import fieldcal.ball.BallState;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -240,7 +241,14 @@ class ReadmeSnippetTest {
   void everyCauseHasItsSection() throws IOException {
     String text = Files.readString(Documents.PROJECT.resolve("docs/effects.md"));
     assertThat(EffectCatalogue.all())
-        .allSatisfy(effect -> assertThat(text).contains("\n`" + effect.id() + "`:"));
+        .allSatisfy(
+            effect -> {
+              String name = EffectName.of(effect.id());
+              String heading = Character.toUpperCase(name.charAt(0)) + name.substring(1);
+              assertThat(text)
+                  .as("named as in the report")
+                  .contains("\n### " + heading + "\n\n`" + effect.id() + "`:");
+            });
   }
 
   /** What changes what other cameras report, too, is shared out among all; the document says so of exactly these. */

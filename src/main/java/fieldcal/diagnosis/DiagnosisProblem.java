@@ -14,7 +14,7 @@ import java.util.Objects;
  * @param cameras noise of each camera, and the offsets that those fits were made with
  * @param observers what the measurement effects know of each camera, as published; one for every camera that saw a kick
  * @param sessionStart begin of the first recording, on the clock of the kicks, s
- * @param commands what the robots were told, by number of the kick; kicks without one are missing
+ * @param commands what the robots were commanded, by number of the kick; kicks without one are missing
  * @param maxCauses how many causes may be named, 0 or more
  * @param seed of the bootstrap and the choice of kicks that are held out
  */

@@ -4,7 +4,7 @@ import fieldcal.vision.RobotId;
 import java.util.Objects;
 
 /**
- * What a robot was told when it kicked.
+ * What a robot was commanded when it kicked.
  *
  * @param robot who
  * @param speed absolute speed of the ball, m/s, positive

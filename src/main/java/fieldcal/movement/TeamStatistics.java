@@ -8,7 +8,7 @@ public final class TeamStatistics {
   public static final double LEAST_TURN = 2;
 
   /** Which part of a change of velocity must go into the speed, for a manoeuvre to be accelerating or braking and not a turn. */
-  private static final double MOSTLY = 0.5;
+  private static final double SHARE_OF_SPEED = 0.5;
 
   /** Numbers of robots that are kept apart: those of the rules. */
   private static final int ROBOTS = 16;
@@ -38,9 +38,9 @@ public final class TeamStatistics {
     double direction = Math.atan2(m.ay(), m.ax()) - m.orientation();
     int robot = number(m.robot());
     robots |= 1 << robot;
-    if (share > MOSTLY) {
+    if (share > SHARE_OF_SPEED) {
       accelerating.of(robot).add(a, m.accelerationError(), m.speed(), direction);
-    } else if (share < -MOSTLY) {
+    } else if (share < -SHARE_OF_SPEED) {
       braking.of(robot).add(a, m.accelerationError(), m.speed(), direction);
     }
     // Where corners are round, the speeds of the sharp ones are never reached.

@@ -30,10 +30,10 @@ final class VelocityLimit {
   /** Speeds at the ends of manoeuvres exceed the cap by errors of the knots, by so much at most … */
   private static final double BEYOND = 1.08;
 
-  /** … but for this part of the plateau's number, and a few. */
+  /** … but for this part of the plateau's number, and this many. */
   private static final double BEYOND_SHARE = 0.3;
 
-  private static final long FEW = 3;
+  private static final long BEYOND_ANYWAY = 3;
 
   /** As a lower bound, the speed that so many manoeuvres exceed. */
   private static final int BOUND = 2;
@@ -69,7 +69,7 @@ final class VelocityLimit {
     Plateau plateau = highest(all, FEWEST);
     if (plateau != null) {
       long beyond = above(tops, BEYOND * plateau.speed());
-      if (beyond <= FEW + BEYOND_SHARE * plateau.samples()) {
+      if (beyond <= BEYOND_ANYWAY + BEYOND_SHARE * plateau.samples()) {
         double error = Math.hypot(plateau.error(), SYSTEMATIC * plateau.speed());
         return new LimitEstimate(plateau.speed(), error, all.samples(), true, "");
       }
@@ -84,7 +84,7 @@ final class VelocityLimit {
         2 * sure.width(),
         tops.samples(),
         false,
-        notReached + "; this one they certainly reached");
+        notReached + "; they certainly reached this one");
   }
 
   /** Robots that never exceed a speed of their own. */

@@ -112,6 +112,9 @@ public final class VerdictRule {
   /** One model; false when it has too few kicks to ask whether it holds for all of them. */
   private boolean judge(KickKind kind) {
     boolean flat = kind == KickKind.FLAT;
+    if (!flat && areNoChips()) {
+      return false;
+    }
     List<Parameter> published =
         flat
             ? evidence.published().flat().map(FlatModel::parameters).orElse(List.of())
@@ -136,9 +139,6 @@ public final class VerdictRule {
       reasons.add(new Reason.NothingPublished(kind));
     } else if (!differs && averages.values().stream().allMatch(a -> a.n() > 0)) {
       reasons.add(new Reason.AgreesWithPublished(kind));
-    }
-    if (!flat) {
-      chips();
     }
     return enough;
   }
@@ -173,13 +173,16 @@ public final class VerdictRule {
     }
   }
 
-  private void chips() {
+  /** Whether most chips do not fly; nothing else is then worth saying of the chip model, least of all that it needs more chips. */
+  private boolean areNoChips() {
     List<CalibratedKick> chips =
         calibration.kicks(KickKind.CHIP).stream().filter(CalibratedKick::trusted).toList();
     int flat = (int) chips.stream().filter(k -> !KickFitter.flies(k.fit())).count();
-    if (flat > MOST_FLAT_CHIPS * chips.size()) {
+    boolean none = flat > MOST_FLAT_CHIPS * chips.size();
+    if (none) {
       reasons.add(new Reason.NoChips(flat, chips.size()));
     }
+    return none;
   }
 
   private void recordings() {

@@ -167,7 +167,9 @@ class VerdictRuleTest {
         new BallModels(Optional.empty(), Optional.of(new ChipModel(0.7, 0.9, 0.56, -0.3)));
     PublishVerdict verdict = VerdictRule.judge(Evidence.of(chips, published));
     assertThat(verdict.decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
-    assertThat(verdict.reasons().get(0)).isEqualTo(new Reason.NoChips(6, 6));
+    assertThat(verdict.reasons())
+        .as("nor is more of them asked for")
+        .containsExactly(new Reason.NoChips(6, 6));
   }
 
   @Test

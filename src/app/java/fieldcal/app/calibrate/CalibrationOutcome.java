@@ -30,7 +30,7 @@ import java.util.Optional;
  * @param data what was found in them
  * @param initial the model that it started from and is compared with; may hold none
  * @param selection decisions by hand
- * @param commands what the robots were told; may be empty
+ * @param commands what the robots were commanded; may be empty
  * @param calibration the result
  * @param extended how it came about when it was made under an extended model
  * @param surroundings where the recordings come from
@@ -121,7 +121,7 @@ public record CalibrationOutcome(
   }
 
   /**
-   * What a kick's robot was told.
+   * What a kick's robot was commanded.
    *
    * @param kick one of the calibration's
    * @return the command, when there is one

@@ -17,7 +17,7 @@ import java.util.Optional;
  * @param initial where to start; without it, from what the recordings publish, or typical values
  * @param model effects under which the parameters are to hold; those that grow with time do so from the beginning of the recordings
  * @param selection decisions by hand
- * @param commands what the robots were told; may be empty
+ * @param commands what the robots were commanded; may be empty
  */
 public record CalibrationRequest(
     List<Path> logs,
@@ -42,7 +42,7 @@ public record CalibrationRequest(
    *
    * @param logs at least one recording
    * @param selection decisions by hand
-   * @param commands what the robots were told; may be empty
+   * @param commands what the robots were commanded; may be empty
    * @return the request
    */
   public static CalibrationRequest of(

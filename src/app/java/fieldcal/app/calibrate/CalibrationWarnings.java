@@ -96,10 +96,10 @@ public final class CalibrationWarnings {
     return names.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "More kicks lie to one side of the mean than to the other for "
+            "Of the "
                 + WordList.of(names)
-                + ", as where some kicks have spin. The median is given instead, with an error that"
-                + " covers both sides.");
+                + ", more kicks lie on one side of the mean than on the other, as when some kicks"
+                + " have spin. The median is given instead, with an error that covers both sides.");
   }
 
   /**
@@ -131,8 +131,8 @@ public final class CalibrationWarnings {
     return Optional.of(
         "No kick leads from the view of some cameras into that of others ("
             + named
-            + "). By how much these disagree is not known and taken to be nothing: kick from one"
-            + " view into the other.");
+            + "). Nobody knows how far these disagree, and no difference is assumed. Record kicks"
+            + " from one view into the other.");
   }
 
   /**
@@ -183,8 +183,8 @@ public final class CalibrationWarnings {
           String.format(
               Locale.ROOT,
               "In %d of %d kicks the model does not explain a part of the path, up to %.0f %% of"
-                  + " the detections. These are used nevertheless; diagnose looks for the"
-                  + " cause.",
+                  + " the detections. These kicks are used all the same; run diagnose to look for"
+                  + " the cause.",
               shares.length,
               calibration.kicks().size(),
               100 * shares[shares.length - 1]));

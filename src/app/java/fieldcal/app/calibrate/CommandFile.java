@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** What the robots were told: a CSV file with the columns {@value #HEADER}. */
+/** What the robots were commanded: a CSV file with the columns {@value #HEADER}. */
 public final class CommandFile {
   /** Its first line. */
   public static final String HEADER = "t_unix,team,id,kind,speed_mps,direction_deg,elevation_deg";

@@ -6,6 +6,7 @@ import fieldcal.app.report.CalibrationReport;
 import fieldcal.app.report.Field;
 import fieldcal.app.report.Problem;
 import fieldcal.app.report.Provenance;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.PublishWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -27,6 +28,8 @@ import java.util.function.Function;
 
 /** Turns a calibration into what the report shows. Immutable. */
 public final class ReportBuilder {
+  private static final String ROLL = ParameterWords.of("accRoll");
+
   private final CalibrationOutcome outcome;
   private final Calibration calibration;
 
@@ -133,21 +136,23 @@ public final class ReportBuilder {
     Estimate e = roll.get();
     if (!e.parameter().estimated()) {
       return String.format(
-              Locale.ROOT, "Chips roll with the acc_roll of the flat kicks, %.4f m/s².", e.value())
+              Locale.ROOT, "Chips roll with the %s of the flat kicks, %.4f m/s².", ROLL, e.value())
           .replace('-', '−');
     }
     String why =
         calibration.kicks(KickKind.FLAT).isEmpty()
             ? "There are no flat kicks"
-            : "The flat kicks do not determine acc_roll";
+            : "The flat kicks do not determine the " + ROLL;
     return e.usable()
         ? String.format(
-            Locale.ROOT,
-            "%s; the chips themselves give acc_roll %.4f ± %.4f m/s².",
-            why,
-            e.value(),
-            e.standardError())
-        : why + ", and the chips do not determine acc_roll either.";
+                Locale.ROOT,
+                "%s; the chips themselves give a %s of %.4f ± %.4f m/s².",
+                why,
+                ROLL,
+                e.value(),
+                e.standardError())
+            .replace('-', '−')
+        : why + ", and the chips do not determine it either.";
   }
 
   private double published(KickKind kind, String name) {

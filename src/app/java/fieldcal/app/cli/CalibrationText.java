@@ -111,12 +111,13 @@ final class CalibrationText {
               .map(e -> withError(e.value(), e.standardError()))
               .orElse("undetermined");
       line(
-          "  %-22s %-24s %4d  %-22s %s",
+          "  %-22s %-24s %4d  %-22s %-18s  %s",
           ParameterWords.inFiles(p.name()),
           mean,
           a.n(),
           together,
-          compared(published, p.name(), a));
+          compared(published, p.name(), a),
+          ParameterWords.words(p.name()));
     }
     line("");
   }

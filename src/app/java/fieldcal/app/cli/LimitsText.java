@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 
 /** Prints movement limits for the terminal. */
 final class LimitsText {
-  private static final String ROW = "%-8s %-21s %-16s %10s   %-19s%s";
+  private static final String ROW = "%-8s %-21s %-16s %10s   %s";
 
   private final PrintWriter out;
 
@@ -28,7 +28,7 @@ final class LimitsText {
   }
 
   void print(LimitsOutcome outcome, Path directory) {
-    line(ROW, "", "", "limit", "manoeuvres", "league's estimate", "");
+    line(ROW, "", "", "limit", "manoeuvres", "league's estimate");
     for (Team team : Team.values()) {
       team(outcome.limits(team));
     }
@@ -79,7 +79,8 @@ final class LimitsText {
   }
 
   private void turning(String name, LimitEstimate own) {
-    line(ROW, "", name, value(own), own.samples(), "", own.note());
+    line(ROW, "", name, value(own), own.samples(), "");
+    note(own.note());
   }
 
   private static String value(LimitEstimate own) {
@@ -99,7 +100,15 @@ final class LimitsText {
         Stream.of(own.note(), league.known() ? "" : "the league's estimate " + league.note())
             .filter(text -> !text.isEmpty())
             .collect(Collectors.joining("; "));
-    line(ROW, team, name, value(own), own.samples(), theirs, note);
+    line(ROW, team, name, value(own), own.samples(), theirs);
+    note(note);
+  }
+
+  /** Why the row above says so; too long to stand beside it. */
+  private void note(String text) {
+    if (!text.isEmpty()) {
+      line("%-10s%s", "", text);
+    }
   }
 
   private void verdict(String team, TeamLimits limits) {

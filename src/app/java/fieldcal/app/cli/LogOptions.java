@@ -20,8 +20,8 @@ final class LogOptions {
       paramLabel = "RATIO",
       defaultValue = "" + GameLogReader.LARGEST_RATIO,
       description =
-          "how many times its size a packed recording may unpack to (default: ${DEFAULT-VALUE});"
-              + " Infinity: no limit")
+          "a packed recording may unpack to at most RATIO times its size (default:"
+              + " ${DEFAULT-VALUE}); Infinity: no limit")
   private void limit(double ratio) {
     try {
       opener = new LogOpener(ratio);

@@ -53,6 +53,17 @@ final class PlayCommand implements Callable<Integer> {
   /** Sessions of one simulated field begin that far apart, s. */
   private static final double BETWEEN_SESSIONS = 1800;
 
+  /** Kicks that the play can make, m/s. */
+  private static final double SLOWEST = 0.7;
+
+  private static final double FASTEST = 10;
+
+  /** The steepest chip, degrees; the play takes up to 1.4 rad. */
+  private static final double STEEPEST = 80;
+
+  /** More than any session has seen; chosen. */
+  private static final int MOST_TROUBLES = 100;
+
   /** As a shell has it for a program that Ctrl-C has ended. */
   private static final int INTERRUPTED = 130;
 
@@ -354,6 +365,7 @@ final class PlayCommand implements Callable<Integer> {
           default ->
               throw new IllegalArgumentException("--kind must be flat or chip, not '" + kind + "'");
         };
+    checkRanges();
     RobotId[] pair = simulator.robots();
     SessionRequest r = SessionRequest.of(wanted, kicks);
     PlayLimits limits = r.limits();
@@ -374,6 +386,18 @@ final class PlayCommand implements Callable<Integer> {
             Math.toRadians(elevation))
         .withChoice(adaptive, seed, share(precision))
         .withLimits(limits, Optional.ofNullable(margin));
+  }
+
+  private void checkRanges() {
+    OptionRange.check("--speed-min", speedMin, SLOWEST, FASTEST, " m/s");
+    OptionRange.check("--speed-max", speedMax, SLOWEST, FASTEST, " m/s");
+    OptionRange.check("--elevation", elevation, 0, STEEPEST, "°");
+    OptionRange.check("--margin", margin, 0, 1, " m");
+    OptionRange.check("--troubles", troubles, 0, MOST_TROUBLES, "");
+    OptionRange.positive("--receiver-distance", receiverDistance);
+    OptionRange.positive("--drive-speed", driveSpeed);
+    OptionRange.positive("--patience", patience);
+    OptionRange.positive("--pace", pace);
   }
 
   /** A relative standard error; none was asked for: 0. */

@@ -268,7 +268,7 @@ final class SimulateCommand implements Callable<Integer> {
       paramLabel = "V,A,B",
       split = ",",
       hideParamSyntax = true,
-      description = "the same of blue robots")
+      description = "the same for blue robots")
   private double[] blueLimits;
 
   @Option(
@@ -435,8 +435,13 @@ final class SimulateCommand implements Callable<Integer> {
     if (speedMin != null || speedMax != null) {
       double min = speedMin == null ? s.flatSpeedMin() : speedMin;
       double max = speedMax == null ? s.flatSpeedMax() : speedMax;
+      OptionRange.check("--speed-min", min, 0.3, 10, " m/s");
+      OptionRange.check("--speed-max", max, min, 10, " m/s");
       s = s.withSpeeds(min, max);
     }
+    OptionRange.check("--reception", reception, 0, 1, "");
+    OptionRange.positive("--minutes", minutes);
+    OptionRange.check("--team-size", teamSize, 1, 16, "");
     if (reception != null) {
       s = s.withReception(reception);
     }
@@ -453,7 +458,8 @@ final class SimulateCommand implements Callable<Integer> {
       case "A" -> FieldSize.DIVISION_A;
       case "B" -> FieldSize.DIVISION_B;
       default ->
-          throw new IllegalArgumentException("division must be A or B, but is '" + division + "'");
+          throw new IllegalArgumentException(
+              "--division must be A or B, but is '" + division + "'");
     };
   }
 
@@ -467,7 +473,8 @@ final class SimulateCommand implements Callable<Integer> {
       return BallPhysics.contact(0.3, 0.28, 0.52);
     }
     if (!name.equals("ideal")) {
-      throw new IllegalArgumentException("physics must be ideal or contact, but is '" + name + "'");
+      throw new IllegalArgumentException(
+          "--physics must be ideal or contact, but is '" + name + "'");
     }
     double[] flat = three("--flat-model", flatModel, new double[] {-3.1, -0.28, 0.65});
     double[] chip = three("--chip-model", chipModel, new double[] {0.75, 0.95, 0.52});
@@ -484,7 +491,8 @@ final class SimulateCommand implements Callable<Integer> {
     } catch (NumberFormatException e) {
       // The message below says what is expected.
     }
-    throw new IllegalArgumentException("outage must be CAMERA:FROM:SECONDS, but is '" + text + "'");
+    throw new IllegalArgumentException(
+        "--outage must be CAMERA:FROM:SECONDS, but is '" + text + "'");
   }
 
   private static double[] three(String option, double[] given, double[] usual) {
@@ -502,10 +510,18 @@ final class SimulateCommand implements Callable<Integer> {
       return RobotLimits.DEFAULT;
     }
     double[] values = three(option, given, given);
+    for (double value : values) {
+      OptionRange.positive(option, value);
+    }
     return RobotLimits.uniform(values[0], values[1], values[2]);
   }
 
   private CameraSettings cameras(CameraSettings base) {
+    OptionRange.check("--cameras", cameras, 1, 8, "");
+    OptionRange.check("--noise-mm", noiseMm, 0, 100, " mm");
+    OptionRange.check("--camera-height", cameraHeight, 1, 20, " m");
+    OptionRange.check("--distortion", distortion, -0.25, 1, "");
+    OptionRange.check("--disagreement-mm", disagreementMm, 0, 500, " mm");
     CameraSettings c = base;
     if (cameras != null) {
       c = c.withCount(cameras);

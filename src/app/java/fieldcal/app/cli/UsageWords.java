@@ -28,6 +28,9 @@ final class UsageWords {
   private static final Pattern VALUE =
       Pattern.compile("Invalid value for option '([^']*)'(?: \\([^)]*\\))?: (.*)");
 
+  private static final Pattern TWICE =
+      Pattern.compile("option '([^']*)' \\(.*\\) should be specified only once");
+
   private UsageWords() {}
 
   /**
@@ -62,6 +65,10 @@ final class UsageWords {
     m = TOO_MANY.matcher(text);
     if (m.matches()) {
       return "one argument too many: " + m.group(1);
+    }
+    m = TWICE.matcher(text);
+    if (m.matches()) {
+      return m.group(1) + " is given more than once";
     }
     m = VALUE.matcher(text);
     if (m.matches()) {

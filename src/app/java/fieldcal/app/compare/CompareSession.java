@@ -43,9 +43,9 @@ public final class CompareSession {
    * Calibrates, diagnoses and compares.
    *
    * @param real recordings of the field
-   * @param realCommands what its robots were told; may be empty
+   * @param realCommands what its robots were commanded; may be empty
    * @param sim recordings of the simulator
-   * @param simCommands what its robots were told; may be empty
+   * @param simCommands what its robots were commanded; may be empty
    * @param progress of each side, told how far it is
    * @return the outcome
    * @throws IOException when a recording cannot be read or has no kick; one line for the operator

@@ -45,7 +45,7 @@ public record ConsoleSettings(
     Objects.requireNonNull(initial, "initial");
     Objects.requireNonNull(opener, "opener");
     if (port < 0 || port > 65535) {
-      throw new IllegalArgumentException("port must be 0 to 65535, got " + port);
+      throw new IllegalArgumentException("--port must be 0 to 65535, but is " + port);
     }
     if (token.isPresent() && !token.get().matches("[A-Za-z0-9._~-]{" + SHORTEST_TOKEN + ",}")) {
       // Such as may stand in an address and in a cookie as they are.

@@ -121,7 +121,7 @@ final class SessionDirectory {
     return all;
   }
 
-  /** What the robots were told, of all recordings. */
+  /** What the robots were commanded, of all recordings. */
   List<CommandFile.Command> commands() throws IOException {
     return RecordingFolder.commands(path);
   }

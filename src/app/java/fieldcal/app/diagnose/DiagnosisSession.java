@@ -77,7 +77,7 @@ public final class DiagnosisSession {
    *
    * @param logs at least one recording
    * @param selection decisions by hand
-   * @param commands what the robots were told; may be empty
+   * @param commands what the robots were commanded; may be empty
    * @param progress told how far it is
    * @return the outcome
    * @throws InputException when there are too few kicks; one line for the operator

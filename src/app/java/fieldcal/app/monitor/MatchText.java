@@ -216,7 +216,7 @@ final class MatchText {
       TeamLimits now = movement.limits().get(team);
       TeamLimits before = movement.beforeBreak().get(team);
       TeamLimits shown = now != null && now.acceleration().known() || before == null ? now : before;
-      String since = shown != null && shown == before ? "earlier" : "";
+      String since = shown != null && shown == before ? "before the break" : "";
       if (shown == null) {
         add(lines, "  %-7s nothing yet", team.label());
         continue;

@@ -107,7 +107,7 @@ public final class PlaySession {
    *
    * @param last the last snapshot
    * @param log the recording; empty when nothing was recorded
-   * @param commands what the robots were told; empty when nothing was recorded
+   * @param commands what the robots were commanded; empty when nothing was recorded
    */
   public record Outcome(SessionSnapshot last, Optional<Path> log, Optional<Path> commands) {
 

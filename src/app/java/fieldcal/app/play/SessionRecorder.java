@@ -89,7 +89,7 @@ public final class SessionRecorder implements Closeable {
   }
 
   /**
-   * What the robots were told.
+   * What the robots were commanded.
    *
    * @return its file
    */
@@ -122,7 +122,7 @@ public final class SessionRecorder implements Closeable {
   }
 
   /**
-   * Writes what a robot was told, once its ball is done.
+   * Writes what a robot was commanded, once its ball is done.
    *
    * @param kick the kick
    * @throws IOException when it cannot be written

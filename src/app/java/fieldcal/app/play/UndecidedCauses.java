@@ -21,7 +21,7 @@ import java.util.Optional;
 /** Causes that a diagnosis could not tell from others, and what a kick would do to tell them apart. Immutable. */
 final class UndecidedCauses {
   /** Chi-square difference from which on two explanations are told apart: twice the evidence that a diagnosis asks for. */
-  private static final double ENOUGH = 12;
+  private static final double TOLD_APART = 12;
 
   /** Fewer than that of a kick, and no number of kicks that anybody makes tells them apart. */
   static final double LEAST = 0.5;
@@ -134,7 +134,7 @@ final class UndecidedCauses {
     double sum = 0;
     for (Pair pair : pairs) {
       double told = pair.expected(SeenKick.of(plan, pair.model, observers, views));
-      sum += told / (1 + told / ENOUGH);
+      sum += told / (1 + told / TOLD_APART);
     }
     return sum;
   }

@@ -28,7 +28,7 @@ import java.util.function.DoubleConsumer;
  *
  * @param log game log, {@code NAME.log} or {@code NAME.log.gz}
  * @param truth {@code NAME.truth.json} beside it
- * @param commands {@code NAME.commands.csv} beside it: what the robots were told
+ * @param commands {@code NAME.commands.csv} beside it: what the robots were commanded
  */
 public record RecordingFiles(Path log, Path truth, Path commands) {
   private static final double REFEREE_INTERVAL = 0.1;

@@ -19,10 +19,10 @@ import org.apache.commons.math3.stat.StatUtils;
 /** What the detections of a kick say of the ball's motion without a model: where it stops, how fast it is, how it is braked. */
 final class MeasuredMotion {
   /** Half of the time over which a speed is measured, s. */
-  private static final double HALF = 0.1;
+  private static final double HALF_SPEED_TIME = 0.1;
 
   /** Half of the time over which an acceleration is measured, s: at 2 mm of noise and 60 detections it is then good to 0.04 m/s². */
-  private static final double HALF_LONG = 0.2;
+  private static final double HALF_ACCELERATION_TIME = 0.2;
 
   /** Fewest detections of a measurement. */
   private static final int FEWEST = 10;
@@ -76,7 +76,7 @@ final class MeasuredMotion {
     double x = 0;
     double y = 0;
     int n = 0;
-    for (int i = seen.size() - 1; i >= 0 && seen.time(i) > end - HALF; i--) {
+    for (int i = seen.size() - 1; i >= 0 && seen.time(i) > end - HALF_SPEED_TIME; i--) {
       if (fit.used(i)) {
         x += seen.x(i) - offset(i).offsetX();
         y += seen.y(i) - offset(i).offsetY();
@@ -96,7 +96,7 @@ final class MeasuredMotion {
   /** Speed of the reported position some time after the kick. */
   OptionalDouble speedAfter(double seconds) {
     double at = fit.estimate("t0").value() + seconds;
-    double[] line = polynomial(at, HALF, 1);
+    double[] line = polynomial(at, HALF_SPEED_TIME, 1);
     return line == null ? OptionalDouble.empty() : OptionalDouble.of(Math.hypot(line[1], line[3]));
   }
 
@@ -104,15 +104,17 @@ final class MeasuredMotion {
   Map<Range, Double> braking() {
     Map<Range, List<Double>> found = new LinkedHashMap<>();
     double end = seen.size() == 0 ? 0 : seen.time(seen.size() - 1);
-    for (double at = fit.kick().time() + HALF_LONG; at + HALF_LONG <= end; at += HALF_LONG) {
-      double[] p = polynomial(at, HALF_LONG, 2);
+    for (double at = fit.kick().time() + HALF_ACCELERATION_TIME;
+        at + HALF_ACCELERATION_TIME <= end;
+        at += HALF_ACCELERATION_TIME) {
+      double[] p = polynomial(at, HALF_ACCELERATION_TIME, 2);
       if (p == null) {
         continue;
       }
       double speed = Math.hypot(p[1], p[4]);
       double along = (2 * p[2] * p[1] + 2 * p[5] * p[4]) / speed;
       // All of the stretch must be motion: a ball that stops within it is braked less in the mean.
-      if (-along > SLIDES || speed + along * HALF_LONG < STANDS) {
+      if (-along > SLIDES || speed + along * HALF_ACCELERATION_TIME < STANDS) {
         continue;
       }
       for (int r = 0; r + 1 < RANGES.length; r++) {

@@ -45,7 +45,7 @@ public final class TwinSession {
    * Makes a twin, writes its settings, records the kicks again and compares.
    *
    * @param logs at least one
-   * @param commands what the robots were told; may be empty
+   * @param commands what the robots were commanded; may be empty
    * @param directory for {@code twin.json}, {@code twin_check.json}, {@code twin.html} and the twin's recordings; made if needed
    * @param progress told how far it is
    * @return the twin and its check

@@ -27,24 +27,24 @@ final class AirWords extends MotionText {
                 Amount.of(cd)),
         pass("without air", HARD_KICK, 1),
         "The league's ball model has no air: predict with the extended model, or calibrate with"
-            + " kicks as fast as those of your games.");
+            + " kicks as fast as those of your games.",
+        "The league's ball model has no air: calibrate with kicks as fast as those of your games.");
   }
 
   Sentences magnus() {
     double cl = effect.value("cl");
-    return new Sentences(
+    return Sentences.extended(
         text(
             "The air pushes spinning balls sideways, up or down: lift coefficient %s, a ball with"
                 + " topspin is %s.",
             Amount.of(cl), cl >= 0 ? "pressed down" : "lifted"),
-        pass("without this force", PASS, PASS_TIME),
-        EXTENDED);
+        pass("without this force", PASS, PASS_TIME));
   }
 
   Sentences wind() {
     double speed = effect.value("speed");
     double towards = effect.value("direction") + (speed < 0 ? Math.PI : 0);
-    return new Sentences(
+    return Sentences.orExtended(
         text(
             "The air over the field moves at %s m/s %s.",
             Amount.of(Math.abs(speed)), FieldWords.direction(towards)),
@@ -56,7 +56,7 @@ final class AirWords extends MotionText {
                         "A pass at %s m/s that way travels %s in %s s than in still air.",
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElseGet(() -> chip("in still air")),
-        "Close the doors and switch off fans near the field; otherwise predict with the extended"
-            + " model.");
+        "Close the doors and switch off fans near the field",
+        "; otherwise");
   }
 }

@@ -26,24 +26,22 @@ final class BounceWords extends MotionText {
                         percent(m.dampingZ() * (1 - slope * 1.5)),
                         percent(m.dampingZ() * (1 + slope * 0.5))))
             .orElse(text(" by %s %% per m/s", percent(Math.abs(slope))));
-    return new Sentences(
+    return Sentences.extended(
         text("Hard bounces lose %s height than soft ones%s.", loses ? "more" : "less", numbers),
         text(
             "With one damping for all, the first bounces are predicted too %s and the last ones too"
                 + " %s.",
-            loses ? "high" : "low", loses ? "low" : "high"),
-        EXTENDED);
+            loses ? "high" : "low", loses ? "low" : "high"));
   }
 
   Sentences bounceSpinCoupling() {
     double coefficient = effect.value("coefficient");
-    return new Sentences(
+    return Sentences.extended(
         text(
             "A bounce takes %s speed from a ball with topspin: %s %% for the spin of a rolling"
                 + " ball.",
             coefficient >= 0 ? "more" : "less", percent(Math.abs(coefficient))),
-        chip("if spin did not matter"),
-        EXTENDED);
+        chip("if spin did not matter"));
   }
 
   Sentences contactImpacts() {
@@ -56,12 +54,11 @@ final class BounceWords extends MotionText {
                 reversed > 0 ? "reverses" : "does not quite stop",
                 percent(Math.abs(reversed)),
                 reversed > 0 ? "comes back" : "stays");
-    return new Sentences(
+    return Sentences.extended(
         text(
             "The carpet grips the ball at a bounce and %s (coefficient of friction %s).",
             slip, Amount.of(effect.value("friction"))),
         "The spin of one bounce lasts until the next, so each bounce takes less speed than the one"
-            + " before; two fixed dampings cannot follow that.",
-        EXTENDED);
+            + " before; two fixed dampings cannot follow that.");
   }
 }

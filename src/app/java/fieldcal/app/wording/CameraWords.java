@@ -21,6 +21,9 @@ final class CameraWords {
 
   private static final String CALIBRATE_CAMERA = "Calibrate this camera again.";
 
+  private static final String CALIBRATE_POSITION =
+      "Calibrate focal length and height in vision again.";
+
   private final Effect effect;
   private final Map<String, Double> errors;
   private final ReportedShifts shifts;
@@ -129,19 +132,19 @@ final class CameraWords {
     }
     String where = parts.isEmpty() ? "slightly off" : String.join(", ", parts);
     OptionalDouble hangs = shifts.height(camera());
-    double aside = Math.hypot(x, y) * HOP / (hangs.orElse(Double.NaN) - HOP);
-    String far = aside > 0 ? text("%s mm aside", Amount.of(aside)) : "elsewhere";
+    double off = Math.hypot(x, y) * HOP / (hangs.orElse(Double.NaN) - HOP);
+    String far = off > 0 ? text("%s mm off from there", Amount.of(off)) : "in the wrong place";
     return new Sentences(
         text(
-            "Vision publishes the position of %s %s.",
+            "The position that vision publishes for %s is %s.",
             camera() == EffectParameters.ALL_CAMERAS ? "every camera" : text("camera %d", camera()),
             where),
         text(
-            "Balls on the carpet are reported where they are, but who reckons with that position"
-                + " takes a ball that flies %s m high to be %s.",
+            "Balls on the carpet are reported where they are. A program that uses the position to"
+                + " find a ball that flies %s m high finds it %s.",
             Amount.decimals(HOP, 1), far),
-        "Calibrate focal length and height in vision again. Until then use the extended model for"
-            + " flights.");
+        CALIBRATE_POSITION + " Until then, predict chips with the extended model.",
+        CALIBRATE_POSITION);
   }
 
   Sentences lensDistortion() {
@@ -213,7 +216,7 @@ final class CameraWords {
 
   Sentences rollingShutter() {
     double ms = effect.value("ms");
-    return new Sentences(
+    return Sentences.orExtended(
         text(
             "The cameras expose their image rows one after another, the %s row %s ms after the"
                 + " %s.",
@@ -224,7 +227,8 @@ final class CameraWords {
             Amount.decimals(FAST, 0),
             Amount.of(FAST * Math.abs(ms)),
             ms >= 0 ? "ahead of" : "behind"),
-        "Use cameras with a global shutter, or predict with the extended model.");
+        "Use cameras with a global shutter",
+        ", or");
   }
 
   private String reports() {

@@ -23,7 +23,7 @@ final class CarpetWords extends MotionText {
     double downhill = effect.value("direction") + (percent < 0 ? Math.PI : 0);
     Optional<ExampleKicks.Change> across =
         kicks.flat(effect, 0, 0, PASS, downhill + Math.PI / 2, PASS_TIME);
-    return new Sentences(
+    return Sentences.orExtended(
         text(
             "The field is not level: it falls by %s mm per metre %s.",
             Amount.of(10 * Math.abs(percent)), FieldWords.direction(downhill)),
@@ -34,7 +34,8 @@ final class CarpetWords extends MotionText {
                         "A pass at %s m/s across the slope drifts %s mm downhill in %s s.",
                         whole(PASS), Amount.of(Math.abs(c.left())), whole(PASS_TIME)))
             .orElse(""),
-        "Level the floor under the carpet if you can; otherwise predict with the extended model.");
+        "Level the floor under the carpet if you can",
+        "; otherwise");
   }
 
   Sentences carpetNap() {
@@ -43,7 +44,7 @@ final class CarpetWords extends MotionText {
     Optional<ExampleKicks.Change> slow = kicks.flat(effect, 0, 0, PASS, against, PASS_TIME);
     Optional<ExampleKicks.Change> fast =
         kicks.flat(effect, 0, 0, PASS, against + Math.PI, PASS_TIME);
-    return new Sentences(
+    return Sentences.extended(
         text(
             "The carpet has a direction: balls that roll %s are braked %s %% more than on average,"
                 + " those the other way as much less.",
@@ -52,15 +53,14 @@ final class CarpetWords extends MotionText {
             ? ""
             : text(
                 "A pass at %s m/s that way travels %s mm less far in %s s than one the other way.",
-                whole(PASS), Amount.of(fast.get().along() - slow.get().along()), whole(PASS_TIME)),
-        EXTENDED);
+                whole(PASS), Amount.of(fast.get().along() - slow.get().along()), whole(PASS_TIME)));
   }
 
   Sentences speedDependentRoll() {
     double slope = effect.value("slope");
     OptionalDouble roll = rollingDeceleration();
     boolean grows = slope >= 0;
-    return new Sentences(
+    return Sentences.extended(
         text(
             "Rolling brakes a fast ball %s than a slow one: by %s m/s² for every m/s%s.",
             grows ? "more" : "less",
@@ -74,8 +74,7 @@ final class CarpetWords extends MotionText {
         text(
             "A single rolling deceleration is right at one speed only: slower balls roll %s than it"
                 + " predicts, faster ones %s.",
-            grows ? "farther" : "less far", grows ? "less far" : "farther"),
-        EXTENDED);
+            grows ? "farther" : "less far", grows ? "less far" : "farther"));
   }
 
   Sentences slipDependentFriction() {
@@ -92,7 +91,7 @@ final class CarpetWords extends MotionText {
                         Amount.decimals(-m.accSlide() * (1 - slope), 2),
                         Amount.decimals(-m.accSlide() * (1 + 2 * slope), 2)))
             .orElse("");
-    return new Sentences(
+    return Sentences.extended(
         text(
             "Sliding friction %s by %s %% for every m/s with which the ball slips over the"
                 + " carpet%s.",
@@ -100,8 +99,7 @@ final class CarpetWords extends MotionText {
         text(
             "A single sliding deceleration is right for kicks of one speed only: hard kicks are"
                 + " braked %s than it predicts, soft ones %s.",
-            grows ? "more" : "less", grows ? "less" : "more"),
-        EXTENDED);
+            grows ? "more" : "less", grows ? "less" : "more"));
   }
 
   Sentences wornRegion() {
@@ -120,7 +118,7 @@ final class CarpetWords extends MotionText {
             PASS,
             alongX ? 0 : Math.PI / 2,
             PASS_TIME);
-    return new Sentences(
+    return Sentences.orExtended(
         text(
             "%s the carpet brakes %s %% %s than elsewhere.",
             Sentences.begin(FieldWords.region(x0, x1, y0, y1)),
@@ -134,8 +132,8 @@ final class CarpetWords extends MotionText {
                             + " than elsewhere.",
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElse(""),
-        "Look at the carpet there (worn, wet, a seam, dust); until it is mended, predict with the"
-            + " extended model.");
+        "Look at the carpet there (worn, wet, a seam, dust)",
+        "; until it is mended,");
   }
 
   Sentences carpetSeam() {
@@ -158,7 +156,7 @@ final class CarpetWords extends MotionText {
     }
     // A pass that begins just before the seam and goes straight across.
     double start = distance - RUN_UP;
-    return new Sentences(
+    return Sentences.orExtended(
         text(
             "A seam of the carpet %s %s.",
             FieldWords.line(normal, distance),
@@ -177,7 +175,8 @@ final class CarpetWords extends MotionText {
                         Amount.of(Math.abs(c.left())),
                         c.left() >= 0 ? "left" : "right"))
             .orElse(""),
-        "Press or tape the seam flat; until then, predict with the extended model.");
+        "Press or tape the seam flat",
+        "; until then,");
   }
 
   Sentences drift() {

@@ -20,11 +20,12 @@ import java.util.stream.Stream;
 
 /**
  * Puts causes into an operator's words. The numbers of what a cause does to a kick are those of the diagnosis' own model; those of what a camera reports
- * are of the places where it saw the ball. Immutable.
+ * are of the places where it saw the ball. Where the extended model predicts no better than the simple one, nobody is advised to use it. Immutable.
  */
 public final class CauseWords {
   private final ExampleKicks kicks;
   private final ReportedShifts shifts;
+  private final boolean extendedHelps;
 
   /**
    * Words for the causes of a diagnosis.
@@ -34,6 +35,7 @@ public final class CauseWords {
    */
   public CauseWords(Diagnosis diagnosis, Collection<ObservedCamera> observers) {
     kicks = new ExampleKicks(diagnosis.model());
+    extendedHelps = VerdictText.caveat(diagnosis).isEmpty();
     shifts = new ReportedShifts(observers, diagnosis.kicks(), diagnosis.model().sessionStart());
   }
 
@@ -66,12 +68,13 @@ public final class CauseWords {
     Sentences s =
         EffectWords.of(effect.id())
             .map(words -> words.sentences(effect, standardErrors, kicks, shifts))
-            .orElseGet(() -> new Sentences(effect.sentence(), "", MotionText.PREDICT));
+            .orElseGet(
+                () -> new Sentences(effect.sentence(), "", "Predict with the extended model.", ""));
     return new CauseText(
         EffectName.of(effect),
         s.what(),
         s.consequence(),
-        s.advice(),
+        s.advice(extendedHelps),
         EffectName.strength(effect, standardErrors));
   }
 
@@ -86,7 +89,7 @@ public final class CauseWords {
       return ChanceWords.of(finding.effect(), finding.scatter(), finding.follows());
     }
     return finding.effect() instanceof LearnedTerm term
-        ? LearnedWords.of(term, finding.curves(), finding.isShownToHelp())
+        ? LearnedWords.of(term, finding.curves(), finding.isShownToHelp(), extendedHelps)
         : of(finding.effect(), Map.of());
   }
 

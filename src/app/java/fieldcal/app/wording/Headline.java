@@ -57,6 +57,21 @@ final class Headline {
         : both + compared(before, after) + ". " + followed(d);
   }
 
+  /**
+   * Whether the first line says that what was found makes the prediction hardly better, no better or worse.
+   *
+   * @param d the diagnosis
+   * @return false also where no kick is long enough to be predicted
+   */
+  static boolean doubts(Diagnosis d) {
+    return horizon(d)
+        .filter(
+            h ->
+                d.extended().typicalErrorMm().get(h)
+                    >= (1 - LEAST_GAIN) * d.base().typicalErrorMm().get(h))
+        .isPresent();
+  }
+
   /** Why the second number is no gain. */
   private static String compared(double before, double after) {
     if (after < (1 - AS_GOOD) * before) {

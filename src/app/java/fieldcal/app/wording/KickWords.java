@@ -26,17 +26,17 @@ final class KickWords extends MotionText {
                         " A flat kick rolls from %s %% of its speed on instead of %s %%.",
                         percent(m.kSwitch() + (1 - m.kSwitch()) * fraction), percent(m.kSwitch())))
             .orElse("");
-    return new Sentences(
+    return Sentences.orExtended(
         KickerSpin.of(effect, errors).sentence(),
         pass("without spin", PASS, PASS_TIME) + switching,
-        "Look at the height at which the kickers hit the ball, and whether the dribblers still turn"
-            + " then; until that is mended, predict with the extended model.");
+        "Check at which height the kickers hit the ball, and whether the dribblers still turn then",
+        "; until that is mended,");
   }
 
   Sentences sideSpin() {
     double fraction = effect.value("fraction");
     Optional<ExampleKicks.Change> change = kicks.flat(effect, 0, 0, PASS, 0, PASS_TIME);
-    return new Sentences(
+    return Sentences.orExtended(
         text(
             "The kickers give the ball side spin, %s %% of the spin of a rolling ball: while it"
                 + " slides, its path curves to the %s.",
@@ -51,8 +51,9 @@ final class KickWords extends MotionText {
                         c.left() > 0 ? "left" : "right",
                         whole(PASS_TIME)))
             .orElse(""),
-        "Look whether the ball lies in the middle of the kickers and the dribblers are straight;"
-            + " until that is mended, predict with the extended model.");
+        "Check whether the ball lies in the middle of the kickers, and whether the dribblers are"
+            + " straight",
+        "; until that is mended,");
   }
 
   Sentences robotKickBias() {

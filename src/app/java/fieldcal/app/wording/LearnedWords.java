@@ -61,9 +61,11 @@ public final class LearnedWords {
    * @param term which
    * @param curves its curves, one of each component
    * @param helps whether kicks that were held out gain by it
-   * @return its text; the consequence is empty
+   * @param extendedHelps whether the extended model predicts better than the simple one
+   * @return its text; the consequence is empty, and so is the advice where nothing can be done
    */
-  public static CauseText of(LearnedTerm term, List<LearnedCurve> curves, boolean helps) {
+  public static CauseText of(
+      LearnedTerm term, List<LearnedCurve> curves, boolean helps, boolean extendedHelps) {
     String told =
         curves.stream()
             .map(c -> sentence(c, SimpleFormula.of(c)))
@@ -73,7 +75,7 @@ public final class LearnedWords {
         curves.stream().map(c -> SimpleFormula.of(c).text()).collect(Collectors.joining(", "));
     String what =
         helps ? told.isEmpty() ? uncertain(term) : told : Sentences.begin(name(term)) + ".";
-    return new CauseText(name(term), what, "", advice(term), strength);
+    return new CauseText(name(term), what, "", advice(term, extendedHelps), strength);
   }
 
   /**
@@ -191,19 +193,23 @@ public final class LearnedWords {
         + " is within two standard errors of nothing.";
   }
 
-  private static String advice(LearnedTerm term) {
+  private static String advice(LearnedTerm term, boolean extendedHelps) {
     if (term.camera().isPresent()) {
       int camera = term.camera().getAsInt();
-      return term.family().quantity() == Quantity.TIME_ERROR
-          ? text("Check the clock of the computer of camera %d, or use the extended model.", camera)
-          : text("Calibrate camera %d in vision again, or use the extended model.", camera);
+      String repair =
+          term.family().quantity() == Quantity.TIME_ERROR
+              ? text("Check the clock of the computer of camera %d", camera)
+              : text("Calibrate camera %d in vision again", camera);
+      return repair + (extendedHelps ? ", or use the extended model." : ".");
     }
     boolean unround =
         term.dependsOn().contains(Variable.DISTANCE_ROLLED.label())
             && term.family().basis() instanceof Harmonics;
-    return unround
-        ? "Try another ball; with this one, use the extended model."
-        : "Use the extended model.";
+    if (unround) {
+      return "Try another ball"
+          + (extendedHelps ? "; with this one, use the extended model." : ".");
+    }
+    return extendedHelps ? "Use the extended model." : "";
   }
 
   /**
@@ -278,7 +284,9 @@ public final class LearnedWords {
                     "%s the %s by %s",
                     where(variable, p), change(curve, p.value()), size(curve, p.value())))
         .reduce((low, high) -> low + ", and " + high)
-        .map(places -> text("How the model errs depends on %s: %s.", variable(variable), places));
+        .map(
+            places ->
+                text("The error of the model depends on %s: %s.", variable(variable), places));
   }
 
   private static String where(Variable variable, Point p) {
@@ -291,9 +299,23 @@ public final class LearnedWords {
   }
 
   private static String size(LearnedCurve curve, double amount) {
+    Optional<String> ofWhat = shareOf(curve.family().quantity());
+    if (ofWhat.isPresent()) {
+      return text("%s %% of %s", Amount.of(PER_CENT * Math.abs(amount)), ofWhat.get());
+    }
     String unit = unit(curve);
     String space = unit.isEmpty() || unit.equals("°") ? "" : " ";
     return Amount.of(Math.abs(inUnit(curve, amount))) + space + unit;
+  }
+
+  /** Of what a quantity without a unit is a share. */
+  private static Optional<String> shareOf(Quantity quantity) {
+    return switch (quantity) {
+      case VERTICAL_RESTITUTION -> Optional.of("the speed of its fall");
+      case TANGENTIAL_RESTITUTION -> Optional.of("its speed over the ground");
+      case SPIN -> Optional.of("the spin of a rolling ball");
+      default -> Optional.empty();
+    };
   }
 
   /** What happens where the term is positive or negative; follows "the". */

@@ -21,11 +21,6 @@ abstract class MotionText {
 
   private static final double CHIP_TIME = 1.5;
 
-  static final String EXTENDED = "There is nothing to repair: predict with the extended model.";
-
-  /** Advice on an effect of which nothing more is known. */
-  static final String PREDICT = "Predict with the extended model.";
-
   final Effect effect;
   final ExampleKicks kicks;
   final Map<String, Double> errors;

@@ -36,6 +36,16 @@ public final class ParameterWords {
   }
 
   /**
+   * The words alone.
+   *
+   * @param name as in the model's record
+   * @return for example {@code sliding deceleration}; of an unknown parameter, its name in files
+   */
+  public static String words(String name) {
+    return WORDS.getOrDefault(name, inFiles(name));
+  }
+
+  /**
    * The name in sentences.
    *
    * @param name as in the model's record

@@ -152,7 +152,9 @@ public record PublishWords(
     if (reason instanceof Reason.NoKicks none) {
       return none.found() == 0
           ? "No kick was found in the recordings."
-          : "None of the kicks found (" + none.found() + ") can be used.";
+          : none.found() == 1
+              ? "The one kick that was found cannot be used."
+              : "None of the " + none.found() + " kicks that were found can be used.";
     }
     if (reason instanceof Reason.Imprecise p) {
       return text(

@@ -158,7 +158,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
    * That whoever predicts with the extended model should look at the predictions first.
    *
    * @param d the diagnosis
-   * @return a sentence; empty where it predicts no worse at any horizon, and better at one
+   * @return a sentence; empty where it predicts no worse at any horizon, and clearly better at the one of the first line
    */
   public static Optional<String> caveat(Diagnosis d) {
     Map<Double, Double> before = d.base().typicalErrorMm();
@@ -175,14 +175,19 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     }
     if (worse) {
       return Optional.of(
-          "The extended model follows kicks better, but does not predict them better from their"
-              + " first 0.3 s at every horizon: compare both in the table before you use it.");
+          "The extended model follows kicks better, but does not always predict them better from"
+              + " their first 0.3 s: compare both in the table before you use it.");
     }
-    return better
-        ? Optional.empty()
-        : Optional.of(
-            "The extended model follows kicks better, and predicts them as well as the simple one"
-                + " from their first 0.3 s.");
+    if (!better) {
+      return Optional.of(
+          "The extended model follows kicks better, and predicts them as well as the simple one"
+              + " from their first 0.3 s.");
+    }
+    return Headline.doubts(d)
+        ? Optional.of(
+            "The extended model follows kicks better, and predicts them hardly better from their"
+                + " first 0.3 s.")
+        : Optional.empty();
   }
 
   /**
@@ -291,7 +296,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** Learned curves by name; begins with a blank. */
   private static String curves(Diagnosis d) {
     String names = names(d, f -> f.kind() == LearnedFinding.Kind.CURVE && f.isShownToHelp());
-    return names.isEmpty() ? "" : text(" This also helps, without a known cause: %s.", names);
+    return names.isEmpty()
+        ? ""
+        : text(
+            " %s helps without a known cause: %s.",
+            d.causes().isEmpty() ? "This" : "This also", names);
   }
 
   /** What takes the place of the simple model's own laws; begins with a blank. */

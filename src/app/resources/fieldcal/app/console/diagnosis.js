@@ -71,7 +71,7 @@ export function diagnosisPage(app) {
   function causeOf(cause) {
     return el('details', {class: 'cause', open: cause.next ? '' : null},
       el('summary', {}, el('b', {}, cause.name), ' ' + cause.strength),
-      el('p', {}, cause.what), el('p', {}, el('b', {}, 'To do: '), cause.advice),
+      el('p', {}, cause.what), cause.advice ? el('p', {}, el('b', {}, 'To do: '), cause.advice) : '',
       cause.next ? el('p', {}, el('b', {}, 'Record next: '), cause.next) : '');
   }
 

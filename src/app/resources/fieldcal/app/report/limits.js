@@ -48,21 +48,22 @@
   }
 
   function showLimits() {
-    const head = ['Team', 'Limit', 'Estimate', 'Manoeuvres', 'Reached', 'League’s estimate', 'Its samples', ''];
-    const rows = report.teams.flatMap(team => [...KINDS, ...TURNS].map(([key, label, unit], i) => {
+    const head = ['Team', 'Limit', 'Estimate', 'Manoeuvres', 'Reached', 'League’s estimate', 'Its samples'];
+    const rows = report.teams.flatMap(team => [...KINDS, ...TURNS].flatMap(([key, label, unit], i) => {
       const own = team[key];
       const league = team['league' + label] || {};
-      return el('tr', {},
+      const row = el('tr', {},
         el('td', {class: 'team'}, i === 0 ? team.team : ''), el('td', {class: 'text'}, label),
         el('td', {class: 'big'}, (own.reached || !known(own.value) ? '' : '≥ ') + withError(own.value, own.standardError, unit)),
         el('td', {}, String(own.samples)),
         el('td', {}, !known(own.value) ? '–' : own.reached ? badge('good', 'yes') : badge('warn', 'no')),
-        el('td', {class: 'league'}, known(league.value) ? number(league.value, 2) + ' ' + unit : '–'), el('td', {class: 'league'}, league.samples === undefined ? '–' : String(league.samples)),
-        el('td', {class: 'text wrap'}, own.note || league.note || ''));
+        el('td', {class: 'league'}, known(league.value) ? number(league.value, 2) + ' ' + unit : '–'), el('td', {class: 'league'}, league.samples === undefined ? '–' : String(league.samples)));
+      const note = own.note || league.note;
+      return note ? [row, el('tr', {}, el('td', {}), el('td', {class: 'text wrap', colspan: head.length - 1}, note[0].toUpperCase() + note.slice(1) + '.'))] : [row];
     }));
     content('limits').replaceChildren(Frame.cards(el('table', {},
-      el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 || i === 7 ? 'text' : null}, h)))), el('tbody', {}, rows))),
-      el('p', {class: 'note'}, 'Estimate: where fitted manoeuvres cluster, with its standard error. The league’s estimate: percentiles 99.5, 75 and 95 of differences of frames five apart; it contains the noise of the cameras.'));
+      el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null}, h)))), el('tbody', {}, rows))),
+      el('p', {class: 'note'}, 'The estimate is the value at which fitted manoeuvres cluster, with its standard error. The league’s estimate is the percentile 99.5 (velocity), 75 (acceleration) or 95 (braking) of differences between frames five apart; it contains the noise of the cameras.'));
   }
 
   // ---- pictures ----
@@ -207,7 +208,7 @@
   }
 
   function showAll() {
-    legend('own-frame', entry('band', theme.accent, 'detections, darker where more'), entry('line', theme.good, 'limit of acceleration by direction, with two standard errors'), entry('dashes', theme.bad, 'the same of braking'), el('span', {}, 'Dotted: as the named effects have it.'));
+    legend('own-frame', entry('band', theme.accent, 'detections, darker where more'), entry('line', theme.good, 'limit of acceleration by direction, with two standard errors'), entry('dashes', theme.bad, 'the same of braking'), report.teams.some(team => team.effects.length) ? el('span', {}, 'Dotted lines follow the effects that are named above.') : '');
     legend('against-speed', entry('band', theme.accent, 'detections, darker where more'), entry('line', theme.good, 'limit of acceleration along the front'), entry('dashes', theme.bad, 'limit of braking'), entry('line', theme.text, 'limit of velocity'));
     legend('noise', entry('line', theme.text, 'one standard deviation: ' + number(report.standingNoiseMm, 2) + ' mm per axis'), entry('dashes', theme.text, 'two'), el('span', {}, 'Driving robots: ' + number(report.noiseMm, 2) + ' mm.'));
     showVerdict();

@@ -125,7 +125,7 @@ public final class TwinBenchmark {
         .run(twin.recordings(), HandSelection.none(), List.of(), DiagnosisSession.Progress.UNSEEN);
   }
 
-  /** Those that kicks alone show: what robots were told is not in the twin's recording. */
+  /** Those that kicks alone show: what robots were commanded is not in the twin's recording. */
   private static Set<String> causes(DiagnosisOutcome diagnosed) {
     return diagnosed.diagnosis().causes().stream()
         .map(c -> c.effect().id())

@@ -20,7 +20,7 @@ import java.util.Optional;
  * @param spin right after the kick, rad/s
  * @param robot who
  * @param robotPose where the robot was: x (m), y (m), orientation (rad) in place of z
- * @param command what the robot was told
+ * @param command what the robot was commanded
  * @param events what happened on the way
  * @param pathStep time between two points of the path, s
  * @param path noise-free positions from the kick on, m
@@ -97,7 +97,7 @@ public record KickTruth(
   }
 
   /**
-   * What the robot was told.
+   * What the robot was commanded.
    *
    * @param speed absolute speed, m/s
    * @param direction rad

@@ -40,7 +40,7 @@ class CalibrationWarningsTest {
         .hasValueSatisfying(
             text ->
                 assertThat(text)
-                    .contains("for switch to rolling (k_switch), as where")
+                    .contains("Of the switch to rolling (k_switch), more kicks")
                     .contains("The median is given"));
   }
 

@@ -72,6 +72,13 @@ class UsageErrorTest {
         "simulate --serve --out x.log | --serve writes no recording: leave out --out",
         "simulate --serve --scenario flat | --serve plays no scenario: leave out --scenario",
         "record --out | --out needs a value: FILE",
+        "play --sim --kind flat --kicks 3 --kicks 4 | --kicks is given more than once",
+        "play --sim --kind flat --kicks 3 --pace 0 | --pace must be a positive number, but is 0",
+        "play --sim --kind chip --kicks 3 --elevation 95 | --elevation must be 0 to 80°, but is 95",
+        "play --sim --kind flat --kicks 3 --troubles -1 | --troubles must be 0 to 100, but is -1",
+        "play --sim --kind flat --kicks 3 --patience -1 | --patience must be a positive number, but"
+            + " is -1",
+        "console . --port 99999 | --port must be 0 to 65535, but is 99999",
         "info a.log b.log | one argument too many: 'b.log'",
         "calibrate x.log --seed x | --seed: 'x' is not a whole number",
         "calibrate x.log --nothing | there is no option '--nothing'",

@@ -169,13 +169,15 @@ class SimulateCommandTest {
         "--effect=robot_kick_bias:percent=5,team=green | must be yellow, blue or all",
         "--scenario=tennis | unknown scenario 'tennis'",
         "--preset=moon | unknown preset 'moon'; known are lab",
-        "--cameras=9 | count must lie in",
+        "--cameras=9 | fieldcal: --cameras must be 1 to 8, but is 9",
         "--kicks=0 | --kicks must be 1 or more, but is 0",
         "--scenario=match --kicks=0 | --kicks must be 1 or more, but is 0",
-        "--division=C | division must be A or B",
+        "--noise-mm=-1 | --noise-mm must be 0 to 100 mm, but is -1",
+        "--speed-min=4 --speed-max=2 | --speed-max must be 4 to 10 m/s, but is 2",
+        "--division=C | --division must be A or B",
         "--flat-model=1,2 | takes three numbers",
-        "--blue-limits=1,-2,3 | limit must be positive",
-        "--outage=1:x:3 | outage must be CAMERA:FROM:SECONDS"
+        "--blue-limits=1,-2,3 | --blue-limits must be a positive number, but is -2",
+        "--outage=1:x:3 | --outage must be CAMERA:FROM:SECONDS"
       })
   void wrongInputIsNamed(String argument, String message) {
     List<String> args = new ArrayList<>(List.of("--out=" + directory.resolve("x.log")));

@@ -75,6 +75,18 @@ class CauseWordsTest {
     assertThat(text.strength()).matches("[^_]*\\d[^_]*");
   }
 
+  /** The first line says that the prediction gains nothing; no cause then advises to predict with the extended model. */
+  @ParameterizedTest
+  @MethodSource("catalogue")
+  void nobodyIsSentToAModelThatPredictsNoBetter(Effect absent) {
+    Effect effect = SampleDiagnosis.present(absent);
+    Diagnosis doubted =
+        SampleDiagnosis.leaving(DIAGNOSIS, DIAGNOSIS.base(), DIAGNOSIS.unexplained());
+    CauseText text = new CauseWords(doubted, SampleDiagnosis.observers()).of(effect, Map.of());
+    assertThat(VerdictText.caveat(doubted)).isPresent();
+    assertThat(text.advice()).doesNotContain("extended model").endsWith(".");
+  }
+
   @Test
   void noTwoEffectsHaveTheSameName() {
     List<String> names =
@@ -179,11 +191,11 @@ class CauseWordsTest {
             "towards the +x goal"),
         Arguments.of(
             new CameraPositionError(90, 0, 0, 1),
-            "Vision publishes the position of camera 1 90 mm too far towards the +x goal",
+            "The position that vision publishes for camera 1 is 90 mm too far towards the +x goal",
             "towards the −x goal"),
         Arguments.of(
             new CameraPositionError(0, 0, 60, EffectParameters.ALL_CAMERAS),
-            "Vision publishes the position of every camera 60 mm too high",
+            "The position that vision publishes for every camera is 60 mm too high",
             "60 mm too low"),
         Arguments.of(
             new LensDistortionError(0.012, 1), "published 0.012 too large", "0.012 too small"),

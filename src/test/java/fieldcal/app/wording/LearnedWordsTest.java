@@ -48,9 +48,11 @@ class LearnedWordsTest {
           assertThat(Character.isUpperCase(sentence.charAt(0))).isTrue();
         }
       }
-      CauseText text = LearnedWords.of(term, List.of(curve), true);
+      CauseText text = LearnedWords.of(term, List.of(curve), true, true);
       assertThat(text.sentences()).endsWith(".").doesNotContain("_");
       assertThat(text.strength()).doesNotContain("_");
+      CauseText doubted = LearnedWords.of(term, List.of(curve), true, false);
+      assertThat(doubted.advice()).doesNotContain("extended model").matches("|.+\\.");
     }
   }
 
@@ -83,6 +85,10 @@ class LearnedWordsTest {
     LearnedFamily rolling = LearnedFamily.of(Quantity.ROLLING, Variable.SESSION_TIME, basis);
     assertThat(sentence(rolling, 0, t -> t < 3 ? 0 : -0.08))
         .isEqualTo("From minute 0.0 of the session on, the rolling ball is braked less: by 8.0 %.");
+    LearnedFamily bounce =
+        LearnedFamily.of(Quantity.VERTICAL_RESTITUTION, Variable.GROUND_SPEED, basis);
+    assertThat(sentence(bounce, 0, v -> v < 3 ? 0 : -0.1))
+        .isEqualTo("From 2.9 m/s on, the ball bounces lower: by 10 % of the speed of its fall.");
     LearnedFamily shift = LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, basis, 2);
     assertThat(sentence(shift, 1, t -> t < 3 ? 0 : -8))
         .isEqualTo(
@@ -115,13 +121,14 @@ class LearnedWordsTest {
     SimpleFormula none = formula(SimpleFormula.Kind.CURVE, curve);
     assertThat(LearnedWords.sentence(curve, none))
         .hasValue(
-            "How the model errs depends on the speed: at 3.0 m/s the ball is pulled to its right by"
-                + " 0.055 m/s², and at 5.0 m/s the ball is pulled to its left by 0.040 m/s².");
+            "The error of the model depends on the speed: at 3.0 m/s the ball is pulled to its"
+                + " right by 0.055 m/s², and at 5.0 m/s the ball is pulled to its left by 0.040"
+                + " m/s².");
     LearnedCurve slow = new LearnedCurve(pull.family(), 0, points.subList(0, 4));
     assertThat(LearnedWords.sentence(slow, none))
         .hasValue(
-            "How the model errs depends on the speed: at 3.0 m/s the ball is pulled to its right by"
-                + " 0.055 m/s².");
+            "The error of the model depends on the speed: at 3.0 m/s the ball is pulled to its"
+                + " right by 0.055 m/s².");
     assertThat(none.text())
         .isEqualTo(
             "acceleration to the ball's left varies between −0.055 and 0.040 m/s² with the speed");
@@ -144,7 +151,7 @@ class LearnedWordsTest {
     LearnedCurve curve = new LearnedCurve(braking.family(), 0, points);
     String strength = formula(SimpleFormula.Kind.NONE, curve).text();
     assertThat(strength).isEqualTo("deceleration: its errors are too large for a formula");
-    assertThat(LearnedWords.of(braking, List.of(curve), true).what())
+    assertThat(LearnedWords.of(braking, List.of(curve), true, true).what())
         .isEqualTo(
             "Braking that depends on the speed: held-out kicks show that there is some, but not in"
                 + " which way; every value of the curve is within two standard errors of nothing.");
@@ -156,8 +163,8 @@ class LearnedWordsTest {
     LearnedTerm pull = term(Quantity.ACCELERATION_ACROSS, Variable.SPEED);
     List<Point> points = List.of(new Point(1, 0, -0.1, 0.01), new Point(6, 0, 0.2, 0.01));
     LearnedCurve curve = new LearnedCurve(pull.family(), 0, points);
-    assertThat(LearnedWords.of(pull, List.of(curve), true).what()).contains("m/s²");
-    assertThat(LearnedWords.of(pull, List.of(curve), false).what())
+    assertThat(LearnedWords.of(pull, List.of(curve), true, true).what()).contains("m/s²");
+    assertThat(LearnedWords.of(pull, List.of(curve), false, true).what())
         .isEqualTo("Sideways pull that depends on the speed.");
   }
 
@@ -171,9 +178,9 @@ class LearnedWordsTest {
     }
     LearnedCurve curve = new LearnedCurve(braking.family(), 0, points);
     formula(SimpleFormula.Kind.NONE, curve);
-    assertThat(LearnedWords.of(braking, List.of(curve), true).what())
+    assertThat(LearnedWords.of(braking, List.of(curve), true, true).what())
         .isEqualTo(
-            "How the model errs depends on the speed: at 0 m/s the ball is braked more than the"
+            "The error of the model depends on the speed: at 0 m/s the ball is braked more than the"
                 + " model says by 0.14 m/s².");
   }
 }

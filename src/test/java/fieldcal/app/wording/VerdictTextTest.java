@@ -76,7 +76,7 @@ class VerdictTextTest {
     assertThat(text.verdict())
         .startsWith("The model is wrong, and a part of it is explained: air drag. This also")
         .contains(
-            "helps, without a known cause: braking that depends on the speed; height of bounces")
+            "helps without a known cause: braking that depends on the speed; height of bounces")
         .contains("Another law applies in the extended model: bounces that build up spin.")
         .endsWith("Chance plays a part: rolling that differs from kick to kick.");
     assertThat(text.lines().get(1))
@@ -131,10 +131,20 @@ class VerdictTextTest {
         d.unexplained());
   }
 
-  /** The texts of causes advise to predict with the extended model; where that errs more, it has to be said. */
+  @Test
+  void nothingHelpsAlsoWhereNoCauseIsNamed() {
+    Diagnosis d = SampleDiagnosis.partly(4);
+    Diagnosis unnamed = SampleDiagnosis.with(d, List.of(), d.base(), List.of());
+    assertThat(VerdictText.of(unnamed).verdict())
+        .startsWith(
+            "The model is wrong, and no known cause explains it. This helps without a known")
+        .doesNotContain("also");
+  }
+
+  /** Where the extended model errs more, it has to be said. */
   @Test
   void anExplanationThatPredictsWorseSaysSo() {
-    String caveat = "does not predict them better from their first 0.3 s at every horizon";
+    String caveat = "does not always predict them better from their first 0.3 s";
     Map<Double, Double> before = Map.of(0.5, 20.3, 1.0, 41.6, 2.0, 76.9);
     Diagnosis worse = predicting(before, Map.of(0.5, 24.7, 1.0, 47.6, 2.0, 100.8));
     assertThat(VerdictText.of(worse).lines()).anyMatch(line -> line.contains(caveat));
@@ -143,6 +153,13 @@ class VerdictTextTest {
     Diagnosis same = predicting(before, Map.of(0.5, 20.1, 1.0, 41.9, 2.0, 76.0));
     assertThat(VerdictText.of(same).lines())
         .anyMatch(line -> line.contains("predicts them as well as the simple one"));
+    Diagnosis hardly = predicting(before, Map.of(0.5, 20.1, 1.0, 39.0, 2.0, 70.0));
+    assertThat(VerdictText.of(hardly).headline()).contains("hardly better");
+    assertThat(VerdictText.of(hardly).lines())
+        .anyMatch(line -> line.contains("predicts them hardly better"));
+    CauseWords words = new CauseWords(hardly, SampleDiagnosis.observers());
+    assertThat(hardly.causes())
+        .allSatisfy(c -> assertThat(words.of(c).advice()).doesNotContain("extended model"));
     Diagnosis better = predicting(before, Map.of(0.5, 20.1, 1.0, 30.0, 2.0, 60.0));
     assertThat(VerdictText.of(better).lines()).noneMatch(line -> line.contains("0.3 s"));
   }
@@ -203,7 +220,7 @@ class VerdictTextTest {
             new Gain(0.011, 0.4, -1.2, 1.2)));
     String verdict = VerdictText.of(SampleDiagnosis.learning(d, learned)).verdict();
     assertThat(verdict)
-        .contains("This also helps, without a known cause: height of bounces that depends on")
+        .contains("This also helps without a known cause: height of bounces that depends on")
         .endsWith(
             " Kicks that were held out do not show whether this helps: braking that depends on the"
                 + " speed.");

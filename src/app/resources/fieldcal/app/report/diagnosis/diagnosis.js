@@ -52,7 +52,7 @@
       el('div', {class: 'words'},
         el('p', {class: 'what'}, cause.what),
         cause.consequence ? el('p', {}, cause.consequence) : '',
-        el('p', {}, el('b', {}, 'To do: '), cause.advice),
+        cause.advice ? el('p', {}, el('b', {}, 'To do: '), cause.advice) : '',
         rivals.length ? el('p', {class: 'rivals'}, rivals.join(' ')) : ''),
       el('div', {class: 'facts'},
         el('p', {}, el('span', {class: 'label'}, 'Strength '), el('b', {}, cause.strength)),
