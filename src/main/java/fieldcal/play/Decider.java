@@ -3,6 +3,7 @@ package fieldcal.play;
 import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
 import java.util.Optional;
+import java.util.function.IntFunction;
 
 /** Who kicks the ball next, and from where: best from where it lies, else from the end of the line. */
 final class Decider {
@@ -26,6 +27,9 @@ final class Decider {
 
   private static final double GRAVITY = 9.81;
 
+  /** A ball that a robot would carry for longer is kicked from where it lies, s. Chosen: less than half of the 4 s that taking it, turning it, letting go and backing off cost besides. */
+  private static final double LONG_CARRY = 1.5;
+
   /** What a robot that does not move costs against any drive of the other, m. */
   private static final double STUCK = 100;
 
@@ -33,13 +37,39 @@ final class Decider {
 
   /** A kick from where the ball lies, with the kicker that is quicker there; a robot that holds the ball is preferred. */
   static Optional<Task> fromHere(Situation s, PlannedKick kick, int holder) {
+    return quickest(
+        s,
+        i ->
+            holder >= 0 && holder != i
+                ? Optional.empty()
+                : from(s, kick, i, s.ball().x(), s.ball().y()));
+  }
+
+  /**
+   * A kick back to the line from a ball within the lines that lies far off: it counts like any other, and brings the ball back sooner than a robot carries it.
+   *
+   * @param carry how each robot would carry the ball
+   */
+  static Optional<Task> fromAfar(Situation s, PlannedKick kick, IntFunction<Grip> carry) {
+    PlayLine line = s.plan().lineOf(kick);
+    BallMemory ball = s.ball();
+    return quickest(
+        s,
+        i -> {
+          double seconds = ball.distance(line.x(i), line.y(i)) / carry.apply(i).speed();
+          boolean afar = seconds > LONG_CARRY && s.area().within(ball.x(), ball.y());
+          return afar && s.plan().keepsTo(ball.x())
+              ? towardsEnd(s, kick, i, ball.x(), ball.y())
+                  .filter(task -> s.hasWay(i, task.behind(), Task.AROUND))
+              : Optional.empty();
+        });
+  }
+
+  private static Optional<Task> quickest(Situation s, IntFunction<Optional<Task>> taskOf) {
     Task best = null;
     double bestCost = Double.POSITIVE_INFINITY;
     for (int i = 0; i < 2; i++) {
-      if (holder >= 0 && holder != i) {
-        continue;
-      }
-      Optional<Task> task = from(s, kick, i, s.ball().x(), s.ball().y());
+      Optional<Task> task = taskOf.apply(i);
       if (task.isPresent()) {
         double run = task.get().along(task.get().receiver().x(), task.get().receiver().y());
         double drive = s.ball().distance(s.robot(i).x(), s.robot(i).y());
@@ -53,16 +83,22 @@ final class Decider {
     return Optional.ofNullable(best);
   }
 
-  /** A kick by one robot from a place, if there is enough way, room behind the ball and nobody before it. */
+  /** A kick by one robot from a place on its line or near it, if there is enough way, room behind the ball and nobody before it. */
   static Optional<Task> from(Situation s, PlannedKick kick, int kicker, double x, double y) {
+    boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
+    inside &= s.plan().contains(x, y);
+    boolean onLine = !kick.chip() || s.plan().lineOf(kick).aside(x, y) < CHIP_ASIDE;
+    return inside && onLine ? towardsEnd(s, kick, kicker, x, y) : Optional.empty();
+  }
+
+  /** A kick from anywhere to the other robot's end of the line. */
+  private static Optional<Task> towardsEnd(
+      Situation s, PlannedKick kick, int kicker, double x, double y) {
     PlayLine line = s.plan().lineOf(kick);
     double toX = line.x(1 - kicker);
     double toY = line.y(1 - kicker);
     double run = Math.hypot(toX - x, toY - y);
-    boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
-    inside &= s.plan().contains(x, y);
-    boolean onLine = !kick.chip() || line.aside(x, y) < CHIP_ASIDE;
-    if (run < leastRun(line, kick) || !inside || !onLine) {
+    if (run < leastRun(line, kick)) {
       return Optional.empty();
     }
     double straight = Math.atan2(toY - y, toX - x);

@@ -52,7 +52,7 @@ class SlowStartTest {
   @Test
   void theOtherRobotTakesOverFromOneThatFellOver() {
     chips();
-    field.ball(-4, -3);
+    field.ball(-4, -4.55);
     while (play.state().phase() != PlayPhase.FETCH) {
       tick();
     }
@@ -117,11 +117,11 @@ class SlowStartTest {
   @Test
   void aBallThatSomebodyTakesFromARobotIsNotLostByIt() {
     chips();
-    field.ball(4, -3);
+    field.ball(4, -4.55);
     while (field.holder == null || Math.abs(field.ballX) > 2) {
       tick();
     }
-    field.ball(-4, -3);
+    field.ball(-4, -4.55);
     double fastest = 0;
     while (kicks.isEmpty()) {
       tick();
