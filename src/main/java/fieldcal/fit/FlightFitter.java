@@ -329,11 +329,12 @@ final class FlightFitter {
     int degrees = Math.max(1, 2 * count - unknowns);
     double chiSquare = solver.equations().cost;
     double[][] covariance = inverse(solver);
+    double factor = VarianceFactor.of(data, rx, ry, used, chiSquare / degrees);
     List<Estimate> estimates = new ArrayList<>();
     for (int k = 0; k < size; k++) {
       Parameter p = parameters.get(k);
       double value = best.theta[k];
-      double variance = covariance == null ? Double.NaN : covariance[k][k] * chiSquare / degrees;
+      double variance = covariance == null ? Double.NaN : covariance[k][k] * factor;
       double error = p.estimated() && variance > 0 ? Math.sqrt(variance) : Double.NaN;
       boolean bound = p.estimated() && (value <= p.min() || value >= p.max());
       estimates.add(
@@ -342,7 +343,7 @@ final class FlightFitter {
     double[][] scaled = covariance == null ? new double[size][size] : covariance;
     for (double[] row : scaled) {
       for (int k = 0; k < size; k++) {
-        row[k] *= chiSquare / degrees;
+        row[k] *= factor;
       }
     }
     FitStatistics statistics =
@@ -353,6 +354,7 @@ final class FlightFitter {
             1000 * Math.sqrt(sum / (2.0 * Math.max(1, count))),
             chiSquare,
             degrees,
+            factor,
             screening.robustScale(),
             best.flights,
             evaluations,
