@@ -4,6 +4,7 @@ import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
 import java.util.Optional;
 import java.util.function.IntFunction;
+import java.util.function.Predicate;
 
 /** Who kicks the ball next, and from where: best from where it lies, else from the end of the line. */
 final class Decider {
@@ -59,10 +60,19 @@ final class Decider {
           double seconds = ball.distance(line.x(i), line.y(i)) / carry.apply(i).speed();
           boolean afar = seconds > LONG_CARRY && s.area().within(ball.x(), ball.y());
           return afar && s.plan().keepsTo(ball.x())
-              ? towardsEnd(s, kick, i, ball.x(), ball.y())
-                  .filter(task -> s.hasWay(i, task.behind(), Task.AROUND))
+              ? towardsEnd(s, kick, i, ball.x(), ball.y(), task -> isSafe(s, task))
               : Optional.empty();
         });
+  }
+
+  /** Whether the kicker gets behind the ball, and a ball that rolls as far as the line's end stays within the lines. */
+  private static boolean isSafe(Situation s, Task task) {
+    PlayLine line = s.plan().lineOf(task.kick());
+    int end = task.other();
+    double run = Math.hypot(line.x(end) - task.x(), line.y(end) - task.y());
+    double x = task.x() + run * Math.cos(task.aim());
+    double y = task.y() + run * Math.sin(task.aim());
+    return s.area().within(x, y) && s.hasWay(task.kicker(), task.behind(), Task.AROUND);
   }
 
   private static Optional<Task> quickest(Situation s, IntFunction<Optional<Task>> taskOf) {
@@ -88,12 +98,12 @@ final class Decider {
     boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
     inside &= s.plan().contains(x, y);
     boolean onLine = !kick.chip() || s.plan().lineOf(kick).aside(x, y) < CHIP_ASIDE;
-    return inside && onLine ? towardsEnd(s, kick, kicker, x, y) : Optional.empty();
+    return inside && onLine ? towardsEnd(s, kick, kicker, x, y, task -> true) : Optional.empty();
   }
 
   /** A kick from anywhere to the other robot's end of the line. */
   private static Optional<Task> towardsEnd(
-      Situation s, PlannedKick kick, int kicker, double x, double y) {
+      Situation s, PlannedKick kick, int kicker, double x, double y, Predicate<Task> allowed) {
     PlayLine line = s.plan().lineOf(kick);
     double toX = line.x(1 - kicker);
     double toY = line.y(1 - kicker);
@@ -111,7 +121,7 @@ final class Decider {
               s.area().clampY(y + distance * Math.sin(aim)),
               aim + Math.PI);
       Task task = new Task(kick, kicker, x, y, aim, receiver);
-      if (isFree(s, task, distance)) {
+      if (isFree(s, task, distance) && allowed.test(task)) {
         return Optional.of(task);
       }
     }

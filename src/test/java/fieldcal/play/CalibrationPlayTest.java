@@ -296,6 +296,17 @@ class CalibrationPlayTest {
     assertThat(Math.abs(kicks.get(1).x())).isLessThan(1.5);
   }
 
+  /** Beyond the lines there is no room behind it, but just inside there is. */
+  @Test
+  void aBallIsCarriedNoFartherThanItMust() {
+    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 1), 1, 0.7);
+    field.ball(4, -4.62);
+    until(PlayPhase.PLACE);
+    assertFinishes();
+    assertThat(kicks.get(0).x()).isGreaterThan(2);
+    assertThat(Math.abs(kicks.get(0).y())).isLessThan(4.5);
+  }
+
   @Test
   void nobodyKicksFromTheHalfThatIsSomebodyElses() {
     start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.NEGATIVE, 1), 1, 0);
