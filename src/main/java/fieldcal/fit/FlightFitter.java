@@ -309,6 +309,17 @@ final class FlightFitter {
     return solver.equations().inverse(solver.scale(), free);
   }
 
+  /** What the floor of the cameras' noise leaves of a chi-square per degree of freedom: cleaner data do not make the closed forms right to less. */
+  private double floor(boolean[] used) {
+    double sum = 0;
+    int n = 0;
+    for (int i = 0; i < used.length; i++) {
+      sum += used[i] ? data.floor[i] : 0;
+      n += used[i] ? 1 : 0;
+    }
+    return sum / Math.max(1, n);
+  }
+
   private KickFit result(
       Candidate best, LevenbergMarquardt solver, String[] reasons, double[] rx, double[] ry) {
     boolean[] used = best.flight.used();
@@ -329,7 +340,7 @@ final class FlightFitter {
     int degrees = Math.max(1, 2 * count - unknowns);
     double chiSquare = solver.equations().cost;
     double[][] covariance = inverse(solver);
-    double factor = VarianceFactor.of(data, rx, ry, used, chiSquare / degrees);
+    double factor = Math.max(chiSquare / degrees, floor(used));
     List<Estimate> estimates = new ArrayList<>();
     for (int k = 0; k < size; k++) {
       Parameter p = parameters.get(k);
