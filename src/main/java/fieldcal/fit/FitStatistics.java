@@ -11,6 +11,7 @@ import java.util.Locale;
  * @param rmsMm residual per axis in the ground plane over those, mm
  * @param chiSquare sum of their squared whitened residuals
  * @param degreesOfFreedom twice the used observations minus the free unknowns
+ * @param varianceFactor by how much the variances of the estimates are larger than the cameras' noise alone makes them: the reduced chi-square, but no less than {@link CameraNoise#FLOOR} leaves
  * @param robustScale how many times larger than the cameras' noise a typical residual is
  * @param flights number of flights of a chip, 0 for a flat kick
  * @param evaluations how often the objective was evaluated, derivatives counted once
@@ -25,6 +26,7 @@ public record FitStatistics(
     double rmsMm,
     double chiSquare,
     int degreesOfFreedom,
+    double varianceFactor,
     double robustScale,
     int flights,
     int evaluations,
@@ -40,7 +42,7 @@ public record FitStatistics(
 
   static FitStatistics none(long seed) {
     return new FitStatistics(
-        0, 0, 0, Double.NaN, Double.NaN, 0, Double.NaN, 0, 0, 0, "not fitted", seed);
+        0, 0, 0, Double.NaN, Double.NaN, 0, Double.NaN, Double.NaN, 0, 0, 0, "not fitted", seed);
   }
 
   /**

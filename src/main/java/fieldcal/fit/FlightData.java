@@ -19,6 +19,9 @@ final class FlightData {
   final double[] w21;
   final double[] w22;
 
+  /** The least variance of a camera as a share of what is taken for its variance. */
+  final double[] floor;
+
   private FlightData(int size) {
     this.size = size;
     camera = new int[size];
@@ -31,6 +34,7 @@ final class FlightData {
     w11 = new double[size];
     w21 = new double[size];
     w22 = new double[size];
+    floor = new double[size];
   }
 
   static FlightData of(Observations observations, CameraViews views) {
@@ -51,6 +55,8 @@ final class FlightData {
       data.w11[i] = whitening.w11();
       data.w21[i] = whitening.w21();
       data.w22[i] = whitening.w22();
+      double least = CameraNoise.FLOOR / view.noise();
+      data.floor[i] = Math.min(1, least * least);
     }
     return data;
   }
@@ -92,6 +98,7 @@ final class FlightData {
       part.w11[k] = w11[i];
       part.w21[k] = w21[i];
       part.w22[k] = w22[i];
+      part.floor[k] = floor[i];
     }
     return part;
   }

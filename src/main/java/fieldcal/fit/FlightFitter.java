@@ -309,6 +309,17 @@ final class FlightFitter {
     return solver.equations().inverse(solver.scale(), free);
   }
 
+  /** What the floor of the cameras' noise leaves of a chi-square per degree of freedom: cleaner data do not make the closed forms right to less. */
+  private double floor(boolean[] used) {
+    double sum = 0;
+    int n = 0;
+    for (int i = 0; i < used.length; i++) {
+      sum += used[i] ? data.floor[i] : 0;
+      n += used[i] ? 1 : 0;
+    }
+    return sum / Math.max(1, n);
+  }
+
   private KickFit result(
       Candidate best, LevenbergMarquardt solver, String[] reasons, double[] rx, double[] ry) {
     boolean[] used = best.flight.used();
@@ -329,11 +340,12 @@ final class FlightFitter {
     int degrees = Math.max(1, 2 * count - unknowns);
     double chiSquare = solver.equations().cost;
     double[][] covariance = inverse(solver);
+    double factor = Math.max(chiSquare / degrees, floor(used));
     List<Estimate> estimates = new ArrayList<>();
     for (int k = 0; k < size; k++) {
       Parameter p = parameters.get(k);
       double value = best.theta[k];
-      double variance = covariance == null ? Double.NaN : covariance[k][k] * chiSquare / degrees;
+      double variance = covariance == null ? Double.NaN : covariance[k][k] * factor;
       double error = p.estimated() && variance > 0 ? Math.sqrt(variance) : Double.NaN;
       boolean bound = p.estimated() && (value <= p.min() || value >= p.max());
       estimates.add(
@@ -342,7 +354,7 @@ final class FlightFitter {
     double[][] scaled = covariance == null ? new double[size][size] : covariance;
     for (double[] row : scaled) {
       for (int k = 0; k < size; k++) {
-        row[k] *= chiSquare / degrees;
+        row[k] *= factor;
       }
     }
     FitStatistics statistics =
@@ -353,6 +365,7 @@ final class FlightFitter {
             1000 * Math.sqrt(sum / (2.0 * Math.max(1, count))),
             chiSquare,
             degrees,
+            factor,
             screening.robustScale(),
             best.flights,
             evaluations,

@@ -275,8 +275,7 @@ public final class JointFitter {
 
     JointFit fit() {
       List<FlightTerm> kicks = problem.fits().stream().map(this::term).toList();
-      double[] weights = new double[kicks.size()];
-      Arrays.fill(weights, 1);
+      double[] weights = problem.fits().stream().mapToDouble(Run::weight).toArray();
       SharedSolution<double[]> solution =
           solve(
               kicks,
@@ -304,21 +303,27 @@ public final class JointFitter {
           .toList();
     }
 
-    /** What the model leaves is taken for noise: of flat kicks and of chips, each by its reduced chi-square. */
+    /** A kick counts for as much as its own fit says that it is explained: what the model leaves in one that bends, for example, is the same sideways and pulls all of them to one side. */
+    private static double weight(KickFit fit) {
+      return 1 / Math.max(1, fit.statistics().varianceFactor());
+    }
+
+    /** What one model for all leaves besides is taken for noise: of flat kicks and of chips, each by its reduced chi-square. */
     private double[] weights(SharedSolution<double[]> solution) {
       List<FlightTerm> kicks = kicks(solution);
       double[] squares = new double[2];
       double[] degrees = new double[2];
       for (int k = 0; k < kicks.size(); k++) {
         int kind = kicks.get(k).kind().ordinal();
-        squares[kind] += solution.chiSquare(k);
+        squares[kind] += weight(problem.fits().get(k)) * solution.chiSquare(k);
         degrees[kind] += kicks.get(k).rows() - kicks.get(k).ownSize();
       }
-      return kicks.stream()
+      return IntStream.range(0, kicks.size())
           .mapToDouble(
-              kick -> {
-                int kind = kick.kind().ordinal();
-                return 1 / Math.max(1, squares[kind] / Math.max(1, degrees[kind]));
+              k -> {
+                int kind = kicks.get(k).kind().ordinal();
+                double rest = Math.max(1, squares[kind] / Math.max(1, degrees[kind]));
+                return weight(problem.fits().get(k)) / rest;
               })
           .toArray();
     }
@@ -376,13 +381,13 @@ public final class JointFitter {
             p.estimated() && covariance.isPresent()
                 ? student(k) * Math.sqrt(covariance.get()[k][k])
                 : Double.NaN;
+        boolean unknown = p.estimated() && !(error < DETERMINED * p.scale());
         if (randomOf(k) >= 0) {
           RobustCentre centre = centre(solution, k, error);
           p = p.withValue(centre.value());
           error = centre.standardError();
         }
         boolean bound = p.estimated() && (p.value() <= p.min() || p.value() >= p.max());
-        boolean unknown = p.estimated() && !(error < DETERMINED * p.scale());
         Optional<String> reason = unknown ? Optional.of("no kick determines it") : Optional.empty();
         list.add(new Estimate(p, error, reason, bound));
       }

@@ -9,11 +9,6 @@ final class CheckStep implements Step {
   /** A ball that is out of sight for longer does not come back by itself, s. */
   private static final double LOST = 2;
 
-  /** After a kick in vain the kicker may have to charge, s; after several, for longer. What else went wrong needs no pause. */
-  private static final double BREATH = 1;
-
-  private static final int MOST_BREATHS = 4;
-
   /** A ball that was seen lying still for so long rests, s. */
   private static final double RESTS = 0.15;
 
@@ -29,7 +24,6 @@ final class CheckStep implements Step {
   private final Ledger ledger;
   private final int holder;
   private double since = Double.NaN;
-  private boolean breathes;
 
   CheckStep(Ledger ledger, int holder) {
     this.ledger = ledger;
@@ -45,13 +39,6 @@ final class CheckStep implements Step {
   public Step tick(Situation s) {
     if (Double.isNaN(since)) {
       since = s.time();
-      // Carrying the ball meanwhile is a breath, too.
-      breathes = ledger.takeFreshMisfire();
-    }
-    double breath = breathes ? BREATH * Math.min(MOST_BREATHS, ledger.misfires()) : 0;
-    if (s.time() - since < breath && holder < 0) {
-      s.waitFor(ledger.lastFailure() + "; trying again", WaitingFor.NOTHING);
-      return this;
     }
     if (ledger.enough()) {
       s.waitFor("the last kicks are being fitted", WaitingFor.NOTHING);
@@ -97,7 +84,9 @@ final class CheckStep implements Step {
   }
 
   private Step next(Situation s, PlannedKick kick) {
-    Optional<Task> here = Decider.fromHere(s, kick, -1);
+    Optional<Task> here =
+        Decider.fromHere(s, kick, -1)
+            .or(() -> Decider.fromAfar(s, kick, i -> ledger.grip(i, true, s.limits())));
     if (here.isPresent()) {
       return new PositionStep(ledger, here.get());
     }

@@ -3,6 +3,8 @@ package fieldcal.play;
 import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
 import java.util.Optional;
+import java.util.function.IntFunction;
+import java.util.function.Predicate;
 
 /** Who kicks the ball next, and from where: best from where it lies, else from the end of the line. */
 final class Decider {
@@ -26,6 +28,9 @@ final class Decider {
 
   private static final double GRAVITY = 9.81;
 
+  /** A ball that a robot would carry for longer is kicked from where it lies, s. Chosen: less than half of the 4 s that taking it, turning it, letting go and backing off cost besides. */
+  private static final double LONG_CARRY = 1.5;
+
   /** What a robot that does not move costs against any drive of the other, m. */
   private static final double STUCK = 100;
 
@@ -33,13 +38,48 @@ final class Decider {
 
   /** A kick from where the ball lies, with the kicker that is quicker there; a robot that holds the ball is preferred. */
   static Optional<Task> fromHere(Situation s, PlannedKick kick, int holder) {
+    return quickest(
+        s,
+        i ->
+            holder >= 0 && holder != i
+                ? Optional.empty()
+                : from(s, kick, i, s.ball().x(), s.ball().y()));
+  }
+
+  /**
+   * A kick back to the line from a ball within the lines that lies far off: it counts like any other, and brings the ball back sooner than a robot carries it.
+   *
+   * @param carry how each robot would carry the ball
+   */
+  static Optional<Task> fromAfar(Situation s, PlannedKick kick, IntFunction<Grip> carry) {
+    PlayLine line = s.plan().lineOf(kick);
+    BallMemory ball = s.ball();
+    return quickest(
+        s,
+        i -> {
+          double seconds = ball.distance(line.x(i), line.y(i)) / carry.apply(i).speed();
+          boolean afar = seconds > LONG_CARRY && s.area().within(ball.x(), ball.y());
+          return afar && s.plan().keepsTo(ball.x())
+              ? towardsEnd(s, kick, i, ball.x(), ball.y(), task -> isSafe(s, task))
+              : Optional.empty();
+        });
+  }
+
+  /** Whether the kicker gets behind the ball, and a ball that rolls as far as the line's end stays within the lines. */
+  private static boolean isSafe(Situation s, Task task) {
+    PlayLine line = s.plan().lineOf(task.kick());
+    int end = task.other();
+    double run = Math.hypot(line.x(end) - task.x(), line.y(end) - task.y());
+    double x = task.x() + run * Math.cos(task.aim());
+    double y = task.y() + run * Math.sin(task.aim());
+    return s.area().within(x, y) && s.hasWay(task.kicker(), task.behind(), Task.AROUND);
+  }
+
+  private static Optional<Task> quickest(Situation s, IntFunction<Optional<Task>> taskOf) {
     Task best = null;
     double bestCost = Double.POSITIVE_INFINITY;
     for (int i = 0; i < 2; i++) {
-      if (holder >= 0 && holder != i) {
-        continue;
-      }
-      Optional<Task> task = from(s, kick, i, s.ball().x(), s.ball().y());
+      Optional<Task> task = taskOf.apply(i);
       if (task.isPresent()) {
         double run = task.get().along(task.get().receiver().x(), task.get().receiver().y());
         double drive = s.ball().distance(s.robot(i).x(), s.robot(i).y());
@@ -53,16 +93,22 @@ final class Decider {
     return Optional.ofNullable(best);
   }
 
-  /** A kick by one robot from a place, if there is enough way, room behind the ball and nobody before it. */
+  /** A kick by one robot from a place on its line or near it, if there is enough way, room behind the ball and nobody before it. */
   static Optional<Task> from(Situation s, PlannedKick kick, int kicker, double x, double y) {
+    boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
+    inside &= s.plan().contains(x, y);
+    boolean onLine = !kick.chip() || s.plan().lineOf(kick).aside(x, y) < CHIP_ASIDE;
+    return inside && onLine ? towardsEnd(s, kick, kicker, x, y, task -> true) : Optional.empty();
+  }
+
+  /** A kick from anywhere to the other robot's end of the line. */
+  private static Optional<Task> towardsEnd(
+      Situation s, PlannedKick kick, int kicker, double x, double y, Predicate<Task> allowed) {
     PlayLine line = s.plan().lineOf(kick);
     double toX = line.x(1 - kicker);
     double toY = line.y(1 - kicker);
     double run = Math.hypot(toX - x, toY - y);
-    boolean inside = s.area().placingX(x) == x && s.area().placingY(y) == y;
-    inside &= s.plan().contains(x, y);
-    boolean onLine = !kick.chip() || line.aside(x, y) < CHIP_ASIDE;
-    if (run < leastRun(line, kick) || !inside || !onLine) {
+    if (run < leastRun(line, kick)) {
       return Optional.empty();
     }
     double straight = Math.atan2(toY - y, toX - x);
@@ -75,7 +121,7 @@ final class Decider {
               s.area().clampY(y + distance * Math.sin(aim)),
               aim + Math.PI);
       Task task = new Task(kick, kicker, x, y, aim, receiver);
-      if (isFree(s, task, distance)) {
+      if (isFree(s, task, distance) && allowed.test(task)) {
         return Optional.of(task);
       }
     }

@@ -24,13 +24,13 @@ final class KickStep extends TaskStep {
     Robot r = s.robot(i);
     boolean passed = task.along(r.x(), r.y()) > -0.03;
     if (passed || age(s) > TIMEOUT) {
-      return misfired(s.plan().robot(i) + " did not kick");
+      return misfired(s, s.plan().robot(i) + " did not kick");
     }
     if (moved > 0.2 && s.fromDribbler(i) > ELSEWHERE) {
       return lookAgain("somebody moved the ball before " + s.plan().robot(i) + " kicked it");
     }
     if (moved > 0.2) {
-      return misfired(s.plan().robot(i) + " only pushed the ball");
+      return misfired(s, s.plan().robot(i) + " only pushed the ball");
     }
     double aside = Math.max(-0.1, Math.min(0.1, -3 * task.aside(r.x(), r.y())));
     double cos = Math.cos(task.aim());

@@ -7,6 +7,11 @@ import java.util.function.Consumer;
 
 /** Counts the kicks, and asks for the next one when the last has been made. */
 final class Ledger {
+  /** After a kick in vain the kicker may have to charge, s; after several, for longer. What else went wrong needs no pause. */
+  private static final double CHARGE = 1;
+
+  private static final int MOST_CHARGES = 4;
+
   private int wanted;
   private final KickChooser chooser;
   private final Consumer<PlayedKick> listener;
@@ -19,7 +24,7 @@ final class Ledger {
   private int bad;
   private int failures;
   private int misfires;
-  private boolean freshMisfire;
+  private double lastMisfire = Double.NEGATIVE_INFINITY;
   private int notFetched;
   private final int[] losses = new int[2];
   private final int[] pushedLosses = new int[2];
@@ -113,10 +118,10 @@ final class Ledger {
   }
 
   /** A kicker was fired in vain. */
-  void misfired(String reason) {
+  void misfired(String reason, double time) {
     failed(reason);
     misfires++;
-    freshMisfire = true;
+    lastMisfire = time;
   }
 
   /** A robot tried to take the ball in vain. */
@@ -182,16 +187,9 @@ final class Ledger {
     return Optional.empty();
   }
 
-  /** Whether a kicker was fired in vain since this was asked last. */
-  boolean takeFreshMisfire() {
-    boolean fresh = freshMisfire;
-    freshMisfire = false;
-    return fresh;
-  }
-
-  /** How often a kicker was fired in vain since the last kick that was made. */
-  int misfires() {
-    return misfires;
+  /** Whether the kicker may still have to charge after it was fired in vain, which takes no longer for what is done meanwhile. */
+  boolean charges(double time) {
+    return time - lastMisfire < CHARGE * Math.min(MOST_CHARGES, misfires);
   }
 
   String lastFailure() {

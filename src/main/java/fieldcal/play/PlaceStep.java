@@ -76,8 +76,7 @@ final class PlaceStep extends TaskStep {
       ledger.lost(i, grip.gentle() && !pulls, reason);
       return lookAgain();
     }
-    // A ball that is hard to carry is carried no farther than it must be.
-    enough |= grip.gentle() && Decider.fromHere(s, task.kick(), -1).isPresent();
+    enough |= isEnough(s, grip);
     Pose target = grip.gentle() ? straight(r) : behind(task.aim());
     if (enough) {
       target = new Pose(r.x(), r.y(), r.orientation());
@@ -90,6 +89,12 @@ final class PlaceStep extends TaskStep {
       released = s.time();
     }
     return this;
+  }
+
+  /** A ball is carried no farther than it must be where it is hard to carry, or where much of the way is left. */
+  private boolean isEnough(Situation s, Grip grip) {
+    return grip.gentle() && Decider.fromHere(s, task.kick(), -1).isPresent()
+        || Decider.fromAfar(s, task.kick(), i -> ledger.grip(i, true, s.limits())).isPresent();
   }
 
   private Pose behind(double orientation) {
@@ -124,7 +129,7 @@ final class PlaceStep extends TaskStep {
 
   private boolean isThere(Robot r, Pose target, Grip grip) {
     double off = Math.hypot(r.x() - target.x(), r.y() - target.y());
-    if (grip.gentle()) {
+    if (grip.gentle() || enough) {
       double[] ball = ball(r);
       double ballOff = Math.hypot(ball[0] - task.x(), ball[1] - task.y());
       return (enough || ballOff < PUSHED_THERE) && r.speed() < 0.15;

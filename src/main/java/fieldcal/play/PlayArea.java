@@ -87,6 +87,11 @@ public record PlayArea(double length, double width, double margin, double goalWi
     return Math.abs(x) > length / 2 + 0.1 || Math.abs(y) > width / 2 + 0.1;
   }
 
+  /** Whether a ball there is within the lines. */
+  boolean within(double x, double y) {
+    return Math.abs(x) <= length / 2 && Math.abs(y) <= width / 2;
+  }
+
   /** The nearest x at which a ball can well be kicked: inside the lines. */
   double placingX(double x) {
     double most = length / 2 - 0.25;

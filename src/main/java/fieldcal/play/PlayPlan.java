@@ -5,6 +5,7 @@ import fieldcal.vision.RobotId;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.stream.DoubleStream;
 
 /**
  * What is to be played.
@@ -138,6 +139,12 @@ public record PlayPlan(
     Arrays.sort(xs);
     Arrays.sort(ys);
     return x > xs[0] - most && x < xs[3] + most && y > ys[0] - most && y < ys[3] + most;
+  }
+
+  /** Whether a place is in the half that the lines keep to, if they do: the other one may be somebody else's. */
+  boolean keepsTo(double x) {
+    DoubleStream ends = DoubleStream.of(line.x0(), line.x1(), otherLine.x0(), otherLine.x1());
+    return ends.anyMatch(end -> end * x >= 0);
   }
 
   RobotId robot(int index) {

@@ -96,6 +96,10 @@ final class PositionStep extends TaskStep {
     if (placed && received && !seen) {
       s.waitFor("the ball is not seen", WaitingFor.place(task.x(), task.y()));
     }
-    return placed && received && seen && s.ball().resting() > s.limits().settle();
+    boolean charges = ledger.charges(s.time());
+    if (placed && received && seen && charges) {
+      s.waitFor(ledger.lastFailure() + "; trying again", WaitingFor.NOTHING);
+    }
+    return placed && received && seen && !charges && s.ball().resting() > s.limits().settle();
   }
 }

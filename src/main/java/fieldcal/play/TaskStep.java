@@ -51,8 +51,8 @@ abstract class TaskStep implements Step {
   }
 
   /** The kicker was fired in vain: looks again what to do. */
-  final Step misfired(String reason) {
-    ledger.misfired(reason);
+  final Step misfired(Situation s, String reason) {
+    ledger.misfired(reason, s.time());
     return lookAgain();
   }
 

@@ -148,7 +148,7 @@ class LearnedTermTest {
     Arena flats = new Arena(-6, 6, -4, 4, new double[0], true, false, List.of(), List.of());
     assertThat(LearnedLibrary.of(flats))
         .noneMatch(t -> t.actsOn().equals("impact") || t.actsOn().equals("measurement"))
-        .hasSize(17);
+        .hasSize(18);
   }
 
   /** An acceleration that is the same everywhere is accRoll and accSlide changed by it. */

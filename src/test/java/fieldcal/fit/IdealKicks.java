@@ -34,6 +34,7 @@ final class IdealKicks {
   private static final double FOCAL = 1500;
 
   private final CameraViews views;
+  private double sideSpin;
 
   IdealKicks(double noise) {
     views = CameraViews.of(List.of(view(0, -3, noise), view(1, 3, noise)));
@@ -47,6 +48,11 @@ final class IdealKicks {
         new CameraCalibration(
             id, FOCAL, 1000, 1200, 0.12, 1, 0, 0, 0, -x, 0, height, x, 0, height, 2000, 2400);
     return CameraView.of(id, Optional.of(Camera.of(c))).withNoise(noise);
+  }
+
+  /** From now on kicks have spin about the direction of travel, as a fraction of rolling spin: they bend. */
+  void sideSpin(double fraction) {
+    sideSpin = fraction;
   }
 
   CameraViews views() {
@@ -94,7 +100,14 @@ final class IdealKicks {
       for (int camera = 0; camera < 2; camera++) {
         double t = k / RATE + camera * phase;
         if (t >= t0 && !kicked) {
-          ball.launch(truth[2], truth[3], kind == KickKind.CHIP ? truth[4] : 0, 0, 0, 0);
+          double perSpeed = sideSpin / physics.ball().radius();
+          ball.launch(
+              truth[2],
+              truth[3],
+              kind == KickKind.CHIP ? truth[4] : 0,
+              perSpeed * truth[2],
+              perSpeed * truth[3],
+              0);
           kicked = true;
           now = t0;
         }

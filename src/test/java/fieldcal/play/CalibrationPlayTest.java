@@ -117,6 +117,7 @@ class CalibrationPlayTest {
 
   @Test
   void chipsGoAlongTheHalfWayLine() {
+    field.ball(0.3, 0.5);
     start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 4), 4, Math.PI / 4);
     assertFinishes();
     assertThat(kicks)
@@ -174,10 +175,14 @@ class CalibrationPlayTest {
     assertThat(play.state().good()).isEqualTo(3);
   }
 
-  /** Chips start on the half-way line: this ball has to be carried there. */
+  /** Chips start on a line in one half, and nobody kicks from the other: this ball has to be carried. */
   private void chipsFromAfar() {
-    field.ball(4, -3);
-    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 2), 2, 0.7);
+    field.ball(1, -3);
+    PlayPlan plan = PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 2);
+    start(
+        plan.withLines(PlayLine.across(GEOMETRY, -3, false), PlayLine.across(GEOMETRY, -3, true)),
+        2,
+        0.7);
   }
 
   @Test
@@ -262,14 +267,53 @@ class CalibrationPlayTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"5.95,4.45", "-5.9,4.6", "3,-4.62", "-6.1,2.5"})
-  void aBallInACornerOrJustOutsideIsFetched(String place) {
+  @ValueSource(strings = {"-5.9,4.6", "3,-4.62", "-6.1,2.5"})
+  void aBallJustOutsideIsFetched(String place) {
     flat(2);
     String[] xy = place.split(",");
     field.ball(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
     until(PlayPhase.FETCH);
     assertFinishes();
     assertThat(field.requests).isZero();
+  }
+
+  /** A robot would carry them for seconds, and may lose them on the way. */
+  @ParameterizedTest
+  @ValueSource(strings = {"5.95,4.45", "-5.95,-4.48", "4,-3"})
+  void aBallFarFromTheLineIsKickedBackToIt(String place) {
+    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 2), 2, 0.7);
+    String[] xy = place.split(",");
+    field.ball(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
+    Set<PlayPhase> phases = EnumSet.noneOf(PlayPhase.class);
+    while (kicks.isEmpty() && field.time < 20) {
+      field.tick(play);
+      phases.add(play.state().phase());
+    }
+    assertThat(kicks.get(0).x()).isCloseTo(Double.parseDouble(xy[0]), within(0.05));
+    assertThat(phases).doesNotContain(PlayPhase.FETCH, PlayPhase.PLACE);
+    assertFinishes();
+    assertThat(field.requests).isZero();
+    assertThat(Math.abs(kicks.get(1).x())).isLessThan(1.5);
+  }
+
+  /** Beyond the lines there is no room behind it, but just inside there is. */
+  @Test
+  void aBallIsCarriedNoFartherThanItMust() {
+    start(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 1), 1, 0.7);
+    field.ball(4, -4.62);
+    until(PlayPhase.PLACE);
+    assertFinishes();
+    assertThat(kicks.get(0).x()).isGreaterThan(2);
+    assertThat(Math.abs(kicks.get(0).y())).isLessThan(4.5);
+  }
+
+  @Test
+  void nobodyKicksFromTheHalfThatIsSomebodyElses() {
+    start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.NEGATIVE, 1), 1, 0);
+    field.ball(4, 2);
+    until(PlayPhase.FETCH);
+    assertFinishes();
+    assertThat(kicks.get(0).x()).isLessThan(0);
   }
 
   @Test

@@ -52,7 +52,7 @@ class SlowStartTest {
   @Test
   void theOtherRobotTakesOverFromOneThatFellOver() {
     chips();
-    field.ball(-4, -3);
+    field.ball(-4, -4.55);
     while (play.state().phase() != PlayPhase.FETCH) {
       tick();
     }
@@ -116,12 +116,14 @@ class SlowStartTest {
 
   @Test
   void aBallThatSomebodyTakesFromARobotIsNotLostByIt() {
-    chips();
-    field.ball(4, -3);
-    while (field.holder == null || Math.abs(field.ballX) > 2) {
+    PlayPlan plan = PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 2);
+    PlayLine line = PlayLine.across(GEOMETRY, -3, false);
+    start(plan.withLines(line, PlayLine.across(GEOMETRY, -3, true)), 0.7);
+    field.ball(2, -3);
+    while (field.holder == null || field.ballX > 0.5) {
       tick();
     }
-    field.ball(-4, -3);
+    field.ball(2, 3);
     double fastest = 0;
     while (kicks.isEmpty()) {
       tick();

@@ -82,6 +82,10 @@ public record LearnedFamily(
    */
   public String key() {
     String on = variables.stream().map(Variable::label).collect(Collectors.joining("+"));
+    if (basis instanceof Harmonics && variables.contains(Variable.DISTANCE_ROLLED)) {
+      // What a ball does once per turn is another thing than what it does on its way.
+      on += "/per turn";
+    }
     return quantity.label() + "/" + on + (camera.isPresent() ? "/camera " + camera.getAsInt() : "");
   }
 
