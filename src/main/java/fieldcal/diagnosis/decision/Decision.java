@@ -241,9 +241,7 @@ public final class Decision {
       return Outcome.FORM;
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
-    boolean chosen = rivals.left > 0 && !(gain[HoldOut.LOWER] > 0);
-    if (!(gain[1] > 100 * least) || chosen) {
-      // Of everything that takes up something of what has no name, the search takes the most.
+    if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
     }
     return c.isLaw() && evidence < rivals.largest ? Outcome.FORM : Outcome.NAMED;
