@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
+import fieldcal.effect.learned.LearnedTerm;
 import java.io.IOException;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -93,6 +94,21 @@ class RecordedEffectsTest {
     assertThat(2 * Math.abs(offset.effect().value("x_mm"))).isCloseTo(40, within(2.0));
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(0.3 * diagnosis.base().holdoutRmsMm());
+  }
+
+  /** The spin of each kick is one of its own values, which predict nothing; the law that they follow does. */
+  @Test
+  void spinThatFollowsTheSpeedIsPredictedByIt() throws IOException {
+    Diagnosis diagnosis = diagnose("integrated-spin-by-speed");
+    assertThat(diagnosis.causes()).isEmpty();
+    LearnedFinding law = diagnosis.learned().get(0);
+    assertThat(law.actsOn()).isEqualTo("kick");
+    assertThat(law.dependsOn()).containsExactly("speed");
+    LearnedTerm spin = (LearnedTerm) law.effect();
+    // 0.07 for each m/s, of which a curve has the shape and the ball's k_switch the mean.
+    assertThat(spin.valueAt(0, 5.5, 0) - spin.valueAt(0, 2.5, 0)).isCloseTo(0.21, within(0.06));
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.15 * diagnosis.base().predictionErrorMm().get(1.0));
   }
 
   /** The physics engine's rolling resistance acts in impacts, too; without that law it looks like spin from the kicker. */

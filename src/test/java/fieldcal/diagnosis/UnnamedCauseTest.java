@@ -48,6 +48,32 @@ class UnnamedCauseTest {
         .isLessThan(0.45 * diagnosis.base().predictionErrorMm().get(1.0));
   }
 
+  /** A carpet that is worn where most is played: more and more towards both touch lines it brakes a rolling ball. */
+  private record UnwornEdges() implements ExtraLaw {
+    private static final double MORE = 0.45;
+    private static final double HALF_WIDTH = 3;
+
+    @Override
+    public double rollingFactor(BallMoment m) {
+      return 1 + MORE * Math.pow(m.y() / HALF_WIDTH, 2);
+    }
+  }
+
+  @Test
+  void aCarpetWornInTheMiddleIsLearnedAsAMapAndNotCalledARegion() {
+    SimulationSettings world =
+        FittedField.SOUND
+            .withScenario(ScenarioKind.FLAT, 20)
+            .withPhysics(FittedField.SOUND.physics().withExtra(new UnwornEdges()));
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    assertThat(diagnosis.learned()).anyMatch(l -> l.dependsOn().contains("place"));
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(0.5 * diagnosis.base().holdoutRmsMm());
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(diagnosis.base().predictionErrorMm().get(1.0));
+  }
+
   /** Rolls another way in each kick, by chance. */
   private record Whims() implements ExtraLaw {
     static final double SCATTER = 0.15;
