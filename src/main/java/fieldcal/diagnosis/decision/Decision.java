@@ -18,9 +18,11 @@ import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.FDistribution;
@@ -79,14 +81,17 @@ public final class Decision {
     Leftover left = Leftover.of(model);
     double excess = left.isSignificant() ? left.chiSquare() / noise : 0;
     for (int i = 0; i < n; i++) {
-      FittedModel w = without(model, i);
+      FittedModel w = without(model, Set.of(i));
       without.add(w);
       evidence[i] = (w.evenCost() - model.evenCost()) / noise;
     }
     Information information = Information.of(model);
+    double curves = curvesBesideLaw(model, noise);
     List<Judgement> all = new ArrayList<>();
     for (int i = 0; i < n; i++) {
-      all.add(judge(model, information, i, without.get(i), evidence, excess, held));
+      boolean law = model.model().components().get(i).isLaw();
+      double beside = law ? Math.max(excess, curves) : excess;
+      all.add(judge(model, information, i, without.get(i), evidence, excess, beside, held));
     }
     return excess > 0 && all.stream().anyMatch(Decision::isUnprovenSpin)
         ? all.stream().map(Decision::beyondSpin).toList()
@@ -130,18 +135,34 @@ public final class Decision {
         : Optional.empty();
   }
 
-  private FittedModel without(FittedModel model, int i) {
+  /** What learned curves explain together beside a law, which is a form of that and has no name where it is more: each curve may be a part of one thing. 0 where there are not several of them beside a law. */
+  private double curvesBesideLaw(FittedModel model, double noise) {
+    List<Effect> effects = model.effects();
+    Set<Integer> curves = new HashSet<>();
+    for (int i = 0; i < effects.size(); i++) {
+      if (effects.get(i) instanceof LearnedTerm) {
+        curves.add(i);
+      }
+    }
+    boolean law = model.model().components().stream().anyMatch(Component::isLaw);
+    return law && curves.size() > 1
+        ? (without(model, curves).evenCost() - model.evenCost()) / noise
+        : 0;
+  }
+
+  private FittedModel without(FittedModel model, Set<Integer> out) {
     List<Component> rest = new ArrayList<>();
     List<Effect> now = model.effects();
     for (int j = 0; j < now.size(); j++) {
-      if (j != i) {
+      if (!out.contains(j)) {
         rest.add(model.model().components().get(j).startingAt(now.get(j)));
       }
     }
     EffectModel start =
         model.model().startingAt(model.solution().values(), new double[0]).with(rest);
     FittedModel fitted = fitter.fit(start, model, Weighing.ALIKE, solver);
-    return model.model().components().get(i).isLaw() ? fresh.orBetter(fitted) : fitted;
+    boolean law = out.stream().anyMatch(i -> model.model().components().get(i).isLaw());
+    return law ? fresh.orBetter(fitted) : fitted;
   }
 
   private Judgement judge(
@@ -151,13 +172,14 @@ public final class Decision {
       FittedModel without,
       double[] evidence,
       double excess,
+      double beside,
       HoldOut held) {
     Component c = model.model().components().get(i);
     HoldOut heldWithout = HoldOut.of(without, false, seed);
     double[] gain = held.gainOn(heldWithout, seed);
     Optional<Map<String, Double>> errors = model.errors(i);
     // What is left may be another form of anything.
-    double largest = excess;
+    double largest = beside;
     double unexplained = excess;
     for (int j = 0; j < evidence.length; j++) {
       // A law is the form of everything that it takes part in; other causes only of their kind.
