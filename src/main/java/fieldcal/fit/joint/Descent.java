@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 /**
  * Where a joint fit stands, and its way down: Levenberg–Marquardt on the equations from which each kick's own parameters are eliminated (Schur complement).
  *
- * <p>Derivatives are what takes the time, so in a coarse solution they serve for several steps (chord steps; Ortega and Rheinboldt 1970, "Iterative solution of nonlinear equations", chapter 7): with old derivatives a step moves towards a point where these, and not the
+ * <p>Derivatives are what takes the time, so they serve for several steps (chord steps; Ortega and Rheinboldt 1970, "Iterative solution of nonlinear equations", chapter 7): with old derivatives a step moves towards a point where these, and not the
  * new ones, see no slope. So a descent to a minimum ends only after a step with new derivatives that gains too little to matter. Mutable, not thread-safe; kicks are worked on in parallel with the same result as one by one.
  *
  * @param <S> what the global parameters amount to
@@ -42,9 +42,6 @@ final class Descent<S> {
   private Damping damping = new Damping();
   private boolean corrects;
 
-  /** Whether derivatives serve for several steps: where only differences between models count. */
-  private boolean reuses;
-
   /** Null where there are none, or none for the kicks as they are now. */
   private KickColumns[] columns;
 
@@ -61,7 +58,6 @@ final class Descent<S> {
     this.problem = problem;
     this.maxIterations = maxIterations;
     this.tolerance = tolerance;
-    reuses = tolerance >= SharedSolver.COARSE;
     kicks = new ArrayList<>(problem.kicks());
     for (int k = 0; k < kicks.size(); k++) {
       double[] start = problem.starts().get(k).clone();
@@ -143,7 +139,6 @@ final class Descent<S> {
   /** From now on steps are corrected: along curved floors at the end, since from far away it leads to other minima than the nearest. */
   void correct() {
     corrects = true;
-    reuses = false;
     undamp();
   }
 
@@ -169,7 +164,7 @@ final class Descent<S> {
   }
 
   private void descend(boolean confirms) {
-    if (columns == null || !reuses && !fresh) {
+    if (columns == null || corrects && !fresh) {
       linearize();
     } else {
       equate();
@@ -197,11 +192,11 @@ final class Descent<S> {
         moveTo(next);
         damping.accepted();
         boolean small = gain < tolerance * Math.max(1, cost / Math.max(1, rows));
-        if (small && (exact || reuses && !confirms)) {
+        if (small && (exact || !confirms)) {
           reason = StopReason.CONVERGED;
           return;
         }
-        boolean slow = small || !reuses || gain > FAST * gainBefore;
+        boolean slow = small || corrects || gain > FAST * gainBefore;
         gainBefore = gain;
         if (slow) {
           linearize();

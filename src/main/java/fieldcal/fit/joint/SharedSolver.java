@@ -18,7 +18,7 @@ public final class SharedSolver {
   private static final int FEW_SCATTER_ROUNDS = 3;
 
   /** From that tolerance on a solution is coarse: half a unit of chi-square moves no estimate by more than its error. */
-  static final double COARSE = 0.5;
+  private static final double COARSE = 0.5;
 
   /** A scatter that changes by less than that share is settled: its own error is 1/√(2n), a tenth for fifty kicks. */
   private static final double SCATTER_SETTLED = 0.02;
