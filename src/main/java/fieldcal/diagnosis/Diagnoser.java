@@ -402,17 +402,16 @@ public final class Diagnoser {
     private Weighed lawful(Weighed found, ModelChoice choice) {
       Weighed best = found;
       for (Judgement j : found.judged()) {
-        if (!j.effect().hasOwnMean() || j.follows().isEmpty()) {
+        // A law that was taken changes all judgements; values that it left are judged there.
+        int component = best.judged().indexOf(j);
+        if (component < 0 || !j.effect().hasOwnMean()) {
           continue;
         }
-        int component = best.judged().indexOf(j);
-        Optional<FittedModel> law =
-            component < 0
-                ? Optional.empty()
-                : laws().insteadOf(best.model(), component, j.follows().get());
         Weighed before = best;
         best =
-            law.map(m -> choice.withLaw(m, before, j))
+            j.follows()
+                .flatMap(d -> laws().insteadOf(before.model(), component, d))
+                .map(m -> choice.withLaw(m, before, j))
                 .filter(with -> with.isAsGoodAs(before, settings.formGain()))
                 .filter(with -> with.predictsBetterThan(before, problem.seed()))
                 .orElse(before);

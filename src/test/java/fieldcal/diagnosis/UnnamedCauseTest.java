@@ -25,14 +25,18 @@ class UnnamedCauseTest {
     }
   }
 
-  private static final SimulationSettings WORLD =
-      FittedField.SOUND
-          .withScenario(ScenarioKind.FLAT, 16)
-          .withPhysics(FittedField.SOUND.physics().withExtra(new Draught()));
+  /** A sound field of which nobody knows the one law. */
+  private static Diagnosis diagnosed(ScenarioKind kicks, int count, ExtraLaw law) {
+    SimulationSettings world =
+        FittedField.SOUND
+            .withScenario(kicks, count)
+            .withPhysics(FittedField.SOUND.physics().withExtra(law));
+    return new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+  }
 
   @Test
   void aDraughtIsLearnedAsAPushThatDependsOnThePlace() {
-    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(WORLD).problem(), said -> {});
+    Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 16, new Draught());
     assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
     LearnedFinding found = diagnosis.learned().get(0);
     assertThat(found.actsOn()).isEqualTo("ground");
@@ -61,11 +65,7 @@ class UnnamedCauseTest {
 
   @Test
   void aCarpetWornInTheMiddleIsLearnedAsAMapAndNotCalledARegion() {
-    SimulationSettings world =
-        FittedField.SOUND
-            .withScenario(ScenarioKind.FLAT, 20)
-            .withPhysics(FittedField.SOUND.physics().withExtra(new UnwornEdges()));
-    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 20, new UnwornEdges());
     assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
     assertThat(diagnosis.learned()).anyMatch(l -> l.dependsOn().contains("place"));
     assertThat(diagnosis.extended().holdoutRmsMm())
@@ -87,11 +87,7 @@ class UnnamedCauseTest {
 
   @Test
   void whatDiffersFromKickToKickByChanceIsNotTakenForCauses() {
-    SimulationSettings world =
-        FittedField.SOUND
-            .withScenario(ScenarioKind.CHIP, 12)
-            .withPhysics(FittedField.SOUND.physics().withExtra(new Whims()));
-    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    Diagnosis diagnosis = diagnosed(ScenarioKind.CHIP, 12, new Whims());
     assertThat(diagnosis.causes()).as("%s", diagnosis.learned()).isEmpty();
     LearnedFinding found = diagnosis.learned().get(0);
     assertThat(found.kind()).isEqualTo(LearnedFinding.Kind.SCATTER);
@@ -141,11 +137,7 @@ class UnnamedCauseTest {
 
   @Test
   void bouncesThatDifferByChanceAreNotTakenForCauses() {
-    SimulationSettings world =
-        FittedField.SOUND
-            .withScenario(ScenarioKind.CHIP, 16)
-            .withPhysics(FittedField.SOUND.physics().withExtra(new Hops()));
-    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    Diagnosis diagnosis = diagnosed(ScenarioKind.CHIP, 16, new Hops());
     assertThat(diagnosis.causes()).as("%s", diagnosis.learned()).isEmpty();
     LearnedFinding found = diagnosis.learned().get(0);
     assertThat(found.kind()).isEqualTo(LearnedFinding.Kind.SCATTER);

@@ -36,7 +36,7 @@ public final class EffectKick implements KickTerm<ModelState> {
   private static final int MOST_TRIED = 6;
 
   /** How near to a place a path counts as having come there, m: what it bends by between two sightings, and goes on while cameras are late. */
-  private static final double NEAR = 0.1;
+  private static final double PATH_MARGIN = 0.1;
 
   private final KickRecord record;
   private final double[] randomScales;
@@ -317,7 +317,7 @@ public final class EffectKick implements KickTerm<ModelState> {
 
   private static boolean comes(double[] way, Area area) {
     for (int i = 2; i < way.length; i += 2) {
-      if (area.isNear(way[i - 2], way[i - 1], way[i], way[i + 1], NEAR)) {
+      if (area.isNear(way[i - 2], way[i - 1], way[i], way[i + 1], PATH_MARGIN)) {
         return true;
       }
     }

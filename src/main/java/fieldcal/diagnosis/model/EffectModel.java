@@ -258,9 +258,7 @@ public final class EffectModel implements SharedModel<ModelState> {
 
   @Override
   public ModelState stepped(double[] globals, int index, double step) {
-    double[] moved = globals.clone();
-    moved[index] += step;
-    ModelState state = at(moved);
+    ModelState state = SharedModel.super.stepped(globals, index, step);
     int k = BALL;
     for (Component c : components) {
       if (index >= k && index < k + c.size()) {
