@@ -1,5 +1,7 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.decision.Judgement;
+
 /**
  * By how much something lowers the residual per axis of kicks that were held out of the fit.
  *
@@ -9,6 +11,11 @@ package fieldcal.diagnosis;
  * @param highMm upper bound: 97.5 % quantile
  */
 public record Gain(double mm, double percent, double lowMm, double highMm) {
+
+  /** What a component of a model gains. */
+  static Gain of(Judgement j) {
+    return new Gain(j.gain()[0], j.gain()[1], j.gain()[2], j.gain()[3]);
+  }
 
   /**
    * Whether kicks that were held out show that it helps at all.

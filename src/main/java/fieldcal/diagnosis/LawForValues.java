@@ -80,13 +80,14 @@ final class LawForValues {
     return all;
   }
 
-  /** A model in which a law takes the place of the values of a component, which follow something; the values stay beside it where they differ from it by more than noise. */
-  Optional<FittedModel> insteadOf(FittedModel model, int component, Dependence follows) {
+  /** Models in which a law takes the place of the values of a component, which follow something: the law alone, and with values beside it, which differ from it. */
+  List<FittedModel> insteadOf(FittedModel model, int component, Dependence follows) {
     List<Component> rest = new ArrayList<>(model.started());
     Component values = rest.remove(component);
     FittedModel without = fit(model, rest);
     return law(without, values.template(), follows)
-        .map(law -> Leftover.of(law).isSignificant() ? with(law, values) : law);
+        .map(law -> List.of(law, with(law, values)))
+        .orElse(List.of());
   }
 
   /** A model without values of each kick's own, and without what changes the ground with time: each such effect may be a piece of a law over time. */

@@ -23,13 +23,8 @@ import java.util.OptionalInt;
 final class LearnedFindings {
   private LearnedFindings() {}
 
-  /** Whether an effect is a learned curve or what differs by chance, not a law or an effect of the catalogue. */
-  static boolean isLearned(Effect effect) {
-    return effect instanceof LearnedTerm || !effect.hasOwnMean();
-  }
-
   static LearnedFinding of(FittedModel model, int component, Judgement j, Arena arena) {
-    Gain gain = new Gain(j.gain()[0], j.gain()[1], j.gain()[2], j.gain()[3]);
+    Gain gain = Gain.of(j);
     if (!(j.effect() instanceof LearnedTerm term)) {
       return new LearnedFinding(
           j.effect(),

@@ -10,7 +10,6 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.FreshFit;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
-import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.CauseSearch;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.SearchStep;
@@ -46,35 +45,24 @@ final class ModelChoice {
   private final Consumer<String> progress;
 
   /**
-   * @param fresh fits of the kicks from the simple model on
-   * @param dictionary of the catalogue
-   * @param settings every number that decides
-   * @param problem for its seed and the most causes
+   * @param problem the screened kicks and what may explain them
    * @param heldBase how the simple model does on kicks that were held out
-   * @param solver of the refits
    * @param trace to which simplifications are added
    * @param progress told in words which part of the choice begins
    */
   ModelChoice(
-      FreshFit fresh,
-      Dictionary dictionary,
-      DecisionSettings settings,
-      DiagnosisProblem problem,
-      HoldOut heldBase,
-      SharedSolver solver,
-      List<SearchStep> trace,
-      Consumer<String> progress) {
-    this.fresh = fresh;
-    fitter = fresh.fitter();
-    this.dictionary = dictionary;
-    this.settings = settings;
+      DiagnosisCase problem, HoldOut heldBase, List<SearchStep> trace, Consumer<String> progress) {
     this.heldBase = heldBase;
-    this.solver = solver;
     this.trace = trace;
     this.progress = progress;
-    maxCauses = problem.maxCauses();
+    fresh = problem.fresh();
+    fitter = problem.fitter();
+    dictionary = problem.dictionary();
+    settings = problem.settings();
+    solver = problem.solver();
+    maxCauses = problem.problem().maxCauses();
     seed = problem.seed();
-    decision = new Decision(settings, fresh, new Alternatives(fitter, dictionary), seed);
+    decision = problem.decision();
   }
 
   /** A value for each kick helps where the kick has been seen, and may harm where it is predicted: then the model is taken without. */

@@ -1,5 +1,10 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.validation.HoldOut;
 import java.util.Collections;
 import java.util.Map;
 import java.util.TreeMap;
@@ -34,5 +39,34 @@ public record Quality(
       throw new IllegalArgumentException(
           "horizons differ: " + predictionErrorMm.keySet() + " and " + typicalErrorMm.keySet());
     }
+  }
+
+  /** How a model does that was fitted to all kicks, and is held to these. */
+  static Quality of(FittedModel f, HoldOut held) {
+    ModelState state = f.solution().state();
+    double squares = 0;
+    double variance = 0;
+    int n = 0;
+    for (int k = 0; k < f.kickCount(); k++) {
+      EffectKick term = f.kick(k);
+      KickRecord d = term.record();
+      double[] rx = new double[d.size()];
+      double[] ry = new double[d.size()];
+      term.plainResiduals(f.solution().own(k), state, rx, ry);
+      boolean[] used = d.used();
+      for (int i = 0; i < rx.length; i++) {
+        if (used[i]) {
+          squares += rx[i] * rx[i] + ry[i] * ry[i];
+          variance += 2 * d.variance(i);
+          n += 2;
+        }
+      }
+    }
+    return new Quality(
+        1000 * Math.sqrt(squares / n),
+        1000 * Math.sqrt(variance / n),
+        held.rmsMm(),
+        held.predictionMm(),
+        held.typicalMm());
   }
 }

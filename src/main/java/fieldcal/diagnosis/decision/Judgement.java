@@ -2,6 +2,7 @@ package fieldcal.diagnosis.decision;
 
 import fieldcal.diagnosis.model.Component;
 import fieldcal.effect.Effect;
+import fieldcal.effect.learned.LearnedTerm;
 import java.util.Map;
 import java.util.Optional;
 
@@ -41,6 +42,16 @@ public record Judgement(
     FORM,
     /** Kicks that were held out do not gain by it. */
     NO_GAIN
+  }
+
+  /**
+   * Whether it is a cause that has a name: no curve, and no chance.
+   *
+   * @return true when it may be named
+   */
+  public boolean isName() {
+    boolean hasName = effect.hasOwnMean() && !(effect instanceof LearnedTerm);
+    return outcome == Outcome.NAMED && hasName;
   }
 
   /**

@@ -4,6 +4,7 @@ import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelState;
+import fieldcal.fit.CameraNoise;
 import fieldcal.fit.joint.SharedSolver;
 import fieldcal.fit.joint.SharedSolver.OwnFit;
 import fieldcal.kick.KickKind;
@@ -14,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
+import java.util.function.ToDoubleBiFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -38,6 +40,9 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
 
   /** Largest error of a prediction, m: one that leaves the field, or that no camera could see, is as wrong as can be. */
   private static final double WORST = 10;
+
+  /** Smallest squared error in a geometric mean, m²: the floor of the cameras' noise. */
+  private static final double LEAST = CameraNoise.FLOOR * CameraNoise.FLOOR;
 
   /**
    * A kick that is predicted worse than that many medians counts as that many in {@link #typicalMm}: where errors are normal, two of a thousand kicks are (the distance from the truth in a plane then has Rayleigh's distribution); chosen. One kick that
@@ -74,6 +79,19 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
         n += counts[k];
       }
       return Math.sqrt(sum / n);
+    }
+
+    /** Geometric mean of the errors of kicks that may come more than once, m; NaN when none of them was predicted so far. */
+    private double geometricMean(int[] kicks) {
+      double sum = 0;
+      int n = 0;
+      for (int k : kicks) {
+        if (counts[k] > 0) {
+          sum += 0.5 * Math.log(Math.max(LEAST, squares[k] / counts[k]));
+          n++;
+        }
+      }
+      return Math.exp(sum / n);
     }
 
     /** Root mean square over the kicks that were predicted so far, each winsorized (Tukey 1962) at {@link #MOST_MEDIANS}, m. */
@@ -271,13 +289,28 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
-   * Whether this predicts worse than another model of the same kicks, at any horizon, by more than the choice of the kicks can do (bootstrap, Efron 1979).
+   * Whether this predicts worse than another model of the same kicks, at any horizon, by more than the choice of the kicks can do (bootstrap, Efron 1979). The root mean square decides, and so the worst kicks.
    *
    * @param other the other model's, of the same kicks
    * @param seed of the bootstrap
    * @return true when it does
    */
   public boolean predictsWorseThan(HoldOut other, long seed) {
+    return isLoss(other, Ahead::rms, seed);
+  }
+
+  /**
+   * The same, but each kick counts alike: what decides is the mean factor between the errors of the same kick.
+   *
+   * @param other the other model's, of the same kicks
+   * @param seed of the bootstrap
+   * @return true when this predicts a usual kick worse
+   */
+  public boolean predictsMostWorseThan(HoldOut other, long seed) {
+    return isLoss(other, Ahead::geometricMean, seed);
+  }
+
+  private boolean isLoss(HoldOut other, ToDoubleBiFunction<Ahead, int[]> measure, long seed) {
     Random random = new Random(seed);
     for (Map.Entry<Double, Ahead> entry : ahead.entrySet()) {
       Ahead before = other.ahead.get(entry.getKey());
@@ -287,7 +320,9 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
         for (int i = 0; i < drawn.length; i++) {
           drawn[i] = random.nextInt(drawn.length);
         }
-        double loss = entry.getValue().rms(drawn) - (1 + NO_WORSE) * before.rms(drawn);
+        double loss =
+            measure.applyAsDouble(entry.getValue(), drawn)
+                - (1 + NO_WORSE) * measure.applyAsDouble(before, drawn);
         losses[b] = Double.isNaN(loss) ? 0 : loss;
       }
       Arrays.sort(losses);

@@ -4,6 +4,7 @@ import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelState;
+import fieldcal.fit.CameraNoise;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -15,8 +16,9 @@ import java.util.List;
  * @param systematic mean square of the systematic part, in variances of the noise; may be negative by chance
  * @param deviation the same in standard deviations of what noise alone gives
  * @param chiSquare the systematic part of the sum of all squares, in variances of the noise
+ * @param negligible a systematic part that matters to nobody, in variances of the noise
  */
-public record Leftover(double systematic, double deviation, double chiSquare) {
+public record Leftover(double systematic, double deviation, double chiSquare, double negligible) {
   /** Detections of a block: a tenth of a second. Longer blocks would miss what changes fast, shorter ones see less of what does not. */
   private static final int BLOCK = 8;
 
@@ -26,7 +28,7 @@ public record Leftover(double systematic, double deviation, double chiSquare) {
   /** More of that, in standard deviations, is no chance. */
   private static final double SIGNIFICANT = 6;
 
-  /** A systematic part of less than that share of the noise's variance matters to nobody: a fifth of the noise, 0.3 mm for the cameras of real fields, below what any closed form promises. */
+  /** A systematic part of less than that share of the noise's variance matters to nobody, a fifth of the noise; nor does what is smaller than the error of any model, {@link CameraNoise#FLOOR}. */
   private static final double MATTERS = 0.04;
 
   /** The noise of each camera is known to about a per cent, its variance to two. */
@@ -42,6 +44,7 @@ public record Leftover(double systematic, double deviation, double chiSquare) {
     ModelState state = model.solution().state();
     double unknowns = model.model().globals().stream().filter(p -> p.estimated()).count();
     double sum = 0;
+    double floor = 0;
     int blocks = 0;
     int residuals = 0;
     double[] r = new double[2];
@@ -60,6 +63,10 @@ public record Leftover(double systematic, double deviation, double chiSquare) {
           record.whiten(i, rx[i], ry[i], r);
           s1 += r[0];
           s2 += r[1];
+          record.whiten(i, CameraNoise.FLOOR, 0, r);
+          floor += r[0] * r[0] + r[1] * r[1];
+          record.whiten(i, 0, CameraNoise.FLOOR, r);
+          floor += r[0] * r[0] + r[1] * r[1];
         }
         sum += (s1 * s1 + s2 * s2) / block.length - 2;
         blocks += 2;
@@ -72,7 +79,8 @@ public record Leftover(double systematic, double deviation, double chiSquare) {
     // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
     double all = model.solution().reducedChiSquare() - 1 + TOLERANCE;
     double share = Math.min(excess / Math.max(1, residuals), Math.max(0, all));
-    return new Leftover(share, excess / spread, share * residuals);
+    double negligible = Math.max(MATTERS, floor / Math.max(1, residuals));
+    return new Leftover(share, excess / spread, share * residuals, negligible);
   }
 
   /** Indices of successive detections of one camera. */
@@ -109,6 +117,6 @@ public record Leftover(double systematic, double deviation, double chiSquare) {
    * @return true when it is
    */
   public boolean isSignificant() {
-    return deviation > SIGNIFICANT && systematic > MATTERS;
+    return deviation > SIGNIFICANT && systematic > negligible;
   }
 }

@@ -1,0 +1,172 @@
+package fieldcal.diagnosis;
+
+import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.search.Alternatives;
+import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.effect.Effect;
+import fieldcal.effect.ExtendedModel;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What was decided, and the diagnosis that it makes. Immutable.
+ *
+ * @param screened the screened kicks and what may explain them
+ * @param extended the model to predict with
+ * @param judged judgements of what is in it
+ * @param kickers causes that only commands show
+ * @param held how it does on kicks that were held out
+ * @param heldBase how the simple model does on them
+ */
+record Answer(
+    DiagnosisCase screened,
+    FittedModel extended,
+    List<Judgement> judged,
+    List<Cause> kickers,
+    HoldOut held,
+    HoldOut heldBase) {
+
+  /** The diagnosis, with what was tried and what failed. */
+  Diagnosis diagnosis(List<SearchStep> trace, List<String> problems) {
+    Leftover after = Leftover.of(extended);
+    List<Cause> causes = new ArrayList<>();
+    List<LearnedFinding> learned = new ArrayList<>();
+    for (int i = 0; i < judged.size(); i++) {
+      Judgement j = judged.get(i);
+      if (j.isName()) {
+        causes.add(cause(j, screened.decision().ties(extended, i, j)));
+      } else {
+        learned.add(LearnedFindings.of(extended, i, j, screened.arena()));
+      }
+    }
+    causes.addAll(kickers);
+    causes.sort((x, y) -> Double.compare(y.evidence(), x.evidence()));
+    while (causes.size() > screened.problem().maxCauses()) {
+      causes.remove(causes.size() - 1);
+    }
+    List<StructureProfile> before = Profiles.of(screened.base(), screened.problem().sessionStart());
+    List<StructureProfile> left = Profiles.of(extended, screened.problem().sessionStart());
+    Quality quality = Quality.of(screened.base(), heldBase);
+    Unexplained unexplained =
+        new Unexplained(
+            after.isSignificant(),
+            quality.noiseMm() * Math.sqrt(Math.max(0, after.systematic())),
+            after.deviation(),
+            after.isSignificant() ? Profiles.named(left) : List.of());
+    return new Diagnosis(
+        verdict(causes, learned, unexplained.significant()),
+        quality,
+        Quality.of(extended, held),
+        causes,
+        learned,
+        candidates(causes),
+        unexplained,
+        before,
+        left,
+        residuals(),
+        model(screened.base(), List.of()),
+        model(extended, kickers),
+        trace,
+        problems,
+        ballErrors(extended),
+        screened.seed());
+  }
+
+  private static Map<String, Double> ballErrors(FittedModel f) {
+    Map<String, Double> errors = new HashMap<>();
+    List<Parameter> ball = f.model().globals().subList(0, EffectModel.BALL);
+    f.solution()
+        .covariance()
+        .ifPresent(
+            v -> {
+              for (int i = 0; i < ball.size(); i++) {
+                if (ball.get(i).estimated()) {
+                  errors.put(ball.get(i).name(), Math.sqrt(v[i][i]));
+                }
+              }
+            });
+    return errors;
+  }
+
+  private static Verdict verdict(List<Cause> causes, List<LearnedFinding> learned, boolean left) {
+    if (causes.isEmpty() && learned.isEmpty()) {
+      return left ? Verdict.UNEXPLAINED_STRUCTURE : Verdict.MODEL_ADEQUATE;
+    }
+    boolean unnamed = learned.stream().anyMatch(l -> l.kind() != LearnedFinding.Kind.LAW);
+    return left || unnamed || causes.isEmpty() ? Verdict.PARTLY_EXPLAINED : Verdict.EXPLAINED;
+  }
+
+  private static Cause cause(Judgement j, List<String> ties) {
+    return new Cause(j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), Gain.of(j), ties);
+  }
+
+  private List<Candidate> candidates(List<Cause> causes) {
+    List<Candidate> all = new ArrayList<>();
+    for (Alternatives.Scored s : screened.alternatives().scores(screened.base())) {
+      boolean named =
+          causes.stream()
+              .anyMatch(
+                  c ->
+                      c.effect().id().equals(s.effect().id())
+                          && c.effect().subject().equals(s.effect().subject()));
+      all.add(new Candidate(s.effect(), s.gain(), Double.NaN, Double.NaN, named));
+    }
+    return all;
+  }
+
+  private List<KickResiduals> residuals() {
+    ModelState stateBefore = screened.base().solution().state();
+    ModelState stateAfter = extended.solution().state();
+    List<KickResiduals> all = new ArrayList<>();
+    for (int k = 0; k < extended.kickCount(); k++) {
+      EffectKick before = screened.base().kick(k);
+      EffectKick after = extended.kick(k);
+      KickRecord d = after.record();
+      double[][] r = new double[4][d.size()];
+      double[] own = screened.base().solution().own(k);
+      double[] ownAfter = extended.solution().own(k);
+      before.plainResiduals(own, stateBefore, r[0], r[1]);
+      after.plainResiduals(ownAfter, stateAfter, r[2], r[3]);
+      BallTrajectory pathBefore = before.path(own, stateBefore);
+      BallTrajectory pathAfter = after.path(ownAfter, stateAfter);
+      all.add(
+          new KickResiduals(
+              d.kick(),
+              d.kind(),
+              pathBefore,
+              pathAfter,
+              r[0],
+              r[1],
+              r[2],
+              r[3],
+              d.used(),
+              heldBase.rmsMm(k),
+              held.rmsMm(k)));
+    }
+    return all;
+  }
+
+  private ExtendedModel model(FittedModel f, List<Cause> kickers) {
+    ModelState state = f.solution().state();
+    List<Effect> effects = new ArrayList<>(f.effects());
+    effects.removeIf(e -> !e.hasOwnMean());
+    kickers.forEach(c -> effects.add(c.effect()));
+    return new ExtendedModel(
+        screened.arena().flats() ? Optional.of(state.flat()) : Optional.empty(),
+        screened.arena().chips() ? Optional.of(state.chip()) : Optional.empty(),
+        effects,
+        screened.problem().sessionStart());
+  }
+}

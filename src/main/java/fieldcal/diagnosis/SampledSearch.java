@@ -1,0 +1,88 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
+import fieldcal.diagnosis.search.CauseSearch;
+import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Searches for components among as many kicks as a search needs, and fits what was found to all of them. Not thread-safe. */
+final class SampledSearch {
+  /** From more kicks on the search looks at that many, spread over the session; fits and decisions use all. */
+  private static final int SEARCHED_KICKS = 60;
+
+  private static final int COARSE_ITERATIONS = 15;
+
+  private final double sessionStart;
+  private final SharedSolver solver;
+
+  /** Of a search only the differences between models count. */
+  private final SharedSolver coarse;
+
+  private final List<SearchStep> trace;
+  private final DiagnosisProgress progress;
+
+  /**
+   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param solver of the fits before and after a search
+   * @param trace to which what was tried is added
+   * @param progress told which part of a search begins, and of every fit
+   */
+  SampledSearch(
+      double sessionStart,
+      SharedSolver solver,
+      List<SearchStep> trace,
+      DiagnosisProgress progress) {
+    this.sessionStart = sessionStart;
+    this.solver = solver;
+    this.trace = trace;
+    this.progress = progress;
+    coarse = solver.withTolerance(1).withMaxIterations(COARSE_ITERATIONS);
+  }
+
+  /**
+   * Searches.
+   *
+   * @param fitter of the kicks
+   * @param start model to add to, fitted to them
+   * @param dictionary what may be proposed
+   * @param most components
+   * @param revises whether other pursuits begin again while something is left
+   * @return the model that was found, fitted to all kicks, which weigh alike: decisions give all the same
+   */
+  FittedModel search(
+      ModelFitter fitter, FittedModel start, Dictionary dictionary, int most, boolean revises) {
+    int n = start.kickCount();
+    if (n <= SEARCHED_KICKS) {
+      FittedModel found = found(fitter, start, dictionary, most, revises);
+      return fitter.fit(startingAt(found), found, Weighing.ALIKE, solver);
+    }
+    List<KickRecord> some = new ArrayList<>();
+    for (int i = 0; i < SEARCHED_KICKS; i++) {
+      some.add(fitter.kicks().get((int) ((long) i * n / SEARCHED_KICKS)));
+    }
+    ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
+    FittedModel begin =
+        few.fit(startingAt(start), start.restrictedTo(some), Weighing.ALIKE, solver);
+    FittedModel found = found(few, begin, dictionary, most, revises);
+    return fitter.fit(startingAt(found), start, Weighing.ALIKE, solver);
+  }
+
+  private FittedModel found(
+      ModelFitter fitter, FittedModel start, Dictionary dictionary, int most, boolean revises) {
+    CauseSearch search = new CauseSearch(fitter, dictionary, most, coarse, progress::part);
+    FittedModel found = search.search(start, revises);
+    trace.addAll(search.trace());
+    return found;
+  }
+
+  private static EffectModel startingAt(FittedModel from) {
+    return from.model().startingAt(from.solution().values(), from.solution().scatters());
+  }
+}

@@ -1,0 +1,332 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.ModelChoice.Weighed;
+import fieldcal.diagnosis.decision.DecisionSettings;
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
+import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.learned.LearnedLibrary;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The stage that describes what has no name: laws that values of the kicks follow, what differs from kick to kick by chance, and learned curves and maps. Each must pay on kicks that were held out, and none may predict worse than what it joins or replaces. Not
+ * thread-safe.
+ */
+final class UnnamedTerms {
+  /** Learned terms that a model may have; a third already describes what the first two leave. */
+  private static final int MOST_LEARNED = 3;
+
+  /** A simpler model is taken unless a larger one predicts held-out kicks better by that share: a tenth of the noise's excess that matters. */
+  private static final double CLEARLY_BETTER = 0.01;
+
+  /** Change of a cause's size by which a learned term beside it has taken its place, as a share. */
+  private static final double SUPPLANTED = 0.5;
+
+  /** Curves alone must leave at most that share of the held-out variance that causes with names leave: by less they are another description of the same. */
+  private static final double IMITATED = 0.5;
+
+  private final ModelChoice choice;
+  private final HoldOut heldBase;
+  private final SampledSearch search;
+  private final FailedStages failed;
+  private final DiagnosisProgress progress;
+
+  private final FittedModel base;
+  private final ModelFitter fitter;
+  private final Arena arena;
+  private final List<? extends Effect> catalogue;
+  private final DecisionSettings settings;
+  private final SharedSolver solver;
+  private final LawForValues laws;
+  private final long seed;
+
+  /**
+   * @param problem the screened kicks and what may explain them
+   * @param choice which of the components that are found stay
+   * @param heldBase how the simple model does on kicks that were held out
+   * @param search for curves
+   * @param failed told of searches that fail
+   * @param progress told in words what is being done
+   */
+  UnnamedTerms(
+      DiagnosisCase problem,
+      ModelChoice choice,
+      HoldOut heldBase,
+      SampledSearch search,
+      FailedStages failed,
+      DiagnosisProgress progress) {
+    this.choice = choice;
+    this.heldBase = heldBase;
+    this.search = search;
+    this.failed = failed;
+    this.progress = progress;
+    base = problem.base();
+    fitter = problem.fitter();
+    arena = problem.arena();
+    catalogue = problem.catalogue();
+    settings = problem.settings();
+    solver = problem.solver();
+    laws = problem.laws();
+    seed = problem.seed();
+  }
+
+  /**
+   * Describes.
+   *
+   * @param named the model with causes that have names; the simple one without any
+   * @return the same where nothing is left and nothing follows a law
+   */
+  Weighed beside(Weighed named) {
+    Weighed best = named;
+    if (Leftover.of(named.model()).isSignificant()) {
+      progress.stage("describing what has no name");
+      best = described(named);
+    }
+    return predicting(lawful(best));
+  }
+
+  /** With laws, chance and learned terms for what has no name. */
+  private Weighed described(Weighed found) {
+    // Beside none first: causes may have imitated a law.
+    List<FittedModel> starts = new ArrayList<>(List.of(base));
+    if (found.model() != base) {
+      starts.add(laws.withoutValues(found.model()));
+    }
+    Weighed lawful = withLaws(found, starts);
+    if (lawful != found) {
+      return besideLaws(lawful);
+    }
+    Weighed best = withoutLaws(found);
+    if (best.judged().stream().noneMatch(j -> isChance(j) && j.follows().isPresent())) {
+      return best;
+    }
+    FittedModel start = laws.withoutValues(best.model());
+    HoldOut held = HoldOut.of(start, true, seed);
+    Weighed plain = new Weighed(start, List.of(), held);
+    lawful = withLaws(plain, List.of(start));
+    return lawful != plain && !lawful.held().predictsWorseThan(best.held(), seed)
+        ? besideLaws(lawful)
+        : best;
+  }
+
+  /** With curves in the place of everything else where these predict better, and what was found predicts most kicks worse than the simple model: values for each kick follow it without a law that predicts the next one. */
+  private Weighed predicting(Weighed found) {
+    if (!found.held().predictsMostWorseThan(heldBase, seed)) {
+      return found;
+    }
+    Weighed curved = choice.of(withCurves(base, List.of(), false));
+    boolean sound =
+        curved.held().rmsMm() <= heldBase.rmsMm()
+            && !curved.held().predictsWorseThan(heldBase, seed)
+            && !curved.held().predictsMostWorseThan(heldBase, seed);
+    boolean better =
+        found.held().predictsMostWorseThan(curved.held(), seed)
+            && !curved.held().predictsWorseThan(found.held(), seed);
+    return sound && better ? curved : found;
+  }
+
+  /** With laws for what kickers do: values that have a mean of their own and follow the kick are no chance, and a law predicts where values do not. */
+  private Weighed lawful(Weighed found) {
+    Weighed best = found;
+    for (Judgement j : found.judged()) {
+      // A law that was taken changes all judgements; values that it left are judged there.
+      int component = best.judged().indexOf(j);
+      if (component < 0 || !j.effect().hasOwnMean()) {
+        continue;
+      }
+      Weighed before = best;
+      best =
+          j.follows().stream()
+              .flatMap(d -> laws.insteadOf(before.model(), component, d).stream())
+              .map(m -> choice.withLaw(m, before, j))
+              .filter(with -> with.isAsGoodAs(before, settings.formGain()))
+              .filter(with -> with.predictsBetterThan(before, seed))
+              .findFirst()
+              .orElse(before);
+    }
+    return best;
+  }
+
+  /** With the laws that values of the kicks follow, one after another, as long as each takes most of what is left; as found where there is none. */
+  private Weighed withLaws(Weighed found, List<FittedModel> starts) {
+    Weighed best = found;
+    List<FittedModel> from = starts;
+    for (int i = 0; i < MOST_LEARNED; i++) {
+      Weighed before = best;
+      for (FittedModel start : from) {
+        for (FittedModel law : laws.beside(start)) {
+          Weighed with = lean(found.model(), choice.of(law));
+          boolean sound = !with.held().predictsWorseThan(before.held(), seed);
+          best = sound && excess(with) < IMITATED * excess(best) ? with : best;
+        }
+      }
+      if (best == before || !Leftover.of(best.model()).isSignificant()) {
+        break;
+      }
+      from = List.of(best.model());
+    }
+    return best;
+  }
+
+  /** Without causes whose place a law took, unless they take most of what it leaves: beside it a cause may get its true size, or describe what the law's form misses. */
+  private Weighed lean(FittedModel before, Weighed after) {
+    FittedModel fewer = withoutSupplanted(before, after.model());
+    if (fewer == after.model()) {
+      return after;
+    }
+    Weighed lean = choice.of(fewer);
+    return excess(after) < IMITATED * excess(lean) ? after : lean;
+  }
+
+  /** With curves for what laws leave, unless that differs from kick to kick by chance. */
+  private Weighed besideLaws(Weighed lawful) {
+    boolean done =
+        !Leftover.of(lawful.model()).isSignificant() || laws.leavesChance(lawful.model());
+    return done ? lawful : curved(lawful, false);
+  }
+
+  /** With chance and learned terms. Several effects may have imitated one that has no name: then curves alone leave much less, and nothing is named. */
+  private Weighed withoutLaws(Weighed found) {
+    Weighed best = curved(found);
+    if (best.model().model().components().isEmpty() || !Leftover.of(best.model()).isSignificant()) {
+      return best;
+    }
+    Weighed alone = choice.of(withCurves(base, List.of(), true));
+    boolean named = best.judged().stream().anyMatch(Judgement::isName);
+    double most = named ? IMITATED : 1;
+    boolean imitated = Math.pow(alone.held().rmsMm(), 2) < most * Math.pow(best.held().rmsMm(), 2);
+    return imitated && !alone.held().predictsWorseThan(best.held(), seed) ? alone : best;
+  }
+
+  /** Variance on held-out kicks beyond the noise, mm². */
+  private double excess(Weighed weighed) {
+    double noise = Quality.of(weighed.model(), weighed.held()).noiseMm();
+    return Math.pow(weighed.held().rmsMm(), 2) - noise * noise;
+  }
+
+  /** With curves and chance beside the causes, if that predicts better. A value for each kick can be any cause that differs between kicks: it takes the place of one that was named only where it explains much more. */
+  private Weighed curved(Weighed named) {
+    Weighed best = curved(named, true);
+    boolean much = Math.pow(best.held().rmsMm(), 2) < IMITATED * Math.pow(named.held().rmsMm(), 2);
+    return !much
+            && best.judged().stream().anyMatch(UnnamedTerms::isChance)
+            && losesName(named, best)
+        ? curved(named, false)
+        : best;
+  }
+
+  private static boolean isChance(Judgement j) {
+    return !j.effect().hasOwnMean();
+  }
+
+  private static boolean losesName(Weighed before, Weighed after) {
+    return before.judged().stream()
+        .filter(Judgement::isName)
+        .anyMatch(
+            j ->
+                after.judged().stream()
+                    .noneMatch(k -> k.isName() && k.component().isSameCause(j.component())));
+  }
+
+  /** With curves beside the causes, if that predicts better. Causes whose place a curve took stay where they are needed all the same: beside a curve a cause may get its true size. */
+  private Weighed curved(Weighed named, boolean chance) {
+    FittedModel curved = withCurves(named.model(), named.judged(), chance);
+    if (curved == named.model()) {
+      return named;
+    }
+    Weighed best = choice.of(curved);
+    FittedModel fewer = withoutSupplanted(named.model(), curved);
+    if (fewer != curved) {
+      Weighed lean = choice.of(fewer);
+      best = lean.isAsGoodAs(best, CLEARLY_BETTER) ? lean : best;
+    }
+    boolean better =
+        best.held().rmsMm() < (1 - CLEARLY_BETTER) * named.held().rmsMm()
+            && !best.held().predictsWorseThan(heldBase, seed);
+    return better ? best : named;
+  }
+
+  private FittedModel withCurves(FittedModel start, List<Judgement> judged, boolean chance) {
+    int most = start.model().components().size() + MOST_LEARNED;
+    return failed.guarded(
+        "the search for learned terms",
+        start,
+        () -> {
+          FittedModel curved = search(start, learnedAndLaws(judged, chance), most);
+          return Leftover.of(curved).isSignificant()
+              ? search(curved, LearnedLibrary.maps(arena), most + 1)
+              : curved;
+        });
+  }
+
+  /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
+  private FittedModel withoutSupplanted(FittedModel before, FittedModel after) {
+    double[] then = before.solution().values();
+    double[] now = after.solution().values();
+    List<Component> kept = new ArrayList<>();
+    List<Component> had = before.model().components();
+    List<Component> have = after.model().components();
+    List<Effect> effects = after.effects();
+    for (int i = 0; i < have.size(); i++) {
+      Component c = have.get(i);
+      boolean stays = c.isPerKick() || c.isLaw();
+      boolean known = false;
+      for (int j = 0; j < had.size(); j++) {
+        if (had.get(j).isSameCause(c) && had.get(j).size() == c.size()) {
+          known = true;
+          double change = 0;
+          double size = 0;
+          for (int k = 0; k < c.magnitudeCount(); k++) {
+            double was = then[before.model().offset(j) + k];
+            double is = now[after.model().offset(i) + k];
+            change += (is - was) * (is - was);
+            size += was * was;
+          }
+          stays |= change < SUPPLANTED * SUPPLANTED * size;
+        }
+      }
+      if (stays || !known) {
+        kept.add(c.startingAt(effects.get(i)));
+      }
+    }
+    if (kept.size() == have.size()) {
+      return after;
+    }
+    EffectModel model = after.model().startingAt(now, after.solution().scatters()).with(kept);
+    return fitter.fit(model, after, Weighing.ALIKE, solver);
+  }
+
+  /**
+   * The library of smooth terms, chance if wanted, and the laws: with what was hidden before in the model, one may be right after all. Beside a cause that was named and changes the ground with time no curve over time is offered: it can be that cause, and
+   * takes its place for the little that it does not explain.
+   */
+  private List<Effect> learnedAndLaws(List<Judgement> judged, boolean chance) {
+    boolean timed = judged.stream().anyMatch(UnnamedTerms::isTimed);
+    List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
+    all.removeIf(e -> timed && LawForValues.changesGroundWithTime(e));
+    if (chance) {
+      all.addAll(EffectCatalogue.unnamed());
+    }
+    catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
+    return all;
+  }
+
+  private static boolean isTimed(Judgement j) {
+    return j.isName() && LawForValues.changesGroundWithTime(j.effect());
+  }
+
+  private FittedModel search(FittedModel start, List<? extends Effect> effects, int most) {
+    return search.search(fitter, start, new Dictionary(effects, arena), most, false);
+  }
+}
