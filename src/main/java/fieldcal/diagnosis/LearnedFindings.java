@@ -9,6 +9,7 @@ import fieldcal.effect.MeasurementEffect;
 import fieldcal.effect.MotionEffect.Bounce;
 import fieldcal.effect.MotionEffect.ImpactLaw;
 import fieldcal.effect.MotionEffect.SpinAtKick;
+import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedCurve;
 import fieldcal.effect.learned.LearnedCurve.Support;
 import fieldcal.effect.learned.LearnedTerm;
@@ -110,7 +111,11 @@ final class LearnedFindings {
           range[n++] = new double[] {-half, half};
         }
         case HEADING -> range[n++] = new double[] {-Math.PI, Math.PI};
-        case SESSION_TIME -> range[n++] = new double[] {Math.min(0, session), session};
+        case SESSION_TIME ->
+            range[n++] =
+                term.family().basis() instanceof Harmonics h
+                    ? new double[] {0, h.period()}
+                    : new double[] {Math.min(0, session), session};
         case VERTICAL_SPEED -> range[n++] = new double[] {0, Math.max(rise, 1)};
         case HOP -> range[n++] = new double[] {1, 4};
         case TIME_SINCE_KICK -> range[n++] = new double[] {0, 5};

@@ -50,6 +50,7 @@ final class UnnamedTerms {
   private final SharedSolver solver;
   private final LawForValues laws;
   private final long seed;
+  private final double sessionStart;
 
   /**
    * @param problem the screened kicks and what may explain them
@@ -79,6 +80,7 @@ final class UnnamedTerms {
     solver = problem.solver();
     laws = problem.laws();
     seed = problem.seed();
+    sessionStart = problem.problem().sessionStart();
   }
 
   /**
@@ -264,6 +266,9 @@ final class UnnamedTerms {
         start,
         () -> {
           FittedModel curved = search(start, learnedAndLaws(judged, chance), most);
+          if (Leftover.of(curved).isSignificant()) {
+            curved = search(curved, PeriodicTerms.of(curved, sessionStart), most + 1);
+          }
           return Leftover.of(curved).isSignificant()
               ? search(curved, LearnedLibrary.maps(arena), most + 1)
               : curved;
@@ -327,6 +332,9 @@ final class UnnamedTerms {
   }
 
   private FittedModel search(FittedModel start, List<? extends Effect> effects, int most) {
+    if (effects.isEmpty()) {
+      return start;
+    }
     return search.search(fitter, start, new Dictionary(effects, arena), most, false);
   }
 }

@@ -94,7 +94,7 @@ public final class LearnedWords {
     return switch (variable) {
       case HEADING -> "direction of travel";
       case HOP -> "bounce";
-      case SESSION_TIME -> "time of the session";
+      case SESSION_TIME -> isInTime(curve) ? "time within a period" : "time of the session";
       default -> noun(variable);
     };
   }
@@ -109,7 +109,7 @@ public final class LearnedWords {
   public static String axisUnit(LearnedCurve curve, int number) {
     return switch (numbered(curve, number)) {
       case HEADING -> "°";
-      case SESSION_TIME -> "min";
+      case SESSION_TIME -> isInTime(curve) ? "s" : "min";
       default -> numbered(curve, number).unit();
     };
   }
@@ -125,7 +125,7 @@ public final class LearnedWords {
   public static double onAxis(LearnedCurve curve, int number, double value) {
     return switch (numbered(curve, number)) {
       case HEADING -> Math.toDegrees(value);
-      case SESSION_TIME -> value / MINUTE;
+      case SESSION_TIME -> isInTime(curve) ? value : value / MINUTE;
       default -> value;
     };
   }
@@ -221,7 +221,10 @@ public final class LearnedWords {
    */
   public static Optional<String> sentence(LearnedCurve curve, SimpleFormula formula) {
     return switch (formula.kind()) {
-      case NONE, CURVE -> between(curve, curve.family().variables().get(0));
+      case NONE, CURVE ->
+          isInTime(curve)
+              ? curve.certainlyHighest().map(p -> everyPeriod(curve, p.value()))
+              : between(curve, curve.family().variables().get(0));
       default -> Optional.of(simple(curve, formula));
     };
   }
@@ -249,7 +252,8 @@ public final class LearnedWords {
               "From %s on, the %s: by %s for each further %s.",
               at(variable, formula.place()), change, eachSize, step(variable));
       case STEP -> text("From %s on, the %s: by %s.", at(variable, formula.place()), change, size);
-      case SINE -> sine(curve, formula, variable);
+      case SINE ->
+          isInTime(curve) ? everyPeriod(curve, formula.amount()) : sine(curve, formula, variable);
       case GRADIENT ->
           text(
               "The %s, the more the farther the ball is %s: by %s for each metre.",
@@ -258,6 +262,19 @@ public final class LearnedWords {
       case STEP_Y -> text("Beyond y = %s m, the %s: by %s.", place(formula), change, size);
       case NONE, CURVE -> throw new IllegalArgumentException("no simple formula");
     };
+  }
+
+  /** Whether a curve comes again in time. */
+  private static boolean isInTime(LearnedCurve curve) {
+    return curve.family().isPeriodic()
+        && curve.family().variables().contains(Variable.SESSION_TIME);
+  }
+
+  private static String everyPeriod(LearnedCurve curve, double amount) {
+    double period = ((Harmonics) curve.family().basis()).period();
+    return text(
+        "Once every %s s, the %s, and then the opposite: by %s.",
+        Amount.of(period), change(curve, 1), size(curve, amount));
   }
 
   private static String place(SimpleFormula formula) {

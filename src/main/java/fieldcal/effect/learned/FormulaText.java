@@ -35,7 +35,7 @@ final class FormulaText {
       case ONSET ->
           what + " " + verb + " by " + size + " per " + per + " above " + at(place, variable);
       case STEP -> what + " is " + side + " by " + size + " from " + at(place, variable) + " on";
-      case SINE -> sine(what, number(amount) + unit, sign < 0 ? place + Math.PI : place, variable);
+      case SINE -> sine(what, number(amount) + unit, sign < 0 ? place + Math.PI : place, curve);
       case GRADIENT ->
           what
               + " grows by "
@@ -52,8 +52,9 @@ final class FormulaText {
               + " and "
               + number(Math.max(sign * lowest(curve), sign * highest(curve)))
               + unit
-              + " with the "
-              + name(variable);
+              + (variable == Variable.SESSION_TIME && curve.family().isPeriodic()
+                  ? every(curve)
+                  : " with the " + name(variable));
     };
   }
 
@@ -65,10 +66,17 @@ final class FormulaText {
     return curve.certainlyHighest().orElseGet(curve::highest).value();
   }
 
-  private static String sine(String what, String size, double place, Variable variable) {
-    return variable == Variable.HEADING
-        ? what + " varies by ±" + size + " with the heading, most towards " + degrees(place)
-        : what + " varies by ±" + size + " during each turn of the ball";
+  private static String sine(String what, String size, double place, LearnedCurve curve) {
+    String varies = what + " varies by ±" + size;
+    return switch (curve.family().variables().get(0)) {
+      case HEADING -> varies + " with the heading, most towards " + degrees(place);
+      case SESSION_TIME -> varies + every(curve);
+      default -> varies + " during each turn of the ball";
+    };
+  }
+
+  private static String every(LearnedCurve curve) {
+    return " every " + number(((Harmonics) curve.family().basis()).period()) + " s";
   }
 
   private static String noun(Quantity quantity, int component) {

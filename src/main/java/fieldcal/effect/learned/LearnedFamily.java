@@ -82,11 +82,21 @@ public record LearnedFamily(
    */
   public String key() {
     String on = variables.stream().map(Variable::label).collect(Collectors.joining("+"));
-    if (basis instanceof Harmonics && variables.contains(Variable.DISTANCE_ROLLED)) {
-      // What a ball does once per turn is another thing than what it does on its way.
-      on += "/per turn";
+    if (isPeriodic()) {
+      // What comes again is another thing than what changes on the way: once per turn of the ball,
+      // or in time.
+      on += "/periodic";
     }
     return quantity.label() + "/" + on + (camera.isPresent() ? "/camera " + camera.getAsInt() : "");
+  }
+
+  /**
+   * Whether it comes again after some way or time; an angle always does, and is not meant.
+   *
+   * @return true of harmonics over anything but an angle
+   */
+  public boolean isPeriodic() {
+    return basis instanceof Harmonics && !variables.contains(Variable.HEADING);
   }
 
   /**

@@ -1,0 +1,228 @@
+package fieldcal.diagnosis;
+
+import fieldcal.ball.BallState;
+import fieldcal.diagnosis.model.EffectKick;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelState;
+import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.learned.Harmonics;
+import fieldcal.effect.learned.LearnedFamily;
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Quantity;
+import fieldcal.effect.learned.Variable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.LUDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+import org.apache.commons.math3.linear.SingularMatrixException;
+
+/**
+ * Errors of a camera that come again in time: one that swings on its mount, or stamps with a clock that is set right again and again. Their periods are where the residuals' periodogram is highest (Lomb 1976; Scargle 1982: with sines that are fitted to unevenly
+ * spaced times by least squares); a search then decides about them as about any other term.
+ */
+final class PeriodicTerms {
+  /** Shortest period, s: four of the blocks of 50 ms over which residuals are averaged. */
+  private static final double SHORTEST = 0.2;
+
+  /** Frequencies for each that a session can tell from the next: the highest of them is at most an eighth from the peak, where a sine explains 95 %. */
+  private static final double OVERSAMPLING = 4;
+
+  /** Periods that the session has at least: what comes fewer times is a curve over the session. */
+  private static final double FEWEST_PERIODS = 3;
+
+  /** Chance that the highest peak of noise reaches what is offered; a search asks for more. */
+  private static final double CHANCE = 1e-3;
+
+  /** Finer frequencies to each side of the peak: with four harmonics the fourth tells a period four times as well. */
+  private static final int FINER = 8;
+
+  /** Harmonics of a swing, and of a clock that jumps back. */
+  private static final int SWING = 1;
+
+  private static final int JUMP = 4;
+
+  /** Whitened residuals of one camera with what they would be for a unit of an error. */
+  private static final class Series {
+    private final List<double[]> rows = new ArrayList<>();
+
+    /** Time, s; residual; response to the error. */
+    void add(double time, double residual, double response) {
+      rows.add(new double[] {time, residual, response});
+    }
+
+    /** What the best sine of a frequency takes off chi-square, for frequencies from {@code step} on. */
+    double[] powers(double step, int count) {
+      int n = rows.size();
+      double[] cos = new double[n];
+      double[] sin = new double[n];
+      double[] turnCos = new double[n];
+      double[] turnSin = new double[n];
+      for (int i = 0; i < n; i++) {
+        double angle = 2 * Math.PI * step * rows.get(i)[0];
+        turnCos[i] = Math.cos(angle);
+        turnSin[i] = Math.sin(angle);
+        cos[i] = 1;
+      }
+      double[] powers = new double[count];
+      for (int f = 0; f < count; f++) {
+        double cc = 0;
+        double cs = 0;
+        double ss = 0;
+        double rc = 0;
+        double rs = 0;
+        for (int i = 0; i < n; i++) {
+          double c = cos[i] * turnCos[i] - sin[i] * turnSin[i];
+          double s = sin[i] * turnCos[i] + cos[i] * turnSin[i];
+          cos[i] = c;
+          sin[i] = s;
+          double[] row = rows.get(i);
+          double a = row[2] * c;
+          double b = row[2] * s;
+          cc += a * a;
+          cs += a * b;
+          ss += b * b;
+          rc += row[1] * a;
+          rs += row[1] * b;
+        }
+        double determinant = cc * ss - cs * cs;
+        powers[f] =
+            determinant > 0 ? (ss * rc * rc - 2 * cs * rc * rs + cc * rs * rs) / determinant : 0;
+      }
+      return powers;
+    }
+
+    /** What the best sum of harmonics of a period takes off chi-square. */
+    double power(Harmonics basis) {
+      int size = basis.size();
+      double[] values = new double[size];
+      double[][] information = new double[size][size];
+      double[] gradient = new double[size];
+      for (double[] row : rows) {
+        basis.values(row[0], 0, values);
+        for (int a = 0; a < size; a++) {
+          gradient[a] += row[1] * row[2] * values[a];
+          for (int b = 0; b < size; b++) {
+            information[a][b] += row[2] * row[2] * values[a] * values[b];
+          }
+        }
+      }
+      RealVector g = new ArrayRealVector(gradient, false);
+      try {
+        RealMatrix matrix = new Array2DRowRealMatrix(information, false);
+        return new LUDecomposition(matrix).getSolver().solve(g).dotProduct(g);
+      } catch (SingularMatrixException e) {
+        return 0;
+      }
+    }
+  }
+
+  private PeriodicTerms() {}
+
+  /**
+   * Terms that may describe what a model leaves.
+   *
+   * @param model fitted to all kicks
+   * @param sessionStart begin of the session on the kicks' clock, s
+   * @return of each camera a swing and an error of its stamps with the period that shows most; without those that noise may show
+   */
+  static List<LearnedTerm> of(FittedModel model, double sessionStart) {
+    List<LearnedTerm> all = new ArrayList<>();
+    int[] cameras =
+        model.records().stream()
+            .flatMapToInt(r -> Arrays.stream(r.kick().observations().cameras()))
+            .distinct()
+            .sorted()
+            .toArray();
+    for (int camera : cameras) {
+      Series x = new Series();
+      Series y = new Series();
+      Series along = new Series();
+      for (int k = 0; k < model.kickCount(); k++) {
+        add(model, k, camera, sessionStart, x, y, along);
+      }
+      basis(SWING, List.of(x, y))
+          .map(b -> LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, b, camera))
+          .ifPresent(f -> all.add(f.absent()));
+      basis(JUMP, List.of(along))
+          .map(b -> LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, b, camera))
+          .ifPresent(f -> all.add(f.absent()));
+    }
+    return all;
+  }
+
+  private static void add(
+      FittedModel model, int k, int camera, double sessionStart, Series x, Series y, Series along) {
+    EffectKick kick = model.kick(k);
+    ModelState state = model.solution().state();
+    double[] own = model.solution().own(k);
+    KickRecord record = kick.record();
+    ExtendedTrajectory path = kick.path(own, state);
+    boolean[] used = record.used();
+    double[] rx = new double[record.size()];
+    double[] ry = new double[record.size()];
+    kick.plainResiduals(own, state, rx, ry);
+    for (int i = 0; i < used.length; i++) {
+      if (!used[i] || record.camera(i) != camera) {
+        continue;
+      }
+      double time = record.time(i) - sessionStart;
+      double sigma = Math.sqrt(record.variance(i));
+      x.add(time, rx[i] / sigma, 1 / sigma);
+      y.add(time, ry[i] / sigma, 1 / sigma);
+      BallState ball = path.stateAt(record.time(i));
+      if (record.time(i) > path.kickTime()) {
+        along.add(time, rx[i] / sigma, ball.vx() / sigma);
+        along.add(time, ry[i] / sigma, ball.vy() / sigma);
+      }
+    }
+  }
+
+  /** Harmonics of the period that shows most; empty when that may be noise. */
+  private static Optional<Harmonics> basis(int order, List<Series> series) {
+    double first = Double.POSITIVE_INFINITY;
+    double last = Double.NEGATIVE_INFINITY;
+    double squares = 0;
+    int n = 0;
+    for (Series s : series) {
+      for (double[] row : s.rows) {
+        first = Math.min(first, row[0]);
+        last = Math.max(last, row[0]);
+        squares += row[1] * row[1];
+        n++;
+      }
+    }
+    double step = 1 / (OVERSAMPLING * (last - first));
+    int count = (int) Math.ceil(1 / SHORTEST / step);
+    int least = (int) (FEWEST_PERIODS * OVERSAMPLING);
+    if (!(last > first) || count <= least) {
+      return Optional.empty();
+    }
+    double[] sum = new double[count];
+    for (Series s : series) {
+      double[] powers = s.powers(step, count);
+      for (int f = 0; f < count; f++) {
+        sum[f] += powers[f];
+      }
+    }
+    int best = least;
+    for (int f = least; f < count; f++) {
+      best = sum[f] > sum[best] ? f : best;
+    }
+    double limit = 2 * series.size() * Math.log(count / CHANCE) * Math.max(1, squares / n);
+    if (!(sum[best] > limit)) {
+      return Optional.empty();
+    }
+    double peak = step * (best + 1);
+    return IntStream.rangeClosed(-FINER, FINER)
+        .mapToObj(i -> new Harmonics(order, 1 / (peak + i * step / FINER)))
+        .max(Comparator.comparingDouble(b -> series.stream().mapToDouble(t -> t.power(b)).sum()));
+  }
+}
