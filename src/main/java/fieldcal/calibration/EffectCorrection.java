@@ -90,7 +90,9 @@ final class EffectCorrection {
       double stamp = t - sessionStart;
       simple.positionAt(t, ball);
       perfectCameras.report(camera, stamp, ball, without);
-      double time = cameras.ballTime(camera, stamp, seen.pixelY(i)) + sessionStart;
+      double time =
+          cameras.ballTime(camera, stamp, seen.pixelY(i), extended.stateAt(t).groundSpeed())
+              + sessionStart;
       extended.positionAt(time, ball);
       cameras.report(camera, stamp, ball, with);
       double dx = without[0] - with[0];

@@ -132,10 +132,7 @@ final class UnnamedTerms {
         curved.held().rmsMm() <= heldBase.rmsMm()
             && !curved.held().predictsWorseThan(heldBase, seed)
             && !curved.held().predictsMostWorseThan(heldBase, seed);
-    boolean better =
-        found.held().predictsMostWorseThan(curved.held(), seed)
-            && !curved.held().predictsWorseThan(found.held(), seed);
-    return sound && better ? curved : found;
+    return sound && foretells(curved, found) ? curved : found;
   }
 
   /** With laws for what kickers do: values that have a mean of their own and follow the kick are no chance, and a law predicts where values do not. */
@@ -207,8 +204,18 @@ final class UnnamedTerms {
     Weighed alone = choice.of(withCurves(base, List.of(), true));
     boolean named = best.judged().stream().anyMatch(Judgement::isName);
     double most = named ? IMITATED : 1;
-    boolean imitated = Math.pow(alone.held().rmsMm(), 2) < most * Math.pow(best.held().rmsMm(), 2);
-    return imitated && !alone.held().predictsWorseThan(best.held(), seed) ? alone : best;
+    boolean imitated =
+        Math.pow(alone.held().rmsMm(), 2) < most * Math.pow(best.held().rmsMm(), 2)
+            && !alone.held().predictsWorseThan(best.held(), seed);
+    return imitated || foretells(alone, best) ? alone : best;
+  }
+
+  /** Whether a model predicts better than another beyond chance, and by no measure worse: fits of kicks that are seen to the end do not tell what predicts the next one. */
+  private boolean foretells(Weighed model, Weighed other) {
+    boolean worse =
+        model.held().predictsWorseThan(other.held(), seed)
+            || model.held().predictsMostWorseThan(other.held(), seed);
+    return !worse && other.held().predictsMostWorseThan(model.held(), seed);
   }
 
   /** Variance on held-out kicks beyond the noise, mm². */

@@ -90,9 +90,19 @@ public interface MeasurementEffect extends Effect {
      * @param camera the camera
      * @param sessionTime the time stamp, s since the beginning of the session
      * @param pixelRow where in the image the ball was seen, pixels; not above 0 or NaN = unknown
+     * @param speed the ball's speed over the ground at the time stamp, m/s; NaN = unknown, then what depends on it is left out
      * @return s, positive = the stamp is late
      */
-    double timeError(ObservedCamera camera, double sessionTime, double pixelRow);
+    double timeError(ObservedCamera camera, double sessionTime, double pixelRow, double speed);
+
+    /**
+     * Whether the error depends on how fast the ball is.
+     *
+     * @return false of most
+     */
+    default boolean dependsOnSpeed() {
+      return false;
+    }
   }
 
   /** An error of the reported position that depends on where and when the ball is reported. */

@@ -18,6 +18,12 @@ public final class MeasurementEffects {
 
   private final List<MeasurementEffect> effects;
 
+  /** Fastest ball for which the latest time is asked for, m/s: a kick of 6.5 m/s and what cameras make of it. */
+  private static final double FASTEST = 8;
+
+  /** Half the distance of a learned curve's knots, m/s. */
+  private static final double SPEED_STEP = 0.5;
+
   /** Whether any camera reports balls at another time than they were there. */
   private final boolean late;
 
@@ -67,11 +73,12 @@ public final class MeasurementEffects {
    * @param camera camera id
    * @param stamp the detection's time stamp, s since the beginning of the session
    * @param pixelRow the detection's row in the image, pixels; not above 0 or NaN = unknown, then nothing that depends on the row is corrected
+   * @param speed the ball's speed over the ground at the time stamp, m/s; NaN = unknown, then nothing that depends on it is corrected
    * @return session time, s
    */
-  public double ballTime(int camera, double stamp, double pixelRow) {
+  public double ballTime(int camera, double stamp, double pixelRow, double speed) {
     View view = find(camera);
-    return view == null ? stamp : stamp - view.timeError(stamp, pixelRow);
+    return view == null ? stamp : stamp - view.timeError(stamp, pixelRow, speed);
   }
 
   /**
@@ -87,7 +94,11 @@ public final class MeasurementEffects {
     PathFollower ball = path.follower();
     for (int i = 0; i < seen.size(); i++) {
       View view = find(seen.camera[i]);
-      ball.goTo(ballTime(view, seen, i, sessionStart));
+      double speed = Double.NaN;
+      if (view != null && view.dependsOnSpeed()) {
+        speed = ball.speedAt(seen.stamp[i]);
+      }
+      ball.goTo(ballTime(view, seen, i, sessionStart, speed));
       if (view == null) {
         ground[2 * i] = ball.x();
         ground[2 * i + 1] = ball.y();
@@ -103,7 +114,7 @@ public final class MeasurementEffects {
    *
    * @param seen cameras and times
    * @param sessionStart when the session began, on the clock of the sightings, s
-   * @return the latest time at which the ball was where a camera saw it, on the same clock, s; −∞ without sightings
+   * @return the latest time at which the ball was where a camera saw it, however fast it was, on the same clock, s; −∞ without sightings
    */
   public double lastBallTime(Sightings seen, double sessionStart) {
     if (!late) {
@@ -111,15 +122,25 @@ public final class MeasurementEffects {
     }
     double last = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < seen.size(); i++) {
-      last = Math.max(last, ballTime(find(seen.camera[i]), seen, i, sessionStart));
+      View view = find(seen.camera[i]);
+      if (view == null || !view.dependsOnSpeed()) {
+        last = Math.max(last, ballTime(view, seen, i, sessionStart, Double.NaN));
+        continue;
+      }
+      // Its speed is asked for at the stamp.
+      last = Math.max(last, seen.stamp[i]);
+      for (double speed = 0; speed < FASTEST; speed += SPEED_STEP) {
+        last = Math.max(last, ballTime(view, seen, i, sessionStart, speed));
+      }
     }
     return last;
   }
 
-  private static double ballTime(View view, Sightings seen, int i, double sessionStart) {
+  private static double ballTime(
+      View view, Sightings seen, int i, double sessionStart, double speed) {
     double t = seen.stamp[i];
     boolean late = view != null && view.isLate();
-    return late ? t - view.timeError(t - sessionStart, seen.pixelRow[i]) : t;
+    return late ? t - view.timeError(t - sessionStart, seen.pixelRow[i], speed) : t;
   }
 
   /**

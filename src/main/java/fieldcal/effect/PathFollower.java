@@ -32,6 +32,15 @@ final class PathFollower {
     z = path.height(piece, s);
   }
 
+  /** Speed over the ground at a time near the last one, m/s. */
+  double speedAt(double t) {
+    if (t < kickTime || path.count() == 0) {
+      return 0;
+    }
+    int at = path.indexAt(t, piece);
+    return path.groundSpeed(at, path.share(at, t));
+  }
+
   double x() {
     return x;
   }

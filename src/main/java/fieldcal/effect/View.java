@@ -20,6 +20,7 @@ final class View {
   private final Camera camera;
   private final MeasurementEffect[] effects;
   private final Timing[] timings;
+  private final boolean dependsOnSpeed;
   private final Refraction[] refractions;
   private final Displacement[] displacements;
 
@@ -63,6 +64,7 @@ final class View {
     }
     effects = concerning.toArray(MeasurementEffect[]::new);
     timings = late.toArray(Timing[]::new);
+    dependsOnSpeed = late.stream().anyMatch(Timing::dependsOnSpeed);
     refractions = bending.toArray(Refraction[]::new);
     displacements = displacing.toArray(Displacement[]::new);
     prepare(new Sight(observer));
@@ -95,12 +97,17 @@ final class View {
     turn = Arrays.equals(turned, UNTURNED) ? null : turned;
   }
 
-  double timeError(double stamp, double pixelRow) {
+  double timeError(double stamp, double pixelRow, double speed) {
     double error = 0;
     for (Timing effect : timings) {
-      error += effect.timeError(observer, stamp, pixelRow);
+      error += effect.timeError(observer, stamp, pixelRow, speed);
     }
     return error;
+  }
+
+  /** Whether when a ball was there depends on how fast it is. */
+  boolean dependsOnSpeed() {
+    return dependsOnSpeed;
   }
 
   /** Whether a ball is reported at another time than it was there. */

@@ -124,7 +124,7 @@ class MeasurementAgainstSimulationTest {
       for (VisionFrame frame : recording.frames()) {
         for (BallDetection seen : frame.balls()) {
           int camera = frame.cameraId();
-          double t = errors.ballTime(camera, frame.captureTime(), seen.pixelY());
+          double t = errors.ballTime(camera, frame.captureTime(), seen.pixelY(), Double.NaN);
           if (t > kick.time() + 1e-3 && t < end) {
             path.positionAt(t, ball);
             errors.report(camera, ball, ground);

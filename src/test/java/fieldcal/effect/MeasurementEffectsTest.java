@@ -60,7 +60,7 @@ class MeasurementEffectsTest {
       for (int i = 0; i < 80; i++) {
         int id = i % 2;
         double stamp = 100.05 + 0.0203 * i;
-        PATH.positionAt(effects.ballTime(id, stamp, 10 + 20 * i), ball);
+        PATH.positionAt(effects.ballTime(id, stamp, 10 + 20 * i, Double.NaN), ball);
         effects.report(id, stamp, ball, ground);
         result[2 * i] = ground[0];
         result[2 * i + 1] = ground[1];
@@ -88,7 +88,7 @@ class MeasurementEffectsTest {
       effects.report(seen, path, 0, atOnce);
       double last = Double.NEGATIVE_INFINITY;
       for (int i = 0; i < 80; i++) {
-        last = Math.max(last, effects.ballTime(cameras[i], stamps[i], rows[i]));
+        last = Math.max(last, effects.ballTime(cameras[i], stamps[i], rows[i], Double.NaN));
       }
       assertThat(effects.lastBallTime(seen, 0)).isEqualTo(last);
       assertThat(atOnce).containsExactly(predict(effect), within(1e-9));

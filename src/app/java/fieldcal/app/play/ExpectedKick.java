@@ -108,7 +108,8 @@ final class ExpectedKick implements KickTerm<ExpectedKick.State> {
     int n = 0;
     for (Sighting s : kick.sightings()) {
       double since = s.stamp() - state.start;
-      path.positionAt(state.seen.ballTime(s.camera(), since, s.row()) + state.start, ball);
+      double speed = path.stateAt(s.stamp()).groundSpeed();
+      path.positionAt(state.seen.ballTime(s.camera(), since, s.row(), speed) + state.start, ball);
       state.seen.report(s.camera(), since, ball, ground);
       out[n++] = s.weight() * ground[0];
       out[n++] = s.weight() * ground[1];

@@ -256,6 +256,9 @@ public final class Decision {
       // A place is chosen where it takes up most of whatever has no name.
       return Outcome.FORM;
     }
+    if (scales.excess > 0 && !c.isPerKick() && Scales.isMotion(c) && !foretells(scales, i)) {
+      return Outcome.FORM;
+    }
     // A value for each kick takes up something of anything: it helps, too, where another cause has
     // not its true form.
     boolean helps = !c.isPerKick() && gain[1] >= 100 * settings.formGain();
@@ -268,5 +271,11 @@ public final class Decision {
       return Outcome.NO_GAIN;
     }
     return c.isLaw() && evidence < largest ? Outcome.FORM : Outcome.NAMED;
+  }
+
+  /** Whether it helps to predict most kicks, and not only to fit them: what is left may be another form of it, which fits as well. */
+  private boolean foretells(Scales scales, int i) {
+    HoldOut without = HoldOut.of(scales.without.get(i), true, seed);
+    return scales.held.errorFactor(without) < 1;
   }
 }

@@ -310,6 +310,27 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
     return isLoss(other, Ahead::geometricMean, seed);
   }
 
+  /**
+   * By which factor this errs more than another model of the same kicks when it predicts.
+   *
+   * @param other the other model's, of the same kicks
+   * @return geometric mean over kicks and horizons; 1 when nothing was predicted
+   */
+  public double errorFactor(HoldOut other) {
+    int[] all = IntStream.range(0, squares.length).toArray();
+    double mean =
+        ahead.entrySet().stream()
+            .filter(e -> other.ahead.containsKey(e.getKey()))
+            .mapToDouble(
+                e ->
+                    Math.log(e.getValue().geometricMean(all))
+                        - Math.log(other.ahead.get(e.getKey()).geometricMean(all)))
+            .filter(Double::isFinite)
+            .average()
+            .orElse(0);
+    return Math.exp(mean);
+  }
+
   private boolean isLoss(HoldOut other, ToDoubleBiFunction<Ahead, int[]> measure, long seed) {
     Random random = new Random(seed);
     for (Map.Entry<Double, Ahead> entry : ahead.entrySet()) {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The families of smooth terms that a recording is searched for. None has a constant part: that is a parameter of the simple model or a named effect's (camera offset,
+ * The families of smooth terms that a recording is searched for. None but the lateness over the speed has a constant part: that is a parameter of the simple model or a named effect's (camera offset,
  * time offset).
  */
 public final class LearnedLibrary {
@@ -116,7 +116,7 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(Quantity.SPIN, Variable.SPEED, curve(0, ranges.speed(), KNOTS)));
     all.add(LearnedFamily.of(Quantity.SPIN, Variable.HEADING, Harmonics.ofAngle(HARMONICS)));
     for (ObservedCamera camera : arena.cameras()) {
-      camera(arena, camera, all);
+      camera(arena, camera, ranges, all);
     }
     return all.stream().map(LearnedFamily::absent).filter(term -> term.canShowIn(arena)).toList();
   }
@@ -202,7 +202,8 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(Quantity.TURN, Variable.PLACE, place(arena)));
   }
 
-  private static void camera(Arena arena, ObservedCamera camera, List<LearnedFamily> all) {
+  private static void camera(
+      Arena arena, ObservedCamera camera, Ranges ranges, List<LearnedFamily> all) {
     int id = camera.id();
     if (camera.camera().isPresent()) {
       Camera below = camera.camera().get();
@@ -214,6 +215,9 @@ public final class LearnedLibrary {
     }
     all.add(LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, session(arena), id));
     all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, session(arena), id));
+    // With a constant: which part of a lateness is there at any speed is not to be told from it.
+    Basis speed = new Spline(0, ranges.speed(), KNOTS, false);
+    all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SPEED, speed, id));
   }
 
   private static Spline curve(double from, double to, int knots) {

@@ -102,11 +102,12 @@ public enum Quantity {
     return components;
   }
 
-  /** Whether it makes sense that it depends on a variable that is known where it acts: a push by the field does not know how the ball moves, nor a clock what it stamps. */
+  /** Whether it makes sense that it depends on a variable that is known where it acts: a push by the field does not know how the ball moves, nor a picture where the ball goes next. */
   boolean canDependOn(Variable variable) {
     return switch (this) {
       case PUSH -> variable == Variable.PLACE || variable == Variable.SESSION_TIME;
-      case TIME_ERROR -> variable == Variable.SESSION_TIME;
+      case TIME_ERROR -> variable == Variable.SESSION_TIME || variable == Variable.SPEED;
+      case SHIFT -> variable == Variable.SESSION_TIME || variable == Variable.IMAGE_POSITION;
       default -> true;
     };
   }

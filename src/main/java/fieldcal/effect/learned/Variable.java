@@ -7,7 +7,7 @@ import java.util.Set;
 /** On what a learned term may depend: predicted quantities, never measured ones. */
 public enum Variable {
   /** Speed over the ground, m/s. */
-  SPEED("speed", "m/s", 1, Set.of("ground", "kick")),
+  SPEED("speed", "m/s", 1, Set.of("ground", "kick", "measurement")),
 
   /** Speed of the contact point over the carpet while the ball slides, m/s; a term of it is absent when the ball rolls. */
   SLIP("slip", "m/s", 1, Set.of("ground")),

@@ -72,7 +72,8 @@ public record CameraTimeOffset(double ms, int camera) implements Timing {
   }
 
   @Override
-  public double timeError(ObservedCamera observer, double sessionTime, double pixelRow) {
+  public double timeError(
+      ObservedCamera observer, double sessionTime, double pixelRow, double speed) {
     return 1e-3 * ms;
   }
 }

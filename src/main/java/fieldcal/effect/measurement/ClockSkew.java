@@ -77,7 +77,8 @@ public record ClockSkew(double ppm, int camera) implements Timing {
   }
 
   @Override
-  public double timeError(ObservedCamera observer, double sessionTime, double pixelRow) {
+  public double timeError(
+      ObservedCamera observer, double sessionTime, double pixelRow, double speed) {
     // The stamp reads time·(1 + skew).
     double skew = 1e-6 * ppm;
     return sessionTime * skew / (1 + skew);

@@ -63,7 +63,8 @@ public record RollingShutter(double ms) implements Timing {
   }
 
   @Override
-  public double timeError(ObservedCamera observer, double sessionTime, double pixelRow) {
+  public double timeError(
+      ObservedCamera observer, double sessionTime, double pixelRow, double speed) {
     // Of a detection without pixels nothing is known.
     double row = pixelRow > 0 ? Math.min(1, pixelRow / observer.imageHeight()) : 0;
     return -1e-3 * ms * row;
