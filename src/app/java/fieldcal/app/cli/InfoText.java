@@ -93,7 +93,7 @@ final class InfoText {
 
   private void printCameras(RecordingInfo info) {
     if (info.cameras().isEmpty()) {
-      entry("cameras", "no frames");
+      entry("cameras", "no frame of vision: record SSL-Vision's multicast, message type 4");
     } else {
       line("");
       line("  camera   frames      rate    lost  gaps  longest    jitter   latency  ball at rest");
@@ -154,7 +154,8 @@ final class InfoText {
                         Locale.ROOT,
                         "%s at %.0f s",
                         RefereeWords.of(start.stage()),
-                        start.time() - info.summary().firstTime()))
+                        // No negative zero.
+                        Math.rint(start.time() - info.summary().firstTime()) + 0.0))
             .collect(Collectors.joining(", ")));
     entry(
         "commands",

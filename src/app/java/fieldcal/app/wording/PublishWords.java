@@ -158,7 +158,7 @@ public record PublishWords(
     }
     if (reason instanceof Reason.Imprecise p) {
       return text(
-          "The %s is known to %.0f %% only; %.0f %% or better is needed.",
+          "The %s has an error of %.0f %%; at most %.0f %% is allowed.",
           ParameterWords.of(p.parameter()), p.percent(), p.limit());
     }
     if (reason instanceof Reason.MeanAgainstJoint m) {
@@ -246,6 +246,14 @@ public record PublishWords(
 
   private static List<String> toDo(PublishVerdict verdict) {
     Set<String> all = new LinkedHashSet<>();
+    verdict.reasons().stream()
+        .filter(PublishWords::mixes)
+        .forEach(reason -> all.add(advice(reason, verdict.diagnose())));
+    if (!all.isEmpty()) {
+      // What else is wrong may come from the mixture, and other kicks may be missing afterwards.
+      all.add("Then read the verdict again.");
+      return List.copyOf(all);
+    }
     for (Reason reason : verdict.reasons()) {
       if (holdsBack(reason)) {
         String advice = advice(reason, verdict.diagnose());
@@ -269,6 +277,12 @@ public record PublishWords(
       all.add(publish(verdict.reasons()));
     }
     return List.copyOf(all);
+  }
+
+  /** Whether kicks are calibrated together that belong to different fields. */
+  private static boolean mixes(Reason reason) {
+    return reason instanceof Reason.SeveralFields
+        || reason instanceof Reason.SimulatedField s && s.simulated() < s.recordings();
   }
 
   private static String publish(List<Reason> reasons) {
