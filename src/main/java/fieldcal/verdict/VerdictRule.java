@@ -66,7 +66,7 @@ public final class VerdictRule {
   }
 
   /**
-   * Whether a mean differs from a published value by more than chance, and so much that it matters.
+   * Whether a mean differs from a published value by more than chance, and by enough to matter.
    *
    * @param mean in the parameter's unit
    * @param standardError of the mean; NaN if unknown
