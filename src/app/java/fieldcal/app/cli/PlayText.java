@@ -78,7 +78,7 @@ final class PlayText {
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
       progress.say("");
       if (told == 0) {
-        line("kick, robot, kind, commanded → measured speed, residual; accelerations are in m/s²");
+        line("kick, robot, kind, commanded → measured speed, residual, what the kick determines");
       }
       goodWhenTold.add(s.kicks().get(told).good());
       kick(s.kicks().get(told++));

@@ -112,6 +112,22 @@ public record PublishWords(
                   r -> ParameterWords.of(r.parameter()) + " " + signed(r.percent()) + " %")
               + ".");
     }
+    if (first instanceof Reason.ManyExcluded many) {
+      return Stream.of(
+          "The 2σ rule excludes many "
+              + (many.kind() == KickKind.FLAT ? "flat kicks" : "chips")
+              + ": "
+              + joined(
+                  alike,
+                  Reason.ManyExcluded.class,
+                  r ->
+                      r.excluded()
+                          + " of "
+                          + r.kicks()
+                          + " for the "
+                          + ParameterWords.of(r.parameter()))
+              + ". No single value describes all kicks.");
+    }
     return alike.stream().map(PublishWords::sentence);
   }
 
@@ -307,7 +323,9 @@ public record PublishWords(
   }
 
   private static String advice(Reason reason, boolean diagnose) {
-    if (reason instanceof Reason.MeanAgainstJoint || reason instanceof Reason.ResidualAboveNoise) {
+    if (reason instanceof Reason.MeanAgainstJoint
+        || reason instanceof Reason.ManyExcluded
+        || reason instanceof Reason.ResidualAboveNoise) {
       return diagnose ? "Run diagnose on these recordings: it looks for the cause." : "";
     }
     if (reason instanceof Reason.NoKicks none) {

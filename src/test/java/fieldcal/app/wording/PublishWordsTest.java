@@ -48,6 +48,26 @@ class PublishWordsTest {
                 + " kicks there.");
   }
 
+  @Test
+  void parametersWithManyExcludedKicksShareASentence() {
+    PublishWords words =
+        PublishWords.of(
+            new PublishVerdict(
+                PublishDecision.CHECK_FIRST,
+                List.of(
+                    new Reason.ManyExcluded(KickKind.FLAT, "accSlide", 7, 16),
+                    new Reason.ManyExcluded(KickKind.FLAT, "kSwitch", 6, 17)),
+                true));
+    assertThat(words.reasons())
+        .containsExactly(
+            "The 2σ rule excludes many flat kicks: 7 of 16 for the sliding deceleration"
+                + " (acc_slide), 6 of 17 for the switch to rolling (k_switch). No single value"
+                + " describes all kicks.");
+    assertThat(words.headline())
+        .isEqualTo(
+            "Verdict: check first. Run diagnose on these recordings: it looks for the cause.");
+  }
+
   /** What kicks of several fields lack nobody knows before they are apart. */
   @Test
   void recordingsThatDoNotBelongTogetherAreSeparatedFirst() {
