@@ -23,7 +23,7 @@ public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String>
   }
 
   /**
-   * Whether its detections are those of a ball that moved freely, as far as the calibration can tell. Such a kick enters the joint fit and what
+   * Whether its detections are those of a ball that moved freely, as far as the calibration can see. Such a kick enters the joint fit and what
    * comes after it, also when the 2σ rule excludes some of its values: a kick that departs from the average is what a diagnosis is about.
    *
    * @return true when nothing speaks against the kick as a whole

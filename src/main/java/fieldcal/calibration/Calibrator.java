@@ -63,7 +63,7 @@ public final class Calibrator {
    * Calibrates.
    *
    * @param problem kicks, cameras, start
-   * @param progress told about every kick when it is first fitted, from any thread
+   * @param progress called for every kick when it is first fitted, from any thread
    * @return the calibration; without kicks one that is empty
    */
   public Calibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {

@@ -51,7 +51,7 @@ public final class ExtendedCalibrator {
    * Calibrates.
    *
    * @param problem kicks, cameras, start
-   * @param progress told about every kick when it is first fitted, from any thread
+   * @param progress called for every kick when it is first fitted, from any thread
    * @return the calibration; without kicks one that is empty
    */
   public ExtendedCalibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {

@@ -24,7 +24,7 @@ final class Selection {
   /** More outliers than that, and the rest is not trusted either. */
   private static final double MOST_OUTLIERS = 0.25;
 
-  /** What somebody decided, and the epoch of the times that name kicks. */
+  /** What was decided by hand, and the epoch of the times that name kicks. */
   record Decisions(HandSelection selection, Epoch epoch) {
     static Decisions of(CalibrationProblem problem) {
       return new Decisions(problem.selection(), problem.epoch());
@@ -33,7 +33,7 @@ final class Selection {
 
   private Selection() {}
 
-  /** Kicks whose fit can be believed and that nobody dropped: these enter the joint fit, whatever they determine. */
+  /** Kicks whose fit can be believed and that were not dropped by hand: these enter the joint fit, whatever they determine. */
   static List<KickFit> trusted(List<KickFit> fits, Decisions decisions) {
     Map<KickKind, Double> medians = medianRms(fits);
     return fits.stream().filter(f -> distrust(f, medians, decisions).isEmpty()).toList();

@@ -15,7 +15,7 @@ public record BallKnowledge(String parameter, double mean, double deviation) {
   private static final double INERTIA_DEVIATION = 0.02;
 
   /**
-   * kSwitch of a golf ball that is kicked without spin, 1/(1 + β), which mechanics gives whatever the carpet. With spin told apart kSwitch is this number; without, it takes up the mean of the spin, since
+   * kSwitch of a golf ball that is kicked without spin, 1/(1 + β), which mechanics gives whatever the carpet. With the spin estimated separately, kSwitch is this number; without, it takes up the mean of the spin, since
    * (1 − spin)·(1 − kSwitch) is all that flat kicks show.
    *
    * @return 0.714 ± 0.010

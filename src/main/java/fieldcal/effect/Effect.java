@@ -127,7 +127,7 @@ public interface Effect {
   }
 
   /**
-   * Whether it acts on the ball through the ball's spin alone: what nobody can say of the spin, nobody can say of it.
+   * Whether it acts on the ball through the ball's spin alone: where the spin is not determined, this effect is not determined either.
    *
    * @return false unless an effect says otherwise
    */

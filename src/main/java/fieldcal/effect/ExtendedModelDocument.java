@@ -108,7 +108,7 @@ public final class ExtendedModelDocument {
    * Reads.
    *
    * @param document the whole document
-   * @param epoch of the clock on which kicks will be told
+   * @param epoch of the clock in which the times of kicks will be given
    * @return the model
    * @throws IllegalArgumentException when a field is missing, of the wrong type or out of its range; the message begins with the field
    */

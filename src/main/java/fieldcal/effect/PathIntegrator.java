@@ -327,7 +327,7 @@ final class PathIntegrator {
     }
   }
 
-  /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; tells whether it was made whole. */
+  /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; returns whether it was made whole. */
   private boolean keep(Phase phase, double step) {
     if (!(step > 0)) {
       accept(step);

@@ -8,7 +8,7 @@ final class CameraObserver {
   private static final double MAX_INTERVAL = 1;
   private static final int MIN_INTERVALS = 20;
 
-  /** A camera's numbers may count all cameras' frames: steps up to this are told apart. */
+  /** A camera's numbers may count all cameras' frames: steps up to this are distinguished. */
   private static final int MAX_STEP = 32;
 
   /** From the median absolute deviation to the standard deviation of a normal distribution. */

@@ -9,7 +9,7 @@ public final class ClockComparison {
   /** Vision and networks delay frames by tens of milliseconds, simulators by some hundred; more is the difference of two clocks, s. */
   public static final double MAX_DELAY = 1;
 
-  /** Nothing is received before it was captured; so much earlier may be rounding, s. */
+  /** Nothing is received before it was captured; what seems this much earlier may be rounding, s. */
   private static final double ROUNDING = 1e-3;
 
   /** A rate that is off by more than that is reported: it makes accelerations 1 % wrong. Quartz clocks are off by less than 0.0001. */
@@ -105,7 +105,7 @@ public final class ClockComparison {
   /**
    * How many seconds of the recorder's clock a second of the camera's takes.
    *
-   * @return 1 for equal clocks; NaN when too little was seen to tell 0.5 % from nothing
+   * @return 1 for equal clocks; NaN when too little was seen to distinguish 0.5 % from nothing
    */
   public double rate() {
     boolean enough =

@@ -4,7 +4,7 @@ import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionFrame;
 
 /**
- * Is told what a recording holds, in order. All methods do nothing unless overridden.
+ * Receives what a recording holds, in order. All methods do nothing unless overridden.
  *
  * <p>Times count from the {@linkplain RecordingReader#epoch() recording's epoch}.
  */
@@ -35,7 +35,7 @@ public interface RecordingListener {
   default void onReferee(RefereeState state, double receivedTime) {}
 
   /**
-   * Whether {@link #onTracker} is to be told: trackers send half of the bytes of a match, and decoding them takes as long as all else.
+   * Whether {@link #onTracker} is to be called: trackers send half of the bytes of a match, and decoding them takes as long as all else.
    *
    * @return false unless overridden
    */

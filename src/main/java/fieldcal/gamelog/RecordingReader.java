@@ -121,7 +121,7 @@ public final class RecordingReader implements Closeable {
   /**
    * Reads all of it.
    *
-   * @param to is told what is in it
+   * @param to receives what is in it
    * @return what was read
    * @throws GameLogException if the file system fails
    * @throws IllegalStateException if it was read already
@@ -133,7 +133,7 @@ public final class RecordingReader implements Closeable {
   /**
    * Reads all of it.
    *
-   * @param to is told what is in it
+   * @param to receives what is in it
    * @param tolerance how long a frame waits for older ones, s of capture time; 0 keeps the order of reception
    * @return what was read
    * @throws GameLogException if the file system fails

@@ -10,12 +10,12 @@ import java.util.Optional;
  * @param time when the message was sent, s since the recording's epoch, on the game controller's clock
  * @param stage the part of the match
  * @param command what the robots have to do
- * @param commandCounter the number of commands so far, unsigned 32 bit; it tells two equal commands in a row apart
+ * @param commandCounter the number of commands so far, unsigned 32 bit; it distinguishes two equal commands in a row
  * @param commandTime when the command was given, s since the recording's epoch
  * @param nextCommand what comes after the current stop, if announced
  * @param yellow the yellow team
  * @param blue the blue team
- * @param blueOnPositiveHalf whether blue defends the goal at positive x, if told
+ * @param blueOnPositiveHalf whether blue defends the goal at positive x, if the referee says so
  */
 public record RefereeState(
     double time,

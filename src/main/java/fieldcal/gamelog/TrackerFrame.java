@@ -8,7 +8,7 @@ import java.util.Optional;
  * The field at one instant as a tracker reports it: a team's software or an automatic referee. Times count from the recording's epoch, on the tracker's clock.
  *
  * @param source what the tracker calls itself; empty when it does not say
- * @param uuid tells trackers of the same name apart
+ * @param uuid distinguishes trackers of the same name
  * @param time of which the frame is, s
  * @param ball the ball in play; empty when the tracker sees none
  * @param kick the kick that is under way; empty without one
@@ -35,9 +35,9 @@ public record TrackerFrame(
    * @param x m
    * @param y m
    * @param z height above a resting ball, m
-   * @param vx m/s; NaN when it is not told
-   * @param vy m/s; NaN when it is not told
-   * @param vz m/s; NaN when it is not told
+   * @param vx m/s; NaN when it is not reported
+   * @param vy m/s; NaN when it is not reported
+   * @param vz m/s; NaN when it is not reported
    */
   public record Ball(double x, double y, double z, double vx, double vy, double vz) {}
 
@@ -50,10 +50,10 @@ public record TrackerFrame(
    * @param vy velocity right after the kick, m/s
    * @param vz velocity right after the kick, m/s
    * @param start when, s
-   * @param stop when the ball will rest, s; NaN when it is not told
-   * @param stopX where the ball will rest, m; NaN when it is not told
-   * @param stopY where the ball will rest, m; NaN when it is not told
-   * @param robot who kicked; empty when it is not told
+   * @param stop when the ball will rest, s; NaN when it is not reported
+   * @param stopX where the ball will rest, m; NaN when it is not reported
+   * @param stopY where the ball will rest, m; NaN when it is not reported
+   * @param robot who kicked; empty when it is not reported
    */
   public record Kick(
       double x,

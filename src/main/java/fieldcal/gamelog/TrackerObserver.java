@@ -5,7 +5,7 @@ final class TrackerObserver {
   /** Kicks whose starts differ by less are the same one, reported again with a better estimate, s: no ball is kicked twice within. */
   static final double SAME_KICK = 0.15;
 
-  /** Delays that are told apart, s: from an instant 1 s after the reception to one 4 s before it. */
+  /** Delays that are distinguished, s: from an instant 1 s after the reception to one 4 s before it. */
   private static final double BIN = 0.0005;
 
   private static final int BINS = 10_000;

@@ -4,7 +4,7 @@ package fieldcal.gamelog;
  * What one tracker sent in a recording.
  *
  * @param source what it calls itself; empty when it does not say
- * @param uuid tells trackers of the same name apart
+ * @param uuid distinguishes trackers of the same name
  * @param frames how many frames it sent
  * @param rate frames per second between its first and its last one; NaN with fewer than two
  * @param delay median time from the instant that a frame is of to its reception, s; NaN when their clocks differ by seconds

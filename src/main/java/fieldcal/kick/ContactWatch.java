@@ -21,7 +21,7 @@ final class ContactWatch {
 
   private static final double LEAST_CHANGE = 0.3;
 
-  /** And moves the ball off its way by so much, m. */
+  /** And moves the ball off its path by this, m. */
   private static final double LEAST_MISS = 0.03;
 
   /** A sliding ball loses up to that much of its speed on its own, m/s². */

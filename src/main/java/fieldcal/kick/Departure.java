@@ -66,7 +66,7 @@ record Departure(double time, double timeError, double length, boolean fromRest)
   /** Detections that are farther from the resting ball before the kick are of something else, m; a chip that seems to lie still is found when it has come as far. */
   private static final double ELSEWHERE = 0.12;
 
-  /** Fewer detections of rest do not tell where the ball lay, nor how noisy the camera is. */
+  /** Fewer detections of rest do not show where the ball lay, nor how noisy the camera is. */
   private static final int FEWEST = 5;
 
   /** A detection: when, by which of the cameras, and how far along the direction of the kick from where the camera saw the ball rest. */
@@ -88,7 +88,7 @@ record Departure(double time, double timeError, double length, boolean fromRest)
    * @param vx velocity after the kick, m/s
    * @param vy m/s
    * @param still whether the ball seemed to lie still until then; otherwise it is believed to have been kicked where it lay only if that explains all that was seen
-   * @return the time as found where the ball was kicked where it lay, or too little was seen; no rest and a push of no length where a robot hid it or moved it, so that nobody knows
+   * @return the time as found where the ball was kicked where it lay, or too little was seen; no rest and a push of no length where a robot hid it or moved it, so that it is not known
    */
   static Departure of(Observations all, double time, double vx, double vy, boolean still) {
     Departure unknown = new Departure(time, Kick.CROSSING_ERROR, 0, false);

@@ -8,7 +8,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Remembers when each robot had the ball at its front, to tell kicks after dribbling.
+ * Remembers when each robot had the ball at its front, to recognise kicks after dribbling.
  *
  * <p>Ball and robot are compared within one camera's frame, so that what cameras disagree by does not matter.
  */
@@ -33,7 +33,7 @@ final class DribbleWatch {
   /** The ball may be hidden for so long meanwhile, s. */
   private static final double HIDDEN = 0.5;
 
-  /** The kick's time is known to some milliseconds only, so the robot may have had the ball within so much of it, s. */
+  /** The kick's time is known to some milliseconds only, so the robot may have had the ball within this time of it, s. */
   private static final double BEFORE_KICK = 0.02;
 
   /** Fewer may be false, or a ball that passes by. */

@@ -2,7 +2,7 @@ package fieldcal.kick;
 
 import fieldcal.vision.RobotId;
 
-/** Finds the robot that a jump of the ball's velocity comes from, and tells a kick from what else robots do to balls. */
+/** Finds the robot that a jump of the ball's velocity comes from, and distinguishes a kick from everything else that robots do to balls. */
 final class KickerSearch {
   /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
   static final double LEAST_GAIN = 0.2;

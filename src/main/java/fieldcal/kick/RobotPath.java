@@ -76,7 +76,7 @@ final class RobotPath {
     return Math.abs(px - x[i]) < WIDE && Math.abs(py - y[i]) < WIDE;
   }
 
-  /** Whether it was seen around a time often enough to tell where it was and how fast: not at the edge of the camera's view, not long ago. */
+  /** Whether it was seen around a time often enough to know where it was and how fast it moved: not at the edge of the camera's view, not long ago. */
   boolean knows(double t) {
     int age = nearest(t);
     if (age < 0 || Math.abs(time[slot(age)] - t) > SMOOTH) {
@@ -86,7 +86,7 @@ final class RobotPath {
     return line.count() >= FEWEST;
   }
 
-  /** Where its front pointed at a time, rad; NaN when vision does not tell. Ask {@link #at} first. */
+  /** Where its front pointed at a time, rad; NaN when vision does not report it. Ask {@link #at} first. */
   double orientation(double t) {
     int age = nearest(t);
     return age < 0 ? Double.NaN : orientation[slot(age)];

@@ -75,7 +75,7 @@ public final class BallMonitor {
    *
    * @param settings how
    * @param epoch of the frames' times
-   * @param listener told of kicks, medians and warnings, by the thread that calls {@link #poll}
+   * @param listener receives kicks, medians and warnings, in the thread that calls {@link #poll}
    */
   public BallMonitor(LiveSettings settings, Epoch epoch, LiveListener listener) {
     this.settings = Objects.requireNonNull(settings, "settings");

@@ -38,7 +38,7 @@ public record CameraHealth(
     OptionalInt apartFrom,
     boolean calibrated) {
   /**
-   * Two cameras that are further apart disagree, mm. An AI that takes them as they are sees a ball step aside by so much; within the 0.4 s that a ball of 3 m/s slides, a step of 10 mm looks like 0.13 m/s², 4 % of the sliding deceleration.
+   * Two cameras that are farther apart than this disagree, mm. An AI that uses them as they are sees the ball jump by that distance; within the 0.4 s that a ball of 3 m/s slides, a step of 10 mm looks like 0.13 m/s², 4 % of the sliding deceleration.
    */
   public static final double MOST_APART_MM = 10;
 

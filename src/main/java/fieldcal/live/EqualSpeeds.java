@@ -10,7 +10,7 @@ import java.util.List;
  * slopes between all pairs within the older and within the newer samples (Theil and Sen), so that a step between the two does not move it and single wrong samples do not either.
  */
 final class EqualSpeeds {
-  /** Speeds of a pair must differ so much, m²/s²: with less, noise is all that its slope shows. */
+  /** Squared speeds of a pair must differ by this, m²/s²: with less, its slope shows nothing but noise. */
   private static final double APART = 1;
 
   /** With fewer such pairs the slope is not known: half of what six samples have. */
@@ -21,7 +21,7 @@ final class EqualSpeeds {
   private final int older;
   private double leverage;
 
-  /** The first {@code older} samples are one part, the others the other; values are told for a ball of the given squared speed, m²/s². */
+  /** The first {@code older} samples are one part, the others the other; values are for a ball of the given squared speed, m²/s². */
   EqualSpeeds(List<BallSample> samples, int older, double usual) {
     this.older = older;
     values = samples.stream().mapToDouble(BallSample::value).toArray();

@@ -4,7 +4,7 @@ import fieldcal.movement.TeamLimits;
 import fieldcal.vision.Team;
 
 /**
- * Is told what changes while a match is watched; a host shows it in its own way. All methods do nothing unless overridden.
+ * Receives what changes while a match is watched; a host shows it in its own way. All methods do nothing unless overridden.
  *
  * <p>Called from the thread that fits, one call after the other, never from within {@link LiveMonitor#accept} unless the host's executor runs tasks there. What a method throws is counted ({@link
  * LiveSnapshot#listenerFailures}) and otherwise ignored.

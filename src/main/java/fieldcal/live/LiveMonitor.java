@@ -48,7 +48,7 @@ public final class LiveMonitor {
    *
    * @param settings how
    * @param epoch of the frames' times
-   * @param listener told what changes
+   * @param listener receives what changes
    */
   public LiveMonitor(LiveSettings settings, Epoch epoch, LiveListener listener) {
     this(settings, epoch, listener, Optional.empty());
@@ -59,7 +59,7 @@ public final class LiveMonitor {
    *
    * @param settings how
    * @param epoch of the frames' times
-   * @param listener told what changes
+   * @param listener receives what changes
    * @param executor runs what takes long, for example a single thread of low priority; with {@code Runnable::run} it is done within {@link #accept}, as for reading recordings
    */
   public LiveMonitor(LiveSettings settings, Epoch epoch, LiveListener listener, Executor executor) {
@@ -192,7 +192,7 @@ public final class LiveMonitor {
   }
 
   /**
-   * What the robots of a team are configured to do, usually the host's own: when they do otherwise, {@link LiveListener#limitWarningRaised} is told with the next estimate. May come again, from any thread.
+   * What the robots of a team are configured to do, usually the host's own: when they do otherwise, {@link LiveListener#limitWarningRaised} is called with the next estimate. May come again, from any thread.
    *
    * @param team which
    * @param limits what is configured

@@ -57,7 +57,7 @@ public final class MovementMonitor {
    *
    * @param settings how often to estimate
    * @param epoch of the frames' times
-   * @param listener told of new estimates, by the thread that calls {@link #poll}
+   * @param listener receives new estimates, in the thread that calls {@link #poll}
    */
   public MovementMonitor(LiveSettings settings, Epoch epoch, LiveListener listener) {
     this.settings = Objects.requireNonNull(settings, "settings");

@@ -12,7 +12,7 @@ import java.util.Optional;
  * @param lowerQuartile a quarter of the samples lies below; NaN without any
  * @param upperQuartile a quarter of the samples lies above; NaN without any
  * @param samples how many count
- * @param maybeSpun whether most of them are of kicks after dribbling, with too few others to tell whether their balls spun; then a warning begins only where they are larger than published, which backspin does not explain
+ * @param maybeSpun whether most of them are of kicks after dribbling, with too few others to find out whether their balls spun; then a warning begins only where they are larger than published, which backspin does not explain
  * @param published the value it is compared with
  * @param warning whether a warning is on
  * @param history medians after earlier kicks, oldest first; thinned out when there are many

@@ -260,7 +260,7 @@ final class AccelerationLimit {
     return new Envelope(kind.label, points, without, with, better);
   }
 
-  /** Whether the shape of an envelope is clearly another than that of the named effects, somewhere by so much that it matters. Those may be larger by any factor, where robots plan with less than they have; never smaller. */
+  /** Whether the shape of an envelope is clearly another than that of the named effects, somewhere by enough to matter. Those may be larger by any factor, where robots plan with less than they have; never smaller. */
   private boolean departs(List<Envelope.Point> points) {
     double product = 0;
     double square = 0;
@@ -280,7 +280,7 @@ final class AccelerationLimit {
     return most > SMALLEST && squares > DEPARTS * DEPARTS * points.size();
   }
 
-  /** Whether the strongest and the weakest direction differ, clearly and so much that it matters. */
+  /** Whether the strongest and the weakest direction differ clearly and by enough to matter. */
   private static boolean differs(List<Envelope.Point> points) {
     Comparator<Envelope.Point> bySize = Comparator.comparingDouble(Envelope.Point::value);
     if (points.isEmpty()) {

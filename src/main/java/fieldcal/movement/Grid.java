@@ -99,7 +99,7 @@ public final class Grid {
     }
   }
 
-  /** Adds what {@link #cells} told; false when there is no such cell. */
+  /** Adds what {@link #cells} reported; false when there is no such cell. */
   boolean addCell(int cell, long count) {
     if (cell < 0 || cell > counts.length || count < 0) {
       return false;

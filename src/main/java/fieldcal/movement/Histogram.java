@@ -81,7 +81,7 @@ public final class Histogram {
     }
   }
 
-  /** Adds what {@link #cells} told; false when there is no such bin. */
+  /** Adds what {@link #cells} reported; false when there is no such bin. */
   boolean addCell(int bin, long count) {
     if (bin < 0 || bin > counts.length || count < 0) {
       return false;

@@ -15,7 +15,7 @@ import fieldcal.vision.RobotId;
  * @param accelerationError standard error of the acceleration along its own direction, m/s²
  * @param velocityError standard error of each component of the velocity in the middle, m/s
  * @param corner time at its beginning and at its end in which the acceleration was still changing, s
- * @param overshoot by how much the speed at an end may exceed what the robot had, m/s: a stay at its highest speed may be too short to be told from the noise, and two pieces then meet in a peak above it
+ * @param overshoot by how much the speed at an end may exceed what the robot had, m/s: a stay at its highest speed may be too short to be distinguished from the noise, and two pieces then meet in a peak above it
  * @param orientation of the robot's front on average, rad; NaN when it turned by more than a radian or was not reported
  * @param detections in it
  */

@@ -15,7 +15,7 @@ final class ManoeuvreTable {
   /** Manoeuvres with larger relative errors determine nothing; … */
   private static final double WORST_ERROR = 0.2;
 
-  /** … those below are not told apart. */
+  /** … those below are not distinguished. */
   private static final double BEST_ERROR = 0.002;
 
   /** Classes of relative errors, each a quarter larger than the one before. */
@@ -119,7 +119,7 @@ final class ManoeuvreTable {
     }
   }
 
-  /** Adds what {@link #cells} told; false when there is no such cell. */
+  /** Adds what {@link #cells} reported; false when there is no such cell. */
   boolean addCell(int cell, long count) {
     int all = scale.classes() * ERROR_CLASSES * SPEEDS * (DIRECTIONS + 1);
     if (cell < 0 || cell >= all || count < 0 || count > Integer.MAX_VALUE) {

@@ -60,7 +60,7 @@ public final class MovementCells {
    * Takes statistics apart.
    *
    * @param statistics stay as they are
-   * @param visitor is told all cells that have counted something, always in the same order
+   * @param visitor gets all cells that have counted something, always in the same order
    */
   public static void of(MovementStatistics statistics, Visitor visitor) {
     for (Team team : Team.values()) {
@@ -140,7 +140,7 @@ public final class MovementCells {
    * Adds a cell to statistics.
    *
    * @param statistics that count it from now on
-   * @param cell what was told; only the names and numbers matter, not its centre
+   * @param cell what was reported; only the names and numbers matter, not its centre
    * @return false, and nothing added, when there is no such cell
    */
   public static boolean add(MovementStatistics statistics, Cell cell) {

@@ -115,7 +115,7 @@ public final class MovementStatistics {
   }
 
   /**
-   * Whether a referee told when the ball was in play.
+   * Whether a referee said when the ball was in play.
    *
    * @return false when everything was counted
    */

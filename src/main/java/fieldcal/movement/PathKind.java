@@ -34,7 +34,7 @@ enum PathKind {
     return usualNoise;
   }
 
-  /** Less noise is not told apart, m or rad. */
+  /** Less noise than this is not distinguished, m or rad. */
   double leastNoise() {
     return leastNoise;
   }
@@ -44,7 +44,7 @@ enum PathKind {
     return plain;
   }
 
-  /** A stretch that stays within so much of x is not cut, m or rad. */
+  /** A stretch that stays within this range of x is not cut, m or rad. */
   double leastExtent() {
     return leastExtent;
   }

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * edges make a piece's residual a matter of one 2×2 system.
  */
 final class Pieces {
-  /** Distance of possible knots, s: a third of the shortest piece that can be told from noise. */
+  /** Distance of possible knots, s: a third of the shortest piece that can be distinguished from noise. */
   static final double CELL = 0.04;
 
   static final int MAX_CELLS = 150;

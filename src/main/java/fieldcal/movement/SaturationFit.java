@@ -19,7 +19,7 @@ final class SaturationFit {
   /** The kernel in standard errors of a manoeuvre: wide enough to hold nearly all that noise does. */
   private static final double ERRORS = 2;
 
-  /** The kernel in parts of the limit: robots of a team differ by so much. */
+  /** Width of the kernel as a fraction of the limit: robots of a team differ by this much. */
   private static final double SPREAD = 0.03;
 
   /** A higher mode counts as the limit when it holds at least this part of the largest one's mass … */

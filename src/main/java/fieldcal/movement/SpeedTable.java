@@ -32,7 +32,7 @@ final class SpeedTable {
     /** Of driving, m/s and m/s². */
     static final Scale DRIVING = new Scale(0.01, 800, 0.04, 0.4, 0.3);
 
-    /** Of turning, rad/s and rad/s²: with 10 mrad of noise, what 0.15 s of two cameras tell. */
+    /** Of turning, rad/s and rad/s²: what 0.15 s of two cameras with 10 mrad of noise resolve. */
     static final Scale TURNING = new Scale(0.05, 1000, 0.4, 5, 2);
   }
 
@@ -56,7 +56,7 @@ final class SpeedTable {
    * @param speed in the middle
    * @param speedError standard error of the speed in the middle
    * @param top the higher speed of both ends
-   * @param overshoot by how much that may exceed what the robot had, besides its error
+   * @param overshoot by how much that may exceed what the robot had, in addition to its error
    */
   void add(
       int robot,

@@ -4,7 +4,7 @@ package fieldcal.movement;
 final class StandingNoise {
   private static final int GROUP = 16;
 
-  /** The halves of a group that stands agree to within so much, m: four standard errors of 3.5 mm. */
+  /** The halves of a group of standing robots agree to within this, m: four standard errors of 3.5 mm. */
   private static final double STANDS = 0.005;
 
   private final double[] x = new double[GROUP];

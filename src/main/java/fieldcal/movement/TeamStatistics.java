@@ -167,7 +167,7 @@ public final class TeamStatistics {
     }
   }
 
-  /** Adds what {@link #robotCells} told; false when there is no such robot. */
+  /** Adds what {@link #robotCells} reported; false when there is no such robot. */
   boolean addRobot(int robot) {
     boolean known = robot >= 0 && robot <= ROBOTS;
     if (known) {

@@ -19,7 +19,7 @@ record UpperEdge(double value, double error, double scatter, double mass, double
   /** Distance of the grid's values, in parts: a quarter of the error of a well measured manoeuvre. */
   private static final double STEP = 0.004;
 
-  /** Robots of one team, and what one does at different times, differ by so much, in parts. */
+  /** Robots of one team, and one robot at different times, differ by this fraction. */
   private static final double HALF_WIDTH = 0.012;
 
   /** Manoeuvres with a larger error cannot show how values that are some per cent apart are distributed, in parts. */

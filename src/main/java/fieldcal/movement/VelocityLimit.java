@@ -27,7 +27,7 @@ final class VelocityLimit {
   /** … and this part of all that cruise. */
   private static final double SHARE = 0.02;
 
-  /** Speeds at the ends of manoeuvres exceed the cap by errors of the knots, by so much at most … */
+  /** Speeds at the ends of manoeuvres exceed the cap by errors of the knots, by this at most … */
   private static final double BEYOND = 1.08;
 
   /** … but for this part of the plateau's number, and this many. */

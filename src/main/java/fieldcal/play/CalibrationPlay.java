@@ -46,7 +46,7 @@ public final class CalibrationPlay {
    *
    * @param plan what is to be played
    * @param chooser which kicks
-   * @param listener told of each kick when its ball is no longer left alone, from within {@link #tick}; it may call {@link #judge} at once
+   * @param listener gets each kick when its ball is no longer left alone, from within {@link #tick}; it may call {@link #judge} at once
    * @throws NullPointerException when an argument is null
    */
   public CalibrationPlay(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
@@ -236,7 +236,7 @@ public final class CalibrationPlay {
   }
 
   /**
-   * Ends the play: from the next tick on both robots are told to stand.
+   * Ends the play: from the next tick on both robots are commanded to stand still.
    *
    * @param reason for the operator
    */

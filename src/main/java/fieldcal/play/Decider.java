@@ -28,7 +28,7 @@ final class Decider {
 
   private static final double GRAVITY = 9.81;
 
-  /** A ball that a robot would carry for longer is kicked from where it lies, s. Chosen: less than half of the 4 s that taking it, turning it, letting go and backing off cost besides. */
+  /** A ball that a robot would carry for longer is kicked from where it lies, s. Chosen: less than half of the 4 s that taking it, turning it, letting go and backing off take. */
   private static final double LONG_CARRY = 1.5;
 
   /** What a robot that does not move costs against any drive of the other, m. */

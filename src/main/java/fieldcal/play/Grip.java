@@ -22,8 +22,8 @@ record Grip(double speed, double acceleration, double turn, boolean gentle) {
    * After losses.
    *
    * @param losses all
-   * @param atSpeed those that tell that it was too fast: all of them for a robot that pulls. A ball that is pushed straight ahead follows at any speed, as long as its robot neither brakes nor turns
-   *     much; to it only the losses of pushed balls tell that
+   * @param atSpeed those that show that it was too fast: all of them for a robot that pulls. A ball that is pushed straight ahead follows at any speed, as long as its robot neither brakes nor turns
+   *     much; to it only the losses of pushed balls show that
    * @param limits of the play
    */
   static Grip after(int losses, int atSpeed, PlayLimits limits) {

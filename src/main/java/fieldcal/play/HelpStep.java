@@ -4,7 +4,7 @@ package fieldcal.play;
 final class HelpStep implements Step {
   private static final double[] PLACES = {0.05, 0.3, 0.5, 0.7, 0.95, 0.15, 0.85};
 
-  /** A ball that lies so much farther was laid down elsewhere, m. */
+  /** A ball that lies farther off than this was laid down elsewhere, m. */
   private static final double ELSEWHERE = 0.3;
 
   /** Robots that near to the ball may be why nobody gets at it, m. */

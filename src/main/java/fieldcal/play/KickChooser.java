@@ -27,7 +27,7 @@ public interface KickChooser {
   }
 
   /**
-   * Is told how a kick turned out.
+   * Receives the result of a kick.
    *
    * @param kick one that was asked for
    * @param good whether it counts

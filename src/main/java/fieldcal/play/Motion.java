@@ -2,12 +2,12 @@ package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
 
-/** Whether a robot moves when it is told to. */
+/** Whether a robot moves when it is commanded to. */
 final class Motion {
-  /** A robot that is told to drive and does not for that long is stuck, s. */
+  /** A robot that is commanded to drive and does not for that long is stuck, s. */
   private static final double STUCK = 3;
 
-  /** A robot that is told to drive and does not for that long ends the play, s. */
+  /** A robot that is commanded to drive and does not for that long ends the play, s. */
   private static final double STUCK_FOR_GOOD = 20;
 
   /** What is nearer than that to where it was may be the noise of vision, m. */
@@ -24,7 +24,7 @@ final class Motion {
    * One tick more.
    *
    * @param robot as it is seen
-   * @param ordered how fast it is told to drive, m/s
+   * @param ordered how fast it is commanded to drive, m/s
    * @param span since the last tick, s
    */
   void update(Robot robot, double ordered, double span) {

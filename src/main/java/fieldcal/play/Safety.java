@@ -14,7 +14,7 @@ final class Safety {
   /** How fast robots that are too close move apart, m/s. */
   private static final double APART = 0.4;
 
-  /** A robot that closes in by so much faster than it may must brake and do nothing else, m/s. */
+  /** A robot that closes in faster than it may by this must brake and do nothing else, m/s. */
   private static final double LATE = 0.15;
 
   /** The part of its sideways motion that it keeps then. */
@@ -101,7 +101,7 @@ final class Safety {
     return Math.max(low, Math.min(high, wanted));
   }
 
-  /** Fastest outward when there is so much room; inward when there is none. */
+  /** Fastest outward when there is this much room; inward when there is none. */
   private static double outward(double room, double speed, Able able) {
     double ahead = room - 0.75 * PlayArea.RESERVE - Math.max(0, speed) * able.delay();
     return ahead < 0 ? Math.max(-APART, PUSH_BACK * ahead) : Math.sqrt(able.braking() * ahead);

@@ -95,7 +95,7 @@ final class Situation {
     return ours[index] != null && world.time() - ours[index].seen() < ROBOT_UNSEEN;
   }
 
-  /** Whether one of our robots does not move, although it is told to drive. */
+  /** Whether one of our robots does not move, although it is commanded to drive. */
   boolean stuck(int index) {
     return motions.get(index).stuck();
   }

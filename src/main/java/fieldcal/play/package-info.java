@@ -1,5 +1,5 @@
 /**
- * The calibration play: two robots collect kicks, told the world each tick and answering what both are to do.
+ * The calibration play: two robots collect kicks. It is given the world in each tick, and answers what both robots are to do.
  *
  * <p>{@link fieldcal.play.CalibrationPlay} is a plan plus callbacks: no sockets, no threads, no clock. A host (a team's AI, a simulator, the operator's command) calls {@link
  * fieldcal.play.CalibrationPlay#tick} with a {@link fieldcal.play.PlayWorld} as often as it sees the field, and sends the answered {@link fieldcal.play.RobotOrder}s. Trouble (a lost ball, a robot

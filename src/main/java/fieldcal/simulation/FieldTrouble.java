@@ -47,7 +47,7 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
     SLIPPING_DRIBBLER,
     /** Kickers fire late. */
     LATE_KICKER,
-    /** Robots drive off from where they are told. */
+    /** Robots drive off from where they are commanded to go. */
     DRIFTING
   }
 

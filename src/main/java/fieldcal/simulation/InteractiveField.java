@@ -165,7 +165,7 @@ public final class InteractiveField {
   }
 
   /**
-   * Tells a robot what to do until told otherwise; it hears of it after the radio's delay.
+   * Commands a robot until the next command; it receives the command after the radio's delay.
    *
    * @param robot who; unknown ones are ignored
    * @param command what
@@ -279,7 +279,7 @@ public final class InteractiveField {
     return new RobotCommand(driven, command.kick(), command.dribbler());
   }
 
-  /** A velocity on the way from that of the robot to the one that it was told. */
+  /** A velocity on the way from that of the robot to the commanded one. */
   private RobotCommand sluggish(SimulatedRobot robot, RobotCommand command) {
     if (!players.contains(robot.id()) || !(command.motion() instanceof RobotCommand.Velocity v)) {
       return command;

@@ -17,7 +17,7 @@ import java.util.Optional;
  * @param chipSpin what chips have beyond that mean
  * @param sideSpin mean spin about the direction of travel in the same unit
  * @param sideSpinScatter its standard deviation from kick to kick
- * @param biases robots that kick faster or aside of what they are told
+ * @param biases robots that kick faster than commanded, or in another direction
  * @param spinTables what is added to the mean spin about the rolling axis, measured and without a formula
  */
 public record KickBehaviour(

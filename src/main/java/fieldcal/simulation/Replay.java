@@ -90,7 +90,7 @@ public final class Replay {
    * Runs it.
    *
    * @param sink gets the packets in the order of their arrival
-   * @param progress is told which share is done, 0 … 1
+   * @param progress receives the share that is done, 0 … 1
    * @return the geometry as published
    */
   public FieldGeometry run(Consumer<SimulatedPacket> sink, DoubleConsumer progress) {

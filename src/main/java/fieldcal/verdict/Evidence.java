@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param published the model in use; may hold none
  * @param effects ids of the effects that the parameters are valid together with; empty for the simple model
  * @param surroundings where the recordings come from
- * @param forced the kind that all kicks were taken to be of, whatever they look like; empty when each was told by its path
+ * @param forced the kind that all kicks were taken to be of, whatever they look like; empty when the path of each decided
  * @param finding of a diagnosis of these kicks; empty when there is none that still holds
  */
 public record Evidence(

@@ -125,6 +125,26 @@ public sealed interface Reason {
   }
 
   /**
+   * The 2σ rule excludes so many values of a parameter that these are no outliers: no one value holds for all kicks.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @param excluded values that the 2σ rule excludes
+   * @param kicks that determine the parameter, those with an excluded value among them
+   */
+  record ManyExcluded(KickKind kind, String parameter, int excluded, int kicks) implements OfModel {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "many_excluded";
+    }
+  }
+
+  /**
    * The kicks lie further from their fitted paths than the cameras' noise explains.
    *
    * @param ratio residual of the joint fit over the noise on the resting ball

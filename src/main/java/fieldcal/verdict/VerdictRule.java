@@ -6,6 +6,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.Calibration;
+import fieldcal.calibration.Sample;
 import fieldcal.diagnosis.Verdict;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.FitStatistics;
@@ -43,6 +44,15 @@ public final class VerdictRule {
    */
   public static final double FAR_ABOVE_NOISE = 2;
 
+  /**
+   * A larger share of excluded values is more than outliers. Of normally distributed values the 2σ rule excludes 5 to 8 %; with at least {@link #FEWEST_EXCLUDED} excluded, a larger share than
+   * this is chance in less than one of a thousand parameters.
+   */
+  private static final double MOST_EXCLUDED = 1 / 3.0;
+
+  /** Fewer excluded values may be kicks that went wrong. */
+  private static final int FEWEST_EXCLUDED = 4;
+
   /** A part of the chips that do not fly may be topped shots; from this share on the kicks are of the other kind. */
   private static final double MOST_FLAT_CHIPS = 0.5;
 
@@ -66,7 +76,7 @@ public final class VerdictRule {
   }
 
   /**
-   * Whether a mean differs from a published value by more than chance, and so much that it matters.
+   * Whether a mean differs from a published value by more than chance, and by enough to matter.
    *
    * @param mean in the parameter's unit
    * @param standardError of the mean; NaN if unknown
@@ -103,7 +113,9 @@ public final class VerdictRule {
         reasons.stream()
             .anyMatch(
                 r ->
-                    r instanceof Reason.MeanAgainstJoint || r instanceof Reason.ResidualAboveNoise);
+                    r instanceof Reason.MeanAgainstJoint
+                        || r instanceof Reason.ManyExcluded
+                        || r instanceof Reason.ResidualAboveNoise);
     boolean diagnosed = evidence.finding().isPresent() || !evidence.effects().isEmpty();
     boolean misled = reasons.stream().anyMatch(r -> r instanceof Reason.ForcedKind);
     return PublishVerdict.of(reasons, suspicious && !diagnosed && !misled);
@@ -126,6 +138,7 @@ public final class VerdictRule {
       Average mean = entry.getValue();
       enough |= mean.n() >= FEWEST_KICKS;
       judge(kind, entry.getKey(), mean);
+      excluded(kind, entry.getKey());
       for (Parameter p : published) {
         if (p.name().equals(entry.getKey())
             && differs(mean.mean(), mean.standardError(), p.value())) {
@@ -158,6 +171,20 @@ public final class VerdictRule {
         .flatMap(j -> kind == KickKind.FLAT ? j.flat(parameter) : j.chip(parameter))
         .filter(Estimate::usable)
         .ifPresent(joint -> compare(kind, parameter, mean, joint));
+  }
+
+  /** Whether the 2σ rule leaves out so many kicks that those that remain do not speak for all. */
+  private void excluded(KickKind kind, String parameter) {
+    List<Sample> samples =
+        calibration.kicks(kind).stream()
+            .flatMap(k -> k.samples().stream())
+            .filter(s -> s.parameter().equals(parameter))
+            .filter(s -> s.dropped().isEmpty() || s.leftForItsValue())
+            .toList();
+    int excluded = (int) samples.stream().filter(Sample::leftForItsValue).count();
+    if (excluded >= FEWEST_EXCLUDED && excluded > MOST_EXCLUDED * samples.size()) {
+      reasons.add(new Reason.ManyExcluded(kind, parameter, excluded, samples.size()));
+    }
   }
 
   /** Both weigh the kicks differently; where the model holds for all of them, they agree within their errors, and within the precision that is asked of the mean. */

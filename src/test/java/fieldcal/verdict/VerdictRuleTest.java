@@ -24,6 +24,7 @@ import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.FieldGeometry;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -93,6 +94,34 @@ class VerdictRuleTest {
                     r instanceof Reason.ResidualAboveNoise above
                         && Math.abs(above.ratio() - ratio) < 1e-9);
     assertThat(told).isEqualTo(diagnose);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    // kicks, excluded, decision
+    "20, 0, PUBLISH",
+    "20, 6, PUBLISH", // outliers
+    "20, 7, CHECK_FIRST",
+    "9, 3, PUBLISH", // so few may have gone wrong
+    "9, 4, CHECK_FIRST",
+  })
+  void manyExcludedKicksAreNoOutliers(int kicks, int excluded, PublishDecision decision) {
+    Calibration good = good(1);
+    List<CalibratedKick> all = new ArrayList<>();
+    for (CalibratedKick kick : kicks(KickKind.FLAT, kicks)) {
+      Sample sample = kick.samples().get(0);
+      boolean out = kick.fit().kick().id() <= excluded;
+      Sample judged = out ? sample.drop("acc_slide is 4.2 σ from the mean") : sample;
+      all.add(new CalibratedKick(kick.fit(), List.of(judged), Optional.empty()));
+    }
+    PublishVerdict verdict =
+        judge(
+            new Calibration(
+                all, good.flat(), Map.of(), good.joint(), CameraViews.of(List.of()), 1));
+    assertThat(verdict.decision()).isEqualTo(decision);
+    Reason reason = new Reason.ManyExcluded(KickKind.FLAT, "accSlide", excluded, kicks);
+    assertThat(verdict.reasons().contains(reason)).isEqualTo(decision != PublishDecision.PUBLISH);
+    assertThat(verdict.diagnose()).isEqualTo(decision != PublishDecision.PUBLISH);
   }
 
   @Test

@@ -96,10 +96,10 @@ public final class CalibrationWarnings {
     return names.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "Of the "
+            "The kicks do not scatter evenly about the mean of the "
                 + WordList.of(names)
-                + ", more kicks lie on one side of the mean than on the other, as when some kicks"
-                + " have spin. The median is given instead, with an error that covers both sides.");
+                + ", as when some of them have spin. The median is given instead, with an error"
+                + " that covers both sides.");
   }
 
   /**
@@ -125,14 +125,14 @@ public final class CalibrationWarnings {
     }
     String named =
         groups.stream()
-            .map(g -> g.stream().map(String::valueOf).collect(Collectors.joining(" and ")))
+            .map(g -> WordList.of(g.stream().map(String::valueOf).toList()))
             .sorted()
             .collect(Collectors.joining("; "));
     return Optional.of(
         "No kick leads from the view of some cameras into that of others ("
             + named
-            + "). Nobody knows how far these disagree, and no difference is assumed. Record kicks"
-            + " from one view into the other.");
+            + "). It is not known how far these disagree, and no difference is assumed. Record"
+            + " kicks from one view into the other.");
   }
 
   /**

@@ -75,7 +75,11 @@ final class ExtendedModelNotes {
             .map(EffectName::of)
             .collect(Collectors.joining(", "));
     if (!growing.isEmpty()) {
-      sentences.add("Counted from the beginning of these recordings: " + growing + ".");
+      sentences.add(
+          "These effects depend on the time, which is counted from the beginning of these"
+              + " recordings: "
+              + growing
+              + ".");
     }
     return sentences;
   }

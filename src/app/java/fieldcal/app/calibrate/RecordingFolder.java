@@ -117,7 +117,7 @@ public final class RecordingFolder {
     JsonNode root = JsonFiles.read(file);
     if (!root.path("schema").asText().equals(SCHEMA) || !root.path("use").isObject()) {
       throw new InputException(
-          file + ": not the decisions about recordings (schema " + SCHEMA + ")");
+          file + ": is not a file with decisions about recordings (schema " + SCHEMA + ")");
     }
     for (Map.Entry<String, JsonNode> one : root.path("use").properties()) {
       if (!one.getValue().isBoolean()) {

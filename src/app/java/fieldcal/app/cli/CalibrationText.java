@@ -83,14 +83,14 @@ final class CalibrationText {
     double rms =
         calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
     line(
-        "%s model: %d of %d %s used, each for the parameters that it determines (n)%s",
+        "%s model: %d of %d %s used; n: kicks that determine the parameter%s",
         flat ? "Flat" : "Chip",
         used,
         kicks.size(),
         kicks.size() == 1 ? "kick" : "kicks",
         Double.isNaN(rms)
             ? ""
-            : String.format(Locale.ROOT, ", joint fit %.2f mm RMS per axis", rms));
+            : String.format(Locale.ROOT, "; joint fit %.2f mm RMS per axis", rms));
     line("  %-22s %-24s %4s  %-22s %s", "", "mean", "n", "joint fit", "published");
     List<Parameter> names =
         flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);

@@ -53,8 +53,8 @@ final class ClockNotes {
       notes.add(
           String.format(
               Locale.ROOT,
-              "a second of the clock takes %.3f s by the recorder's; if it is not a second, all"
-                  + " speeds are wrong",
+              "one second of the clock lasts %.3f s on the recorder's clock; if the camera's clock"
+                  + " is wrong, all speeds are wrong, too",
               camera.clockRate()));
     }
     return notes;

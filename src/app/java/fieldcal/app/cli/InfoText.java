@@ -1,8 +1,8 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
-import fieldcal.ball.ChipModel;
-import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.gamelog.CameraStatistics;
 import fieldcal.gamelog.LogProblem;
@@ -79,31 +79,21 @@ final class InfoText {
             geometry.goalDepth(),
             geometry.boundaryWidth(),
             geometry.cameras().size()));
-    entry("flat model", geometry.flat().map(InfoText::describe).orElse("not published"));
-    entry("chip model", geometry.chip().map(InfoText::describe).orElse("not published"));
+    entry("flat model", geometry.flat().map(m -> describe(m.parameters())).orElse("not published"));
+    entry(
+        "chip model",
+        geometry.chip().map(m -> describe(m.parameters().subList(0, 3))).orElse("not published"));
   }
 
-  private static String describe(FlatModel model) {
-    return String.format(
-        Locale.ROOT,
-        "acc_slide %.3f m/s², acc_roll %.3f m/s², k_switch %.3f",
-        model.accSlide(),
-        model.accRoll(),
-        model.kSwitch());
-  }
-
-  private static String describe(ChipModel model) {
-    return String.format(
-        Locale.ROOT,
-        "damping_xy_first_hop %.3f, damping_xy_other_hops %.3f, damping_z %.3f",
-        model.dampingXyFirstHop(),
-        model.dampingXyOtherHops(),
-        model.dampingZ());
+  private static String describe(List<Parameter> parameters) {
+    return parameters.stream()
+        .map(p -> ParameterWords.withValue(p.name(), p.value()))
+        .collect(Collectors.joining(", "));
   }
 
   private void printCameras(RecordingInfo info) {
     if (info.cameras().isEmpty()) {
-      entry("cameras", "no frames");
+      entry("cameras", "no frame of vision: record SSL-Vision's multicast, message type 4");
     } else {
       line("");
       line("  camera   frames      rate    lost  gaps  longest    jitter   latency  ball at rest");
@@ -164,7 +154,8 @@ final class InfoText {
                         Locale.ROOT,
                         "%s at %.0f s",
                         RefereeWords.of(start.stage()),
-                        start.time() - info.summary().firstTime()))
+                        // No negative zero.
+                        Math.rint(start.time() - info.summary().firstTime()) + 0.0))
             .collect(Collectors.joining(", ")));
     entry(
         "commands",

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
 
 /** Prints movement limits for the terminal. */
 final class LimitsText {
-  private static final String ROW = "%-8s %-21s %-16s %10s   %s";
+  private static final String ROW = "%-8s %-22s %-16s %10s   %s";
 
   private final PrintWriter out;
 
@@ -55,7 +55,7 @@ final class LimitsText {
 
   private void team(TeamLimits limits) {
     if (isUnseen(limits)) {
-      line("%-8s no manoeuvre was seen", limits.team().label());
+      line("%-8s no manoeuvre was seen: no robot drove in play", limits.team().label());
       return;
     }
     row(limits.team().label(), "velocity, m/s", limits.velocity(), limits.leagueVelocity());

@@ -47,7 +47,8 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Example: fieldcal play --sim --kind flat --kicks 12 --out session",
-      "         fieldcal play --sim --kind chip --kicks 12 --out session   (uses both)"
+      "         fieldcal play --sim --kind chip --kicks 12 --out session   (calibrates both"
+          + " together)"
     })
 final class PlayCommand implements Callable<Integer> {
   /** Sessions of one simulated field begin that far apart, s. */

@@ -78,7 +78,7 @@ final class PlayText {
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
       progress.say("");
       if (told == 0) {
-        line("kick, robot, kind, commanded → measured speed, residual; accelerations are in m/s²");
+        line("kick, robot, kind, commanded → measured speed, residual, what the kick determines");
       }
       goodWhenTold.add(s.kicks().get(told).good());
       kick(s.kicks().get(told++));
@@ -159,9 +159,11 @@ final class PlayText {
       parameters.append(
           String.format(
               Locale.ROOT,
-              "  %s %s",
-              ParameterWords.inFiles(e.name()),
-              CalibrationText.withError(e.value(), e.standardError()).strip()));
+              "%s %s %s%s",
+              parameters.isEmpty() ? " " : ",",
+              ParameterWords.words(e.name()),
+              CalibrationText.withError(e.value(), e.standardError()).strip(),
+              ParameterWords.unit(e.name())));
     }
     line(
         "%3d  %-9s %s %.2f m/s%s%s",
@@ -197,7 +199,9 @@ final class PlayText {
   }
 
   private void truth(Calibration calibration, JsonNode truth) {
-    line("%nAgainst the truth       %12s %12s %10s", "true", "joint fit", "off by");
+    line(
+        "%nAgainst the truth                          %12s %12s %10s",
+        "true", "joint fit", "off by");
     for (KickKind kind : KickKind.values()) {
       boolean flat = kind == KickKind.FLAT;
       if (calibration.kicks(kind).isEmpty()) {
@@ -215,8 +219,8 @@ final class PlayText {
         if (value != null && value.isNumber() && joint.isPresent()) {
           double off = joint.get().value() - value.doubleValue();
           line(
-              "  %-21s %12.5f %12.5f %8.1f σ",
-              ParameterWords.inFiles(p.name()),
+              "  %-40s %12.5f %12.5f %8.1f σ",
+              ParameterWords.words(p.name()) + (p.unit().isEmpty() ? "" : ", " + p.unit()),
               value.doubleValue(),
               joint.get().value(),
               // No negative zero.

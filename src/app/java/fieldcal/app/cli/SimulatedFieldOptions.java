@@ -71,7 +71,8 @@ final class SimulatedFieldOptions {
    */
   SimulationSettings withPreset(SimulationSettings settings) throws IOException {
     if (like != null && preset != null) {
-      throw new IllegalArgumentException("--like and --preset both say what the field is like");
+      throw new IllegalArgumentException(
+          "--like and --preset exclude each other; give one of them");
     }
     SimulationSettings found = preset == null ? settings : Preset.of(preset).applyTo(settings);
     if (like != null) {

@@ -51,7 +51,8 @@ final class StopOnExit implements AutoCloseable {
     if (!ended) {
       return String.format(
           Locale.ROOT,
-          "interrupted, but the robots were not seen to stop within %d s: check that they stand",
+          "interrupted, but the robots were not seen to stop within %d s: check that they stand"
+              + " still",
           PATIENCE / 1000);
     }
     if (session.snapshot().isEmpty()) {
@@ -61,7 +62,7 @@ final class StopOnExit implements AutoCloseable {
     String stand =
         String.format(
             Locale.ROOT,
-            "interrupted, both robots stand; %d kick%s made",
+            "interrupted; both robots stand still; %d kick%s made",
             state.made(),
             state.made() == 1 ? " was" : "s were");
     if (state.made() == 0 || directory.isEmpty()) {

@@ -24,9 +24,9 @@ final class Kickers {
       return;
     }
     mean("kick_gain", "measured over commanded kick speed", "", a[0], b[0], rows);
-    scatter("kick_scatter", "scatter of that", "", a[0], b[0], rows);
-    mean("kick_aim", "kicks to the left of the command", "rad", a[1], b[1], rows);
-    scatter("kick_aim_scatter", "scatter of that", "rad", a[1], b[1], rows);
+    scatter("kick_scatter", "scatter of this ratio", "", a[0], b[0], rows);
+    mean("kick_aim", "angle to the left of the command", "rad", a[1], b[1], rows);
+    scatter("kick_aim_scatter", "scatter of this angle", "rad", a[1], b[1], rows);
   }
 
   /** By the t test of Welch. */

@@ -41,7 +41,9 @@ final class MatchJson {
     root.put("counts", s.phase().counts());
     root.set("referee", status.referee().map(MatchJson::referee).orElse(null));
     ArrayNode warnings = root.putArray("warnings");
-    s.ball().warnings().forEach(w -> warnings.add(w.text() + ". " + w.advice()));
+    s.ball()
+        .warnings()
+        .forEach(w -> warnings.add(ParameterWords.spelledOut(w.text()) + ". " + w.advice()));
     s.movement().warnings().forEach(w -> warnings.add(w.text() + ". " + w.advice()));
     root.put("enough", SampleTree.ENOUGH);
     ArrayNode parameters = root.putArray("parameters");
@@ -98,7 +100,7 @@ final class MatchJson {
       put(node, "rmsMm", k.rmsMm());
       node.put("unused", k.unused().orElse(null));
       ArrayNode says = node.putArray("says");
-      k.samples().keySet().forEach(p -> says.add(ParameterWords.inFiles(p.modelName())));
+      k.samples().keySet().forEach(p -> says.add(ParameterWords.words(p.modelName())));
     }
     return kicks;
   }

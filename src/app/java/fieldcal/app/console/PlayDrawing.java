@@ -7,6 +7,9 @@ import fieldcal.app.play.KickResult;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.wording.ParameterWords;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
 import fieldcal.calibration.Average;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlannedKick;
@@ -18,9 +21,9 @@ import fieldcal.play.PlayedKick;
 import fieldcal.play.SpreadKicks;
 import fieldcal.play.WaitingFor;
 import fieldcal.vision.FieldGeometry;
+import java.util.List;
 import java.util.Locale;
-import java.util.Map;
-import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /** A plan and a running play as a page draws them; what is not known is null. */
 final class PlayDrawing {
@@ -111,12 +114,18 @@ final class PlayDrawing {
     ArrayNode kicks = root.putArray("kicks");
     s.kicks().forEach(k -> kicks.add(kick(k)));
     ArrayNode model = root.putArray("model");
-    for (Map.Entry<String, Average> e : new TreeMap<>(s.model()).entrySet()) {
-      ObjectNode node = model.addObject().put("name", ParameterWords.inFiles(e.getKey()));
-      node.put("words", ParameterWords.withUnit(e.getKey())).put("n", e.getValue().n());
-      put(node, "mean", e.getValue().mean(), 6);
-      put(node, "error", e.getValue().standardError(), 6);
-    }
+    Stream.of(FlatModel.typical().parameters(), ChipModel.typical().parameters().subList(0, 3))
+        .flatMap(List::stream)
+        .map(Parameter::name)
+        .filter(s.model()::containsKey)
+        .forEach(
+            name -> {
+              Average average = s.model().get(name);
+              ObjectNode node = model.addObject().put("name", ParameterWords.inFiles(name));
+              node.put("words", ParameterWords.withUnit(name)).put("n", average.n());
+              put(node, "mean", average.mean(), 6);
+              put(node, "error", average.standardError(), 6);
+            });
     return root;
   }
 
@@ -164,7 +173,7 @@ final class PlayDrawing {
     node.put("good", k.verdict().orElse(null));
     node.put("reason", k.reason());
     ArrayNode says = node.putArray("says");
-    k.parameters().forEach(p -> says.add(ParameterWords.of(p.name())));
+    k.parameters().forEach(p -> says.add(ParameterWords.words(p.name())));
     return node;
   }
 

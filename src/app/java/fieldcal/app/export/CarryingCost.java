@@ -132,7 +132,8 @@ final class CarryingCost {
     boolean seen = gap.rms()[2] >= VISIBLE_MM;
     String over =
         ownKicks
-            ? "over the " + kicks.size() + " kicks of " + model.file().getFileName()
+            ? (kicks.size() == 1 ? "over the kick of " : "over the " + kicks.size() + " kicks of ")
+                + model.file().getFileName()
             : "over " + kicks.size() + " kicks of 2 to 6.5 m/s from the centre in all directions";
     return Optional.of(
         seen

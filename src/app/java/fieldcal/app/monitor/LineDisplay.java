@@ -1,5 +1,6 @@
 package fieldcal.app.monitor;
 
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.LimitWarning;
@@ -65,12 +66,13 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void warningRaised(LiveWarning warning) {
-    line(text.clock(warning.time()) + "  WARNING  " + warning.text() + ". " + warning.advice());
+    String words = ParameterWords.spelledOut(warning.text());
+    line(text.clock(warning.time()) + "  WARNING  " + words + ". " + warning.advice());
   }
 
   @Override
   public void warningCleared(LiveWarning warning) {
-    line(text.clock(warning.time()) + "  over: " + warning.text());
+    line(text.clock(warning.time()) + "  over: " + ParameterWords.spelledOut(warning.text()));
   }
 
   @Override

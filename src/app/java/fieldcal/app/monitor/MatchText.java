@@ -1,6 +1,7 @@
 package fieldcal.app.monitor;
 
 import fieldcal.app.limits.LimitWords;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.live.BallParameter;
@@ -37,6 +38,9 @@ final class MatchText {
   /** Sentences stay in one line, however long. */
   static final int UNBROKEN = Integer.MAX_VALUE;
 
+  /** Characters in a line from which on the table of the ball has room for the middle half of the kicks. */
+  private static final int WIDE = 100;
+
   private static final int NEWEST_KICKS = 3;
   private static final String CONTINUED = " ".repeat(9);
   private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss");
@@ -56,10 +60,10 @@ final class MatchText {
     sentence(lines, referee(status), width);
     warnings(lines, s, width);
     status.feed().notes().forEach(note -> sentence(lines, note, width));
-    ball(lines, s.ball());
+    ball(lines, s.ball(), width);
     robots(lines, s.movement(), width);
     cameras(lines, s);
-    kicks(lines, s.ball());
+    kicks(lines, s.ball(), width);
     return lines;
   }
 
@@ -69,12 +73,13 @@ final class MatchText {
     String few =
         status.snapshot().ball().parameters().stream()
             .filter(e -> !e.enough())
-            .map(e -> e.parameter().id() + " (" + e.samples() + ")")
+            .map(e -> words(e.parameter()) + " (" + e.samples() + ")")
             .collect(Collectors.joining(", "));
     if (!few.isEmpty()) {
       lines.add("");
       String pool =
-          "fewer than %d kicks for %s: --state FILE keeps them for the next match on this carpet";
+          "Fewer than %d kicks determine the %s. --state FILE keeps them for the next match on this"
+              + " carpet.";
       sentence(lines, String.format(Locale.ROOT, pool, SampleTree.ENOUGH, few), width);
     }
     return lines;
@@ -130,7 +135,7 @@ final class MatchText {
   private void warnings(List<String> lines, LiveSnapshot s, int width) {
     lines.add("");
     for (LiveWarning w : s.ball().warnings()) {
-      warning(lines, w.time(), w.text(), w.advice(), width);
+      warning(lines, w.time(), ParameterWords.spelledOut(w.text()), w.advice(), width);
     }
     for (LimitWarning w : s.movement().warnings()) {
       warning(lines, w.time(), w.text(), w.advice(), width);
@@ -142,7 +147,7 @@ final class MatchText {
     sentence(lines, CONTINUED + advice, width);
   }
 
-  private static void ball(List<String> lines, BallSnapshot ball) {
+  private static void ball(List<String> lines, BallSnapshot ball, int width) {
     KickCounts c = ball.counts();
     lines.add("");
     String aside = c.outsidePlay() > 0 ? ", " + c.outsidePlay() + " outside of play" : "";
@@ -158,32 +163,44 @@ final class MatchText {
         dropped);
     add(
         lines,
-        "  %-21s %8s %9s  %-12s %5s  %s",
+        "  %-38s %7s %9s %-12s %5s%s",
         "",
         "median",
         "published",
         "measured",
         "kicks",
-        "middle half");
+        width < WIDE ? "" : "    middle half");
     for (ParameterEstimate e : ball.parameters()) {
-      lines.add(parameter(e));
+      lines.add(parameter(e, width));
+    }
+    if (ball.parameters().stream().anyMatch(ParameterEstimate::maybeSpun)) {
+      String spin =
+          "  * may have spin: after dribbling or catching, and too few other kicks to compare with";
+      sentence(lines, spin, width);
     }
   }
 
-  private static String parameter(ParameterEstimate e) {
+  private static String parameter(ParameterEstimate e, int width) {
     BallParameter p = e.parameter();
     String within =
-        e.samples() < 2 ? "" : value(e.lowerQuartile()) + " … " + value(e.upperQuartile());
+        e.samples() < 2 || width < WIDE
+            ? ""
+            : value(e.lowerQuartile()) + " … " + value(e.upperQuartile());
     return String.format(
             Locale.ROOT,
-            "  %-21s %8s %9s  %-12s %5s  %s",
-            p.id() + (p.unit().isEmpty() ? "" : ", " + p.unit()),
+            "  %-38s %7s %9s %-12s %5s %-2s %s",
+            words(p) + (p.unit().isEmpty() ? "" : ", " + p.unit()),
             e.samples() == 0 ? "–" : value(e.median()),
             e.published().map(MatchText::value).orElse("–"),
             e.enough() ? deviation(e) : e.samples() == 0 ? "" : "too few yet",
             e.enough() ? "" + e.samples() : e.samples() + "/" + SampleTree.ENOUGH,
-            e.maybeSpun() ? "may have spin" : within)
+            e.maybeSpun() ? "*" : "",
+            within)
         .stripTrailing();
+  }
+
+  private static String words(BallParameter p) {
+    return ParameterWords.words(p.modelName());
   }
 
   private static String value(double v) {
@@ -345,7 +362,7 @@ final class MatchText {
     return Double.isFinite(value) ? text : "–";
   }
 
-  private void kicks(List<String> lines, BallSnapshot ball) {
+  private void kicks(List<String> lines, BallSnapshot ball, int width) {
     List<LiveKick> kicks = ball.kicks();
     if (kicks.isEmpty()) {
       return;
@@ -353,15 +370,16 @@ final class MatchText {
     lines.add("");
     lines.add("LAST KICKS");
     for (int i = kicks.size() - 1; i >= Math.max(0, kicks.size() - NEWEST_KICKS); i--) {
-      lines.add("  " + kick(kicks.get(i)));
+      sentence(lines, "  " + kick(kicks.get(i)), width);
     }
   }
 
   /** One kick in one line. */
   String kick(LiveKick k) {
-    List<String> said = new ArrayList<>();
-    k.samples().forEach((p, sample) -> said.add(p.id() + " " + value(sample.value())));
-    String what = k.unused().orElse(String.join(", ", said));
+    List<String> determined = new ArrayList<>();
+    k.samples()
+        .forEach((p, s) -> determined.add(ParameterWords.withValue(p.modelName(), s.value())));
+    String what = k.unused().orElse(String.join(", ", determined));
     return String.format(
         Locale.ROOT,
         "%s  #%-4d %-4s %4.1f m/s %-9s %s%s",

@@ -180,7 +180,8 @@ public final class MatchNetwork implements AutoCloseable {
     if (silent) {
       line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
       if (counts.rejoined() > 0) {
-        line.append(", joined again ").append(counts.rejoined()).append(" times");
+        line.append(", joined again ")
+            .append(counts.rejoined() == 1 ? "once" : counts.rejoined() + " times");
       }
     }
     counts.problem().ifPresent(p -> line.append(" (").append(p).append(")"));

@@ -257,9 +257,9 @@ public final class KickCollector {
       String what =
           String.format(
               Locale.ROOT,
-              "a second of its time stamps takes %.3f s by the recorder",
+              "one second of its time stamps lasts %.3f s on the recorder's clock",
               clock.rate());
-      String advice = "if vision's clock is wrong, so are speeds and accelerations";
+      String advice = "if vision's clock is wrong, speeds and accelerations are wrong, too";
       problems.add(new DataProblem(log + ", camera " + camera, what, 1, advice));
     }
   }

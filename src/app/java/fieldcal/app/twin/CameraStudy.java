@@ -158,7 +158,7 @@ final class CameraStudy {
     double latency = sent(frames);
     if (Double.isNaN(latency)) {
       latency = USUAL_LATENCY;
-      notes.add("Camera " + id + " does not tell its delay; " + MM * latency + " ms are assumed.");
+      notes.add("Camera " + id + " does not show its delay; " + MM * latency + " ms are assumed.");
     }
     double spread = sentSpread(frames);
     double first = frames.isEmpty() ? 0 : frames.get(0).captureTime();

@@ -60,8 +60,8 @@ final class CameraWords {
                             + " mm.",
                         other, jump),
                     text(
-                        "Correct its calibration or camera %d's: which of the two is right, kicks"
-                            + " cannot tell.",
+                        "Correct its calibration or camera %d's: kicks cannot show which of the two"
+                            + " is right.",
                         other)))
         .orElseGet(
             () ->

@@ -190,7 +190,7 @@ public final class LearnedWords {
   private static String uncertain(LearnedTerm term) {
     return Sentences.begin(name(term))
         + ": held-out kicks show that there is some, but not in which way; every value of the curve"
-        + " is within two standard errors of nothing.";
+        + " is within two standard errors of zero.";
   }
 
   private static String advice(LearnedTerm term, boolean extendedHelps) {
@@ -256,7 +256,7 @@ public final class LearnedWords {
           isInTime(curve) ? everyPeriod(curve, formula.amount()) : sine(curve, formula, variable);
       case GRADIENT ->
           text(
-              "The %s, the more the farther the ball is %s: by %s for each metre.",
+              "The %s, and more so the farther the ball is %s: by %s for each metre.",
               change(curve, 1), FieldWords.direction(formula.place()), size(curve, a));
       case STEP_X -> text("Beyond x = %s m, the %s: by %s.", place(formula), change, size);
       case STEP_Y -> text("Beyond y = %s m, the %s: by %s.", place(formula), change, size);
@@ -285,9 +285,9 @@ public final class LearnedWords {
     String size = size(curve, formula.amount());
     String change = change(curve, 1);
     return variable == Variable.DISTANCE_ROLLED
-        ? text("During each of its turns, the %s and then the opposite: by %s.", change, size)
+        ? text("During each turn of the ball, the %s, and then the opposite: by %s.", change, size)
         : text(
-            "The %s when it goes %s: by %s, and the opposite the other way.",
+            "The %s when it goes %s: by %s. When it goes the other way, the opposite is true.",
             change, FieldWords.direction(formula.place()), size);
   }
 

@@ -48,16 +48,16 @@ public final class NextKicks {
           + " kick, spin how far the ball slides after it.";
 
   private static final String WHICH_IS_SHIFTED =
-      "No kick tells which of the cameras is right: lay a ball on a mark of the field that both"
+      "No kick shows which camera is right: lay a ball on a mark of the field that both"
           + " see, such as the centre, and compare what they report.";
 
   private static final String WHICH_IS_LATE =
-      "No kick tells which of the cameras is right: compare the clocks of their computers with a"
-          + " time server.";
+      "No kick shows which camera is right: compare the clocks of their computers with a time"
+          + " server.";
 
   private static final String WHICH_VIEW =
       "Record four flat kicks of 2–3 m/s each through the whole view of either camera, lengthwise"
-          + " and crosswise: only in the view of the one that is wrong do they go wrong.";
+          + " and crosswise: only in the view of the wrong camera is the ball reported wrong.";
 
   /** By the two ids, in any order. */
   private static final Map<Set<String>, String> PAIRS =
@@ -83,8 +83,9 @@ public final class NextKicks {
           pair(
               "camera_offset",
               "ball_height_error",
-              "With two cameras no kick does: both shift the two views against each other by the"
-                  + " same everywhere. Look up or measure which height of the ball's centre vision"
+              "With only two cameras, no kick tells a shifted camera from a wrong height of the"
+                  + " ball: both shift the two views against each other by the same distance"
+                  + " everywhere. Look up or measure which height of the ball's centre vision"
                   + " assumes (21.5 mm is right), compare a resting ball's reported position with"
                   + " its pixels, or record with a third camera."),
           pair(
@@ -97,10 +98,9 @@ public final class NextKicks {
           pair(
               "camera_offset",
               "camera_pose_error",
-              "No kick is needed: a camera that is shifted and one that reports everything shifted"
-                  + " are the same, and calibrating the camera corrects both. A tilt or a wrong"
-                  + " height would show in slow flat kicks from below the camera to the corners of"
-                  + " its view."),
+              "No kick is needed to tell a misplaced camera from one that reports everything"
+                  + " shifted: calibrating the camera corrects both. A tilt or a wrong height would"
+                  + " show in slow flat kicks from below the camera to the corners of its view."),
           pair(
               "camera_offset",
               "lens_distortion_error",

@@ -91,6 +91,17 @@ public final class ParameterWords {
   }
 
   /**
+   * A value in a list of several.
+   *
+   * @param name as in the model's record
+   * @param value in the parameter's unit
+   * @return for example {@code sliding deceleration -3.012 m/s²}
+   */
+  public static String withValue(String name, double value) {
+    return String.format(Locale.ROOT, "%s %.3f%s", words(name), value, unit(name));
+  }
+
+  /**
    * The unit with a blank before it.
    *
    * @param name as in the model's record

@@ -112,6 +112,22 @@ public record PublishWords(
                   r -> ParameterWords.of(r.parameter()) + " " + signed(r.percent()) + " %")
               + ".");
     }
+    if (first instanceof Reason.ManyExcluded many) {
+      return Stream.of(
+          "The 2σ rule excludes many "
+              + (many.kind() == KickKind.FLAT ? "flat kicks" : "chips")
+              + ": "
+              + joined(
+                  alike,
+                  Reason.ManyExcluded.class,
+                  r ->
+                      r.excluded()
+                          + " of "
+                          + r.kicks()
+                          + " for the "
+                          + ParameterWords.of(r.parameter()))
+              + ". No single value describes all kicks.");
+    }
     return alike.stream().map(PublishWords::sentence);
   }
 
@@ -158,7 +174,7 @@ public record PublishWords(
     }
     if (reason instanceof Reason.Imprecise p) {
       return text(
-          "The %s is known to %.0f %% only; %.0f %% or better is needed.",
+          "The %s has an error of %.0f %%; at most %.0f %% is allowed.",
           ParameterWords.of(p.parameter()), p.percent(), p.limit());
     }
     if (reason instanceof Reason.MeanAgainstJoint m) {
@@ -246,6 +262,14 @@ public record PublishWords(
 
   private static List<String> toDo(PublishVerdict verdict) {
     Set<String> all = new LinkedHashSet<>();
+    verdict.reasons().stream()
+        .filter(PublishWords::mixes)
+        .forEach(reason -> all.add(advice(reason, verdict.diagnose())));
+    if (!all.isEmpty()) {
+      // What else is wrong may come from the mixture, and other kicks may be missing afterwards.
+      all.add("Then read the verdict again.");
+      return List.copyOf(all);
+    }
     for (Reason reason : verdict.reasons()) {
       if (holdsBack(reason)) {
         String advice = advice(reason, verdict.diagnose());
@@ -271,6 +295,12 @@ public record PublishWords(
     return List.copyOf(all);
   }
 
+  /** Whether kicks are calibrated together that belong to different fields. */
+  private static boolean mixes(Reason reason) {
+    return reason instanceof Reason.SeveralFields
+        || reason instanceof Reason.SimulatedField s && s.simulated() < s.recordings();
+  }
+
   private static String publish(List<Reason> reasons) {
     boolean changes =
         reasons.stream()
@@ -293,7 +323,9 @@ public record PublishWords(
   }
 
   private static String advice(Reason reason, boolean diagnose) {
-    if (reason instanceof Reason.MeanAgainstJoint || reason instanceof Reason.ResidualAboveNoise) {
+    if (reason instanceof Reason.MeanAgainstJoint
+        || reason instanceof Reason.ManyExcluded
+        || reason instanceof Reason.ResidualAboveNoise) {
       return diagnose ? "Run diagnose on these recordings: it looks for the cause." : "";
     }
     if (reason instanceof Reason.NoKicks none) {

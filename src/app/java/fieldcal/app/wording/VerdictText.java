@@ -117,7 +117,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String found =
         d.causes().isEmpty()
             ? "The model is wrong, and no known cause explains it."
-            : text("The model is wrong, and a part of it is explained: %s.", names(d));
+            : text("The model is wrong, and a part of its error is explained: %s.", names(d));
     return found + curves(d) + laws(d) + chance(d) + unproven(d) + undecided(d);
   }
 

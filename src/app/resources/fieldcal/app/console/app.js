@@ -146,7 +146,7 @@ function showEmpty() {
     : busy() ? ['Reading the recordings …', [el('p', {}, state.work.text), progress(state.work.done, state.work.total)]]
     : state.record.running ? ['Recording', [el('p', {}, 'Let the robots kick a ball that rests: at least twelve flat kicks and twelve chips, of different speeds and in different directions. Some flat kicks should roll until they stop. Then stop the recording: its kicks are calibrated at once.')]]
     : state.failure ? ['The recordings cannot be used', [el('p', {}, state.failure), button('Read again', () => run('read'))]]
-    : ['No recording yet', [el('p', {}, 'Record kicks from the network, let the calibration play make some (page Play), or put game logs (*.log, *.log.gz) into ' + state.directory + '.'), button('Look again', () => run('read'))]];
+    : ['No recording yet', [el('p', {}, 'Record kicks from the network, let the calibration play make some (page Play), or put game logs (*.log, *.log.gz) into the folder ' + state.directory + '.'), button('Look again', () => run('read'))]];
   $('empty-title').textContent = words[0];
   renew($('empty-text'), words[1].map(node => node.outerHTML), () => words[1]);
   $('empty-record').hidden = !state || busy();

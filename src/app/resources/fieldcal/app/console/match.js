@@ -97,7 +97,7 @@ export function matchPage(app) {
     if (layout !== laidOut) {
       forget(box);
       laidOut = layout;
-      box.append(...shown.map(p => el('figure', {'data-parameter': p.name}, el('div', {class: 'value'}), el('div', {class: 'chart', role: 'img', 'aria-label': 'median of ' + p.name + ' over time'}))));
+      box.append(...shown.map(p => el('figure', {'data-parameter': p.name}, el('div', {class: 'value'}), el('div', {class: 'chart', role: 'img', 'aria-label': 'median of the ' + p.words + ' over time'}))));
     }
     for (const p of shown) {
       const figure = box.querySelector('figure[data-parameter="' + p.name + '"]');

@@ -127,7 +127,7 @@ export function publishPage(app) {
       el('p', {class: 'bar'}, CalibrationViews.decisionBadge(verdict), verdict.toDo.join(' ')), ...verdict.reasons.map(words => el('p', {class: 'notice ' + (verdict.decision === 'do_not_publish' ? 'bad' : 'warn')}, words)),
       changes(false), ...(heard() && heard().geometry ? [] : [el('p', {class: 'notice warn'}, 'What vision publishes now is not known: listen to it first.')]),
       ...(heard() ? heard().differences : []).map(words => el('p', {class: 'notice bad'}, '⚠ ' + words)), ...report().warnings.map(warning => el('p', {class: 'notice warn'}, '⚠ ' + warning)),
-      el('p', {}, 'The model is sent as ' + FORMATS[view.format] + (view.format === 'wrapper' ? ', with the geometry of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') : '') + '. It is sent again every second until you stop it, and everybody who listens there uses it. SSL-Vision does not change: enter the numbers there, or its own packets go on with the old model.')], against ? 'Send anyway' : 'Send');
+      el('p', {}, 'The model is sent as ' + FORMATS[view.format] + '.' + (view.format === 'wrapper' ? ' Its geometry is that of ' + (heard() && heard().geometry ? 'vision, heard ' + age() : 'the recordings') + '.' : '') + ' It is sent again every second until you stop it, and everybody who listens there uses it. SSL-Vision does not change: enter the numbers there, or its own packets go on with the old model.')], against ? 'Send anyway' : 'Send');
     if (sure) await app.run('publish', {address: view.address, port: Number(view.port), format: view.format, confirmed: text});
   }
 

@@ -16,7 +16,7 @@ export function sessionsPart(app) {
     if (!result) {
       result = el('div', {'aria-live': 'polite'});
       const file = el('input', {type: 'file', id: 'sessions-file', accept: '.json', onchange: event => read(event.target.files[0])});
-      box.replaceChildren(el('p', {}, el('label', {}, 'calibration.json of the other session ', file)), el('p', {class: 'note'}, 'Tells whether two fields, two days or two balls differ by more than chance. The file is read here and goes nowhere.'), result);
+      box.replaceChildren(el('p', {}, el('label', {}, 'calibration.json of the other session ', file)), el('p', {class: 'note'}, 'Shows whether two fields, two days or two balls differ by more than chance. The file stays in this browser.'), result);
     }
     showResult();
   }

@@ -98,7 +98,7 @@ public final class Tables {
             .maybe(DOUBLE, "rms_mm", "mm", "residual per axis")
             .always(
                 BOOLEAN, "selected", "", "whether a parameter of it enters the model of the match")
-            .maybe(TEXT, "not_used_because", "", "why none does");
+            .maybe(TEXT, "not_used_because", "", "why no parameter does");
     return model(kicks)
         .maybe(
             DOUBLE,
@@ -171,7 +171,7 @@ public final class Tables {
   private static Table cameras() {
     return table("cameras", "A camera of a match.")
         .always(INT, "camera", "", "its id")
-        .always(LONG, "frames", "", "that it sent, duplicates not counted")
+        .always(LONG, "frames", "", "frames that it sent, without duplicates")
         .maybe(DOUBLE, "rate", "Hz", "frames per second outside of gaps")
         .always(LONG, "lost", "", "frames that are missing by their numbers, outside of gaps")
         .always(LONG, "gaps", "", "how often it was silent for more than 0.5 s")
@@ -245,10 +245,10 @@ public final class Tables {
             "What a tracker of a team or of an automatic referee says of the ball, against the fits"
                 + " of the kicks.")
         .always(TEXT, "source", "", "what the tracker calls itself; may be empty")
-        .always(TEXT, "uuid", "", "tells trackers of the same name apart")
-        .always(LONG, "frames", "", "that it sent")
+        .always(TEXT, "uuid", "", "distinguishes trackers of the same name")
+        .always(LONG, "frames", "", "frames that it sent")
         .always(LONG, "samples", "", "frames with a ball during kicks whose fit is trusted")
-        .maybe(DOUBLE, "delay", "s", "by how much its ball is behind on the path, the median")
+        .maybe(DOUBLE, "delay", "s", "by how much its ball lags behind on the path, median")
         .maybe(
             DOUBLE,
             "position_error",
@@ -260,7 +260,7 @@ public final class Tables {
             "velocity_error",
             "m/s",
             "root mean square difference of its ball's velocity from the fits, in the plane")
-        .always(INT, "kicks", "", "that it reports")
+        .always(INT, "kicks", "", "kicks that it reports")
         .always(INT, "matched", "", "kicks whose fit is trusted and that it reports")
         .always(INT, "missed", "", "kicks whose fit is trusted and that it does not report")
         .always(INT, "invented", "", "kicks that it reports and the detections do not show")
@@ -268,8 +268,8 @@ public final class Tables {
             DOUBLE,
             "speed_bias",
             "m/s",
-            "mean of the speed that it reports last minus that of the fit")
-        .maybe(DOUBLE, "speed_scatter", "m/s", "standard deviation of it")
+            "mean difference: the speed that it reports last minus that of the fit")
+        .maybe(DOUBLE, "speed_scatter", "m/s", "standard deviation of this difference")
         .always(
             INT,
             "stops",

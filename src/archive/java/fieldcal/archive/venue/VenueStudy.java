@@ -1,5 +1,6 @@
 package fieldcal.archive.venue;
 
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.Sample;
 import java.util.ArrayList;
@@ -214,7 +215,7 @@ public final class VenueStudy {
             String.format(
                 Locale.ROOT,
                 "%s %.4g → %.4g (%+.0f %%)",
-                PARAMETERS.get(s),
+                ParameterWords.ofFileName(PARAMETERS.get(s)),
                 was.mean(),
                 is.mean(),
                 100 * share));

@@ -4,11 +4,12 @@
   const {el, known, number, signed, withError, tip, base} = Charts;
   const {$, content, draw, forget, figure, choices, swatch, start} = Frame;
   const atlas = JSON.parse($('data').textContent);
-  const PARAMETERS = [['acc_slide', 'sliding deceleration', 'm/s²'], ['acc_roll', 'rolling deceleration', 'm/s²'], ['k_switch', 'kSwitch', ''],
-    ['damping_xy_first_hop', 'horizontal damping, first impact', ''], ['damping_xy_other_hops', 'horizontal damping, later impacts', ''], ['damping_z', 'vertical damping', '']];
+  const PARAMETERS = [['acc_slide', 'sliding deceleration', 'm/s²'], ['acc_roll', 'rolling deceleration', 'm/s²'], ['k_switch', 'switch to rolling', ''],
+    ['damping_xy_first_hop', 'horizontal damping at the first impact', ''], ['damping_xy_other_hops', 'horizontal damping at later impacts', ''], ['damping_z', 'vertical damping', '']];
   const LIMITS = [['velocity_max', 'Velocity', 'm/s'], ['acceleration_max', 'Acceleration', 'm/s²'], ['braking_max', 'Braking', 'm/s²']];
   const TURNS = [['angular_velocity_max', 'Turning', 'rad/s'], ['angular_acceleration_max', 'Turning, speeding up', 'rad/s²'], ['angular_braking_max', 'Turning, slowing down', 'rad/s²']];
   const ALLOWED = 6.5;
+  const spelled = name => PARAMETERS.filter(p => p[0] === name).map(([, words, unit]) => words + (unit ? ', ' + unit : ''))[0] || name;
   const carpets = atlas.venues.flatMap(venue => venue.carpets.map(carpet => ({...carpet, venue})));
   let theme;
   let venue = atlas.venues.length ? 0 : -1;
@@ -77,7 +78,7 @@
       later(() => draw(box, option));
     }
     table('carpets', ['Carpet←', 'From←', 'To←', 'Matches', 'Parameter←', 'Value', 'Scatter between matches', 'Drift per day', 'Published', 'Published − value'],
-      carpets.flatMap(c => c.parameters.map((p, i) => [i ? '' : c.name, i ? '' : minute(c.first), i ? '' : minute(c.last), String(p.n), p.parameter, withError(p.value, p.error), number(p.scatter, 5),
+      carpets.flatMap(c => c.parameters.map((p, i) => [i ? '' : c.name, i ? '' : minute(c.first), i ? '' : minute(c.last), String(p.n), spelled(p.parameter), withError(p.value, p.error), number(p.scatter, 5),
         known(p.drift) ? withError(p.drift, p.driftError) : '–', number(p.published, 4), known(p.published) ? signed(100 * (p.published - p.value) / p.value, 1) + ' %' : '–'])));
   }
 
@@ -261,7 +262,7 @@
         draw(box, option);
       });
     }
-    table('speeds', ['Odds that it was too fast', 'Speed', 'Kind←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
+    table('speeds', ['Probability that it was too fast', 'Speed', 'Kind←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
       atlas.fast.map(k => [k.odds > 0.999 ? 'certain' : number(100 * k.odds, 1) + ' %', withError(k.speed, k.error, 'm/s'), k.kind, k.team || '–', k.robot < 0 ? '–' : String(k.robot), k.tournament, minute(k.time), k.file]));
   }
 

@@ -9,7 +9,7 @@ import java.util.Optional;
 /**
  * A learned term with its errors over the range where data lie: points of a curve, or a table of a place. Immutable.
  *
- * <p>The mean over the points is taken out, of values and functions alike: it is a parameter of the simple model or of a named effect, and how badly a recording tells the two apart does not concern the curve's shape. Only levels stay what they are,
+ * <p>The mean over the points is taken out, of values and functions alike: it is a parameter of the simple model or of a named effect, and how badly a recording distinguishes the two does not concern the curve's shape. Only levels stay what they are,
  * relative to the first one. The error of a point is {@code √(φᵀCφ)} with the functions' values φ there and the covariance C of the coefficients; errors of neighbouring points go together, for a curve has no more independent numbers than
  * coefficients.
  *

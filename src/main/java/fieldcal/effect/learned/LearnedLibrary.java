@@ -36,7 +36,7 @@ public final class LearnedLibrary {
   /** How far a ball rolls, m: the diagonal of a field of 9 m × 6 m. */
   private static final double FARTHEST = 11;
 
-  /** Impacts from the second on that are told apart; chosen, because later hops are millimetres high. */
+  /** Impacts from the second on that are distinguished; chosen, because later hops are millimetres high. */
   private static final int HOPS = 3;
 
   /** How far to each side a camera sees per height above the field; one at 4 m sees a quarter of a field of 12 m × 9 m, ±3 m, and with one camera ±6 m from 6 m; rounded up. */
@@ -122,7 +122,7 @@ public final class LearnedLibrary {
   }
 
   /**
-   * Families of the rolling deceleration alone, for the place of a rolling deceleration that differs from kick to kick. They are not among {@link #of(Arena)}: beside friction and braking a search could hardly tell them.
+   * Families of the rolling deceleration alone, for the place of a rolling deceleration that differs from kick to kick. They are not among {@link #of(Arena)}: beside friction and braking a search could hardly distinguish them.
    *
    * @param arena what was recorded
    * @return absent terms that can show in the recording

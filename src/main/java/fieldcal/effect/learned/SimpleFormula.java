@@ -19,7 +19,7 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
  *
  * @param kind the form
  * @param amount its coefficient a, in the quantity's unit per what {@link Kind} says
- * @param error standard error of the amount as far as the points tell
+ * @param error standard error of the amount as far as the points determine it
  * @param place x0 of a step or an onset, else direction (rad) of a sine or gradient; NaN when the form has none
  * @param constant what is added, in the quantity's unit
  * @param explained part of the curve's weighted variance that it explains, 0 to 1

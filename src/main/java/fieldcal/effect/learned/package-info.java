@@ -5,7 +5,7 @@
  * fieldcal.effect.learned.Variable}) and in which {@link fieldcal.effect.learned.Basis}; a {@link fieldcal.effect.learned.LearnedTerm} is a family with
  * coefficients. {@link fieldcal.effect.learned.LearnedLibrary} lists the families that a recording can be searched for. A {@link
  * fieldcal.effect.learned.LearnedCurve} is what was found, with bounds, and {@link fieldcal.effect.learned.SimpleFormula} says it in few
- * numbers. Used by the diagnosis and by whoever predicts with an extended model.
+ * numbers. Used by the diagnosis and by programs that predict with an extended model.
  */
 @PublicApi
 package fieldcal.effect.learned;

@@ -76,7 +76,7 @@ public record CameraPoseError(
     return new CameraPoseError(v[0], v[1], v[2], v[3], v[4], (int) v[5]);
   }
 
-  /** A shift alone is a camera offset; with one camera it cannot be told from where the field is. */
+  /** A shift alone is a camera offset; with one camera it cannot be distinguished from a shift of the field. */
   @Override
   public List<List<String>> choices() {
     return List.of(

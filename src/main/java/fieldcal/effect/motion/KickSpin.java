@@ -13,7 +13,7 @@ import java.util.List;
  *
  * @param fraction spin about the rolling axis in units of rolling spin v/r (–): 1 rolls, negative = backspin
  * @param chips what chips have beyond that, in the same unit
- * @param apart whether the recording tells chips from flat kicks; otherwise {@code chips} is not estimated
+ * @param apart whether the recording distinguishes chips from flat kicks; otherwise {@code chips} is not estimated
  */
 public record KickSpin(double fraction, double chips, boolean apart) implements SpinAtKick {
   private static final String ID = "kick_spin";

@@ -10,7 +10,7 @@ import fieldcal.vision.Team;
 import java.util.List;
 
 /**
- * Bias of one robot's kicker: speed × (1 + percent/100), direction + yaw, elevation as told.
+ * Bias of one robot's kicker: speed × (1 + percent/100), direction + yaw, elevation as commanded.
  *
  * @param percent excess of speed, %
  * @param yaw how far to the left of the command, rad

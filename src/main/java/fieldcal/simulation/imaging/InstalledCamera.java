@@ -9,7 +9,7 @@ import java.util.Objects;
  *
  * @param vision calibration that vision projects with; complete, and with an image size
  * @param announced calibration in the geometry messages; another one where a source announces placeholders
- * @param reportsPixels whether detections tell where in the image they are
+ * @param reportsPixels whether detections contain their place in the image
  * @param view where it reports balls and robots, on the ground; {@link Region#NONE} = all of its image
  * @param ballNoise standard deviation of a ball's reported position straight below the camera, m
  * @param noiseGrowth whether the noise grows away from the point below the camera

@@ -1,7 +1,7 @@
 package fieldcal.simulation.physics;
 
 /**
- * The ball's recent path, for whoever looks at it a little later: cameras expose at their own times, which do not coincide with integration steps. Between
+ * The ball's recent path, for cameras, which look at it a little later: they expose at their own times, which do not coincide with integration steps. Between
  * two nodes position is a cubic of both ends' positions and velocities, exact to far below a micrometre at steps of 1 ms. Not thread-safe.
  */
 public final class BallHistory implements BallTrace {

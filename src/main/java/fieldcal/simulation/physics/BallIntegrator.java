@@ -39,7 +39,7 @@ public final class BallIntegrator {
    * @param ball the ball, changed
    * @param from session time now, s
    * @param to session time to reach, s
-   * @param trace is told what happens
+   * @param trace receives what happens
    */
   public void advance(BallBody ball, double from, double to, BallTrace trace) {
     double time = from;

@@ -1,6 +1,6 @@
 package fieldcal.simulation.physics;
 
-/** Is told of the ball's motion as it is integrated. */
+/** Receives the ball's motion as it is integrated. */
 public interface BallTrace {
 
   /** Listens to nothing. */

@@ -181,7 +181,7 @@ final class Forces {
     return sum;
   }
 
-  /** Adds what laws add along and across the path, along at most so much, m/s². */
+  /** Adds what laws add along and across the path, along at most this much, m/s². */
   private void addToPath(double[] s, double most, double[] rate) {
     double speed = Math.sqrt(s[3] * s[3] + s[4] * s[4]);
     if (extras.length == 0 || speed == 0) {

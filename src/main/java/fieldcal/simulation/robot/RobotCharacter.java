@@ -8,13 +8,13 @@ import java.util.stream.Collectors;
 
 /** What real robots and those of other simulators are like, beyond this field's good ones; may be combined. */
 public enum RobotCharacter {
-  /** As it is: the dribbler holds whatever happens, the kicker fires at once, the robot drives where it is told. */
+  /** As it is: the dribbler holds whatever happens, the kicker fires at once, the robot drives as commanded. */
   IDEAL,
   /** The dribbler holds the ball by friction only: a robot that pulls, brakes or turns too hard loses it. From a front plate that does not dribble the ball rolls off. */
   SLIPPING_DRIBBLER,
   /** The kicker fires some hundredths of a second after the ball has touched it, which is pushed meanwhile; the robot's speed adds to the ball's. */
   LATE_KICKER,
-  /** The robot drives 4° beside and 5 % slower than it is told, and creeps a little when it is to stand. */
+  /** The robot drives 4° beside and 5 % slower than commanded, and creeps a little when it is to stand. */
   DRIFTING,
   /** The robot hears its orders 50 ms later, follows them with a time constant of 0.1 s, and gains and loses no more than 1.5 m/s each second. */
   SLUGGISH;

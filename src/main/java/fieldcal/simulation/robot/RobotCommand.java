@@ -1,7 +1,7 @@
 package fieldcal.simulation.robot;
 
 /**
- * What a robot is told for one tick.
+ * What a robot is commanded for one tick.
  *
  * @param motion where to or how fast
  * @param kick what to do when the ball touches the kicker

@@ -45,7 +45,7 @@ public final class SimulatedRobot {
   }
 
   /**
-   * Tells it what to do until told otherwise.
+   * Commands the robot until the next command.
    *
    * @param next the command
    */
@@ -54,7 +54,7 @@ public final class SimulatedRobot {
   }
 
   /**
-   * What it was told last.
+   * The last command.
    *
    * @return the command
    */

@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Two teams play under a referee: passes, receptions, redirects, chips, dribbling, shots. Teams whose limits are {@link RobotLimits#DEFAULT} get limits drawn from the seed; the truth tells
+ * Two teams play under a referee: passes, receptions, redirects, chips, dribbling, shots. Teams whose limits are {@link RobotLimits#DEFAULT} get limits drawn from the seed; the truth contains
  * them.
  */
 public final class MatchScenario implements Scenario {

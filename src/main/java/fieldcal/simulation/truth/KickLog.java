@@ -48,7 +48,7 @@ public final class KickLog implements BallTrace {
    * @param time session time, s
    * @param ball right after the kick
    * @param robot who
-   * @param command what it was told
+   * @param command its command
    */
   public void begin(
       KickKind kind,
@@ -183,7 +183,7 @@ public final class KickLog implements BallTrace {
   }
 
   /**
-   * How many kicks robots were told to make.
+   * How many kicks robots were commanded to make.
    *
    * @return without deflections, with the one that is under way
    */

@@ -50,7 +50,7 @@ public record Truth(
   }
 
   /**
-   * The kicks that a robot was told to make.
+   * The kicks that a robot was commanded to make.
    *
    * @return without deflections
    */

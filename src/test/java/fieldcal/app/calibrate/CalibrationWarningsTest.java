@@ -13,6 +13,8 @@ class CalibrationWarningsTest {
             CalibrationWarnings.uncompared(
                 List.of(new int[] {2}, new int[] {0, 1}, new int[] {1}, new int[] {2, 3})))
         .hasValueSatisfying(text -> assertThat(text).contains("(0 and 1; 2 and 3)"));
+    assertThat(CalibrationWarnings.uncompared(List.of(new int[] {0, 1, 2}, new int[] {3})))
+        .hasValueSatisfying(text -> assertThat(text).contains("(0, 1 and 2; 3)"));
   }
 
   @Test
@@ -40,7 +42,7 @@ class CalibrationWarningsTest {
         .hasValueSatisfying(
             text ->
                 assertThat(text)
-                    .contains("Of the switch to rolling (k_switch), more kicks")
+                    .contains("about the mean of the switch to rolling (k_switch), as when")
                     .contains("The median is given"));
   }
 

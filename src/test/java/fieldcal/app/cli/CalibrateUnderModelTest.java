@@ -100,7 +100,9 @@ class CalibrateUnderModelTest {
           .contains(
               "message carries the parameters, but not the effects they are valid with: air drag")
           .contains("no such camera")
-          .contains("Counted from the beginning of these recordings: carpet that changes");
+          .contains(
+              "These effects depend on the time, which is counted from the beginning of these"
+                  + " recordings: carpet that changes");
     }
   }
 

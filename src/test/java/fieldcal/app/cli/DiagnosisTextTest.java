@@ -76,7 +76,7 @@ class DiagnosisTextTest {
     assertThat(text)
         .startsWith("Kicks are predicted 50 cm wrong after 1 s; with what was found 9 cm. The");
     String line = text.replace("\n   ", " ").replace('\n', ' ');
-    assertThat(line).contains("a part of it is explained: air drag.");
+    assertThat(line).contains("a part of its error is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");
     assertThat(line).contains("What helps without a proven cause: -  The carpet grips the ball");
     assertThat(line).contains("the reports of camera 1 are too far").contains("It gains 1.4 mm");

@@ -158,7 +158,8 @@ class PlayCommandTest {
     String last = said.get(said.size() - 1);
     assertThat(last)
         .matches(
-            "fieldcal: interrupted, both robots stand; \\d+ kicks were made; to calibrate: .*");
+            "fieldcal: interrupted; both robots stand still; \\d+ kicks were made; to calibrate:"
+                + " .*");
     String command = last.substring(last.indexOf("fieldcal calibrate ") + 9);
     assertThat(run(command.replace("session-*.log", "session-flat.log"))).as(command).isZero();
     assertThat(json("calibration.json").get("kicks").size()).isGreaterThanOrEqualTo(2);

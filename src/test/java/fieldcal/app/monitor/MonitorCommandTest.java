@@ -55,7 +55,7 @@ class MonitorCommandTest {
         .contains("referee: first half, normal start")
         .containsPattern("#\\d+ +flat +\\d\\.\\d m/s (yellow|blue) \\d+")
         .contains("BALL     ")
-        .containsPattern("acc_roll, m/s² +-0\\.\\d\\d\\d")
+        .containsPattern("rolling deceleration, m/s² +-0\\.\\d\\d\\d")
         .contains("ROBOTS")
         .contains("CAMERAS")
         .contains("100 % read");

@@ -387,7 +387,7 @@ class CauseWordsTest {
   void aJumpBetweenTwoCamerasIsTheirDifference() {
     assertThat(WORDS.of(new CameraOffset(21, 0, 1), Map.of()).sentences())
         .contains("into that of camera 0 seems to jump by 42 mm")
-        .contains("which of the two is right, kicks cannot tell");
+        .contains("kicks cannot show which of the two is right");
   }
 
   @Test

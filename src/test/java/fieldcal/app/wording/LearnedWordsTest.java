@@ -154,7 +154,7 @@ class LearnedWordsTest {
     assertThat(LearnedWords.of(braking, List.of(curve), true, true).what())
         .isEqualTo(
             "Braking that depends on the speed: held-out kicks show that there is some, but not in"
-                + " which way; every value of the curve is within two standard errors of nothing.");
+                + " which way; every value of the curve is within two standard errors of zero.");
   }
 
   /** Its shape may be that of anything else that is left. */

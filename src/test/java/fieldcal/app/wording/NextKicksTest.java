@@ -36,7 +36,7 @@ class NextKicksTest {
     "air_drag,magnus,chips of 4–6 m/s",
     "air_drag,speed_dependent_roll,at 2 and at 6 m/s",
     "magnus,speed_dependent_roll,chips of 4–6 m/s",
-    "ball_height_error,camera_offset,With two cameras no kick does",
+    "ball_height_error,camera_offset,With only two cameras, no kick",
     "ball_height_error,lens_distortion_error,in proportion to its distance",
     "camera_pose_error,lens_distortion_error,in proportion to its distance",
     "camera_pose_error,ball_height_error,compare the drawn field lines",
@@ -72,7 +72,7 @@ class NextKicksTest {
   @Test
   void betweenTwoCamerasNoKickMayDecide() {
     assertThat(NextKicks.toTellApart("camera_offset", List.of("camera_offset of camera 1")))
-        .startsWith("No kick tells which")
+        .startsWith("No kick shows which")
         .contains("lay a ball on a mark");
     assertThat(NextKicks.toTellApart("camera_pose_error", List.of("camera_pose_error of camera 2")))
         .startsWith("Record four flat kicks");

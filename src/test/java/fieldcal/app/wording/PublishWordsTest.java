@@ -3,6 +3,7 @@ package fieldcal.app.wording;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.kick.KickKind;
+import fieldcal.verdict.FieldSize;
 import fieldcal.verdict.PublishDecision;
 import fieldcal.verdict.PublishVerdict;
 import fieldcal.verdict.Reason;
@@ -45,6 +46,49 @@ class PublishWordsTest {
         .isEqualTo(
             "Verdict: publish. Use the numbers on this simulated field only; for a real one, record"
                 + " kicks there.");
+  }
+
+  @Test
+  void parametersWithManyExcludedKicksShareASentence() {
+    PublishWords words =
+        PublishWords.of(
+            new PublishVerdict(
+                PublishDecision.CHECK_FIRST,
+                List.of(
+                    new Reason.ManyExcluded(KickKind.FLAT, "accSlide", 7, 16),
+                    new Reason.ManyExcluded(KickKind.FLAT, "kSwitch", 6, 17)),
+                true));
+    assertThat(words.reasons())
+        .containsExactly(
+            "The 2σ rule excludes many flat kicks: 7 of 16 for the sliding deceleration"
+                + " (acc_slide), 6 of 17 for the switch to rolling (k_switch). No single value"
+                + " describes all kicks.");
+    assertThat(words.headline())
+        .isEqualTo(
+            "Verdict: check first. Run diagnose on these recordings: it looks for the cause.");
+  }
+
+  /** What kicks of several fields lack nobody knows before they are apart. */
+  @Test
+  void recordingsThatDoNotBelongTogetherAreSeparatedFirst() {
+    Reason fields =
+        new Reason.SeveralFields(List.of(new FieldSize(12, 9), new FieldSize(10.4, 7.4)));
+    Reason noise = new Reason.ResidualAboveNoise(3.8, PublishDecision.CHECK_FIRST);
+    PublishWords words =
+        PublishWords.of(
+            new PublishVerdict(
+                PublishDecision.DO_NOT_PUBLISH, List.of(fields, noise, few("accRoll", 1)), true));
+    assertThat(words.reasons()).hasSize(3);
+    assertThat(words.toDo())
+        .containsExactly("Calibrate each field on its own.", "Then read the verdict again.");
+    assertThat(
+            PublishWords.of(
+                    new PublishVerdict(
+                        PublishDecision.DO_NOT_PUBLISH,
+                        List.of(new Reason.SimulatedField(1, 2), few("accRoll", 1)),
+                        false))
+                .toDo())
+        .containsExactly("Leave the simulated recordings out.", "Then read the verdict again.");
   }
 
   private static String headline(List<Reason> reasons) {

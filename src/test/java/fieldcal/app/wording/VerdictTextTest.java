@@ -74,7 +74,7 @@ class VerdictTextTest {
     assertThat(text.headline())
         .isEqualTo("Kicks are predicted 50 cm wrong after 1 s; with what was found 9 cm.");
     assertThat(text.verdict())
-        .startsWith("The model is wrong, and a part of it is explained: air drag. This also")
+        .startsWith("The model is wrong, and a part of its error is explained: air drag. This also")
         .contains(
             "helps without a known cause: braking that depends on the speed; height of bounces")
         .contains("Another law applies in the extended model: bounces that build up spin.")

@@ -93,7 +93,7 @@
     $('learned-legend').replaceChildren(...(drawn.length ? [
       el('span', {}, 'What the simple model lacks, as learned from the kicks, over the range that they cover'),
       ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
-      ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of nothing')] : [])] : []));
+      ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of zero')] : [])] : []));
     const laws = report.learned.every(finding => finding.kind === 'law');
     const helping = report.learned.filter(finding => finding.helps);
     $('learned-title').textContent = laws ? 'A law that replaces a law of the simple model' : helping.length ? 'What helps without a proven cause' : 'In the extended model, without a gain that is shown';
