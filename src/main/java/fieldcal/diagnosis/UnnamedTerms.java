@@ -272,7 +272,9 @@ final class UnnamedTerms {
         "the search for learned terms",
         start,
         () -> {
-          FittedModel curved = search(start, learnedAndLaws(judged, chance), most);
+          List<Effect> all = learnedAndLaws(judged, chance);
+          all.addAll(PeriodicTerms.of(start, sessionStart));
+          FittedModel curved = search(start, all, most);
           if (Leftover.of(curved).isSignificant()) {
             curved = search(curved, PeriodicTerms.of(curved, sessionStart), most + 1);
           }
