@@ -51,6 +51,7 @@ record Answer(
         learned.add(LearnedFindings.of(extended, i, j, screened.arena()));
       }
     }
+    learned.sort((x, y) -> Double.compare(y.gain().mm(), x.gain().mm()));
     causes.addAll(kickers);
     causes.sort((x, y) -> Double.compare(y.evidence(), x.evidence()));
     while (causes.size() > screened.problem().maxCauses()) {

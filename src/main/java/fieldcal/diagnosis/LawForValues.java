@@ -69,7 +69,10 @@ final class LawForValues {
   /** Models with a law that values of the kicks follow beside a model: of each kind of value the law that follows held-out kicks best. */
   List<FittedModel> beside(FittedModel model) {
     List<FittedModel> all = new ArrayList<>();
-    for (Effect effect : EffectCatalogue.unnamed()) {
+    List<Effect> values = new ArrayList<>(EffectCatalogue.unnamed());
+    // What kickers do has a name, but not where it follows the kick.
+    catalogue.stream().filter(Effect::differsFromKickToKick).forEach(values::add);
+    for (Effect effect : values) {
       if (!effect.canShowIn(arena)) {
         continue;
       }

@@ -100,6 +100,17 @@ final class ModelChoice {
       return held.gainOn(other.held, seed)[HoldOut.LOWER] > 0 && predictsBetterThan(other, seed);
     }
 
+    /** Whether this predicts most held-out kicks better beyond chance, and none worse by any measure: fits of kicks that are seen to the end do not tell what predicts the next one. */
+    boolean foretellsMoreThan(Weighed other, long seed) {
+      boolean worse =
+          held.predictsWorseThan(other.held, seed) || held.predictsMostWorseThan(other.held, seed);
+      return !worse && other.held.predictsMostWorseThan(held, seed);
+    }
+
+    private boolean hasName() {
+      return judged.stream().anyMatch(Judgement::isName);
+    }
+
     /** Whether this predicts held-out kicks better beyond chance, and at no horizon worse. */
     boolean predictsBetterThan(Weighed other, long seed) {
       return other.held.predictsWorseThan(held, seed) && !held.predictsWorseThan(other.held, seed);
@@ -175,7 +186,7 @@ final class ModelChoice {
     return going.stream().anyMatch(j -> j.component().isLaw()) ? fresh.orBetter(next) : next;
   }
 
-  /** Of the models on the way the last that predicts held-out kicks as well as any; what is in it and has no name must improve the prediction. */
+  /** Of the models on the way the last that follows held-out kicks as well as any; what is in it and has no name must improve that. Where none does so, the one without names that predicts best, if it predicts better than the last. */
   private Weighed best(List<Weighed> way) {
     Weighed last = way.get(way.size() - 1);
     List<Weighed> sound =
@@ -186,7 +197,10 @@ final class ModelChoice {
       best = w.isAsGoodAs(top, settings.formGain()) ? w : best;
     }
     if (best == last || !best.isBetterThan(last, seed)) {
-      return last;
+      return sound.stream()
+          .filter(w -> !w.hasName() && w.foretellsMoreThan(last, seed))
+          .min(Comparator.comparingDouble(w -> w.held.errorFactor(last.held)))
+          .orElse(last);
     }
     Weighed lean = best;
     while (true) {

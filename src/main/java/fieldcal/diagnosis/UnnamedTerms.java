@@ -132,7 +132,7 @@ final class UnnamedTerms {
         curved.held().rmsMm() <= heldBase.rmsMm()
             && !curved.held().predictsWorseThan(heldBase, seed)
             && !curved.held().predictsMostWorseThan(heldBase, seed);
-    return sound && foretells(curved, found) ? curved : found;
+    return sound && curved.foretellsMoreThan(found, seed) ? curved : found;
   }
 
   /** With laws for what kickers do: values that have a mean of their own and follow the kick are no chance, and a law predicts where values do not. */
@@ -207,15 +207,7 @@ final class UnnamedTerms {
     boolean imitated =
         Math.pow(alone.held().rmsMm(), 2) < most * Math.pow(best.held().rmsMm(), 2)
             && !alone.held().predictsWorseThan(best.held(), seed);
-    return imitated || foretells(alone, best) ? alone : best;
-  }
-
-  /** Whether a model predicts better than another beyond chance, and by no measure worse: fits of kicks that are seen to the end do not tell what predicts the next one. */
-  private boolean foretells(Weighed model, Weighed other) {
-    boolean worse =
-        model.held().predictsWorseThan(other.held(), seed)
-            || model.held().predictsMostWorseThan(other.held(), seed);
-    return !worse && other.held().predictsMostWorseThan(model.held(), seed);
+    return imitated || alone.foretellsMoreThan(best, seed) ? alone : best;
   }
 
   /** Variance on held-out kicks beyond the noise, mm². */

@@ -65,7 +65,7 @@ public final class Decision {
     for (int i = 0; i < scales.without.size(); i++) {
       all.add(judge(scales, i));
     }
-    return scales.excess > 0 && all.stream().anyMatch(Decision::isUnprovenSpin)
+    return all.stream().anyMatch(j -> isUnprovenSpin(j, scales.excess > 0))
         ? all.stream().map(Decision::beyondSpin).toList()
         : all;
   }
@@ -154,10 +154,10 @@ public final class Decision {
         outcome(scales, i, follows.isPresent(), gain));
   }
 
-  /** Whether kicks have spins of which nobody can say that they are the kickers'. */
-  private static boolean isUnprovenSpin(Judgement j) {
+  /** Whether kicks have spins of which nobody can say that they are the kickers': something is left that they may have taken a part of, or they follow from the kick. */
+  private static boolean isUnprovenSpin(Judgement j, boolean left) {
     boolean spin = j.effect() instanceof SpinAtKick && j.component().isPerKick();
-    return spin && j.outcome() != Outcome.NAMED;
+    return spin && j.outcome() != Outcome.NAMED && (left || j.follows().isPresent());
   }
 
   /** What acts through such spins is no better proven: both together are a free number for each kick. */
