@@ -5,8 +5,8 @@ import java.util.OptionalDouble;
 
 /**
  * How a chipped ball flies, bounces and rolls out: parabolas under gravity without drag; at each impact the horizontal velocity
- * shrinks to a fraction of itself and the vertical one is reversed and shrinks; a hop whose apex would stay under {@link
- * #MIN_HOP_HEIGHT} does not take place: the ball rolls instead.
+ * shrinks to a fraction of itself and the vertical one is reversed and shrinks; a hop whose apex would stay under
+ * the lowest one does not take place: the ball rolls instead.
  *
  * <p>The model of the league's geometry message ({@code SSL_BallModelChipFixedLoss}).
  *
@@ -14,12 +14,17 @@ import java.util.OptionalDouble;
  * @param dampingXyOtherHops the same at each later impact, positive
  * @param dampingZ vertical velocity after each impact as a fraction of that before, above 0 and below 1
  * @param accRoll acceleration along the direction of travel while rolling, m/s², negative
+ * @param lowestHop apex of the lowest hop that takes place, m, positive: {@link #MIN_HOP_HEIGHT} in the league's models; physics engines let a ball hop lower
  */
 public record ChipModel(
-    double dampingXyFirstHop, double dampingXyOtherHops, double dampingZ, double accRoll) {
+    double dampingXyFirstHop,
+    double dampingXyOtherHops,
+    double dampingZ,
+    double accRoll,
+    double lowestHop) {
 
   /**
-   * A hop with a lower apex than this counts as rolling, m. The limit of TIGERs Mannheim, from whom the model comes (Sumatra,
+   * A hop with a lower apex than this counts as rolling in the league's models, m. The limit of TIGERs Mannheim, from whom the model comes (Sumatra,
    * {@code BallParameters}: 10 mm).
    */
   public static final double MIN_HOP_HEIGHT = 0.01;
@@ -44,6 +49,32 @@ public record ChipModel(
     Checks.positive("dampingXyOtherHops", dampingXyOtherHops);
     Checks.between("dampingZ", dampingZ, 0, 1);
     Checks.negative("accRoll", accRoll);
+    Checks.positive("lowestHop", lowestHop);
+  }
+
+  /**
+   * A model whose hops end as the league's do.
+   *
+   * @param dampingXyFirstHop horizontal velocity after the first impact as a fraction of that before, positive
+   * @param dampingXyOtherHops the same at each later impact, positive
+   * @param dampingZ vertical velocity after each impact as a fraction of that before, above 0 and below 1
+   * @param accRoll acceleration along the direction of travel while rolling, m/s², negative
+   * @throws IllegalArgumentException when a damping is not positive, {@code dampingZ} not below 1 or the acceleration not negative
+   */
+  public ChipModel(
+      double dampingXyFirstHop, double dampingXyOtherHops, double dampingZ, double accRoll) {
+    this(dampingXyFirstHop, dampingXyOtherHops, dampingZ, accRoll, MIN_HOP_HEIGHT);
+  }
+
+  /**
+   * The same with another lowest hop.
+   *
+   * @param height of its apex, m, positive
+   * @return the changed copy
+   * @throws IllegalArgumentException when it is not positive
+   */
+  public ChipModel withLowestHop(double height) {
+    return new ChipModel(dampingXyFirstHop, dampingXyOtherHops, dampingZ, accRoll, height);
   }
 
   /**
@@ -56,7 +87,7 @@ public record ChipModel(
   }
 
   /**
-   * The numbers as parameters, in the order of the record. The bounds are chosen wide; a horizontal damping slightly above 1 is
+   * The numbers that are estimated as parameters, in the order of the record. The bounds are chosen wide; a horizontal damping slightly above 1 is
    * possible when topspin from an earlier bounce pushes the ball forward.
    *
    * @return dampingXyFirstHop, dampingXyOtherHops, dampingZ, accRoll
@@ -78,7 +109,7 @@ public record ChipModel(
    */
   public ChipModel withParameters(double... values) {
     Checks.length("values", values, 4);
-    return new ChipModel(values[0], values[1], values[2], values[3]);
+    return new ChipModel(values[0], values[1], values[2], values[3], lowestHop);
   }
 
   /**
@@ -88,7 +119,7 @@ public record ChipModel(
    * @param elevation angle between the kick and the ground, rad, above 0 and below π/2
    * @param landing which landing: 1 = the first
    * @return the speed of the kick (the length of its velocity, vertical part included), m/s; empty when a ball of that speed
-   *     rolls before that landing, its hops being lower than {@link #MIN_HOP_HEIGHT}
+   *     rolls before that landing, its hops being lower than the lowest
    * @throws IllegalArgumentException when a number is out of its range
    */
   public OptionalDouble kickSpeedToLand(double distance, double elevation, int landing) {

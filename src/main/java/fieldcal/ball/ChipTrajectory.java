@@ -66,7 +66,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
   }
 
   /**
-   * The path of a ball kicked off the carpet, with as many flights as {@link ChipModel#MIN_HOP_HEIGHT} allows.
+   * The path of a ball kicked off the carpet, with as many flights as {@link ChipModel#lowestHop} allows.
    *
    * @param model the model
    * @param t0 time of the kick, s
@@ -154,7 +154,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
 
   /**
    * How many flights a ball makes that leaves the carpet with a given vertical velocity, each apex {@code vz²/(2g)} being at
-   * least {@link ChipModel#MIN_HOP_HEIGHT}.
+   * least {@link ChipModel#lowestHop}.
    *
    * @param model the model
    * @param vz vertical velocity of the first flight, m/s, not negative
@@ -165,7 +165,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
     double next = Checks.notNegative("vz", vz);
     int flights = 0;
     while (flights < ChipModel.MAX_FLIGHTS
-        && next * next >= 2 * Gravity.ACCELERATION * ChipModel.MIN_HOP_HEIGHT) {
+        && next * next >= 2 * Gravity.ACCELERATION * model.lowestHop()) {
       flights++;
       next *= model.dampingZ();
     }

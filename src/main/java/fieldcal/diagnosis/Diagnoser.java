@@ -206,7 +206,7 @@ public final class Diagnoser {
       FittedModel best = flatsFirst(kicks);
       for (int round = 0; round < SCREENINGS; round++) {
         progress.stage(round == 0 ? "searching for causes" : "searching for causes again");
-        best = named(best);
+        best = fitter.withLowHops(named(best), solver);
         List<KickRecord> before = fitter.kicks();
         List<KickRecord> revised = screen.revise(best, true);
         if (revised.equals(before)) {

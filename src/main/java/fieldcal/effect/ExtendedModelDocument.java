@@ -19,7 +19,7 @@ import java.util.function.Function;
  * {@code extended_model.json} as maps and lists, the form in which every JSON library hands out a document. So the library reads and writes an {@link
  * ExtendedModel} without depending on one: only the step between bytes and maps is the caller's.
  *
- * <p>Fields: {@code schema}; {@code flat} and {@code chip} with the names of the league's messages, null when unknown; {@code effects}, each with {@code effect} (its id) and
+ * <p>Fields: {@code schema}; {@code flat} and {@code chip} with the names of the league's messages, null when unknown, {@code chip} with {@code lowest_hop_mm} where that is not the league's 10 mm; {@code effects}, each with {@code effect} (its id) and
  * {@code parameters} (see {@link EffectFields}); {@code session_start_unix}, s. What else is written ({@code needs}, {@code sentence}) is for people and not read.
  */
 public final class ExtendedModelDocument {
@@ -27,6 +27,8 @@ public final class ExtendedModelDocument {
   public static final String SCHEMA = "fieldcal.extended_model/1";
 
   private static final Epoch UNIX = new Epoch(0);
+  private static final String LOWEST_HOP = "lowest_hop_mm";
+  private static final double MM = 1000;
 
   private ExtendedModelDocument() {}
 
@@ -41,7 +43,7 @@ public final class ExtendedModelDocument {
     Map<String, Object> document = new LinkedHashMap<>();
     document.put("schema", SCHEMA);
     document.put("flat", model.flat().map(m -> simple(m.parameters())).orElse(null));
-    document.put("chip", model.chip().map(m -> simple(m.parameters())).orElse(null));
+    document.put("chip", model.chip().map(ExtendedModelDocument::chip).orElse(null));
     List<Map<String, Object>> effects = new ArrayList<>();
     for (Effect e : model.effects()) {
       Map<String, Object> one = new LinkedHashMap<>();
@@ -54,6 +56,14 @@ public final class ExtendedModelDocument {
     document.put("session_start_unix", epoch.unixSeconds(model.sessionStart()));
     document.put("needs", needs(model));
     return document;
+  }
+
+  private static Map<String, Object> chip(ChipModel model) {
+    Map<String, Object> fields = simple(model.parameters());
+    if (model.lowestHop() != ChipModel.MIN_HOP_HEIGHT) {
+      fields.put(LOWEST_HOP, MM * model.lowestHop());
+    }
+    return fields;
   }
 
   private static Map<String, Object> simple(List<Parameter> parameters) {
@@ -118,7 +128,7 @@ public final class ExtendedModelDocument {
           "schema: must be \"" + SCHEMA + "\", but is " + document.get("schema"));
     }
     FlatModel aFlat = FlatModel.typical();
-    ChipModel aChip = ChipModel.typical();
+    ChipModel aChip = lowest(document.get("chip"));
     Optional<FlatModel> flat = simple(document, "flat", aFlat.parameters(), aFlat::withParameters);
     Optional<ChipModel> chip = simple(document, "chip", aChip.parameters(), aChip::withParameters);
     if (flat.isEmpty() && chip.isEmpty()) {
@@ -135,6 +145,20 @@ public final class ExtendedModelDocument {
     return new ExtendedModel(flat, chip, effects, epoch.seconds(start));
   }
 
+  /** A model of chips with the lowest hop of a document, if that has one. */
+  private static ChipModel lowest(Object chip) {
+    ChipModel typical = ChipModel.typical();
+    if (!(chip instanceof Map<?, ?> fields) || !fields.containsKey(LOWEST_HOP)) {
+      return typical;
+    }
+    double height = EffectFields.number("chip." + LOWEST_HOP, fields.get(LOWEST_HOP)) / MM;
+    try {
+      return typical.withLowestHop(height);
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("chip." + LOWEST_HOP + ": must be positive", e);
+    }
+  }
+
   /** Empty when the whole model is missing or null. */
   private static <M> Optional<M> simple(
       Map<?, ?> document, String kind, List<Parameter> parameters, Function<double[], M> maker) {
@@ -146,6 +170,9 @@ public final class ExtendedModelDocument {
       throw new IllegalArgumentException(kind + ": must be an object or null");
     }
     Set<Object> unknown = new HashSet<>(fields.keySet());
+    if (kind.equals("chip")) {
+      unknown.remove(LOWEST_HOP);
+    }
     double[] values = new double[parameters.size()];
     for (int i = 0; i < values.length; i++) {
       String name = inFiles(parameters.get(i));

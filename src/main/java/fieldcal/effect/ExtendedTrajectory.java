@@ -109,7 +109,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
-   * The path of a chip, with as many flights as {@link ChipModel#MIN_HOP_HEIGHT} allows.
+   * The path of a chip, with as many flights as {@link ChipModel#lowestHop} allows.
    *
    * @param model how the ball bounces and rolls
    * @param effects what acts in addition
@@ -140,7 +140,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
-   * How many flights {@link ChipModel#MIN_HOP_HEIGHT} allows, without the way that the ball then rolls.
+   * How many flights {@link ChipModel#lowestHop} allows, without the way that the ball then rolls.
    *
    * @param model how the ball bounces
    * @param effects what acts in addition

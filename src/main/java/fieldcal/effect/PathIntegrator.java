@@ -116,8 +116,7 @@ final class PathIntegrator {
 
   void flyFrom(ChipModel model, double t0, double x, double y, double vx, double vy, double vz) {
     start(t0, x, y, vx, vy, flightsGiven == 0 ? 0 : vz);
-    double lowest =
-        effects.impacts == null ? ChipModel.MIN_HOP_HEIGHT : effects.impacts.lowestHop();
+    double lowest = effects.impacts == null ? model.lowestHop() : effects.impacts.lowestHop();
     double limit = Math.sqrt(2 * Gravity.ACCELERATION * lowest);
     boolean flies = flightsGiven != 0;
     while (flies) {

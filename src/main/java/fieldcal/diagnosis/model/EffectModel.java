@@ -96,6 +96,17 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   /**
+   * The same with another lowest hop, where no law of impacts says it.
+   *
+   * @param height of its apex, m
+   * @return the changed copy
+   */
+  public EffectModel withLowestHop(double height) {
+    return new EffectModel(
+        flat, chip.withLowestHop(height), flats, chips, components, scatters, observers);
+  }
+
+  /**
    * The same for other kinds of kicks.
    *
    * @param anyFlats whether there are flat kicks
@@ -246,8 +257,8 @@ public final class EffectModel implements SharedModel<ModelState> {
     return new FlatModel(values[0], values[1], values[2]);
   }
 
-  static ChipModel chip(double[] values) {
-    return new ChipModel(values[3], values[4], values[5], values[1]);
+  private ChipModel chip(double[] values) {
+    return chip.withParameters(values[3], values[4], values[5], values[1]);
   }
 
   @Override

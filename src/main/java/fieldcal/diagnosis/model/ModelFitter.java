@@ -11,6 +11,15 @@ import java.util.function.Consumer;
 
 /** Fits models with effects to the same kicks, one from where another ended. Immutable, and as thread-safe as who watches. */
 public final class ModelFitter {
+  /** Where grSim ends hopping, m: below 0.1 m/s, that is v²/(2g). */
+  private static final double LOW_HOP = 5e-4;
+
+  /** By how much chi-square must fall for hops below the league's lowest; noise reaches that once in ten thousand recordings. */
+  private static final double LOW_HOP_PRICE = 15;
+
+  /** What lower hops must explain of what is left, as a law of impacts must. */
+  private static final double LOW_HOP_SHARE = 0.1;
+
   private final List<KickRecord> kicks;
   private final double sessionStart;
   private final Consumer<FittedModel> watcher;
@@ -39,11 +48,11 @@ public final class ModelFitter {
 
   /**
    * Fits a model from each kick's own fit. Each kick alone may have taken a wrong number of flights for what the model lacks, and kicks that disagree about it hold each other there: so the numbers that the model's start values suggest are
-   * tried, too.
+   * tried, too; and, as balls may hop lower than the league's models have them, the numbers with which they do.
    *
    * @param model with values to start from
    * @param solver how
-   * @return the better fit
+   * @return the best fit
    */
   public FittedModel fit(EffectModel model, SharedSolver solver) {
     FittedModel fitted = fitAlone(model, solver);
@@ -51,7 +60,37 @@ public final class ModelFitter {
       return fitted;
     }
     FittedModel ruled = fitAlone(model, solver.startingByRule());
-    return ruled.evenCost() < fitted.evenCost() ? ruled : fitted;
+    FittedModel best = ruled.evenCost() < fitted.evenCost() ? ruled : fitted;
+    return canHopLower(best)
+        ? better(fitAlone(model.withLowestHop(LOW_HOP), solver.startingByRule()), best)
+        : best;
+  }
+
+  /**
+   * Fits a model with hops below the league's lowest, where chips show them. What else is in the model may have hidden them from a fit without it.
+   *
+   * @param from the model, fitted to the same kicks
+   * @param solver how
+   * @return the same where a law of impacts says how low hops are, and where lower ones do not explain a tenth of what is left
+   */
+  public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
+    EffectModel start =
+        from.model().startingAt(from.solution().values(), from.solution().scatters());
+    return canHopLower(from)
+        ? better(
+            fit(start.withLowestHop(LOW_HOP), from, Weighing.ALIKE, solver.startingByRule()), from)
+        : from;
+  }
+
+  private static boolean canHopLower(FittedModel fitted) {
+    boolean chips = fitted.records().stream().anyMatch(k -> k.kind == KickKind.CHIP);
+    return chips && fitted.model().components().stream().noneMatch(Component::isLaw);
+  }
+
+  private static FittedModel better(FittedModel low, FittedModel high) {
+    double left = high.evenCost() - high.solution().rows();
+    double least = Math.max(LOW_HOP_PRICE, LOW_HOP_SHARE * left);
+    return low.evenCost() + least < high.evenCost() ? low : high;
   }
 
   private FittedModel fitAlone(EffectModel model, SharedSolver solver) {
