@@ -282,7 +282,8 @@ public final class Diagnoser {
       }
       Weighed best =
           new UnnamedTerms(screened, choice, heldBase, search, failed, progress).beside(named);
-      if (!(best.held().rmsMm() <= heldBase.rmsMm())) {
+      boolean nothing = best.model().model().components().isEmpty();
+      if (nothing || !(best.held().rmsMm() <= heldBase.rmsMm())) {
         best = new Weighed(base, List.of(), heldBase);
       }
       FittedModel extended = best.model();

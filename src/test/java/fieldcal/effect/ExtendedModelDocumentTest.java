@@ -82,6 +82,20 @@ class ExtendedModelDocumentTest {
   }
 
   @Test
+  void theLowestHopComesBackWhereItIsNotTheLeagues() {
+    ChipModel low = ChipModel.typical().withLowestHop(5e-4);
+    ExtendedModel model = new ExtendedModel(Optional.empty(), Optional.of(low), List.of(), 0);
+    Map<String, Object> document = ExtendedModelDocument.of(model, EPOCH);
+    assertThat(ExtendedModelDocument.read(document, EPOCH)).isEqualTo(model);
+    @SuppressWarnings("unchecked")
+    Map<String, Object> chip = (Map<String, Object>) document.get("chip");
+    assertThat(chip).containsEntry("lowest_hop_mm", 0.5);
+    chip.put("lowest_hop_mm", 0.0);
+    assertThatThrownBy(() -> ExtendedModelDocument.read(document, EPOCH))
+        .hasMessageStartingWith("chip.lowest_hop_mm: ");
+  }
+
+  @Test
   void aModelWithoutChipsComesBack() {
     ExtendedModel model =
         new ExtendedModel(Optional.of(FlatModel.typical()), Optional.empty(), List.of(), 0);

@@ -61,9 +61,7 @@ public final class ModelFitter {
     }
     FittedModel ruled = fitAlone(model, solver.startingByRule());
     FittedModel best = ruled.evenCost() < fitted.evenCost() ? ruled : fitted;
-    return canHopLower(best)
-        ? better(fitAlone(model.withLowestHop(LOW_HOP), solver.startingByRule()), best)
-        : best;
+    return withLowHops(best, solver);
   }
 
   /**
