@@ -29,6 +29,9 @@ public record ChipModel(
    */
   public static final double MIN_HOP_HEIGHT = 0.01;
 
+  /** Where physics engines end hopping, m: grSim below 0.1 m/s, that is v²/(2g). */
+  public static final double ENGINE_MIN_HOP_HEIGHT = 5e-4;
+
   /**
    * More flights than this are not followed. A real ball makes a handful; chosen so that a {@code dampingZ} close to 1 does not
    * hang a solver.

@@ -84,13 +84,12 @@ final class LawForValues {
   }
 
   /** Models in which a law takes the place of the values of a component, which follow something: the law alone, and with values beside it, which differ from it. */
-  List<FittedModel> insteadOf(FittedModel model, int component, Dependence follows) {
+  Stream<FittedModel> insteadOf(FittedModel model, int component, Dependence follows) {
     List<Component> rest = new ArrayList<>(model.started());
     Component values = rest.remove(component);
     FittedModel without = fit(model, rest);
-    return law(without, values.template(), follows)
-        .map(law -> List.of(law, with(law, values)))
-        .orElse(List.of());
+    return law(without, values.template(), follows).stream()
+        .flatMap(law -> Stream.concat(Stream.of(law), Stream.of(values).map(v -> with(law, v))));
   }
 
   /** A model without values of each kick's own, and without what changes the ground with time: each such effect may be a piece of a law over time. */

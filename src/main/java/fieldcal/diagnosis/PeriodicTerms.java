@@ -5,6 +5,7 @@ import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelState;
+import fieldcal.effect.Arena;
 import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedFamily;
@@ -12,10 +13,11 @@ import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Quantity;
 import fieldcal.effect.learned.Variable;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
@@ -126,40 +128,39 @@ final class PeriodicTerms {
 
   private PeriodicTerms() {}
 
+  /** What one camera's residuals would be for a shift along x, along y, and for late stamps. */
+  private record Seen(Series x, Series y, Series along) {
+    Seen() {
+      this(new Series(), new Series(), new Series());
+    }
+  }
+
   /**
    * Terms that may describe what a model leaves.
    *
    * @param model fitted to all kicks
+   * @param arena what was recorded
    * @param sessionStart begin of the session on the kicks' clock, s
    * @return of each camera a swing and an error of its stamps with the period that shows most; without those that noise may show
    */
-  static List<LearnedTerm> of(FittedModel model, double sessionStart) {
+  static List<LearnedTerm> of(FittedModel model, Arena arena, double sessionStart) {
+    Map<Integer, Seen> seen = new TreeMap<>();
+    arena.cameras().forEach(c -> seen.put(c.id(), new Seen()));
+    SampledSearch.sample(model.kickCount()).forEach(k -> add(model, k, sessionStart, seen));
     List<LearnedTerm> all = new ArrayList<>();
-    int[] cameras =
-        model.records().stream()
-            .flatMapToInt(r -> Arrays.stream(r.kick().observations().cameras()))
-            .distinct()
-            .sorted()
-            .toArray();
-    for (int camera : cameras) {
-      Series x = new Series();
-      Series y = new Series();
-      Series along = new Series();
-      for (int k = 0; k < model.kickCount(); k++) {
-        add(model, k, camera, sessionStart, x, y, along);
-      }
-      basis(SWING, List.of(x, y))
-          .map(b -> LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, b, camera))
-          .ifPresent(f -> all.add(f.absent()));
-      basis(JUMP, List.of(along))
-          .map(b -> LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, b, camera))
-          .ifPresent(f -> all.add(f.absent()));
-    }
+    seen.forEach(
+        (camera, s) -> {
+          basis(SWING, List.of(s.x, s.y))
+              .map(b -> LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, b, camera))
+              .ifPresent(f -> all.add(f.absent()));
+          basis(JUMP, List.of(s.along))
+              .map(b -> LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, b, camera))
+              .ifPresent(f -> all.add(f.absent()));
+        });
     return all;
   }
 
-  private static void add(
-      FittedModel model, int k, int camera, double sessionStart, Series x, Series y, Series along) {
+  private static void add(FittedModel model, int k, double sessionStart, Map<Integer, Seen> seen) {
     EffectKick kick = model.kick(k);
     ModelState state = model.solution().state();
     double[] own = model.solution().own(k);
@@ -170,17 +171,18 @@ final class PeriodicTerms {
     double[] ry = new double[record.size()];
     kick.plainResiduals(own, state, rx, ry);
     for (int i = 0; i < used.length; i++) {
-      if (!used[i] || record.camera(i) != camera) {
+      Seen of = seen.get(record.camera(i));
+      if (!used[i] || of == null) {
         continue;
       }
       double time = record.time(i) - sessionStart;
       double sigma = Math.sqrt(record.variance(i));
-      x.add(time, rx[i] / sigma, 1 / sigma);
-      y.add(time, ry[i] / sigma, 1 / sigma);
-      BallState ball = path.stateAt(record.time(i));
+      of.x.add(time, rx[i] / sigma, 1 / sigma);
+      of.y.add(time, ry[i] / sigma, 1 / sigma);
       if (record.time(i) > path.kickTime()) {
-        along.add(time, rx[i] / sigma, ball.vx() / sigma);
-        along.add(time, ry[i] / sigma, ball.vy() / sigma);
+        BallState ball = path.stateAt(record.time(i));
+        of.along.add(time, rx[i] / sigma, ball.vx() / sigma);
+        of.along.add(time, ry[i] / sigma, ball.vy() / sigma);
       }
     }
   }

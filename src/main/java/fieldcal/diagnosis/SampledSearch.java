@@ -9,8 +9,8 @@ import fieldcal.diagnosis.search.CauseSearch;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.fit.joint.SharedSolver;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** Searches for components among as many kicks as a search needs, and fits what was found to all of them. Not thread-safe. */
 final class SampledSearch {
@@ -63,15 +63,19 @@ final class SampledSearch {
       FittedModel found = found(fitter, start, dictionary, most, revises);
       return fitter.fit(startingAt(found), found, Weighing.ALIKE, solver);
     }
-    List<KickRecord> some = new ArrayList<>();
-    for (int i = 0; i < SEARCHED_KICKS; i++) {
-      some.add(fitter.kicks().get((int) ((long) i * n / SEARCHED_KICKS)));
-    }
+    List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
     ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
     FittedModel begin =
         few.fit(startingAt(start), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = found(few, begin, dictionary, most, revises);
     return fitter.fit(startingAt(found), start, Weighing.ALIKE, solver);
+  }
+
+  /** Which of so many kicks a search looks at: all, or some that are spread over the session. */
+  static IntStream sample(int kicks) {
+    return kicks <= SEARCHED_KICKS
+        ? IntStream.range(0, kicks)
+        : IntStream.range(0, SEARCHED_KICKS).map(i -> (int) ((long) i * kicks / SEARCHED_KICKS));
   }
 
   private FittedModel found(

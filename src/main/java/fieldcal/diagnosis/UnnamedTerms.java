@@ -147,7 +147,7 @@ final class UnnamedTerms {
       Weighed before = best;
       best =
           j.follows().stream()
-              .flatMap(d -> laws.insteadOf(before.model(), component, d).stream())
+              .flatMap(d -> laws.insteadOf(before.model(), component, d))
               .map(m -> choice.withLaw(m, before, j))
               .filter(with -> with.isAsGoodAs(before, settings.formGain()))
               .filter(with -> with.predictsBetterThan(before, seed))
@@ -265,10 +265,11 @@ final class UnnamedTerms {
         start,
         () -> {
           List<Effect> all = learnedAndLaws(judged, chance);
-          all.addAll(PeriodicTerms.of(start, sessionStart));
+          all.addAll(PeriodicTerms.of(start, arena, sessionStart));
           FittedModel curved = search(start, all, most);
-          if (Leftover.of(curved).isSignificant()) {
-            curved = search(curved, PeriodicTerms.of(curved, sessionStart), most + 1);
+          boolean grown = curved.model().components().size() > start.model().components().size();
+          if (grown && Leftover.of(curved).isSignificant()) {
+            curved = search(curved, PeriodicTerms.of(curved, arena, sessionStart), most + 1);
           }
           return Leftover.of(curved).isSignificant()
               ? search(curved, LearnedLibrary.maps(arena), most + 1)

@@ -46,7 +46,7 @@ public final class VerdictRule {
 
   /**
    * A larger share of excluded values is more than outliers. Of normally distributed values the 2σ rule excludes 5 to 8 %; with at least {@link #FEWEST_EXCLUDED} excluded, a larger share than
-   * this is chance in less than one of a thousand parameters.
+   * this is chance in less than one of a hundred parameters (simulated: 8,000 draws each of 10 to 40 values, excluded until none is; 0.0004 to 0.008).
    */
   private static final double MOST_EXCLUDED = 1 / 3.0;
 

@@ -141,7 +141,8 @@ public final class Decision {
 
   private Judgement judge(Scales scales, int i) {
     FittedModel model = scales.model;
-    double[] gain = scales.held.gainOn(HoldOut.of(scales.without.get(i), false, seed), seed);
+    HoldOut without = HoldOut.of(scales.without.get(i), scales.excess > 0, seed);
+    double[] gain = scales.held.gainOn(without, seed);
     Optional<Dependence> follows = follows(model, i);
     return new Judgement(
         scales.component(i),
@@ -151,7 +152,7 @@ public final class Decision {
         scales.evidence[i],
         gain,
         follows,
-        outcome(scales, i, follows.isPresent(), gain));
+        outcome(scales, i, follows.isPresent(), without, gain));
   }
 
   /** Whether kicks have spins of which nobody can say that they are the kickers': something is left that they may have taken a part of, or they follow from the kick. */
@@ -221,7 +222,8 @@ public final class Decision {
     return law ? fresh.orBetter(fitted) : fitted;
   }
 
-  private Outcome outcome(Scales scales, int i, boolean follows, double[] gain) {
+  private Outcome outcome(
+      Scales scales, int i, boolean follows, HoldOut heldWithout, double[] gain) {
     FittedModel model = scales.model;
     Component c = scales.component(i);
     Proof proof = new Proof(model, i, settings);
@@ -256,7 +258,9 @@ public final class Decision {
       // A place is chosen where it takes up most of whatever has no name.
       return Outcome.FORM;
     }
-    if (scales.excess > 0 && !c.isPerKick() && Scales.isMotion(c) && !foretells(scales, i)) {
+    boolean common = !c.isPerKick() && Scales.isMotion(c);
+    if (scales.excess > 0 && common && !(scales.held.errorFactor(heldWithout) < 1)) {
+      // It helps to fit kicks, not to predict most of them: what is left may be another form of it.
       return Outcome.FORM;
     }
     // A value for each kick takes up something of anything: it helps, too, where another cause has
@@ -271,11 +275,5 @@ public final class Decision {
       return Outcome.NO_GAIN;
     }
     return c.isLaw() && evidence < largest ? Outcome.FORM : Outcome.NAMED;
-  }
-
-  /** Whether it helps to predict most kicks, and not only to fit them: what is left may be another form of it, which fits as well. */
-  private boolean foretells(Scales scales, int i) {
-    HoldOut without = HoldOut.of(scales.without.get(i), true, seed);
-    return scales.held.errorFactor(without) < 1;
   }
 }

@@ -1,5 +1,6 @@
 package fieldcal.diagnosis.model;
 
+import fieldcal.ball.ChipModel;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedProblem;
 import fieldcal.fit.joint.SharedSolver;
@@ -11,9 +12,6 @@ import java.util.function.Consumer;
 
 /** Fits models with effects to the same kicks, one from where another ended. Immutable, and as thread-safe as who watches. */
 public final class ModelFitter {
-  /** Where grSim ends hopping, m: below 0.1 m/s, that is v²/(2g). */
-  private static final double LOW_HOP = 5e-4;
-
   /** By how much chi-square must fall for hops below the league's lowest; noise reaches that once in ten thousand recordings. */
   private static final double LOW_HOP_PRICE = 15;
 
@@ -69,20 +67,25 @@ public final class ModelFitter {
    *
    * @param from the model, fitted to the same kicks
    * @param solver how
-   * @return the same where a law of impacts says how low hops are, and where lower ones do not explain a tenth of what is left
+   * @return the same where hops are that low already, where a law of impacts says how low they are, and where lower ones do not explain a tenth of what is left
    */
   public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
+    if (!canHopLower(from)) {
+      return from;
+    }
     EffectModel start =
-        from.model().startingAt(from.solution().values(), from.solution().scatters());
-    return canHopLower(from)
-        ? better(
-            fit(start.withLowestHop(LOW_HOP), from, Weighing.ALIKE, solver.startingByRule()), from)
-        : from;
+        from.model()
+            .startingAt(from.solution().values(), from.solution().scatters())
+            .withLowestHop(ChipModel.ENGINE_MIN_HOP_HEIGHT);
+    return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), from);
   }
 
   private static boolean canHopLower(FittedModel fitted) {
     boolean chips = fitted.records().stream().anyMatch(k -> k.kind == KickKind.CHIP);
-    return chips && fitted.model().components().stream().noneMatch(Component::isLaw);
+    double now = fitted.solution().state().chip().lowestHop();
+    return chips
+        && now > ChipModel.ENGINE_MIN_HOP_HEIGHT
+        && fitted.model().components().stream().noneMatch(Component::isLaw);
   }
 
   private static FittedModel better(FittedModel low, FittedModel high) {

@@ -28,8 +28,7 @@ public record ContactImpacts(
 
   private static final double LEAGUE_LOWEST_HOP_MM = 1000 * ChipModel.MIN_HOP_HEIGHT;
 
-  /** Where grSim ends bouncing: below 0.1 m/s, that is v²/(2g). */
-  private static final double ENGINE_LOWEST_HOP_MM = 0.5;
+  private static final double ENGINE_LOWEST_HOP_MM = 1000 * ChipModel.ENGINE_MIN_HOP_HEIGHT;
 
   /**
    * Checks the numbers. {@inheritDoc}
