@@ -219,7 +219,22 @@ public final class Decision {
         model.model().startingAt(model.solution().values(), new double[0]).with(rest);
     FittedModel fitted = fitter.fit(start, model, Weighing.ALIKE, solver);
     boolean law = out.stream().anyMatch(i -> model.model().components().get(i).isLaw());
-    return law ? fresh.orBetter(fitted) : fitted;
+    return law || fitted.evenCost() > fresh.simple().evenCost() ? refound(fitted) : fitted;
+  }
+
+  /** The same components begun again: a law that stays, at each of its starts. What explains less than the simple model has led nowhere, and says nothing about what was taken out. */
+  private FittedModel refound(FittedModel fitted) {
+    FittedModel best = fresh.orBetter(fitted);
+    List<Component> all = best.started();
+    for (int i = 0; i < all.size(); i++) {
+      for (Effect start : all.get(i).template().starts()) {
+        List<Component> with = new ArrayList<>(all);
+        with.set(i, Component.of(start, start.magnitudes()));
+        FittedModel tried = fresh.of(with);
+        best = tried.evenCost() < best.evenCost() ? tried : best;
+      }
+    }
+    return best;
   }
 
   private Outcome outcome(

@@ -12,8 +12,9 @@ import java.util.List;
 /**
  * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the slip of the contact
  * point u = v − s, s the spin as a velocity: the impulse along the ground undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, but is at most friction times the normal impulse, |Δv| ≤ friction·(1 + e_z)·|v_z|; its torque turns the
- * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet takes beside that is a part of the motion along the ground, of speed and spin alike; and, as in rolling, a resistance in proportion to the normal impulse, which the spin
- * has to overcome: a ball that grips loses rolling·(1 + e_z)·|v_z| of speed and spin. A rolling ball shows |accRoll|/g, about 0.03 (physics engines that let their rolling friction act in impacts, ODE and Bullet, lose that).
+ * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet takes beside that is a part of the motion along the ground, of speed and spin alike; and a resistance of the part of the normal impulse during which the ball grips and rolls,
+ * rolling·(1 + e_z)·|v_z|·(1 − |Δv|/(friction·(1 + e_z)·|v_z|)): while the contact point slides, an impact takes speed and gives spin as sliding on the carpet does, whose kSwitch knows what resistance there is. A rolling ball shows |accRoll|/g, about 0.03 (physics engines that let their
+ * rolling friction act in impacts, ODE and Bullet, lose that).
  *
  * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
@@ -143,30 +144,47 @@ public record ContactImpacts(
 
   @Override
   public void impact(BallMotion arrival, double dampingZ, double inertiaFactor, double[] after) {
-    double slip = arrival.slip();
-    if (slip > 0) {
-      double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
-      double most = friction * (1 + dampingZ) * Math.abs(arrival.vz());
-      double perSlip = -Math.min(wanted, most) / slip;
-      double dx = perSlip * (after[0] - after[2]);
-      double dy = perSlip * (after[1] - after[3]);
-      after[0] += dx;
-      after[1] += dy;
-      after[2] -= dx / inertiaFactor;
-      after[3] -= dy / inertiaFactor;
-    }
+    double impulse = (1 + dampingZ) * Math.abs(arrival.vz());
+    double sliding = stopSlip(arrival.slip(), friction * impulse, inertiaFactor, after);
     for (int i = 0; i < after.length; i++) {
       after[i] *= 1 - loss;
     }
-    double spin = Math.hypot(after[2], after[3]);
-    if (spin > 0) {
-      double taken = Math.min(rolling * (1 + dampingZ) * Math.abs(arrival.vz()), spin);
-      double dx = taken * after[2] / spin;
-      double dy = taken * after[3] / spin;
-      after[0] -= dx;
-      after[1] -= dy;
-      after[2] -= dx;
-      after[3] -= dy;
+    resistRolling(rolling * impulse * (1 - sliding), after);
+  }
+
+  /**
+   * Lets friction act on the slip.
+   *
+   * @param most how much speed friction takes when it acts during the whole impact, m/s
+   * @return the part of the impact that the contact point slides, 0 to 1
+   */
+  private double stopSlip(double slip, double most, double inertiaFactor, double[] after) {
+    if (slip <= 0) {
+      return 0;
     }
+    double wanted = (1 + reversed) * inertiaFactor / (1 + inertiaFactor) * slip;
+    double change = Math.min(wanted, most);
+    double dx = change / slip * (after[0] - after[2]);
+    double dy = change / slip * (after[1] - after[3]);
+    after[0] -= dx;
+    after[1] -= dy;
+    after[2] += dx / inertiaFactor;
+    after[3] += dy / inertiaFactor;
+    return wanted <= 0 || most <= 0 ? 0 : change / most;
+  }
+
+  /** Takes that much speed, m/s, of ball and surface along the spin, at most all of the spin. */
+  private static void resistRolling(double most, double[] after) {
+    double spin = Math.hypot(after[2], after[3]);
+    if (spin == 0) {
+      return;
+    }
+    double perSpin = Math.min(most, spin) / spin;
+    double dx = perSpin * after[2];
+    double dy = perSpin * after[3];
+    after[0] -= dx;
+    after[1] -= dy;
+    after[2] -= dx;
+    after[3] -= dy;
   }
 }

@@ -353,10 +353,13 @@ public final class BallIntegrator {
     double slipX = forces.slipX(s);
     double slipY = forces.slipY(s);
     double slip = Math.hypot(slipX, slipY);
+    double rolled = contact.rolling() * (1 + dampingZ) * Math.abs(s[5]);
     if (slip > 0) {
       double beta = forces.inertiaFactor();
       double gripping = (1 + restitution) * beta / (1 + beta) * slip;
-      double change = Math.min(gripping, contact.friction() * (1 + dampingZ) * Math.abs(s[5]));
+      double sliding = contact.friction() * (1 + dampingZ) * Math.abs(s[5]);
+      double change = Math.min(gripping, sliding);
+      rolled *= change < sliding ? 1 - change / sliding : 0;
       double changeX = -change * slipX / slip;
       double changeY = -change * slipY / slip;
       s[3] += changeX;
@@ -367,7 +370,7 @@ public final class BallIntegrator {
     s[4] *= 1 - contact.loss();
     s[6] *= 1 - contact.spinLoss();
     s[7] *= 1 - contact.spinLoss();
-    resist(s, contact.rolling() * (1 + dampingZ) * Math.abs(s[5]));
+    resist(s, rolled);
   }
 
   /** Takes that much speed of the ball and of its surface in the direction in which the spin rolls it, at most all of the spin. */
