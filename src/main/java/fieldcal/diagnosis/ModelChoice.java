@@ -245,9 +245,13 @@ final class ModelChoice {
     return j.outcome() != Outcome.NAMED && !pays;
   }
 
-  /** A cause stays, and so does the form of another that has no cause: a law, or a curve that improves the prediction of held-out kicks. */
+  /** A cause stays, and so does what differs from kick to kick though nobody can say whose it is, and the form of another that has no cause: a law, or a curve that improves the prediction of held-out kicks. */
   private static boolean stays(Judgement j) {
-    return j.outcome() == Outcome.NAMED || j.component().isLaw() && j.outcome() == Outcome.FORM;
+    return switch (j.outcome()) {
+      case NAMED, BALL_ITSELF -> true;
+      case FORM -> j.component().isLaw();
+      default -> false;
+    };
   }
 
   private static EffectModel startingAt(FittedModel from) {

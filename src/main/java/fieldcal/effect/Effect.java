@@ -1,5 +1,6 @@
 package fieldcal.effect;
 
+import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
 import java.util.List;
 import java.util.Optional;
@@ -169,6 +170,16 @@ public interface Effect {
    */
   default List<BallKnowledge> ballKnowledge() {
     return List.of();
+  }
+
+  /**
+   * What all its magnitudes seem to be where nothing of it is there and the carpet resists the turning of a ball that still slides. The simple model's sliding knows of no such resistance.
+   *
+   * @param ball the simple model of the flat kicks
+   * @return in the unit of the magnitudes; 0 unless an effect says otherwise
+   */
+  default double imitatedBy(FlatModel ball) {
+    return 0;
   }
 
   /**

@@ -262,6 +262,9 @@ public final class Decision {
       // where it follows from the kick.
       return Outcome.UNSTEADY;
     }
+    if (c.isPerKick() && proof.isBallItself()) {
+      return Outcome.BALL_ITSELF;
+    }
     FittedModel without = scales.without.get(i);
     if (c.isPerKick() ? proof.isGainOfFewKicks(without) : proof.isToldByFewKicks(limit)) {
       return Outcome.FEW_KICKS;

@@ -36,6 +36,8 @@ public record Judgement(
     CHANCE,
     /** Its strength differs from kick to kick more than a cause's does. */
     UNSTEADY,
+    /** It differs from what the ball's own law may be by less than is known of that law. */
+    BALL_ITSELF,
     /** Only one or two kicks gain by it. */
     FEW_KICKS,
     /** It is little beside a larger cause of its kind: that one's form. */

@@ -8,6 +8,7 @@ import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.ScoreSystem;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.FDistribution;
@@ -23,6 +24,9 @@ final class Proof {
 
   /** A curve that takes back that share of what a cause does leaves less of it than it takes. */
   private static final double TAKEN_BACK = 0.5;
+
+  /** Standard errors that are no chance, as in every verdict. */
+  private static final double BEYOND = 2;
 
   private final FittedModel model;
   private final int component;
@@ -89,6 +93,28 @@ final class Proof {
       }
     }
     return quadratic(v, theta);
+  }
+
+  /**
+   * Whether it may be the ball and not what it is named after: only what is known of the ball's own law tells the two apart, and neither its mean, whatever a sound ball seems to have, nor its scatter is beyond two errors of that knowledge. The balls of two kicks may differ by as
+   * much as an unknown ball from its text-book.
+   */
+  boolean isBallItself() {
+    Effect effect = model.effects().get(component);
+    Optional<Map<String, Double>> errors = model.errors(component);
+    if (effect.ballKnowledge().isEmpty() || errors.isEmpty()) {
+      return false;
+    }
+    double imitated = effect.imitatedBy(model.solution().state().flat());
+    double scatter = model.scatter(component);
+    return errors.get().entrySet().stream()
+        .noneMatch(
+            e -> {
+              double value = effect.value(e.getKey());
+              double nearest =
+                  Math.max(Math.min(0, imitated), Math.min(value, Math.max(0, imitated)));
+              return Math.max(Math.abs(value - nearest), scatter) > BEYOND * e.getValue();
+            });
   }
 
   private static double quadratic(double[][] v, double[] x) {

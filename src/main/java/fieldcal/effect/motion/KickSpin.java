@@ -1,5 +1,6 @@
 package fieldcal.effect.motion;
 
+import fieldcal.ball.FlatModel;
 import fieldcal.ball.Parameter;
 import fieldcal.effect.Arena;
 import fieldcal.effect.BallKnowledge;
@@ -88,6 +89,15 @@ public record KickSpin(double fraction, double chips, boolean apart) implements 
   @Override
   public List<BallKnowledge> ballKnowledge() {
     return List.of(BallKnowledge.mechanicalSwitch());
+  }
+
+  /**
+   * A rolling resistance that brakes the spin while the ball slides makes it roll from a lower speed on, kSwitch = 1/(1 + β)·(1 − β·accRoll/accSlide), as backspin of accRoll/accSlide does.
+   * {@inheritDoc}
+   */
+  @Override
+  public double imitatedBy(FlatModel ball) {
+    return ball.accSlide() < 0 ? -ball.accRoll() / ball.accSlide() : 0;
   }
 
   @Override
