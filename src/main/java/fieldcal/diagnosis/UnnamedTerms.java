@@ -131,7 +131,7 @@ final class UnnamedTerms {
     boolean sound =
         curved.held().rmsMm() <= heldBase.rmsMm()
             && !curved.held().predictsWorseThan(heldBase, seed)
-            && !curved.held().predictsMostWorseThan(heldBase, seed);
+            && curved.held().errorFactor(heldBase) < 1;
     return sound && curved.foretellsMoreThan(found, seed) ? curved : found;
   }
 
