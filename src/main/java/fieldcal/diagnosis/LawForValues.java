@@ -115,7 +115,7 @@ final class LawForValues {
     named.forEach(c -> fits.add(with(model, c)));
     List<LearnedTerm> terms =
         Stream.concat(LearnedLibrary.of(arena).stream(), LearnedLibrary.ofRolling(arena).stream())
-            .filter(t -> t.actsOn().equals(where) && t.family().variables().equals(List.of(d.on())))
+            .filter(t -> canStandFor(where, t) && t.family().variables().equals(List.of(d.on())))
             .toList();
     List<FittedModel> curves = terms.stream().map(t -> with(model, component(t))).toList();
     fits.addAll(curves);
@@ -123,6 +123,11 @@ final class LawForValues {
         .map(curves::indexOf)
         .ifPresent(i -> finer(terms.get(i), d).forEach(t -> fits.add(with(model, component(t)))));
     return best(fits);
+  }
+
+  /** Whether a term acts where values do; what follows from the kick may also be the carpet under a ball that slides. */
+  private static boolean canStandFor(String where, LearnedTerm term) {
+    return term.actsOn().equals(where) || where.equals("kick") && term.actsOn().equals("ground");
   }
 
   /** Effects that begin at an instant of the session, at the one of the step. */

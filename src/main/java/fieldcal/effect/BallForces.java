@@ -160,11 +160,17 @@ final class BallForces {
       directionY = slip > 0 ? slipY / slip : 0;
     }
     double acceleration = accSlide * slidingOfKick * zoneFactor * pressure();
-    for (SlidingResistance effect : effects.slidings) {
-      acceleration *= effect.slidingFactor(m);
+    double across = 0;
+    if (effects.slidings.length > 0) {
+      m.slipHeading = Math.atan2(directionY, directionX);
+      double against = acceleration;
+      for (SlidingResistance effect : effects.slidings) {
+        acceleration *= effect.slidingFactor(m);
+        across -= against * effect.slidingAcross(m);
+      }
     }
-    double frictionX = acceleration * directionX;
-    double frictionY = acceleration * directionY;
+    double frictionX = acceleration * directionX - across * directionY;
+    double frictionY = acceleration * directionY + across * directionX;
     rate[3] = frictionX + force[0];
     rate[4] = frictionY + force[1];
     rate[5] = 0;

@@ -12,6 +12,7 @@ public final class BallMotion {
   double vz;
   double spinX;
   double spinY;
+  double slipHeading;
   double sessionTime;
   double airX;
   double airY;
@@ -114,6 +115,15 @@ public final class BallMotion {
     double x = vx - spinX;
     double y = vy - spinY;
     return Math.sqrt(x * x + y * y);
+  }
+
+  /**
+   * Direction in which the ball's lowest point slips, while it slides on the carpet.
+   *
+   * @return rad, 0 = along x, counter-clockwise
+   */
+  public double slipHeading() {
+    return slipHeading;
   }
 
   /**

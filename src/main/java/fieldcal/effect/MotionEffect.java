@@ -94,6 +94,16 @@ public interface MotionEffect extends Effect {
      * @return 1 = as in the model
      */
     double slidingFactor(BallMotion motion);
+
+    /**
+     * Friction across the slip, which a carpet or an engine has whose friction is not the same in all directions.
+     *
+     * @param motion how the ball moves
+     * @return as a part of the model's friction, positive to the left of the slip; 0 = as in the model
+     */
+    default double slidingAcross(BallMotion motion) {
+      return 0;
+    }
   }
 
   /** What makes a whole kick differ from the next: asked once per kick. */

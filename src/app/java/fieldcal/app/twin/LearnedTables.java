@@ -34,9 +34,12 @@ final class LearnedTables {
     Variable variable = term.family().variables().get(0);
     Quantity quantity = term.family().quantity();
     List<TabulatedLaw.Quantity> changes =
-        quantity == Quantity.PUSH
-            ? List.of(TabulatedLaw.Quantity.PUSH_X, TabulatedLaw.Quantity.PUSH_Y)
-            : List.of(TabulatedLaw.Quantity.valueOf(quantity.name()));
+        switch (quantity) {
+          case PUSH -> List.of(TabulatedLaw.Quantity.PUSH_X, TabulatedLaw.Quantity.PUSH_Y);
+          case SLIDING ->
+              List.of(TabulatedLaw.Quantity.SLIDING_ALONG, TabulatedLaw.Quantity.SLIDING_ACROSS);
+          default -> List.of(TabulatedLaw.Quantity.valueOf(quantity.name()));
+        };
     List<TabulatedLaw> laws = new ArrayList<>();
     for (int c = 0; c < changes.size(); c++) {
       laws.add(

@@ -45,6 +45,7 @@ public final class LearnedWords {
       case ACCELERATION_ACROSS -> "sideways pull that depends on " + on;
       case FRICTION -> "friction that depends on " + on;
       case ROLLING -> "rolling that depends on " + on;
+      case SLIDING -> "sliding friction that depends on " + on;
       case PUSH -> "push that depends on " + on;
       case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
       case TANGENTIAL_RESTITUTION -> "loss of speed at bounces that depends on " + on;
@@ -147,6 +148,10 @@ public final class LearnedWords {
       case ACCELERATION_ACROSS -> "acceleration to the left";
       case FRICTION -> "change of the friction";
       case ROLLING -> "change of the rolling deceleration";
+      case SLIDING ->
+          curve.component() == 0
+              ? "change of the sliding friction"
+              : "pull to the left of the slip";
       case PUSH -> "acceleration towards " + (curve.component() == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "change of the vertical damping";
       case TANGENTIAL_RESTITUTION -> "change of the horizontal damping";
@@ -166,7 +171,7 @@ public final class LearnedWords {
   public static String unit(LearnedCurve curve) {
     return switch (curve.family().quantity()) {
       case TURN -> "°";
-      case FRICTION, ROLLING -> "%";
+      case FRICTION, ROLLING, SLIDING -> "%";
       default -> curve.family().quantity().unit();
     };
   }
@@ -181,7 +186,7 @@ public final class LearnedWords {
   public static double inUnit(LearnedCurve curve, double value) {
     return switch (curve.family().quantity()) {
       case TURN -> Math.toDegrees(value);
-      case FRICTION, ROLLING -> PER_CENT * value;
+      case FRICTION, ROLLING, SLIDING -> PER_CENT * value;
       default -> value;
     };
   }
@@ -348,6 +353,10 @@ public final class LearnedWords {
       case ACCELERATION_ACROSS -> "ball is pulled to its " + (more ? "left" : "right");
       case FRICTION -> "carpet brakes the ball " + (more ? "more" : "less");
       case ROLLING -> "rolling ball is braked " + (more ? "more" : "less");
+      case SLIDING ->
+          curve.component() == 0
+              ? "sliding ball is braked " + (more ? "more" : "less")
+              : "sliding ball is pulled to its " + (more ? "left" : "right");
       case PUSH -> "ball is pushed " + side(curve.component(), more);
       case VERTICAL_RESTITUTION -> "ball bounces " + (more ? "higher" : "lower");
       case TANGENTIAL_RESTITUTION ->

@@ -39,6 +39,9 @@ final class DependenceSearch {
   /** The same over the direction: a slope or nap, a preferred axis, the square weave of a carpet. */
   private static final int[] HEADING_FUNCTIONS = {2, 4, 8};
 
+  /** The same of what repeats every quarter turn: a friction box needs no other waves, and few kicks allow no more. */
+  private static final int[] QUARTER_FUNCTIONS = {2, 4};
+
   /** A form may have one function for so many kicks. */
   private static final int KICKS_PER_FUNCTION = 3;
 
@@ -314,7 +317,8 @@ final class DependenceSearch {
     add(Variable.SESSION_TIME, polynomials(times, TIME_ORDER), orders(TIME_ORDER));
     double[] speeds = kicks.stream().mapToDouble(Kick::speed).toArray();
     add(Variable.SPEED, polynomials(speeds, SPEED_ORDER), orders(SPEED_ORDER));
-    add(Variable.HEADING, headings(), HEADING_FUNCTIONS);
+    add(Variable.HEADING, waves(1, 2, 3, 4), HEADING_FUNCTIONS);
+    add(Variable.HEADING, waves(4, 8), QUARTER_FUNCTIONS);
     add(Variable.PLACE, places(), PLACE_FUNCTIONS);
     double[][] steps = new double[Math.max(0, n - 2 * FEWEST_ON_A_SIDE + 1)][n];
     for (int s = 0; s < steps.length; s++) {
@@ -367,8 +371,8 @@ final class DependenceSearch {
     return columns;
   }
 
-  private double[][] headings() {
-    int[] waves = {1, 2, 3, 4};
+  /** Cosines and sines of multiples of the heading. */
+  private double[][] waves(int... waves) {
     double[][] columns = new double[2 * waves.length][n];
     for (int i = 0; i < n; i++) {
       for (int w = 0; w < waves.length; w++) {

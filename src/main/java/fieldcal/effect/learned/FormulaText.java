@@ -85,6 +85,8 @@ final class FormulaText {
       case ACCELERATION_ACROSS -> "acceleration to the ball's left";
       case FRICTION -> "relative friction";
       case ROLLING -> "relative rolling deceleration";
+      case SLIDING ->
+          component == 0 ? "relative friction while sliding" : "pull to the left while sliding";
       case PUSH -> "acceleration towards " + (component == 0 ? "+x" : "+y");
       case VERTICAL_RESTITUTION -> "vertical restitution";
       case TANGENTIAL_RESTITUTION -> "tangential restitution";

@@ -129,6 +129,7 @@ public record LearnedFamily(
       case ACCELERATION_ALONG, ACCELERATION_ACROSS -> new LearnedAcceleration(this, coefficients);
       case FRICTION -> new LearnedFriction(this, coefficients);
       case ROLLING -> new LearnedRolling(this, coefficients);
+      case SLIDING -> new LearnedSliding(this, coefficients);
       case PUSH -> new LearnedPush(this, coefficients);
       case VERTICAL_RESTITUTION, TANGENTIAL_RESTITUTION, TURN ->
           new LearnedBounce(this, coefficients);

@@ -27,6 +27,9 @@ public final class LearnedLibrary {
   /** Harmonics of an angle: slope, nap, a preferred axis, and the square weave of a carpet or the friction box of a physics engine, which repeat every quarter turn. */
   private static final int HARMONICS = 4;
 
+  /** What repeats every quarter turn: boxes and pyramids, of which three harmonics leave a tenth. */
+  private static final Basis QUARTERS = new Harmonics(3, 0.5 * Math.PI);
+
   /** Degree of a lens' or pose's error over the place. */
   private static final int DEGREE = 3;
 
@@ -177,6 +180,7 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(Quantity.FRICTION, Variable.SESSION_TIME, session(arena)));
     all.add(LearnedFamily.of(Quantity.FRICTION, Variable.HEADING, heading));
     all.add(LearnedFamily.of(Quantity.FRICTION, Variable.PLACE, place(arena)));
+    all.add(LearnedFamily.of(Quantity.SLIDING, Variable.HEADING, QUARTERS));
     all.add(LearnedFamily.of(across, Variable.SPEED, speed));
     all.add(LearnedFamily.of(across, Variable.HEADING, heading));
     all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));

@@ -18,6 +18,7 @@ import java.util.OptionalInt;
 public abstract sealed class LearnedTerm implements Effect
     permits LearnedAcceleration,
         LearnedRolling,
+        LearnedSliding,
         LearnedPush,
         LearnedBounce,
         LearnedSpin,

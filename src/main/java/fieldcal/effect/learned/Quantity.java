@@ -18,6 +18,9 @@ public enum Quantity {
   /** Relative change of the rolling deceleration alone (–); positive brakes more. */
   ROLLING("ground", "rolling", "", 1, 0.05, 0.9, "accRoll scatters by 0.1 in matches of 2026"),
 
+  /** Friction of a sliding ball as a part of the model's (–), which depends on the direction of the slip: the coefficients of what brakes more come first, then those of what pulls to the left of the slip. */
+  SLIDING("ground", "sliding", "", 2, 0.1, 0.9, "a friction box has 0.41 more at its corners"),
+
   /** Force over the mass along x and y of the field on a ball on the carpet, m/s²: the coefficients of x come first, then those of y. A rolling ball follows it with 5/7, since it must be turned, too. */
   PUSH("ground", "push", "m/s²", 2, 0.05, 3, "a slope of 0.5 % pulls so much"),
 
@@ -96,7 +99,7 @@ public enum Quantity {
   /**
    * How many numbers it is.
    *
-   * @return 2 of a shift in the plane, else 1
+   * @return 2 of a shift in the plane, of a push and of sliding friction, else 1
    */
   public int components() {
     return components;
@@ -105,6 +108,7 @@ public enum Quantity {
   /** Whether it makes sense that it depends on a variable that is known where it acts: a push by the field does not know how the ball moves, nor a picture where the ball goes next. */
   boolean canDependOn(Variable variable) {
     return switch (this) {
+      case SLIDING -> variable == Variable.HEADING;
       case PUSH -> variable == Variable.PLACE || variable == Variable.SESSION_TIME;
       case TIME_ERROR -> variable == Variable.SESSION_TIME || variable == Variable.SPEED;
       case SHIFT -> variable == Variable.SESSION_TIME || variable == Variable.IMAGE_POSITION;

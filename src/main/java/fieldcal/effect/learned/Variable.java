@@ -18,7 +18,7 @@ public enum Variable {
   /** Time since the beginning of the session, s. */
   SESSION_TIME("session_time", "s", 1, Set.of("ground", "impact", "measurement")),
 
-  /** Direction of travel, rad, 0 = along x, counter-clockwise. */
+  /** Direction of travel, of sliding friction that of the slip, rad, 0 = along x, counter-clockwise. */
   HEADING("heading", "rad", 1, Set.of("ground", "impact", "kick")),
 
   /** Place on the field, x and y, m. */

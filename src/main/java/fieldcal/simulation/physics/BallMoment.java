@@ -8,6 +8,7 @@ public final class BallMoment {
   double vy;
   double vz;
   double slip;
+  double slipHeading;
   double sessionTime;
   double sinceKick;
   double path;
@@ -76,6 +77,15 @@ public final class BallMoment {
    */
   public double heading() {
     return Math.atan2(vy, vx);
+  }
+
+  /**
+   * Direction in which the contact point slips.
+   *
+   * @return rad, 0 = along x, counter-clockwise; 0 when rolling
+   */
+  public double slipHeading() {
+    return slipHeading;
   }
 
   /**

@@ -14,6 +14,16 @@ public interface ExtraLaw {
   }
 
   /**
+   * Friction across the slip, as a part of the sliding friction without any other law.
+   *
+   * @param moment where and how the ball moves
+   * @return positive pulls to the left of the slip; 0 = no change
+   */
+  default double slidingAcross(BallMoment moment) {
+    return 0;
+  }
+
+  /**
    * What rolling deceleration is multiplied by.
    *
    * @param moment where and how the ball moves

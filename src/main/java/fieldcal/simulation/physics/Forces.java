@@ -109,7 +109,9 @@ final class Forces {
     moment.vx = s[3];
     moment.vy = s[4];
     moment.vz = s[5];
-    moment.slip = phase == MotionPhase.SLIDING ? Math.hypot(slipX(s), slipY(s)) : 0;
+    boolean slides = phase == MotionPhase.SLIDING;
+    moment.slip = slides ? Math.hypot(slipX(s), slipY(s)) : 0;
+    moment.slipHeading = slides ? Math.atan2(slipY(s), slipX(s)) : 0;
     moment.sessionTime = stepTime + offset;
     moment.sinceKick = moment.sessionTime - launchTime;
     moment.path =
@@ -126,6 +128,14 @@ final class Forces {
       factor *= Math.max(0, law.slidingFactor(moment));
     }
     return factor;
+  }
+
+  private double extraAcross() {
+    double across = 0;
+    for (ExtraLaw law : extras) {
+      across += law.slidingAcross(moment);
+    }
+    return across;
   }
 
   private double extraRolling() {
@@ -296,14 +306,12 @@ final class Forces {
       directionX = slip == 0 ? 0 : slipX / slip;
       directionY = slip == 0 ? 0 : slipY / slip;
     }
-    double friction =
-        ground.slidingFriction()
-            * ground.slipFactor(slip)
-            * wear
-            * extraSliding()
-            * Math.max(0, G - externalZ);
-    double frictionX = -friction * directionX;
-    double frictionY = -friction * directionY;
+    double plain =
+        ground.slidingFriction() * ground.slipFactor(slip) * wear * Math.max(0, G - externalZ);
+    double friction = plain * extraSliding();
+    double across = plain * extraAcross();
+    double frictionX = -friction * directionX - across * directionY;
+    double frictionY = -friction * directionY + across * directionX;
     rate[3] = frictionX + externalX;
     rate[4] = frictionY + externalY;
     addToPath(s, friction, rate);

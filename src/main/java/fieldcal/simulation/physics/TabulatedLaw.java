@@ -22,6 +22,10 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     FRICTION,
     /** Relative change of the rolling deceleration alone (–); positive brakes more. */
     ROLLING,
+    /** Relative change of the friction of a sliding ball against its slip (–); positive brakes more. */
+    SLIDING_ALONG,
+    /** Friction of a sliding ball to the left of its slip, as a part of that against it (–). */
+    SLIDING_ACROSS,
     /** Force over the mass along x on a ball on the carpet, m/s²; a rolling ball takes a part of it. */
     PUSH_X,
     /** Force over the mass along y on a ball on the carpet, m/s². */
@@ -53,7 +57,7 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     TIME_SINCE_KICK(1),
     /** Session time, s. */
     SESSION_TIME(1),
-    /** Direction of travel, rad. */
+    /** Direction of travel, of sliding friction that of the slip, rad. */
     HEADING(1),
     /** Place on the field, x and y, m. */
     PLACE(2),
@@ -111,7 +115,7 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
       case SLIP -> m.slip() > 0 ? table.at(m.slip(), 0) : 0;
       case TIME_SINCE_KICK -> table.at(m.sinceKick(), 0);
       case SESSION_TIME -> table.at(m.sessionTime(), 0);
-      case HEADING -> table.at(m.heading(), 0);
+      case HEADING -> table.at(ofSlip() ? m.slipHeading() : m.heading(), 0);
       case PLACE -> table.at(m.x(), m.y());
       case DISTANCE_ROLLED -> table.at(m.path(), 0);
       case VERTICAL_SPEED -> table.at(Math.abs(m.vz()), 0);
@@ -119,9 +123,18 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     };
   }
 
+  private boolean ofSlip() {
+    return changes == Quantity.SLIDING_ALONG || changes == Quantity.SLIDING_ACROSS;
+  }
+
   @Override
   public double slidingFactor(BallMoment moment) {
-    return frictionFactor(moment);
+    return changes == Quantity.SLIDING_ALONG ? Math.max(0, 1 + at(moment)) : frictionFactor(moment);
+  }
+
+  @Override
+  public double slidingAcross(BallMoment moment) {
+    return changes == Quantity.SLIDING_ACROSS ? at(moment) : 0;
   }
 
   @Override
