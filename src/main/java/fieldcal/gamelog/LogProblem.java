@@ -18,6 +18,8 @@ public enum LogProblem implements ProblemKind {
       "a record has a wrong length; reading goes on with the record that starts within it"),
   /** Bytes that are no record. */
   GARBAGE("some bytes are not a record; reading goes on with the next record"),
+  /** A header and nothing after it. */
+  NO_MESSAGES("the log has a header and no message: nothing was recorded"),
   /** A message of a type that has no name. */
   UNKNOWN_MESSAGE_TYPE("a message is of an unknown type; it is skipped"),
   /** A referee message that is none. */

@@ -164,6 +164,10 @@ public final class RecordingReader implements Closeable {
       }
     }
     order.flush();
+    if (!hasMessages) {
+      problems.add(
+          LogProblem.NO_MESSAGES, log.logBytes(), () -> problems.file().getFileName().toString());
+    }
     listener.onProgress(log.totalBytes(), log.totalBytes());
     return summary(firstTime);
   }

@@ -18,6 +18,7 @@ import fieldcal.diagnosis.Unexplained;
 import fieldcal.diagnosis.Verdict;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
@@ -106,17 +107,17 @@ final class DiagnosisText {
   /** What has no name: an item each. */
   private void learned(DiagnosisOutcome outcome) {
     Diagnosis diagnosis = outcome.diagnosis();
-    List<LearnedFinding> helping =
-        diagnosis.learned().stream().filter(LearnedFinding::isShownToHelp).toList();
-    List<LearnedFinding> others =
-        diagnosis.learned().stream().filter(f -> !f.isShownToHelp()).toList();
-    boolean laws = helping.stream().allMatch(f -> f.kind() == LearnedFinding.Kind.LAW);
-    items(
-        outcome,
-        laws
-            ? "A law that replaces a law of the simple model:"
-            : "What helps without a proven cause:",
-        helping);
+    List<LearnedFinding> laws = new ArrayList<>();
+    List<LearnedFinding> helping = new ArrayList<>();
+    List<LearnedFinding> others = new ArrayList<>();
+    for (LearnedFinding f : diagnosis.learned()) {
+      (f.kind() == LearnedFinding.Kind.LAW ? laws : f.isShownToHelp() ? helping : others).add(f);
+    }
+    if (!diagnosis.learned().isEmpty()) {
+      line("");
+    }
+    items(outcome, "A law that replaces a law of the simple model:", laws);
+    items(outcome, "What helps without a proven cause:", helping);
     items(outcome, "In the extended model, but held-out kicks do not show that it helps:", others);
   }
 
@@ -125,7 +126,6 @@ final class DiagnosisText {
       return;
     }
     CauseWords words = new CauseWords(outcome.diagnosis(), outcome.problem().observers());
-    line("");
     line("%s", title);
     for (LearnedFinding finding : findings) {
       CauseText text = words.of(finding);

@@ -26,8 +26,8 @@ final class AirWords extends MotionText {
                     + " coefficient %s); a real drag is positive, so the true cause is another.",
                 Amount.of(cd)),
         pass("without air", HARD_KICK, 1),
-        "The league's ball model has no air: predict with the extended model, or calibrate with"
-            + " kicks as fast as those of your games.",
+        "The league's ball model has no air: predict with the extended model; otherwise calibrate"
+            + " with kicks as fast as those of your games.",
         "The league's ball model has no air: calibrate with kicks as fast as those of your games.");
   }
 

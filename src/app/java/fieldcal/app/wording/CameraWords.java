@@ -228,7 +228,7 @@ final class CameraWords {
             Amount.of(FAST * Math.abs(ms)),
             ms >= 0 ? "ahead of" : "behind"),
         "Use cameras with a global shutter",
-        ", or");
+        "; otherwise");
   }
 
   private String reports() {

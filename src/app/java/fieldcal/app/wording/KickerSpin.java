@@ -51,6 +51,15 @@ record KickerSpin(double flat, double chips, double error) {
               "The kickers give the ball %s: %s %% of the spin of a rolling ball.",
               sort(flat), MotionText.percent(Math.abs(flat)));
     }
+    if (isUnsure(chips) && isUnsure(flat)) {
+      return text(
+          "The kickers give the ball topspin with some kicks and backspin with others: on average"
+              + " %s ± %s %% of the spin of a rolling ball in chips, %s ± %s %% in flat kicks.",
+          MotionText.percent(chips),
+          MotionText.percent(error),
+          MotionText.percent(flat),
+          MotionText.percent(error));
+    }
     return text(
         "Of the spin of a rolling ball, the kickers give chips %s and flat kicks %s.",
         mean(chips), mean(flat));
@@ -59,7 +68,8 @@ record KickerSpin(double flat, double chips, double error) {
   private String mean(double mean) {
     return isUnsure(mean)
         ? text(
-            "none that is sure (%s ± %s %%)", MotionText.percent(mean), MotionText.percent(error))
+            "none that is certain (%s ± %s %%)",
+            MotionText.percent(mean), MotionText.percent(error))
         : text("%s %% as %s", MotionText.percent(Math.abs(mean)), sort(mean));
   }
 }

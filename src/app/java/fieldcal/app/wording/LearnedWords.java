@@ -71,7 +71,7 @@ public final class LearnedWords {
         curves.stream()
             .map(c -> sentence(c, SimpleFormula.of(c)))
             .flatMap(Optional::stream)
-            .collect(Collectors.joining(" "));
+            .reduce("", LearnedWords::joined);
     String strength =
         curves.stream().map(c -> SimpleFormula.of(c).text()).collect(Collectors.joining(", "));
     String what =
@@ -191,6 +191,14 @@ public final class LearnedWords {
     };
   }
 
+  /** Two sentences; what both begin with, up to a colon, is said once. */
+  private static String joined(String first, String second) {
+    int colon = second.indexOf(": ");
+    return colon > 0 && first.startsWith(second.substring(0, colon + 2))
+        ? first.substring(0, first.length() - 1) + "; " + second.substring(colon + 2)
+        : (first + " " + second).strip();
+  }
+
   /** Where no single value of a curve is certain and all of them together are. */
   private static String uncertain(LearnedTerm term) {
     return Sentences.begin(name(term))
@@ -205,7 +213,7 @@ public final class LearnedWords {
           term.family().quantity() == Quantity.TIME_ERROR
               ? text("Check the clock of the computer of camera %d", camera)
               : text("Calibrate camera %d in vision again", camera);
-      return repair + (extendedHelps ? ", or use the extended model." : ".");
+      return repair + (extendedHelps ? "; otherwise use the extended model." : ".");
     }
     boolean unround =
         term.dependsOn().contains(Variable.DISTANCE_ROLLED.label())

@@ -26,6 +26,9 @@ import java.util.stream.Stream;
  */
 public record PublishWords(
     String decision, String title, List<String> reasons, List<String> notes, List<String> toDo) {
+  /** What kicks mean that do not agree on a parameter; follows the sentence that says so. */
+  private static final String NO_SINGLE_VALUE = " No single value describes all kicks.";
+
   private static final Map<String, String> KICKS_THAT_TELL =
       Map.of(
           "accSlide", "fast flat kicks (4 to 6.5 m/s)",
@@ -81,14 +84,35 @@ public record PublishWords(
     };
   }
 
-  /** Reasons of one sort about one model share a sentence. */
+  /** Reasons of one sort share a sentence; those whose sentence names the model, if they are about the same one. */
   private static List<String> sentences(List<Reason> reasons) {
     Map<String, List<Reason>> alike = new LinkedHashMap<>();
     for (Reason reason : reasons) {
-      String model = reason.model().map(KickKind::id).orElse("");
-      alike.computeIfAbsent(reason.id() + " " + model, k -> new ArrayList<>()).add(reason);
+      alike.computeIfAbsent(sort(reason), k -> new ArrayList<>()).add(reason);
     }
-    return alike.values().stream().flatMap(PublishWords::sentence).toList();
+    return onceOnly(alike.values().stream().flatMap(PublishWords::sentence).toList());
+  }
+
+  private static String sort(Reason reason) {
+    boolean namesNoModel =
+        reason instanceof Reason.Imprecise || reason instanceof Reason.MeanAgainstJoint;
+    String model = namesNoModel ? "" : reason.model().map(KickKind::id).orElse("");
+    return reason.id() + " " + model;
+  }
+
+  /** Several reasons end with the same conclusion: only the first of them says it. */
+  private static List<String> onceOnly(List<String> sentences) {
+    List<String> all = new ArrayList<>();
+    boolean said = false;
+    for (String sentence : sentences) {
+      boolean concludes = sentence.endsWith(NO_SINGLE_VALUE);
+      all.add(
+          concludes && said
+              ? sentence.substring(0, sentence.length() - NO_SINGLE_VALUE.length())
+              : sentence);
+      said |= concludes;
+    }
+    return all;
   }
 
   private static Stream<String> sentence(List<Reason> alike) {
@@ -126,9 +150,64 @@ public record PublishWords(
                           + r.kicks()
                           + " for the "
                           + ParameterWords.of(r.parameter()))
-              + ". No single value describes all kicks.");
+              + "."
+              + NO_SINGLE_VALUE);
+    }
+    if (first instanceof Reason.Imprecise imprecise) {
+      return Stream.of(imprecise(alike, imprecise.limit()));
+    }
+    if (first instanceof Reason.MeanAgainstJoint) {
+      return Stream.of(meanAgainstJoint(alike));
     }
     return alike.stream().map(PublishWords::sentence);
+  }
+
+  private static String imprecise(List<Reason> alike, double limit) {
+    if (alike.size() == 1) {
+      Reason.Imprecise one = (Reason.Imprecise) alike.get(0);
+      return text(
+          "The %s has an error of %.0f %%; at most %.0f %% is allowed.",
+          ParameterWords.of(one.parameter()), one.percent(), limit);
+    }
+    return text("Some errors are above the %.0f %% that is allowed: ", limit)
+        + joined(
+            alike,
+            Reason.Imprecise.class,
+            r -> text("%.0f %% for the %s", r.percent(), ParameterWords.of(r.parameter())))
+        + ".";
+  }
+
+  private static String meanAgainstJoint(List<Reason> alike) {
+    if (alike.size() == 1) {
+      Reason.MeanAgainstJoint m = (Reason.MeanAgainstJoint) alike.get(0);
+      return text(
+              "The %s is %s as the mean of the kicks, but %s in the joint fit: %.0f %% and %.1f"
+                  + " standard errors apart.",
+              ParameterWords.of(m.parameter()),
+              value(m.parameter(), m.mean()),
+              value(m.parameter(), m.joint()),
+              m.percent(),
+              m.standardErrors())
+          + NO_SINGLE_VALUE;
+    }
+    return "The mean of the kicks and the joint fit disagree: "
+        + alike.stream()
+            .map(Reason.MeanAgainstJoint.class::cast)
+            .map(PublishWords::bothValues)
+            .collect(Collectors.joining("; "))
+        + "."
+        + NO_SINGLE_VALUE;
+  }
+
+  private static String bothValues(Reason.MeanAgainstJoint m) {
+    return text(
+        "the %s is %s as the mean, but %s in the joint fit (%.0f %% and %.1f standard errors"
+            + " apart)",
+        ParameterWords.of(m.parameter()),
+        value(m.parameter(), m.mean()),
+        value(m.parameter(), m.joint()),
+        m.percent(),
+        m.standardErrors());
   }
 
   private static <R extends Reason> String joined(
@@ -171,21 +250,6 @@ public record PublishWords(
           : none.found() == 1
               ? "The one kick that was found cannot be used."
               : "None of the " + none.found() + " kicks that were found can be used.";
-    }
-    if (reason instanceof Reason.Imprecise p) {
-      return text(
-          "The %s has an error of %.0f %%; at most %.0f %% is allowed.",
-          ParameterWords.of(p.parameter()), p.percent(), p.limit());
-    }
-    if (reason instanceof Reason.MeanAgainstJoint m) {
-      return text(
-          "The %s is %s as the mean of the kicks, but %s in the joint fit: %.0f %% and %.1f"
-              + " standard errors apart. No single value describes all kicks.",
-          ParameterWords.of(m.parameter()),
-          value(m.parameter(), m.mean()),
-          value(m.parameter(), m.joint()),
-          m.percent(),
-          m.standardErrors());
     }
     if (reason instanceof Reason.ResidualAboveNoise r) {
       return text("The residuals are %.1f times the noise of the cameras", r.ratio())
@@ -358,8 +422,8 @@ public record PublishWords(
     if (reason instanceof Reason.Diagnosed d) {
       return d.causes().isEmpty()
           ? "Record the kicks that the diagnosis proposes."
-          : "Correct what the diagnosis names, or accept its extended model for programs that use"
-              + " it.";
+          : "Correct what the diagnosis names; otherwise accept its extended model for programs"
+              + " that use it.";
     }
     return "";
   }

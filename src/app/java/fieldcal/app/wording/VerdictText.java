@@ -114,11 +114,17 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
       lines.add("Still unexplained: " + rest(d.unexplained()));
     }
     lines.add(advice(d));
+    if (!d.causes().isEmpty()) {
+      String found =
+          text("The model is wrong, and a part of its error is explained: %s.", names(d));
+      return found + curves(d) + laws(d) + chance(d) + unproven(d) + undecided(d);
+    }
+    String laws = names(d, f -> f.kind() == LearnedFinding.Kind.LAW);
     String found =
-        d.causes().isEmpty()
+        laws.isEmpty()
             ? "The model is wrong, and no known cause explains it."
-            : text("The model is wrong, and a part of its error is explained: %s.", names(d));
-    return found + curves(d) + laws(d) + chance(d) + unproven(d) + undecided(d);
+            : text("The model is wrong. Another law takes the place of one of its own: %s.", laws);
+    return found + curves(d) + chance(d) + unproven(d) + undecided(d);
   }
 
   private static String unexplained(Diagnosis d, List<String> lines) {
@@ -300,7 +306,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         ? ""
         : text(
             " %s helps without a known cause: %s.",
-            d.causes().isEmpty() ? "This" : "This also", names);
+            d.causes().isEmpty() && !hasLaw(d) ? "This" : "This also", names);
+  }
+
+  private static boolean hasLaw(Diagnosis d) {
+    return d.learned().stream().anyMatch(f -> f.kind() == LearnedFinding.Kind.LAW);
   }
 
   /** What takes the place of the simple model's own laws; begins with a blank. */

@@ -52,6 +52,18 @@ class InfoCommandTest {
   }
 
   @Test
+  void aLogWithoutMessagesIsAProblem() throws IOException {
+    Path log = folder.resolve("empty.log");
+    GameLogWriter.create(log).close();
+    assertThat(run("info", log.toString())).isZero();
+    assertThat(out.toString())
+        .contains("recorded    no messages")
+        .contains(
+            "problems    1 × the log has a header and no message: nothing was recorded; first at"
+                + " byte 16 (empty.log)");
+  }
+
+  @Test
   void speaksJson() throws IOException {
     assertThat(run("info", "--json", DATA.resolve("world-null-chip.log.gz").toString())).isZero();
 

@@ -428,7 +428,12 @@ class CauseWordsTest {
     Effect chips = new KickSpin(0.02, -0.3, true);
     Map<String, Double> errors = Map.of("fraction", 0.04, "chips", 0.04);
     assertThat(WORDS.of(chips, errors).what())
-        .contains("chips 28 % as backspin and flat kicks none that is sure (2.0 ± 4.0 %)");
+        .contains("chips 28 % as backspin and flat kicks none that is certain (2.0 ± 4.0 %)");
+    assertThat(WORDS.of(new KickSpin(0.02, -0.05, true), errors).what())
+        .isEqualTo(
+            "The kickers give the ball topspin with some kicks and backspin with others: on average"
+                + " −3.0 ± 4.0 % of the spin of a rolling ball in chips, 2.0 ± 4.0 % in flat"
+                + " kicks.");
     assertThat(WORDS.of(chips, errors).strength())
         .isEqualTo("fraction 0.02 ± 0.04, chips −0.30 ± 0.04");
     assertThat(EffectName.of(chips)).isEqualTo("topspin/backspin from the kicker");

@@ -68,6 +68,31 @@ class PublishWordsTest {
             "Verdict: check first. Run diagnose on these recordings: it looks for the cause.");
   }
 
+  @Test
+  void aSentenceIsSaidOnceWithAllItsParameters() {
+    PublishWords words =
+        PublishWords.of(
+            new PublishVerdict(
+                PublishDecision.CHECK_FIRST,
+                List.of(
+                    new Reason.MeanAgainstJoint(KickKind.FLAT, "accSlide", -3.38, -0.9, 4.2, 73),
+                    new Reason.MeanAgainstJoint(KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9),
+                    new Reason.ManyExcluded(KickKind.FLAT, "kSwitch", 6, 17),
+                    new Reason.Imprecise(KickKind.FLAT, "accSlide", 12.3, 10),
+                    new Reason.Imprecise(KickKind.CHIP, "dampingZ", 23.1, 10)),
+                true));
+    assertThat(words.reasons())
+        .containsExactly(
+            "The mean of the kicks and the joint fit disagree: the sliding deceleration (acc_slide)"
+                + " is −3.380 m/s² as the mean, but −0.900 m/s² in the joint fit (73 % and 4.2"
+                + " standard errors apart); the vertical damping (damping_z) is 0.550 as the mean,"
+                + " but 0.600 in the joint fit (9 % and 5.1 standard errors apart). No single value"
+                + " describes all kicks.",
+            "The 2σ rule excludes many flat kicks: 6 of 17 for the switch to rolling (k_switch).",
+            "Some errors are above the 10 % that is allowed: 12 % for the sliding deceleration"
+                + " (acc_slide), 23 % for the vertical damping (damping_z).");
+  }
+
   /** What kicks of several fields lack nobody knows before they are apart. */
   @Test
   void recordingsThatDoNotBelongTogetherAreSeparatedFirst() {

@@ -88,6 +88,18 @@ class VerdictTextTest {
         .contains("To find the rest: record chips of different height");
   }
 
+  /** What a law of the catalogue explains is not called unknown. */
+  @Test
+  void aLawWithoutCausesIsNamedFirst() {
+    Diagnosis d = SampleDiagnosis.partly(4);
+    Diagnosis lawAlone = SampleDiagnosis.with(d, List.of(), d.base(), d.problems());
+    assertThat(VerdictText.of(lawAlone).verdict())
+        .startsWith(
+            "The model is wrong. Another law takes the place of one of its own: bounces that build"
+                + " up spin. This also helps without a known cause: ")
+        .doesNotContain("no known cause", "Another law applies");
+  }
+
   /** Of real recordings: spin that differs from kick to kick follows whole kicks ten times better, and the first 0.3 s of a kick do not show it. */
   @ParameterizedTest
   @CsvSource(
@@ -133,7 +145,11 @@ class VerdictTextTest {
 
   @Test
   void nothingHelpsAlsoWhereNoCauseIsNamed() {
-    Diagnosis d = SampleDiagnosis.partly(4);
+    Diagnosis partly = SampleDiagnosis.partly(4);
+    Diagnosis d =
+        SampleDiagnosis.learning(
+            partly,
+            partly.learned().stream().filter(f -> f.kind() != LearnedFinding.Kind.LAW).toList());
     Diagnosis unnamed = SampleDiagnosis.with(d, List.of(), d.base(), List.of());
     assertThat(VerdictText.of(unnamed).verdict())
         .startsWith(

@@ -71,7 +71,7 @@
   function learnedItem(box, finding) {
     const item = el('article', {},
       el('p', {class: 'what'}, finding.what),
-      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'A law with ', unproven: 'Not proven to be a cause. Its size: ', scatter: 'How much: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
+      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'This law takes the place of a law of the simple model. Its numbers: ', unproven: 'Not proven to be a cause. Its size: ', scatter: 'How much: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
       el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.', finding.helps ? '' : ' They do not show that it helps.'),
       finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
       el('div', {class: 'charts two'}));
@@ -94,10 +94,14 @@
       el('span', {}, 'What the simple model lacks, as learned from the kicks, over the range that they cover'),
       ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
       ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of zero')] : [])] : []));
-    const laws = report.learned.every(finding => finding.kind === 'law');
-    const helping = report.learned.filter(finding => finding.helps);
-    $('learned-title').textContent = laws ? 'A law that replaces a law of the simple model' : helping.length ? 'What helps without a proven cause' : 'In the extended model, without a gain that is shown';
-    [...helping, ...report.learned.filter(finding => !finding.helps)].forEach(finding => learnedItem(box, finding));
+    const laws = report.learned.filter(finding => finding.kind === 'law');
+    const helping = report.learned.filter(finding => finding.kind !== 'law' && finding.helps);
+    const others = report.learned.filter(finding => finding.kind !== 'law' && !finding.helps);
+    const titles = [
+      ...(laws.length ? ['A law that replaces a law of the simple model'] : []),
+      ...(helping.length ? ['What helps without a proven cause'] : [])];
+    $('learned-title').textContent = titles.join('; ') || 'In the extended model, without a gain that is shown';
+    [...laws, ...helping, ...others].forEach(finding => learnedItem(box, finding));
   }
 
   // ---- what the error depends on ----
