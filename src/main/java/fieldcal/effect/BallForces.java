@@ -77,6 +77,7 @@ final class BallForces {
       longest = PathIntegrator.MAX_STEP;
       BallMotion m = motion(t, s, false);
       m.sliding = phase == Phase.SLIDING;
+      m.slipHeading = m.sliding ? Math.atan2(s[4] - s[7], s[3] - s[6]) : 0;
       for (Varying effect : effects.varying) {
         longest = Math.min(longest, effect.longestStep(m));
       }

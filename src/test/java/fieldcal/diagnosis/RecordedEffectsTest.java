@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Quantity;
 import java.io.IOException;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -109,6 +110,25 @@ class RecordedEffectsTest {
     assertThat(spin.valueAt(0, 5.5, 0) - spin.valueAt(0, 2.5, 0)).isCloseTo(0.21, within(0.06));
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.15 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
+
+  /** Each axis of the field has a friction of its own there: it is √2 times as large between the axes, bends the path, and looked like spin from kickers that the simulator does not have. */
+  @Test
+  void aFrictionBoxIsTheCarpetAndNoSpinOfAKicker() throws IOException {
+    Diagnosis diagnosis = diagnose("grsim-flat");
+    assertThat(diagnosis.causes()).isEmpty();
+    LearnedFinding box = diagnosis.learned().get(0);
+    assertThat(box.actsOn()).isEqualTo("ground");
+    assertThat(box.dependsOn()).containsExactly("heading");
+    LearnedTerm sliding = (LearnedTerm) box.effect();
+    assertThat(sliding.family().quantity()).isEqualTo(Quantity.SLIDING);
+    // To the right of a slip at 22.5°: cos 22.5° − sin 22.5° of the 10.2 m/s² along an axis are
+    // 5.5,
+    // of which three harmonics leave some.
+    double friction = -diagnosis.model().flat().orElseThrow().accSlide();
+    assertThat(friction * sliding.valueAt(1, Math.PI / 8, 0)).isBetween(-7.5, -3.5);
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.1 * diagnosis.base().predictionErrorMm().get(1.0));
   }
 
   /** The physics engine's rolling resistance acts in impacts, too; without that law it looks like spin from the kicker. */

@@ -112,6 +112,9 @@ class LearnedTermTest {
         .isInstanceOf(IllegalArgumentException.class);
   }
 
+  /** A path is exact to 0.1 µm where friction turns aside, which is that much of a slope over a thousandth of a scale, m. */
+  private static final double ROUGH = 1e-7 / 1e-3;
+
   @ParameterizedTest
   @MethodSource("terms")
   void changesSmoothlyWithItsCoefficients(LearnedTerm term) {
@@ -121,7 +124,7 @@ class LearnedTermTest {
         double[] fine = slope(at, p, 1e-3 * p.scale());
         double size = EffectContract.largest(coarse, new double[coarse.length]);
         for (int i = 0; i < fine.length; i++) {
-          assertThat(fine[i]).as(p.name()).isEqualTo(coarse[i], within(2e-3 * size + 1e-5));
+          assertThat(fine[i]).as(p.name()).isEqualTo(coarse[i], within(2e-3 * size + ROUGH));
         }
       }
     }
@@ -140,7 +143,7 @@ class LearnedTermTest {
 
   @Test
   void everyFamilyHasItsOwnKey() {
-    assertThat(terms().stream().map(t -> t.family().key())).doesNotHaveDuplicates().hasSize(36);
+    assertThat(terms().stream().map(t -> t.family().key())).doesNotHaveDuplicates().hasSize(37);
   }
 
   @Test
@@ -148,7 +151,7 @@ class LearnedTermTest {
     Arena flats = new Arena(-6, 6, -4, 4, new double[0], true, false, List.of(), List.of());
     assertThat(LearnedLibrary.of(flats))
         .noneMatch(t -> t.actsOn().equals("impact") || t.actsOn().equals("measurement"))
-        .hasSize(18);
+        .hasSize(19);
   }
 
   /** An acceleration that is the same everywhere is accRoll and accSlide changed by it. */

@@ -96,8 +96,8 @@ final class Proof {
   }
 
   /**
-   * Whether it may be the ball and not what it is named after: only what is known of the ball's own law tells the two apart, and neither its mean, whatever a sound ball seems to have, nor its scatter is beyond two errors of that knowledge. The balls of two kicks may differ by as
-   * much as an unknown ball from its text-book.
+   * Whether it may be the ball and not what it is named after: only what is known of the ball's own law tells the two apart. Neither its mean is two errors from what a sound ball seems to have, nor its scatter two errors of that knowledge: balls may differ from kick to kick by as
+   * much as from their textbook.
    */
   boolean isBallItself() {
     Effect effect = model.effects().get(component);
@@ -107,13 +107,16 @@ final class Proof {
     }
     double imitated = effect.imitatedBy(model.solution().state().flat());
     double scatter = model.scatter(component);
+    double sampling = scatter * scatter / model.kickCount();
     return errors.get().entrySet().stream()
         .noneMatch(
             e -> {
               double value = effect.value(e.getKey());
               double nearest =
                   Math.max(Math.min(0, imitated), Math.min(value, Math.max(0, imitated)));
-              return Math.max(Math.abs(value - nearest), scatter) > BEYOND * e.getValue();
+              double error = e.getValue();
+              double known = Math.sqrt(Math.max(0, error * error - sampling));
+              return Math.abs(value - nearest) > BEYOND * error || scatter > BEYOND * known;
             });
   }
 

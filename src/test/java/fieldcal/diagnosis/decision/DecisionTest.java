@@ -22,6 +22,7 @@ import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.motion.AirDrag;
 import fieldcal.effect.motion.CarpetNap;
 import fieldcal.effect.motion.FieldSlope;
+import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.WornRegion;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
@@ -39,7 +40,13 @@ class DecisionTest {
     ModelFitter fitter = field.fitter(kicks);
     FittedModel simple = field.simple(kicks);
     List<Component> components =
-        Arrays.stream(effects).map(e -> Component.of(e, e.magnitudes())).toList();
+        Arrays.stream(effects)
+            .map(
+                e ->
+                    e.differsFromKickToKick()
+                        ? Component.perKick(e)
+                        : Component.of(e, e.magnitudes()))
+            .toList();
     FittedModel model =
         fitter.fit(simple.model().with(components), simple, Weighing.ALIKE, FittedField.SOLVER);
     Alternatives alternatives =
@@ -202,5 +209,16 @@ class DecisionTest {
     List<Judgement> judged = judge(field, kicks, new FieldSlope(0, 0));
     assertThat(judged.get(0).evidence()).isGreaterThan(30);
     assertThat(judged.get(0).outcome()).as("%s", judged).isIn(Outcome.FEW_KICKS, Outcome.UNSTEADY);
+  }
+
+  /** Kicks differ, too, where a ball bobs before it slides, and a resistance in the slide looks like backspin: only what is larger is a kicker's. */
+  @Test
+  void aSpinThatTheBallItselfMayBeHasNoName() {
+    FittedField weak = FittedField.flats("kick_spin:fraction=-0.05,scatter=0.02");
+    Judgement little = judge(weak, new KickSpin(0)).get(0);
+    assertThat(little.outcome()).isEqualTo(Outcome.BALL_ITSELF);
+    assertThat(little.isName()).isFalse();
+    FittedField clear = FittedField.flats("kick_spin:fraction=-0.2,scatter=0.1");
+    assertThat(judge(clear, new KickSpin(0)).get(0).isName()).isTrue();
   }
 }

@@ -7,6 +7,7 @@ import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.LearnedFinding;
+import fieldcal.diagnosis.Verdict;
 import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.kick.Kick;
@@ -121,6 +122,20 @@ class UnnamedCameraErrorTest {
     assertThat(((Harmonics) found.family().basis()).period()).isCloseTo(period, within(0.03));
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(0.7 * diagnosis.base().holdoutRmsMm());
+  }
+
+  /** Its swings are over within a tenth of a second, and no term follows them; but the model is not called right. */
+  @Test
+  void aCameraThatVibratesIsNotCalledSound() {
+    Diagnosis diagnosis =
+        diagnosed(
+            s -> {
+              double shake = 4e-3 * Math.sin(2 * Math.PI * 9.3 * s.time);
+              return new Sight(s.time, s.x + shake, s.y, s.speed);
+            });
+    assertThat(diagnosis.causes()).as("%s", diagnosis.causes()).isEmpty();
+    assertThat(diagnosis.verdict()).isNotEqualTo(Verdict.MODEL_ADEQUATE);
+    assertThat(diagnosis.unexplained().significant()).isTrue();
   }
 
   @Test

@@ -4,8 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.ball.FlatModel;
+import fieldcal.effect.ExtendedTrajectory;
+import fieldcal.effect.MotionEffect;
+import fieldcal.effect.MotionEffects;
+import fieldcal.effect.learned.Harmonics;
+import fieldcal.effect.learned.LearnedFamily;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.simulation.physics.TabulatedLaw.Quantity;
 import fieldcal.simulation.physics.TabulatedLaw.Variable;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Laws from tables do what the same law as a formula does. */
@@ -128,6 +139,48 @@ class TabulatedLawTest {
     new BallIntegrator(with(Quantity.ACCELERATION_ACROSS, Variable.SPEED, pull))
         .advance(ball, 0, 1, new BallHistory());
     assertThat(ball.y()).isCloseTo(0.05, within(0.002));
+  }
+
+  /** Both integrators know the law, each in its own form. */
+  @Test
+  void slidingFrictionByTheDirectionOfTheSlipIsTheLearnedTermsFriction() {
+    LearnedTerm term =
+        new LearnedFamily(
+                fieldcal.effect.learned.Quantity.SLIDING,
+                List.of(fieldcal.effect.learned.Variable.HEADING),
+                new Harmonics(1, 0.5 * Math.PI),
+                OptionalInt.empty())
+            .term(-0.15, 0.05, 0.1, -0.4);
+    double[] angles = IntStream.rangeClosed(0, 720).mapToDouble(i -> Math.PI * i / 360).toArray();
+    BallPhysics box = PLAIN;
+    Quantity[] parts = {Quantity.SLIDING_ALONG, Quantity.SLIDING_ACROSS};
+    for (int c = 0; c < parts.length; c++) {
+      int component = c;
+      double[] values = Arrays.stream(angles).map(a -> term.valueAt(component, a, 0)).toArray();
+      Table table = Table.curve(angles, values, 2 * Math.PI);
+      box = box.withExtra(new TabulatedLaw(parts[c], Variable.HEADING, table));
+    }
+    ExtendedTrajectory path =
+        ExtendedTrajectory.flat(
+            new FlatModel(-3, -0.3, 0.7),
+            MotionEffects.of(List.of((MotionEffect) term)),
+            0,
+            0,
+            0,
+            0,
+            4 * Math.cos(0.2),
+            4 * Math.sin(0.2));
+    BallBody ball = new BallBody();
+    ball.launch(4 * Math.cos(0.2), 4 * Math.sin(0.2), 0, 0, 0, 0);
+    new BallIntegrator(box).advance(ball, 0, 1.5, new BallHistory());
+    assertThat(path.stateAt(1.5).x()).isCloseTo(ball.x(), within(1e-3));
+    assertThat(path.stateAt(1.5).y()).isCloseTo(ball.y(), within(1e-3));
+    // Friction has no moment about the contact point: the ball rolls on in the direction of the
+    // kick,
+    // on another line.
+    assertThat(Math.atan2(ball.vy(), ball.vx())).isCloseTo(0.2, within(1e-6));
+    double aside = ball.y() * Math.cos(0.2) - ball.x() * Math.sin(0.2);
+    assertThat(Math.abs(aside)).isGreaterThan(0.01);
   }
 
   @Test
