@@ -1,6 +1,5 @@
 package fieldcal.app.compare;
 
-import fieldcal.app.statistics.Holm;
 import fieldcal.app.wording.EffectName;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
@@ -16,10 +15,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import org.apache.commons.math3.distribution.NormalDistribution;
 
-/** Finds what the simulator's ball has otherwise than the field's, each difference with a test that pays for their number (Holm). */
+/** Finds what the simulator's ball has otherwise than the field's, each difference with the probability that chance makes it so large. */
 final class Differences {
   /** A parameter of the ball's simple model. */
   private record Parameter(String name, boolean chip) {
@@ -63,32 +64,29 @@ final class Differences {
    */
   record Result(List<Difference> significant, List<Row> parameters) {}
 
-  static Result of(Side real, Side sim) {
+  /** Everything that both sides have of the ball. */
+  static Differences of(Side real, Side sim) {
     Differences d = new Differences(real, sim);
     PARAMETERS.forEach(d::parameter);
     d.causes();
-    double[] p = Holm.corrected(d.probabilities.stream().mapToDouble(v -> v).toArray());
+    return d;
+  }
+
+  /** Probabilities that chance makes each of the possible differences so large, in their order. */
+  double[] probabilities() {
+    return probabilities.stream().mapToDouble(v -> v).toArray();
+  }
+
+  /** What differs by the probabilities when those have paid for their number. */
+  Result judged(double[] corrected) {
     List<Difference> significant = new ArrayList<>();
-    for (int i = 0; i < p.length; i++) {
-      if (p[i] < FieldComparison.ALPHA) {
-        significant.add(d.candidates.get(i));
+    for (int i = 0; i < corrected.length; i++) {
+      if (corrected[i] < FieldComparison.ALPHA) {
+        significant.add(candidates.get(i));
       }
     }
-    List<Row> rows = new ArrayList<>();
-    for (Row row : d.rows) {
-      boolean differs = significant.stream().anyMatch(s -> s.id().equals(row.id()));
-      rows.add(
-          new Row(
-              row.id(),
-              row.words(),
-              row.unit(),
-              row.real(),
-              row.realError(),
-              row.sim(),
-              row.simError(),
-              differs));
-    }
-    return new Result(significant, rows);
+    Set<String> ids = significant.stream().map(Difference::id).collect(Collectors.toSet());
+    return new Result(significant, rows.stream().map(r -> r.judged(ids.contains(r.id()))).toList());
   }
 
   private void candidate(Difference difference, double sigmas) {
