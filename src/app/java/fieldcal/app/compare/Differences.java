@@ -18,6 +18,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
 
 /** Finds what the simulator's ball has otherwise than the field's, each difference with the probability that chance makes it so large. */
@@ -89,9 +90,26 @@ final class Differences {
     return new Result(significant, rows.stream().map(r -> r.judged(ids.contains(r.id()))).toList());
   }
 
-  private void candidate(Difference difference, double sigmas) {
+  private void candidate(Difference difference, double probability) {
     candidates.add(difference);
-    probabilities.add(2 * new NormalDistribution().cumulativeProbability(-Math.abs(sigmas)));
+    probabilities.add(probability);
+  }
+
+  private static double byChance(double sigmas) {
+    return 2 * new NormalDistribution().cumulativeProbability(-Math.abs(sigmas));
+  }
+
+  /**
+   * Probability that chance gives a side a cause that the other side lacks. One that differs from kick to kick is there whatever its mean is: what chi-square rises by without it says so, with one degree of freedom for each parameter and one for the
+   * scatter (Wilks 1938; a scatter cannot be negative, so the true probability is lower, Self and Liang 1987).
+   */
+  static double ofPresence(Cause cause, double sigmas) {
+    if (cause.scatter() <= 0) {
+      return byChance(sigmas);
+    }
+    double freedom = cause.standardErrors().size() + 1.0;
+    return 1
+        - new ChiSquaredDistribution(null, freedom).cumulativeProbability(2 * cause.evidence());
   }
 
   private static ExtendedModel model(Side side) {
@@ -110,7 +128,7 @@ final class Differences {
     candidate(
         new Difference(
             p.name, p.words(), a[0], a[1], b[0], b[1], p.unit(), m -> with(m, p.name, b[0])),
-        (b[0] - a[0]) / Math.hypot(a[1], b[1]));
+        byChance((b[0] - a[0]) / Math.hypot(a[1], b[1])));
   }
 
   /** The value in the extended model with its standard error there; empty when too few kicks show it. */
@@ -216,6 +234,8 @@ final class Differences {
     double eb = other.map(c -> error(c, parameter)).orElse(Double.NaN);
     double difference = (Double.isNaN(b) ? 0 : b) - (Double.isNaN(a) ? 0 : a);
     double error = Math.hypot(Double.isNaN(ea) ? 0 : ea, Double.isNaN(eb) ? 0 : eb);
+    double sigmas = error > 0 ? difference / error : difference == 0 ? 0 : Double.POSITIVE_INFINITY;
+    boolean both = field.isPresent() && other.isPresent();
     Optional<Effect> simulated = other.map(Cause::effect);
     UnaryOperator<ExtendedModel> asSimulated =
         m ->
@@ -236,7 +256,7 @@ final class Differences {
             eb,
             any.effect().parameters().get(0).unit(),
             asSimulated),
-        error > 0 ? difference / error : difference == 0 ? 0 : Double.POSITIVE_INFINITY);
+        both ? byChance(sigmas) : ofPresence(any, sigmas));
   }
 
   private static double error(Cause cause, String parameter) {
@@ -277,7 +297,7 @@ final class Differences {
     candidate(
         new Difference(
             "learned " + term.family().key(), words, nan, nan, nan, nan, "", asSimulated),
-        Double.POSITIVE_INFINITY);
+        0);
   }
 
   private static List<Effect> without(List<Effect> effects, LearnedTerm term) {
