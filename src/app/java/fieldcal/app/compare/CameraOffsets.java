@@ -2,8 +2,6 @@ package fieldcal.app.compare;
 
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.KickResiduals;
-import fieldcal.effect.Effect;
-import fieldcal.effect.measurement.CameraOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,8 +17,8 @@ import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
- * Offsets of cameras under the extended model: those that the diagnosis named, and what is left of them in its residuals. The simple model's own offsets would not do, since what a ball on a sloping field does otherwise than
- * that model says looks like cameras that disagree, always the same way.
+ * Offsets of cameras from where the extended model has the ball. The simple model's own offsets would not do, since what a ball on a sloping field does otherwise than that model says looks like cameras that disagree, always the
+ * same way.
  *
  * <p>Only balls on the ground count, as one in the air is seen at another place by each camera. The errors come from what the offsets change by when a kick is left out (jackknife): what the model still lacks makes all
  * residuals of one kick wrong together, and counting detections would not see that.
@@ -32,15 +30,11 @@ final class CameraOffsets {
   /** Singular values below that share of the largest belong to what no kick determines, such as a shift of all cameras together. */
   private static final double NOTHING = 1e-9;
 
-  private static final double MILLI = 1e-3;
-
   private final List<Integer> cameras;
-  private final Map<Integer, double[]> named;
   private final List<OffsetTerm> kicks = new ArrayList<>();
 
-  private CameraOffsets(Diagnosis diagnosis, int count, Set<Integer> wanted) {
+  private CameraOffsets(Diagnosis diagnosis, Set<Integer> wanted) {
     cameras = List.copyOf(new TreeSet<>(wanted));
-    named = named(diagnosis.model().effects(), count, cameras);
     for (KickResiduals kick : diagnosis.kicks()) {
       OffsetTerm term = OffsetTerm.of(kick, cameras);
       if (term.camerasSeen() > 1) {
@@ -64,12 +58,11 @@ final class CameraOffsets {
    * Estimates.
    *
    * @param diagnosis of one side
-   * @param count how many cameras it has
    * @param wanted cameras whose mean the offsets count from
    * @return by camera, those that the kicks determine; empty when they do not connect the cameras
    */
-  static Map<Integer, Offset> of(Diagnosis diagnosis, int count, Set<Integer> wanted) {
-    return new CameraOffsets(diagnosis, count, wanted).estimated();
+  static Map<Integer, Offset> of(Diagnosis diagnosis, Set<Integer> wanted) {
+    return new CameraOffsets(diagnosis, wanted).estimated();
   }
 
   /** The cameras that saw a kick. */
@@ -79,25 +72,6 @@ final class CameraOffsets {
         .kicks()
         .forEach(k -> Arrays.stream(k.kick().observations().cameras()).boxed().forEach(seen::add));
     return seen;
-  }
-
-  /** What the causes of the extended model shift each camera's reports by, m; what they shift all by alike does not matter. */
-  private static Map<Integer, double[]> named(
-      List<Effect> effects, int count, List<Integer> cameras) {
-    Map<Integer, double[]> named = new TreeMap<>();
-    cameras.forEach(id -> named.put(id, new double[2]));
-    int others = Math.max(1, count - 1);
-    for (Effect effect : effects) {
-      if (effect instanceof CameraOffset offset) {
-        named.forEach(
-            (id, sum) -> {
-              double share = id == offset.camera() ? MILLI : -MILLI / others;
-              sum[0] += share * offset.xMm();
-              sum[1] += share * offset.yMm();
-            });
-      }
-    }
-    return named;
   }
 
   private Map<Integer, Offset> estimated() {
@@ -165,9 +139,6 @@ final class CameraOffsets {
       }
     }
     double[] offsets = new SharedShiftFree(normal).solve(right).toArray();
-    for (int i = 0; i < n; i++) {
-      offsets[i] += named.get(cameras.get(i / 2))[i % 2];
-    }
     for (int axis = 0; axis < 2; axis++) {
       int of = axis;
       double mean =

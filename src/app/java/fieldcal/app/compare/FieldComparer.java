@@ -151,8 +151,8 @@ final class FieldComparer {
   private static void offsets(Side real, Side sim, TestedRows rows) {
     Set<Integer> both = new TreeSet<>(CameraOffsets.seen(real.diagnosis().diagnosis()));
     both.retainAll(CameraOffsets.seen(sim.diagnosis().diagnosis()));
-    Map<Integer, Offset> field = offsets(real, both);
-    Map<Integer, Offset> other = offsets(sim, both);
+    Map<Integer, Offset> field = CameraOffsets.of(real.diagnosis().diagnosis(), both);
+    Map<Integer, Offset> other = CameraOffsets.of(sim.diagnosis().diagnosis(), both);
     field.forEach(
         (camera, a) -> {
           Offset b = other.get(camera);
@@ -163,11 +163,6 @@ final class FieldComparer {
                 offset("y", camera, a.y(), a.errorY(), b.y(), b.errorY()), a.kicks(), b.kicks());
           }
         });
-  }
-
-  private static Map<Integer, Offset> offsets(Side side, Set<Integer> cameras) {
-    int count = side.diagnosis().problem().observers().size();
-    return CameraOffsets.of(side.diagnosis().diagnosis(), count, cameras);
   }
 
   private static Row offset(String axis, int camera, double a, double ea, double b, double eb) {

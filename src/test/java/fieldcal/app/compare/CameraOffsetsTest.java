@@ -8,6 +8,7 @@ import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.ball.BallState;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.KickResiduals;
+import fieldcal.kick.Observations;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
@@ -18,13 +19,13 @@ class CameraOffsetsTest {
   private static final Set<Integer> BOTH = Set.of(0, 1);
   private static final int KICKS = 24;
 
-  /** What is added to the residuals of an observation, m, x and y. */
+  /** What is added to an observation, m, x and y. */
   private interface Added {
     double[] to(KickResiduals kick, int observation);
   }
 
   private static Map<Integer, Offset> offsets(Diagnosis d) {
-    return CameraOffsets.of(d, 2, BOTH);
+    return CameraOffsets.of(d, BOTH);
   }
 
   private static Diagnosis with(Diagnosis d, Added added) {
@@ -32,22 +33,27 @@ class CameraOffsetsTest {
   }
 
   private static KickResiduals with(KickResiduals k, Added added) {
-    double[] x = k.xAfter().clone();
-    double[] y = k.yAfter().clone();
-    for (int i = 0; i < x.length; i++) {
+    Observations seen = k.kick().observations();
+    Observations.Builder moved = new Observations.Builder();
+    for (int i = 0; i < seen.size(); i++) {
       double[] more = added.to(k, i);
-      x[i] += more[0];
-      y[i] += more[1];
+      moved.add(
+          seen.time(i),
+          seen.camera(i),
+          seen.x(i) + more[0],
+          seen.y(i) + more[1],
+          seen.pixelX(i),
+          seen.pixelY(i));
     }
     return new KickResiduals(
-        k.kick(),
+        k.kick().withObservations(moved.build()),
         k.kind(),
         k.before(),
         k.after(),
         k.xBefore(),
         k.yBefore(),
-        x,
-        y,
+        k.xAfter(),
+        k.yAfter(),
         k.used(),
         k.rmsBeforeMm(),
         k.rmsAfterMm());
@@ -59,16 +65,16 @@ class CameraOffsetsTest {
   }
 
   @Test
-  void anOffsetThatTheDiagnosisNamedCountsFromTheMean() {
+  void anOffsetCountsFromTheMean() {
     Map<Integer, Offset> found = offsets(SampleDiagnosis.explained(KICKS));
-    // The sample's cause: camera 1 by 21.2 mm, the other by as much to the other side.
+    // Truth: camera 1 by 21.2 mm, the other by as much to the other side.
     assertThat(found.get(1).x()).isCloseTo(0.0212, within(0.0003));
     assertThat(found.get(0).x()).isCloseTo(-0.0212, within(0.0003));
     assertThat(found.get(1).y()).isCloseTo(-0.0004, within(0.0003));
   }
 
   @Test
-  void anOffsetThatTheDiagnosisLeftIsFoundInItsResiduals() {
+  void anOffsetIsFoundWhetherTheDiagnosisNamedItOrNot() {
     Diagnosis plain = SampleDiagnosis.adequate(KICKS);
     Map<Integer, Offset> none = offsets(plain);
     Map<Integer, Offset> found = offsets(with(plain, (k, i) -> ofCamera(k, i, 0.002, -0.001)));
@@ -120,7 +126,7 @@ class CameraOffsetsTest {
 
   @Test
   void camerasThatNoKickConnectAreNotCompared() {
-    assertThat(CameraOffsets.of(SampleDiagnosis.adequate(KICKS), 3, Set.of(0, 1, 2))).isEmpty();
+    assertThat(CameraOffsets.of(SampleDiagnosis.adequate(KICKS), Set.of(0, 1, 2))).isEmpty();
     assertThat(offsets(SampleDiagnosis.adequate(2))).isEmpty();
   }
 }
