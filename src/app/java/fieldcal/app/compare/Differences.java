@@ -1,6 +1,5 @@
 package fieldcal.app.compare;
 
-import fieldcal.app.statistics.Holm;
 import fieldcal.app.wording.EffectName;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
@@ -16,10 +15,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
 
-/** Finds what the simulator's ball has otherwise than the field's, each difference with a test that pays for their number (Holm). */
+/** Finds what the simulator's ball has otherwise than the field's, each difference with the probability that chance makes it so large. */
 final class Differences {
   /** A parameter of the ball's simple model. */
   private record Parameter(String name, boolean chip) {
@@ -63,37 +65,51 @@ final class Differences {
    */
   record Result(List<Difference> significant, List<Row> parameters) {}
 
-  static Result of(Side real, Side sim) {
+  /** Everything that both sides have of the ball. */
+  static Differences of(Side real, Side sim) {
     Differences d = new Differences(real, sim);
     PARAMETERS.forEach(d::parameter);
     d.causes();
-    double[] p = Holm.corrected(d.probabilities.stream().mapToDouble(v -> v).toArray());
-    List<Difference> significant = new ArrayList<>();
-    for (int i = 0; i < p.length; i++) {
-      if (p[i] < FieldComparison.ALPHA) {
-        significant.add(d.candidates.get(i));
-      }
-    }
-    List<Row> rows = new ArrayList<>();
-    for (Row row : d.rows) {
-      boolean differs = significant.stream().anyMatch(s -> s.id().equals(row.id()));
-      rows.add(
-          new Row(
-              row.id(),
-              row.words(),
-              row.unit(),
-              row.real(),
-              row.realError(),
-              row.sim(),
-              row.simError(),
-              differs));
-    }
-    return new Result(significant, rows);
+    return d;
   }
 
-  private void candidate(Difference difference, double sigmas) {
+  /** Probabilities that chance makes each of the possible differences so large, in their order. */
+  double[] probabilities() {
+    return probabilities.stream().mapToDouble(v -> v).toArray();
+  }
+
+  /** What differs by the probabilities when those have paid for their number. */
+  Result judged(double[] corrected) {
+    List<Difference> significant = new ArrayList<>();
+    for (int i = 0; i < corrected.length; i++) {
+      if (corrected[i] < FieldComparison.ALPHA) {
+        significant.add(candidates.get(i));
+      }
+    }
+    Set<String> ids = significant.stream().map(Difference::id).collect(Collectors.toSet());
+    return new Result(significant, rows.stream().map(r -> r.judged(ids.contains(r.id()))).toList());
+  }
+
+  private void candidate(Difference difference, double probability) {
     candidates.add(difference);
-    probabilities.add(2 * new NormalDistribution().cumulativeProbability(-Math.abs(sigmas)));
+    probabilities.add(probability);
+  }
+
+  private static double byChance(double sigmas) {
+    return 2 * new NormalDistribution().cumulativeProbability(-Math.abs(sigmas));
+  }
+
+  /**
+   * Probability that chance gives a side a cause that the other side lacks. One that differs from kick to kick is there whatever its mean is: what chi-square rises by without it says so, with one degree of freedom for each parameter and one for the
+   * scatter (Wilks 1938; a scatter cannot be negative, so the true probability is lower, Self and Liang 1987).
+   */
+  static double ofPresence(Cause cause, double sigmas) {
+    if (cause.scatter() <= 0) {
+      return byChance(sigmas);
+    }
+    double freedom = cause.standardErrors().size() + 1.0;
+    return 1
+        - new ChiSquaredDistribution(null, freedom).cumulativeProbability(2 * cause.evidence());
   }
 
   private static ExtendedModel model(Side side) {
@@ -112,7 +128,7 @@ final class Differences {
     candidate(
         new Difference(
             p.name, p.words(), a[0], a[1], b[0], b[1], p.unit(), m -> with(m, p.name, b[0])),
-        (b[0] - a[0]) / Math.hypot(a[1], b[1]));
+        byChance((b[0] - a[0]) / Math.hypot(a[1], b[1])));
   }
 
   /** The value in the extended model with its standard error there; empty when too few kicks show it. */
@@ -218,6 +234,8 @@ final class Differences {
     double eb = other.map(c -> error(c, parameter)).orElse(Double.NaN);
     double difference = (Double.isNaN(b) ? 0 : b) - (Double.isNaN(a) ? 0 : a);
     double error = Math.hypot(Double.isNaN(ea) ? 0 : ea, Double.isNaN(eb) ? 0 : eb);
+    double sigmas = error > 0 ? difference / error : difference == 0 ? 0 : Double.POSITIVE_INFINITY;
+    boolean both = field.isPresent() && other.isPresent();
     Optional<Effect> simulated = other.map(Cause::effect);
     UnaryOperator<ExtendedModel> asSimulated =
         m ->
@@ -238,7 +256,7 @@ final class Differences {
             eb,
             any.effect().parameters().get(0).unit(),
             asSimulated),
-        error > 0 ? difference / error : difference == 0 ? 0 : Double.POSITIVE_INFINITY);
+        both ? byChance(sigmas) : ofPresence(any, sigmas));
   }
 
   private static double error(Cause cause, String parameter) {
@@ -279,7 +297,7 @@ final class Differences {
     candidate(
         new Difference(
             "learned " + term.family().key(), words, nan, nan, nan, nan, "", asSimulated),
-        Double.POSITIVE_INFINITY);
+        0);
   }
 
   private static List<Effect> without(List<Effect> effects, LearnedTerm term) {

@@ -1,12 +1,12 @@
 package fieldcal.app.compare;
 
+import fieldcal.app.compare.CameraOffsets.Offset;
 import fieldcal.app.compare.FieldComparison.Named;
 import fieldcal.app.statistics.Comparison;
 import fieldcal.app.statistics.FieldStatistics;
+import fieldcal.app.statistics.Holm;
 import fieldcal.app.statistics.Statistic;
 import fieldcal.effect.ExtendedModel;
-import fieldcal.fit.JointFit;
-import fieldcal.fit.JointFit.Offset;
 import fieldcal.kick.KickKind;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.TeamLimits;
@@ -17,7 +17,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 
 /** Puts a field and a simulator side by side. */
@@ -37,8 +39,24 @@ final class FieldComparer {
     this.sim = sim;
   }
 
+  /** All tests of the comparison pay for their number together: the operator reads them together. */
   FieldComparison compare() {
-    Differences.Result found = Differences.of(real, sim);
+    Differences ball = Differences.of(real, sim);
+    List<Comparison> cameras = cameras();
+    TestedRows others = others();
+    double[] ofCameras = cameras.stream().mapToDouble(Comparison::p).toArray();
+    double[][] paid = Holm.together(ball.probabilities(), ofCameras, others.probabilities());
+    return compared(ball.judged(paid[0]), paidFor(cameras, paid[1]), others.judged(paid[2]));
+  }
+
+  private static List<Comparison> paidFor(List<Comparison> cameras, double[] corrected) {
+    return IntStream.range(0, corrected.length)
+        .mapToObj(i -> cameras.get(i).withCorrected(corrected[i]))
+        .toList();
+  }
+
+  private FieldComparison compared(
+      Differences.Result found, List<Comparison> cameras, List<Row> others) {
     ExtendedModel field = real.diagnosis().diagnosis().model();
     ExtendedModel all = applied(field, found.significant(), null);
     Cost cost = new Cost(real.diagnosis().diagnosis().kicks(), field);
@@ -72,8 +90,8 @@ final class FieldComparer {
                 sim.diagnosis().diagnosis().unexplained()),
         named,
         found.parameters(),
-        cameras(),
-        others(),
+        cameras,
+        others,
         passReal,
         passSim,
         errors);
@@ -106,10 +124,10 @@ final class FieldComparer {
         .toList();
   }
 
-  /** What is neither the ball nor in the frames of single cameras; all tests of the table together pay for their number. */
-  private List<Row> others() {
+  /** What is neither the ball nor in the frames of single cameras. */
+  private TestedRows others() {
     TestedRows rows = new TestedRows();
-    offsets(rows);
+    offsets(real, sim, rows);
     for (KickKind kind : KickKind.values()) {
       double[] a = speeds(real, kind);
       double[] b = speeds(sim, kind);
@@ -126,49 +144,37 @@ final class FieldComparer {
     for (Team team : Team.values()) {
       limits(team, rows);
     }
-    return rows.judged();
+    return rows;
   }
 
-  private void offsets(TestedRows rows) {
-    Map<Integer, Offset> field = offsets(real);
-    Map<Integer, Offset> other = offsets(sim);
-    for (Map.Entry<Integer, Offset> camera : new TreeMap<>(field).entrySet()) {
-      Offset a = camera.getValue();
-      Offset b = other.get(camera.getKey());
-      if (b != null) {
-        String of = " of camera " + camera.getKey();
-        offset(
-            "offset_x." + camera.getKey(),
-            "offset in x" + of,
-            a.x(),
-            a.errorX(),
-            b.x(),
-            b.errorX(),
-            rows);
-        offset(
-            "offset_y." + camera.getKey(),
-            "offset in y" + of,
-            a.y(),
-            a.errorY(),
-            b.y(),
-            b.errorY(),
-            rows);
-      }
-    }
+  /** Offsets of the cameras that both have. */
+  private static void offsets(Side real, Side sim, TestedRows rows) {
+    Set<Integer> both = new TreeSet<>(CameraOffsets.seen(real.diagnosis().diagnosis()));
+    both.retainAll(CameraOffsets.seen(sim.diagnosis().diagnosis()));
+    Map<Integer, Offset> field = CameraOffsets.of(real.diagnosis().diagnosis(), both);
+    Map<Integer, Offset> other = CameraOffsets.of(sim.diagnosis().diagnosis(), both);
+    field.forEach(
+        (camera, a) -> {
+          Offset b = other.get(camera);
+          if (b != null) {
+            rows.sampled(
+                offset("x", camera, a.x(), a.errorX(), b.x(), b.errorX()), a.kicks(), b.kicks());
+            rows.sampled(
+                offset("y", camera, a.y(), a.errorY(), b.y(), b.errorY()), a.kicks(), b.kicks());
+          }
+        });
   }
 
-  private static void offset(
-      String id, String words, double a, double ea, double b, double eb, TestedRows rows) {
-    rows.tested(new Row(id, words, "mm", MM * a, MM * ea, MM * b, MM * eb, false));
-  }
-
-  private static Map<Integer, Offset> offsets(Side side) {
-    return side.recording()
-        .calibration()
-        .calibration()
-        .joint()
-        .map(JointFit::offsets)
-        .orElse(Map.of());
+  private static Row offset(String axis, int camera, double a, double ea, double b, double eb) {
+    return new Row(
+        "offset_" + axis + "." + camera,
+        "offset in " + axis + " of camera " + camera,
+        "mm",
+        MM * a,
+        MM * ea,
+        MM * b,
+        MM * eb,
+        false);
   }
 
   private static double[] speeds(Side side, KickKind kind) {

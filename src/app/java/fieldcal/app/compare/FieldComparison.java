@@ -30,7 +30,7 @@ public record FieldComparison(
   /** Speed of the pass that both fields are compared with, m/s. */
   public static final double PASS_SPEED = Cost.PASS;
 
-  /** Largest probability at which any difference is named between two recordings of one field: in each of the three tables, of the ball, of the cameras, and of kickers and robots. */
+  /** Largest probability at which any difference is named between two recordings of one field, all tables together. */
   public static final double ALPHA = 0.01;
 
   /** Copies the collections. {@inheritDoc} */

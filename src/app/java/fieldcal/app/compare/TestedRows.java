@@ -1,11 +1,11 @@
 package fieldcal.app.compare;
 
-import fieldcal.app.statistics.Holm;
 import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.distribution.NormalDistribution;
+import org.apache.commons.math3.distribution.TDistribution;
 
-/** Rows of a table, each with the probability that it looks so different by chance, which pay together for their number. Not thread-safe. */
+/** Rows of a table, each with the probability that it looks so different by chance. Not thread-safe. */
 final class TestedRows {
   private final List<Row> rows = new ArrayList<>();
   private final List<Double> probabilities = new ArrayList<>();
@@ -22,6 +22,20 @@ final class TestedRows {
     add(row, error > 0 ? 2 * new NormalDistribution().cumulativeProbability(-sigmas) : Double.NaN);
   }
 
+  /** A row whose standard errors are known from so many samples themselves: by the t distribution, with the degrees of freedom of Welch (1947). */
+  void sampled(Row row, int first, int second) {
+    double a = row.realError() * row.realError();
+    double b = row.simError() * row.simError();
+    double error = Math.sqrt(a + b);
+    if (!(error > 0)) {
+      add(row, Double.NaN);
+      return;
+    }
+    double freedom = (a + b) * (a + b) / (a * a / (first - 1) + b * b / (second - 1));
+    double t = Math.abs(row.real() - row.sim()) / error;
+    add(row, 2 * new TDistribution(null, freedom).cumulativeProbability(-t));
+  }
+
   private static double known(double error) {
     return Double.isFinite(error) ? error : 0;
   }
@@ -32,12 +46,16 @@ final class TestedRows {
     probabilities.add(p);
   }
 
-  /** All of them, in the order in which they came. */
-  List<Row> judged() {
-    double[] p = Holm.corrected(probabilities.stream().mapToDouble(v -> v).toArray());
+  /** Probabilities of the rows, in the order in which they came; NaN for those that are shown alone. */
+  double[] probabilities() {
+    return probabilities.stream().mapToDouble(v -> v).toArray();
+  }
+
+  /** All rows, in the order in which they came, by their probabilities when those have paid for their number. */
+  List<Row> judged(double[] corrected) {
     List<Row> judged = new ArrayList<>();
-    for (int i = 0; i < p.length; i++) {
-      judged.add(rows.get(i).judged(p[i] < FieldComparison.ALPHA));
+    for (int i = 0; i < corrected.length; i++) {
+      judged.add(rows.get(i).judged(corrected[i] < FieldComparison.ALPHA));
     }
     return judged;
   }

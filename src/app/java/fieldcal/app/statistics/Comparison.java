@@ -86,11 +86,19 @@ public record Comparison(
     List<Comparison> result = new ArrayList<>();
     for (int i = 0; i < all.size(); i++) {
       Comparison c = all.get(i);
-      result.add(
-          new Comparison(
-              c.statistic, c.first, c.second, c.difference, c.error, c.samples, c.p, holm[i]));
+      result.add(c.withCorrected(holm[i]));
     }
     return result;
+  }
+
+  /**
+   * The same, corrected together with others.
+   *
+   * @param corrected probability, corrected for the number of all tests, 0 … 1
+   * @return the changed comparison
+   */
+  public Comparison withCorrected(double corrected) {
+    return new Comparison(statistic, first, second, difference, error, samples, p, corrected);
   }
 
   private static Optional<Comparison> compare(Statistic a, Statistic b) {

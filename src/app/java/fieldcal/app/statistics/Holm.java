@@ -1,5 +1,6 @@
 package fieldcal.app.statistics;
 
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -29,5 +30,22 @@ public final class Holm {
       corrected[i] = largest;
     }
     return corrected;
+  }
+
+  /**
+   * Corrected probabilities of several families that are read together, and pay for the number of all.
+   *
+   * @param families probabilities of each, 0 … 1; NaN for what was not tested
+   * @return families in the same order and of the same lengths
+   */
+  public static double[][] together(double[]... families) {
+    double[] all = corrected(Arrays.stream(families).flatMapToDouble(Arrays::stream).toArray());
+    double[][] parts = new double[families.length][];
+    int from = 0;
+    for (int f = 0; f < families.length; f++) {
+      parts[f] = Arrays.copyOfRange(all, from, from + families[f].length);
+      from += families[f].length;
+    }
+    return parts;
   }
 }

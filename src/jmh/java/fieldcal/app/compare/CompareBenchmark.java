@@ -5,10 +5,12 @@ import fieldcal.app.compare.FieldComparison.Named;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
+import fieldcal.app.wording.EffectName;
 import fieldcal.benchmark.BenchmarkSettings;
 import fieldcal.benchmark.CpuTime;
 import fieldcal.benchmark.Scratch;
 import fieldcal.benchmark.ShareGoal;
+import fieldcal.diagnosis.Diagnosis;
 import fieldcal.fit.FitSettings;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.TruePrediction;
@@ -74,15 +76,15 @@ public final class CompareBenchmark {
       Truth truth = field.write(pair.field(KICKS), share -> {});
       simulator.write(pair.simulator(KICKS), share -> {});
       double before = CpuTime.seconds();
-      FieldComparison found =
+      CompareSession.Outcome outcome =
           new CompareSession(FitSettings.defaults(), LogOpener.USUAL)
               .run(
                   List.of(field.log()),
                   CommandFile.read(field.commands()),
                   List.of(simulator.log()),
                   CommandFile.read(simulator.commands()),
-                  List.of(DiagnosisSession.Progress.UNSEEN, DiagnosisSession.Progress.UNSEEN))
-              .comparison();
+                  List.of(DiagnosisSession.Progress.UNSEEN, DiagnosisSession.Progress.UNSEEN));
+      FieldComparison found = outcome.comparison();
       out.printf(
           Locale.ROOT,
           "pair %d: %d differences, compared in %.1f s of CPU%n",
@@ -93,9 +95,22 @@ public final class CompareBenchmark {
         String side = pair.ofTheField().get(i) ? "the field" : "the simulator";
         out.printf("  %s: %s%n", side, pair.differences().get(i).words());
       }
+      explained("the field", outcome.real());
+      explained("the simulator", outcome.sim());
       judge(pair, found);
       shares(pair, found, truth);
     }
+  }
+
+  /** What the diagnosis of a side found: where it took another cause than the drawn one, its ball differs for no other reason. */
+  private void explained(String name, Side side) {
+    Diagnosis d = side.diagnosis().diagnosis();
+    List<String> effects = d.model().effects().stream().map(e -> EffectName.of(e)).toList();
+    out.printf(
+        "  %s was explained by: %s%s%n",
+        name,
+        effects.isEmpty() ? "nothing" : String.join(", ", effects),
+        d.unexplained().significant() ? ", not all" : "");
   }
 
   private static List<String> ids(FieldComparison found) {
