@@ -53,7 +53,8 @@ class SpinAndSwitchTest {
     FittedModel two = fit(field, Component.perKick(new KickSpin(0, 0, true)), bounces);
     Map<String, Double> errors = two.errors(0).orElseThrow();
     KickSpin found = (KickSpin) two.effects().get(0);
-    assertThat(errors.get("chips")).isLessThan(0.12);
+    // Rolling resistance in impacts takes spin, too, and its strength is not known.
+    assertThat(errors.get("chips")).isLessThan(0.16);
     assertThat(found.chips()).isCloseTo(-0.35, within(2.5 * errors.get("chips")));
     assertThat(found.fraction()).isCloseTo(0.05, within(2.5 * errors.get("fraction")));
     assertThat(two.scatter(0)).isLessThan(0.1);
