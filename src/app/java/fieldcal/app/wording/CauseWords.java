@@ -7,6 +7,7 @@ import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
+import fieldcal.effect.MotionEffect.SpinAtKick;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.learned.LearnedTerm;
 import java.util.ArrayList;
@@ -88,9 +89,27 @@ public final class CauseWords {
     if (finding.kind() == LearnedFinding.Kind.SCATTER) {
       return ChanceWords.of(finding.effect(), finding.scatter(), finding.follows());
     }
+    if (finding.effect() instanceof SpinAtKick && finding.scatter() > 0) {
+      return unproven(finding);
+    }
     return finding.effect() instanceof LearnedTerm term
         ? LearnedWords.of(term, finding.curves(), finding.isShownToHelp(), extendedHelps)
         : of(finding.effect(), Map.of());
+  }
+
+  /** Spin of each kick that nobody can say to be the kickers'. */
+  private CauseText unproven(LearnedFinding finding) {
+    CauseText proven = of(finding.effect(), Map.of());
+    double mean = finding.effect().value("fraction");
+    String what =
+        text(
+            "Kicks move as if their %s were %s %% of the spin of a rolling ball, by ± %s %%"
+                + " different from kick to kick. They do not prove whether the kickers spin the"
+                + " ball, or the ball and the carpet are not as the model says.",
+            proven.name().replace(" from the kicker", ""),
+            MotionText.percent(Math.abs(mean)),
+            MotionText.percent(finding.scatter()));
+    return new CauseText(proven.name(), what, "", "", proven.strength());
   }
 
   /**
