@@ -77,7 +77,8 @@ final class BallForces {
       longest = PathIntegrator.MAX_STEP;
       BallMotion m = motion(t, s, false);
       m.sliding = phase == Phase.SLIDING;
-      m.slipHeading = m.sliding ? Math.atan2(s[4] - s[7], s[3] - s[6]) : 0;
+      m.slipX = s[3] - s[6];
+      m.slipY = s[4] - s[7];
       for (Varying effect : effects.varying) {
         longest = Math.min(longest, effect.longestStep(m));
       }
@@ -163,7 +164,8 @@ final class BallForces {
     double acceleration = accSlide * slidingOfKick * zoneFactor * pressure();
     double across = 0;
     if (effects.slidings.length > 0) {
-      m.slipHeading = Math.atan2(directionY, directionX);
+      m.slipX = directionX;
+      m.slipY = directionY;
       double against = acceleration;
       for (SlidingResistance effect : effects.slidings) {
         acceleration *= effect.slidingFactor(m);

@@ -12,7 +12,8 @@ public final class BallMotion {
   double vz;
   double spinX;
   double spinY;
-  double slipHeading;
+  double slipX;
+  double slipY;
   double sessionTime;
   double airX;
   double airY;
@@ -123,7 +124,7 @@ public final class BallMotion {
    * @return rad, 0 = along x, counter-clockwise
    */
   public double slipHeading() {
-    return slipHeading;
+    return Math.atan2(slipY, slipX);
   }
 
   /**

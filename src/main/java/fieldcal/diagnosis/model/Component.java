@@ -27,6 +27,10 @@ public final class Component {
   private record Axis(int magnitude, int direction) {}
 
   private final Effect template;
+
+  /** The template's, which a learned map of the carpet has a hundred of. */
+  private final List<Parameter> parameters;
+
   private final List<String> magnitudes;
   private final boolean perKick;
   private final boolean placesFree;
@@ -40,14 +44,14 @@ public final class Component {
     this.magnitudes = List.copyOf(magnitudes);
     this.perKick = perKick;
     this.placesFree = placesFree;
-    List<Parameter> all = template.parameters();
-    for (int i = 0; i < all.size(); i++) {
-      Parameter p = all.get(i);
+    parameters = List.copyOf(template.parameters());
+    for (int i = 0; i < parameters.size(); i++) {
+      Parameter p = parameters.get(i);
       if (magnitudes.contains(p.name())) {
-        boolean turns = i + 1 < all.size() && isDirection(template, all.get(i + 1));
+        boolean turns = i + 1 < parameters.size() && isDirection(template, parameters.get(i + 1));
         axes.add(new Axis(i, turns ? i + 1 : -1));
         if (turns) {
-          double angle = all.get(i + 1).value();
+          double angle = parameters.get(i + 1).value();
           addMagnitude(p, " x", p.value() * Math.cos(angle));
           addMagnitude(p, " y", p.value() * Math.sin(angle));
         } else {
@@ -56,10 +60,10 @@ public final class Component {
       }
     }
     if (placesFree) {
-      for (int i = 0; i < all.size(); i++) {
-        if (template.places().contains(all.get(i).name())) {
+      for (int i = 0; i < parameters.size(); i++) {
+        if (template.places().contains(parameters.get(i).name())) {
           places.add(i);
-          coordinates.add(named(all.get(i).free(), ""));
+          coordinates.add(named(parameters.get(i).free(), ""));
           priors.add(Prior.NONE);
         }
       }
@@ -152,7 +156,7 @@ public final class Component {
     if (!perKick) {
       return this;
     }
-    double[] values = template.parameters().stream().mapToDouble(Parameter::value).toArray();
+    double[] values = parameters.stream().mapToDouble(Parameter::value).toArray();
     return template.candidates(arena).stream()
         .map(e -> perKick(e.withParameters(values)))
         .filter(this::isSameCause)
@@ -249,7 +253,7 @@ public final class Component {
    * @return the effect, its numbers within their bounds
    */
   public Effect effect(double[] at, int from) {
-    double[] values = template.parameters().stream().mapToDouble(Parameter::value).toArray();
+    double[] values = parameters.stream().mapToDouble(Parameter::value).toArray();
     int k = from;
     for (Axis axis : axes) {
       if (axis.direction < 0) {
@@ -281,7 +285,7 @@ public final class Component {
   }
 
   private double within(int index, double value) {
-    return template.parameters().get(index).clamp(value);
+    return parameters.get(index).clamp(value);
   }
 
   /**
@@ -294,7 +298,6 @@ public final class Component {
    */
   public Map<String, Double> errors(double[] at, double[][] covariance, int from) {
     Map<String, Double> errors = new LinkedHashMap<>();
-    List<Parameter> parameters = template.parameters();
     int k = from;
     for (Axis axis : axes) {
       String name = parameters.get(axis.magnitude).name();
@@ -338,7 +341,7 @@ public final class Component {
    * @return empty for effects that concern no single camera
    */
   public OptionalInt camera() {
-    return template.parameters().stream()
+    return parameters.stream()
         .filter(p -> p.name().equals("camera") && p.value() >= 0)
         .mapToInt(p -> (int) p.value())
         .findFirst();
@@ -355,7 +358,7 @@ public final class Component {
     if (!magnitudes.equals(template.magnitudes())) {
       text.append(magnitudes);
     }
-    for (Parameter p : template.parameters()) {
+    for (Parameter p : parameters) {
       if (!p.estimated() && tellsWhere(p)) {
         text.append(' ').append(p.name()).append('=').append(Math.round(p.value() * 100) / 100.0);
       }

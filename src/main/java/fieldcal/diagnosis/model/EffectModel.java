@@ -37,6 +37,7 @@ public final class EffectModel implements SharedModel<ModelState> {
   private final List<Component> components;
   private final double[] scatters;
   private final List<ObservedCamera> observers;
+  private final List<Parameter> globals;
 
   private EffectModel(
       FlatModel flat,
@@ -53,6 +54,7 @@ public final class EffectModel implements SharedModel<ModelState> {
     this.components = List.copyOf(components);
     this.scatters = scatters;
     this.observers = observers;
+    globals = makeGlobals();
   }
 
   /**
@@ -192,6 +194,10 @@ public final class EffectModel implements SharedModel<ModelState> {
    * @return ball first
    */
   public List<Parameter> globals() {
+    return globals;
+  }
+
+  private List<Parameter> makeGlobals() {
     List<Parameter> all = new ArrayList<>();
     List<Parameter> ofFlat = flat.parameters();
     for (Parameter p : ofFlat) {
@@ -202,7 +208,7 @@ public final class EffectModel implements SharedModel<ModelState> {
       all.add(chips ? p.withValue(p.clamp(p.value())).free() : p.fixed());
     }
     components.forEach(c -> all.addAll(c.coordinates()));
-    return all;
+    return List.copyOf(all);
   }
 
   /**
