@@ -294,10 +294,14 @@ class MotionEffectsTest {
 
   @Test
   void rollingResistanceActsInImpacts() {
-    // A perfect grip leaves a rolling ball, which loses rolling·(1 + e_z)·|v_z| beside that.
-    double rolls = 3 - 0.4 / 1.4 * 3;
+    // A perfect grip leaves a rolling ball, which loses rolling of what impulse is left then.
+    double change = 0.4 / 1.4 * 3;
+    double rolls = 3 - change;
     assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.03, 10)).get(0))
-        .isEqualTo(rolls - 0.03 * 1.52 * 4, within(1e-9));
+        .isEqualTo(rolls - 0.03 * (1.52 * 4 - change), within(1e-9));
+    // A ball that slips to the end never rolls in that impact.
+    assertThat(afterImpacts(new ContactImpacts(0, 0.05, 0, 0.03, 10)).get(0))
+        .isEqualTo(3 - 0.05 * 1.52 * 4, within(1e-9));
     // It cannot turn the spin round.
     assertThat(afterImpacts(new ContactImpacts(0, 1, 0, 0.5, 10)).get(0))
         .isEqualTo(0, within(1e-9));
