@@ -252,9 +252,11 @@ public final class Decision {
     if (!c.isPerKick() && !c.isLaw() && !proof.isSteady(gain)) {
       return Outcome.UNSTEADY;
     }
+    boolean standsOut = proof.isMostlyMean() && scales.excess < settings.formShare() * evidence;
     boolean small =
         c.isPerKick()
             && scales.excess > 0
+            && !standsOut
             && (proof.isUneven() || proof.wald() < settings.formShare() * evidence);
     boolean law = follows && c.template().hasOwnMean();
     if (c.isPerKick() && (evidence < scales.excess || small || law)) {

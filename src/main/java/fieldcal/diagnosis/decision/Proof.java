@@ -76,6 +76,17 @@ final class Proof {
     return !(wald() / size > limit);
   }
 
+  /** Whether the kicks have more in common than they differ by. What the mean is certain to be may hang on what is known of the ball, however much it explains. */
+  boolean isMostlyMean() {
+    double[] values = model.solution().values();
+    int from = model.model().offset(component);
+    double squares = 0;
+    for (int a = from; a < from + size; a++) {
+      squares += values[a] * values[a];
+    }
+    return isTestable() && Math.sqrt(squares / size) > model.scatter(component);
+  }
+
   /** Squared distance of its numbers from zero, in their errors; 0 where these are not known. */
   double wald() {
     Optional<double[][]> covariance = model.solution().covariance();
