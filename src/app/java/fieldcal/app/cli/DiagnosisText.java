@@ -113,6 +113,9 @@ final class DiagnosisText {
     for (LearnedFinding f : diagnosis.learned()) {
       (f.kind() == LearnedFinding.Kind.LAW ? laws : f.isShownToHelp() ? helping : others).add(f);
     }
+    if (!diagnosis.learned().isEmpty()) {
+      line("");
+    }
     items(outcome, "A law that replaces a law of the simple model:", laws);
     items(outcome, "What helps without a proven cause:", helping);
     items(outcome, "In the extended model, but held-out kicks do not show that it helps:", others);
@@ -123,7 +126,6 @@ final class DiagnosisText {
       return;
     }
     CauseWords words = new CauseWords(outcome.diagnosis(), outcome.problem().observers());
-    line("");
     line("%s", title);
     for (LearnedFinding finding : findings) {
       CauseText text = words.of(finding);
