@@ -264,9 +264,6 @@ public final class Decision {
       // where it follows from the kick.
       return Outcome.UNSTEADY;
     }
-    if (c.isPerKick() && proof.isBallItself()) {
-      return Outcome.BALL_ITSELF;
-    }
     FittedModel without = scales.without.get(i);
     if (c.isPerKick() ? proof.isGainOfFewKicks(without) : proof.isToldByFewKicks(limit)) {
       return Outcome.FEW_KICKS;
@@ -293,6 +290,9 @@ public final class Decision {
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
     if (!(gain[1] > 100 * least)) {
       return Outcome.NO_GAIN;
+    }
+    if (c.isPerKick() && proof.isBallItself()) {
+      return Outcome.BALL_ITSELF;
     }
     return c.isLaw() && evidence < largest ? Outcome.FORM : Outcome.NAMED;
   }
