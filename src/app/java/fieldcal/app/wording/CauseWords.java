@@ -100,15 +100,11 @@ public final class CauseWords {
   /** Spin of each kick that nobody can say to be the kickers'. */
   private CauseText unproven(LearnedFinding finding) {
     CauseText proven = of(finding.effect(), Map.of());
-    double mean = finding.effect().value("fraction");
     String what =
         text(
-            "Kicks move as if their %s were %s %% of the spin of a rolling ball, by ± %s %%"
-                + " different from kick to kick. They do not prove whether the kickers spin the"
-                + " ball, or the ball and the carpet are not as the model says.",
-            proven.name().replace(" from the kicker", ""),
-            MotionText.percent(Math.abs(mean)),
-            MotionText.percent(finding.scatter()));
+            "%s It differs by ± %s %% from kick to kick. This is not proven: the ball and the"
+                + " carpet may be what is not as the model says.",
+            proven.what(), MotionText.percent(finding.scatter()));
     return new CauseText(proven.name(), what, "", "", proven.strength());
   }
 

@@ -44,19 +44,10 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
    * @return what it leaves
    */
   public static Leftover of(FittedModel model) {
-    Leftover slow = of(model, BLOCK);
-    Leftover fast = of(model, PAIR);
-    return fast.deviation > slow.deviation ? fast : slow;
-  }
-
-  private static Leftover of(FittedModel model, int length) {
     ModelState state = model.solution().state();
     double unknowns = model.model().globals().stream().filter(p -> p.estimated()).count();
-    double sum = 0;
-    double floor = 0;
-    int blocks = 0;
-    int residuals = 0;
-    double[] r = new double[2];
+    Sums slow = new Sums(BLOCK);
+    Sums fast = new Sums(PAIR);
     for (int k = 0; k < model.kickCount(); k++) {
       EffectKick term = model.kick(k);
       KickRecord record = term.record();
@@ -65,6 +56,30 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       double[] rx = new double[record.size()];
       double[] ry = new double[record.size()];
       term.plainResiduals(own, state, rx, ry);
+      slow.add(record, rx, ry);
+      fast.add(record, rx, ry);
+    }
+    // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
+    double all = Math.max(0, model.solution().reducedChiSquare() - 1 + TOLERANCE);
+    Leftover ofBlocks = slow.leftover(unknowns, all);
+    Leftover ofPairs = fast.leftover(unknowns, all);
+    return ofPairs.deviation > ofBlocks.deviation ? ofPairs : ofBlocks;
+  }
+
+  /** Sums over blocks of one length. */
+  private static final class Sums {
+    private final int length;
+    private final double[] r = new double[2];
+    private double sum;
+    private double floor;
+    private int blocks;
+    private int residuals;
+
+    Sums(int length) {
+      this.length = length;
+    }
+
+    void add(KickRecord record, double[] rx, double[] ry) {
       for (int[] block : blocks(record, length)) {
         double s1 = 0;
         double s2 = 0;
@@ -82,14 +97,16 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
         residuals += 2 * block.length;
       }
     }
-    double lost = Math.min(unknowns, 0.5 * blocks);
-    double excess = sum + lost;
-    double spread = Math.sqrt(2 * Math.max(1, blocks - lost));
-    // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
-    double all = model.solution().reducedChiSquare() - 1 + TOLERANCE;
-    double share = Math.min(excess / Math.max(1, residuals), Math.max(0, all));
-    double negligible = Math.max(MATTERS, floor / Math.max(1, residuals));
-    return new Leftover(share, excess / spread, share * residuals, negligible);
+
+    /** What they say when so many numbers were fitted; the systematic part is at most a given one, in variances of the noise. */
+    Leftover leftover(double unknowns, double most) {
+      double lost = Math.min(unknowns, 0.5 * blocks);
+      double excess = sum + lost;
+      double spread = Math.sqrt(2 * Math.max(1, blocks - lost));
+      double share = Math.min(excess / Math.max(1, residuals), most);
+      double negligible = Math.max(MATTERS, floor / Math.max(1, residuals));
+      return new Leftover(share, excess / spread, share * residuals, negligible);
+    }
   }
 
   /** Indices of successive detections of one camera. */

@@ -27,7 +27,7 @@ public final class LearnedLibrary {
   /** Harmonics of an angle: slope, nap, a preferred axis, and the square weave of a carpet or the friction box of a physics engine, which repeat every quarter turn. */
   private static final int HARMONICS = 4;
 
-  /** What repeats every quarter turn: boxes and pyramids, of which three harmonics leave a tenth. */
+  /** What repeats every quarter turn: boxes and pyramids, of whose mean square three harmonics leave a sixth across the slip and less along it. */
   private static final Basis QUARTERS = new Harmonics(3, 0.5 * Math.PI);
 
   /** Degree of a lens' or pose's error over the place. */

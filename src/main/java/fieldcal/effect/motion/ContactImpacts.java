@@ -170,7 +170,7 @@ public record ContactImpacts(
     after[1] -= dy;
     after[2] += dx / inertiaFactor;
     after[3] += dy / inertiaFactor;
-    return wanted <= 0 || most <= 0 ? 0 : change / most;
+    return most > 0 ? change / most : 0;
   }
 
   /** Takes that much speed, m/s, of ball and surface along the spin, at most all of the spin. */

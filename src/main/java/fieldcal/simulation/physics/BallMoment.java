@@ -8,7 +8,8 @@ public final class BallMoment {
   double vy;
   double vz;
   double slip;
-  double slipHeading;
+  double slipX;
+  double slipY;
   double sessionTime;
   double sinceKick;
   double path;
@@ -85,7 +86,7 @@ public final class BallMoment {
    * @return rad, 0 = along x, counter-clockwise; 0 when rolling
    */
   public double slipHeading() {
-    return slipHeading;
+    return Math.atan2(slipY, slipX);
   }
 
   /**

@@ -110,8 +110,9 @@ final class Forces {
     moment.vy = s[4];
     moment.vz = s[5];
     boolean slides = phase == MotionPhase.SLIDING;
-    moment.slip = slides ? Math.hypot(slipX(s), slipY(s)) : 0;
-    moment.slipHeading = slides ? Math.atan2(slipY(s), slipX(s)) : 0;
+    moment.slipX = slides ? slipX(s) : 0;
+    moment.slipY = slides ? slipY(s) : 0;
+    moment.slip = Math.hypot(moment.slipX, moment.slipY);
     moment.sessionTime = stepTime + offset;
     moment.sinceKick = moment.sessionTime - launchTime;
     moment.path =
