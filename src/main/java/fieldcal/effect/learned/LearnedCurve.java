@@ -21,7 +21,7 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
   /** Standard errors within which a value may be nothing: 95 % of those that are do not exceed it. */
   private static final double ERRORS = 2;
 
-  /** Points of a curve and rows of a table; chosen, enough for a plot. */
+  /** Fewest points of a curve, and rows of a table; chosen, enough for a plot. */
   private static final int POINTS = 33;
 
   private static final int TABLE = 9;
@@ -148,7 +148,13 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
       int to = (int) Math.rint(support.toX());
       return spread(from, to, to - from + 1);
     }
-    return spread(support.fromX(), support.toX(), table ? TABLE : POINTS);
+    return spread(support.fromX(), support.toX(), table ? TABLE : points(family, support));
+  }
+
+  /** Two for each piece that an integrator takes at once, so that a plot shows all that the curve does. */
+  private static int points(LearnedFamily family, Support support) {
+    double pieces = (support.toX() - support.fromX()) / family.basis().resolution(0);
+    return Math.max(POINTS, 1 + (int) Math.rint(2 * pieces));
   }
 
   private static double[] spread(double from, double to, int count) {
