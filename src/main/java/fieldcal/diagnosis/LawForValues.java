@@ -83,13 +83,14 @@ final class LawForValues {
     return all;
   }
 
-  /** Models in which a law takes the place of the values of a component, which follow something: the law alone, and with values beside it, which differ from it. */
-  Stream<FittedModel> insteadOf(FittedModel model, int component, Dependence follows) {
+  /** Models in which a law takes the place of values of components, which follow the same: the law alone, and with the values beside it, which differ from it. */
+  Stream<FittedModel> insteadOf(FittedModel model, List<Integer> components, Dependence follows) {
     List<Component> rest = new ArrayList<>(model.started());
-    Component values = rest.remove(component);
+    List<Component> values = components.stream().map(rest::get).toList();
+    rest.removeAll(values);
     FittedModel without = fit(model, rest);
-    return law(without, values.template(), follows).stream()
-        .flatMap(law -> Stream.concat(Stream.of(law), Stream.of(values).map(v -> with(law, v))));
+    return law(without, values.get(0).template(), follows).stream()
+        .flatMap(law -> Stream.of(law, withAll(law, values)));
   }
 
   /** A model without values of each kick's own, and without what changes the ground with time: each such effect may be a piece of a law over time. */
@@ -163,11 +164,15 @@ final class LawForValues {
     return Component.of(effect, effect.magnitudes());
   }
 
-  /** With a component more; one of the same cause gives way. */
   private FittedModel with(FittedModel model, Component added) {
+    return withAll(model, List.of(added));
+  }
+
+  /** With components more; those of the same causes give way. */
+  private FittedModel withAll(FittedModel model, List<Component> added) {
     List<Component> all = new ArrayList<>(model.started());
-    all.removeIf(c -> c.isSameCause(added));
-    all.add(added);
+    all.removeIf(c -> added.stream().anyMatch(c::isSameCause));
+    all.addAll(added);
     return fit(model, all);
   }
 

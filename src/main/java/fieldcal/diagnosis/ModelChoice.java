@@ -15,6 +15,7 @@ import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.effect.Effect;
+import fieldcal.fit.CameraNoise;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -90,9 +91,9 @@ final class ModelChoice {
 
   /** A model all of whose components stand up to the decision. */
   record Weighed(FittedModel model, List<Judgement> judged, HoldOut held) {
-    /** Whether this predicts held-out kicks as well but for a share. */
+    /** Whether this follows held-out kicks as well but for a share; no closed form is right to less than the floor of the cameras' noise. */
     boolean isAsGoodAs(Weighed other, double share) {
-      return held.rmsMm() * (1 - share) <= other.held.rmsMm();
+      return held.rmsMm() * (1 - share) <= Math.max(1000 * CameraNoise.FLOOR, other.held.rmsMm());
     }
 
     /** Whether this does better beyond chance on held-out kicks, fitted and predicted: a value for each kick may fit what it does not help to predict. */
@@ -220,17 +221,20 @@ final class ModelChoice {
     }
   }
 
-  /** A model with a law in the place of values, or beside them where its form misses a little: beside a value for each kick a law explains nothing, but it predicts. So all stays, the law has what the values gained, and such values are no cause. */
-  Weighed withLaw(FittedModel model, Weighed before, Judgement values) {
+  /** A model with a law in the place of values, or beside them where its form misses a little: beside a value for each kick a law explains nothing, but it predicts. So all stays, the law has what the first of the values gained, and such values are no cause. */
+  Weighed withLaw(FittedModel model, Weighed before, List<Judgement> values) {
     HoldOut held = HoldOut.of(model, true, seed);
     List<Judgement> judged = new ArrayList<>();
     for (Judgement j : decision.judge(model, held)) {
-      boolean known =
-          before.judged.stream().anyMatch(k -> k.component().isSameCause(j.component()));
-      boolean same = j.component().isSameCause(values.component());
-      judged.add(same ? j.as(Outcome.FORM) : known ? j : j.inPlaceOf(values));
+      boolean known = isAmong(before.judged, j);
+      boolean same = isAmong(values, j);
+      judged.add(same ? j.as(Outcome.FORM) : known ? j : j.inPlaceOf(values.get(0)));
     }
     return new Weighed(model, judged, held);
+  }
+
+  private static boolean isAmong(List<Judgement> all, Judgement j) {
+    return all.stream().anyMatch(k -> k.component().isSameCause(j.component()));
   }
 
   private Weighed reweighed(Weighed from, List<Judgement> going) {

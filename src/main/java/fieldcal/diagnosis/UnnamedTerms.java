@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.ModelChoice.Weighed;
 import fieldcal.diagnosis.decision.DecisionSettings;
+import fieldcal.diagnosis.decision.Dependence;
 import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
@@ -18,6 +19,7 @@ import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The stage that describes what has no name: laws that values of the kicks follow, what differs from kick to kick by chance, and learned curves and maps. Each must pay on kicks that were held out, and none may predict worse than what it joins or replaces. Not
@@ -140,21 +142,34 @@ final class UnnamedTerms {
     Weighed best = found;
     for (Judgement j : found.judged()) {
       // A law that was taken changes all judgements; values that it left are judged there.
-      int component = best.judged().indexOf(j);
-      if (component < 0 || !j.effect().hasOwnMean()) {
-        continue;
+      if (best.judged().contains(j) && j.effect().hasOwnMean() && j.follows().isPresent()) {
+        best = withLawFor(best, j);
       }
-      Weighed before = best;
-      best =
-          j.follows().stream()
-              .flatMap(d -> laws.insteadOf(before.model(), component, d))
-              .map(m -> choice.withLaw(m, before, j))
-              .filter(with -> with.isAsGoodAs(before, settings.formGain()))
-              .filter(with -> with.predictsBetterThan(before, seed))
-              .findFirst()
-              .orElse(before);
     }
     return best;
+  }
+
+  /** With a law in the place of values, and of what else follows the same, since one law may be behind all of it; else in the place of these values alone. */
+  private Weighed withLawFor(Weighed before, Judgement values) {
+    Dependence follows = values.follows().orElseThrow();
+    List<Judgement> alike =
+        before.judged().stream()
+            .filter(j -> j.effect().hasOwnMean() && j.followsSameAs(values))
+            .toList();
+    return Stream.of(alike, List.of(values))
+        .distinct()
+        .flatMap(
+            group ->
+                laws.insteadOf(before.model(), indices(before, group), follows)
+                    .map(m -> choice.withLaw(m, before, group)))
+        .filter(with -> with.isAsGoodAs(before, settings.formGain()))
+        .filter(with -> with.predictsBetterThan(before, seed))
+        .findFirst()
+        .orElse(before);
+  }
+
+  private static List<Integer> indices(Weighed of, List<Judgement> group) {
+    return group.stream().map(of.judged()::indexOf).toList();
   }
 
   /** With the laws that values of the kicks follow, one after another, as long as each takes most of what is left; as found where there is none. */

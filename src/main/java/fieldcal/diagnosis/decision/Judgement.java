@@ -57,6 +57,17 @@ public record Judgement(
   }
 
   /**
+   * Whether its values follow the same quantity as those of another one.
+   *
+   * @param other which
+   * @return false where either differs by chance
+   */
+  public boolean followsSameAs(Judgement other) {
+    return follows.isPresent()
+        && follows.map(Dependence::on).equals(other.follows.map(Dependence::on));
+  }
+
+  /**
    * The same, taken for something else.
    *
    * @param other what for
