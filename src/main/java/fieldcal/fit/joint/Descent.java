@@ -23,6 +23,9 @@ final class Descent<S> {
   /** A step with old derivatives must gain less than that share of the step before, or they are not good enough: errors then shrink to less than a third with each step. */
   private static final double FAST = 0.1;
 
+  /** What a descent may gain in all, in gains that the equations promise where it begins: where paths bend, these are not all. Of 20 descents that were worth it, none gained more than 1.6 times as much. */
+  static final double TRUSTED = 2;
+
   /** A cost that rises by less than that share is the same but for rounding. */
   private static final double SAME_COST = 1e-9;
 
@@ -75,11 +78,19 @@ final class Descent<S> {
     rows = kicks.stream().mapToInt(KickTerm::rows).sum();
   }
 
-  /** A place to come back to. */
-  record Mark<S>(List<KickTerm<S>> kicks, List<double[]> own, double[] values, StopReason reason) {}
+  /** A place to come back to, with the derivatives that there were. */
+  record Mark<S>(
+      List<KickTerm<S>> kicks,
+      List<double[]> own,
+      double[] values,
+      StopReason reason,
+      KickColumns[] columns,
+      boolean fresh,
+      double[][] residuals) {}
 
   Mark<S> mark() {
-    return new Mark<>(List.copyOf(kicks), List.copyOf(own), values, reason);
+    return new Mark<>(
+        List.copyOf(kicks), List.copyOf(own), values, reason, columns, fresh, residuals);
   }
 
   void backTo(Mark<S> mark) {
@@ -88,6 +99,12 @@ final class Descent<S> {
     }
     values = mark.values;
     reason = mark.reason;
+    columns = mark.columns;
+    fresh = mark.fresh;
+    residuals = mark.residuals;
+    if (columns != null) {
+      equate();
+    }
   }
 
   List<KickTerm<S>> kicks() {
@@ -151,6 +168,19 @@ final class Descent<S> {
     }
     return new SharedSolution<>(
         problem, kicks, own, values, scatters, free, blocks, cost, iterations, reason);
+  }
+
+  /** Whether a descent from here may end below a cost: the equations promise at least half of what is missing. */
+  boolean mayFallBelow(double limit) {
+    if (columns == null) {
+      linearize();
+    }
+    double[] step = step();
+    if (step == null) {
+      return true;
+    }
+    double[] made = madeBy(after(step));
+    return cost - TRUSTED * expectedGain(made, ownAfter(made)) <= limit;
   }
 
   /** Goes down to the next minimum, the scatters held. */
@@ -224,12 +254,8 @@ final class Descent<S> {
 
   /** Where a step of the free global parameters leads, each kick's own parameters following. */
   private Point next(double[] step) {
-    double[] next = values.clone();
-    double[] made = new double[free.length];
-    for (int f = 0; f < free.length; f++) {
-      next[free[f]] = problem.globals().get(free[f]).clamp(values[free[f]] + step[f]);
-      made[f] = next[free[f]] - values[free[f]];
-    }
+    double[] next = after(step);
+    double[] made = madeBy(next);
     Point straight = point(next, ownAfter(made));
     if (!corrects || straight.cost <= cost) {
       return straight;
@@ -237,6 +263,24 @@ final class Descent<S> {
     Point corrected = point(next, corrected(next, straight.own));
     double expected = expectedGain(made, straight.own);
     return cost - corrected.cost > GOOD_STEP * expected ? corrected : straight;
+  }
+
+  /** The global parameters after a step of the free ones, as far as their bounds allow it. */
+  private double[] after(double[] step) {
+    double[] next = values.clone();
+    for (int f = 0; f < free.length; f++) {
+      next[free[f]] = problem.globals().get(free[f]).clamp(values[free[f]] + step[f]);
+    }
+    return next;
+  }
+
+  /** The step of the free global parameters that leads to these. */
+  private double[] madeBy(double[] next) {
+    double[] made = new double[free.length];
+    for (int f = 0; f < free.length; f++) {
+      made[f] = next[free[f]] - values[free[f]];
+    }
+    return made;
   }
 
   private Point point(double[] at, List<double[]> owns) {
@@ -285,12 +329,16 @@ final class Descent<S> {
   /** Makes the equations of this point from the derivatives that there are. */
   private void equate() {
     double[] means = means();
-    blocks = new KickBlock[kicks.size()];
+    blocks =
+        eachKick(
+                k -> {
+                  KickBlock block = columns[k].equations(residuals[k]);
+                  OwnPriors.tie(block, kicks.get(k), own.get(k), means, meanColumns, scatters);
+                  return block;
+                })
+            .toArray(KickBlock[]::new);
     cost = globalCost(values);
-    for (int k = 0; k < blocks.length; k++) {
-      KickBlock block = columns[k].equations(residuals[k]);
-      OwnPriors.tie(block, kicks.get(k), own.get(k), means, meanColumns, scatters);
-      blocks[k] = block;
+    for (KickBlock block : blocks) {
       cost += block.chiSquare + block.priorCost;
     }
   }

@@ -37,6 +37,11 @@ final class OwnFitter<S> {
 
   /** The fit from a start, which is not changed. */
   OwnFit<S> fit(KickTerm<S> term, double[] start) {
+    return fit(term, start, Double.POSITIVE_INFINITY);
+  }
+
+  /** The same, but not begun where it would end above a limit: the equations promise less than half of what is missing. */
+  private OwnFit<S> fit(KickTerm<S> term, double[] start, double limit) {
     double[] own = start.clone();
     term.clamp(own);
     double[] residuals = new double[term.rows()];
@@ -51,7 +56,11 @@ final class OwnFitter<S> {
         block = block(term, own, residuals, 1);
       }
       block.factor(damping.lambda());
-      double[] candidate = plus(own, block.ownStep(new double[0]));
+      double[] step = block.ownStep(new double[0]);
+      if (i == 0 && cost - Descent.TRUSTED * KickBlock.dot(step, block.ga) > limit) {
+        break;
+      }
+      double[] candidate = plus(own, step);
       term.clamp(candidate);
       term.residuals(candidate, state, next);
       double nextCost = cost(term, candidate, next);
@@ -116,7 +125,7 @@ final class OwnFitter<S> {
   OwnFit<S> bestVariant(KickTerm<S> term, double[] own, boolean stuck) {
     OwnFit<S> best = fit(term, own);
     for (KickTerm<S> other : term.neighbours()) {
-      best = better(best, fit(other, own));
+      best = better(best, fit(other, own, priced(best)));
     }
     List<KickTerm.Restart<S>> restarts = stuck ? term.restarts(own, state) : List.of();
     for (KickTerm.Restart<S> other : restarts) {

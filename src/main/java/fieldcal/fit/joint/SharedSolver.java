@@ -198,10 +198,13 @@ public final class SharedSolver {
         return;
       }
       descent.undamp();
-      descent.descend();
-      if (!OwnFitter.isLess(pricedCost(), least)) {
-        descent.backTo(before);
+      if (descent.mayFallBelow(least)) {
+        descent.descend();
+        if (OwnFitter.isLess(pricedCost(), least)) {
+          return;
+        }
       }
+      descent.backTo(before);
     }
 
     /** The values of the discrete unknowns by their rule, and what the own parameters are then; says whether that changes anything. */
