@@ -67,8 +67,10 @@ public final class Calibrator {
    * @return the calibration; without kicks one that is empty
    */
   public Calibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {
+    Selection.Decisions decisions = Selection.Decisions.of(problem);
     CameraViews views = measured(problem.kicks(), problem.cameras());
     List<KickFit> fits = fitAll(problem, views, progress);
+    List<KickFit> covered = fits;
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
     // Chips that roll otherwise than the flat kicks, far beyond what the others leave.
@@ -80,7 +82,8 @@ public final class Calibrator {
       if (round == 1) {
         fits = searchedAgain(problem, views, fits, roll, rollFreely);
       }
-      List<KickFit> good = Selection.trusted(fits, Selection.Decisions.of(problem));
+      covered = BounceScatter.covered(fits, views, decisions);
+      List<KickFit> good = Selection.trusted(covered, decisions);
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
       together = jointly(problem, views, good, newRoll);
       CameraViews next = together.isPresent() ? withOffsets(views, together.get()) : views;
@@ -92,7 +95,7 @@ public final class Calibrator {
       }
       views = next;
     }
-    List<CalibratedKick> selected = Selection.select(fits, Selection.Decisions.of(problem));
+    List<CalibratedKick> selected = Selection.select(covered, decisions);
     return new Calibration(
         selected,
         Selection.averages(selected, KickKind.FLAT),
@@ -134,8 +137,10 @@ public final class Calibrator {
    * @return selection and averages, without a joint fit
    */
   public static Calibration judged(List<KickFit> fits, CameraViews cameras, long seed) {
+    Selection.Decisions decisions =
+        new Selection.Decisions(HandSelection.none(), Epoch.atSecondOf(0L));
     List<CalibratedKick> selected =
-        Selection.select(fits, new Selection.Decisions(HandSelection.none(), Epoch.atSecondOf(0L)));
+        Selection.select(BounceScatter.covered(fits, cameras, decisions), decisions);
     return new Calibration(
         selected,
         Selection.averages(selected, KickKind.FLAT),
