@@ -15,7 +15,7 @@ import java.util.Optional;
  * <p>The covariance assumes that residuals are independent between detections, and scales the cameras' noise by what the
  * residuals of this kick show. It covers the free unknowns; rows and columns of others are zero. Parameters that the kick did not
  * determine were tied to their start with a standard deviation of one scale, so that the errors of the others contain what is not
- * known of them.
+ * known of them. Errors of chips whose bounces may differ from each other are those of {@link #withUnevenBounces}.
  */
 public final class KickFit {
   private final Kick kick;
