@@ -253,6 +253,35 @@ public final class ChipTrajectory extends SegmentedTrajectory {
   }
 
   /**
+   * How the way over the ground changes with the damping at each single impact, all others as they are: the derivatives at a fixed time and number of flights. Those of all impacts but the first
+   * add up to that by {@link #DAMPING_XY_OTHER_HOPS}. Does not allocate.
+   *
+   * @param t time, s
+   * @param byImpact receives the derivatives, m, that of the first impact first; what is beyond the last impact becomes 0
+   * @throws IllegalArgumentException when {@code t} is NaN
+   * @throws IllegalStateException when the path was continued from a state
+   */
+  public void dampingSensitivitiesAt(double t, double[] byImpact) {
+    if (takeoffs.length == 0) {
+      throw new IllegalStateException("sensitivities are known for paths from a kick only");
+    }
+    Arrays.fill(byImpact, 0);
+    int index = indexAt(t);
+    if (t < kickTime() || index == 0) {
+      return;
+    }
+    // Flights after the one that is under way do not matter yet.
+    int landed = Math.min(index - 1, hops());
+    double until = index <= hops() ? t : Math.min(t, restTime());
+    ChipTakeoff from = takeoffs[landed];
+    double reach = from.reach() + from.pace() * (until - segment(landed + 1).start);
+    for (int impact = 1; impact <= Math.min(landed, byImpact.length); impact++) {
+      double scaled = speed * (reach - takeoffs[impact].reach());
+      byImpact[impact - 1] = scaled / model.dampingXyAtImpact(impact);
+    }
+  }
+
+  /**
    * Way over the ground; {@code reach} = way per kick speed, {@code bySpeed} = derivative of the way by the kick speed, v =
    * present speed.
    */

@@ -32,7 +32,7 @@ import java.util.function.Consumer;
  * Calibrates the ball: camera noise and offsets, each kick, selection, average, joint fit.
  *
  * <p>Order matters. Offsets between cameras come before any kick is judged, since they are far above the noise; flat kicks come
- * before chips, which roll with the accRoll of the flat ones; and when the joint fit has refined the offsets, every kick is fitted
+ * before chips, which roll with the accRoll of the flat ones; errors of chips that bounce otherwise than the others cover bounces that differ from each other; and when the joint fit has refined the offsets, every kick is fitted
  * once more with them. Immutable and thread-safe; kicks are fitted in parallel, with the same result as one by one.
  */
 public final class Calibrator {
@@ -67,8 +67,10 @@ public final class Calibrator {
    * @return the calibration; without kicks one that is empty
    */
   public Calibration calibrate(CalibrationProblem problem, Consumer<Kick> progress) {
+    Selection.Decisions decisions = Selection.Decisions.of(problem);
     CameraViews views = measured(problem.kicks(), problem.cameras());
     List<KickFit> fits = fitAll(problem, views, progress);
+    List<KickFit> covered = fits;
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
     // Chips that roll otherwise than the flat kicks, far beyond what the others leave.
@@ -80,7 +82,8 @@ public final class Calibrator {
       if (round == 1) {
         fits = searchedAgain(problem, views, fits, roll, rollFreely);
       }
-      List<KickFit> good = Selection.trusted(fits, Selection.Decisions.of(problem));
+      covered = BounceScatter.covered(fits, views, decisions);
+      List<KickFit> good = Selection.trusted(covered, decisions);
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
       together = jointly(problem, views, good, newRoll);
       CameraViews next = together.isPresent() ? withOffsets(views, together.get()) : views;
@@ -92,7 +95,7 @@ public final class Calibrator {
       }
       views = next;
     }
-    List<CalibratedKick> selected = Selection.select(fits, Selection.Decisions.of(problem));
+    List<CalibratedKick> selected = Selection.select(covered, decisions);
     return new Calibration(
         selected,
         Selection.averages(selected, KickKind.FLAT),
@@ -134,8 +137,10 @@ public final class Calibrator {
    * @return selection and averages, without a joint fit
    */
   public static Calibration judged(List<KickFit> fits, CameraViews cameras, long seed) {
+    Selection.Decisions decisions =
+        new Selection.Decisions(HandSelection.none(), Epoch.atSecondOf(0L));
     List<CalibratedKick> selected =
-        Selection.select(fits, new Selection.Decisions(HandSelection.none(), Epoch.atSecondOf(0L)));
+        Selection.select(BounceScatter.covered(fits, cameras, decisions), decisions);
     return new Calibration(
         selected,
         Selection.averages(selected, KickKind.FLAT),

@@ -14,6 +14,11 @@ abstract class FlightCurve {
 
   abstract void sensitivities(double time, double[] xyz, double[] dx, double[] dy, double[] dz);
 
+  /** Derivatives of the way over the ground by the damping at each impact, m, that of the first impact first; only of chips, which fly straight on. */
+  void byImpact(double time, double[] byImpact) {
+    Arrays.fill(byImpact, 0);
+  }
+
   /**
    * The path of a kick.
    *
@@ -76,6 +81,11 @@ abstract class FlightCurve {
       dx[timeIndex] = -p[VX];
       dy[timeIndex] = -p[VY];
     }
+
+    @Override
+    void byImpact(double time, double[] byImpact) {
+      after.byImpact(time, byImpact);
+    }
   }
 
   /** Flat kick without spin. */
@@ -137,6 +147,11 @@ abstract class FlightCurve {
     @Override
     void sensitivities(double time, double[] xyz, double[] dx, double[] dy, double[] dz) {
       path.sensitivitiesAt(time, xyz, dx, dy, dz);
+    }
+
+    @Override
+    void byImpact(double time, double[] byImpact) {
+      path.dampingSensitivitiesAt(time, byImpact);
     }
   }
 }

@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * One kick under the closed forms, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s), then the kick's own values of those parameters of the model that differ from kick to
- * kick. A chip's number of flights is the discrete unknown. Derivatives are exact. Immutable.
+ * One kick under the closed forms, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s), then by how much the bounces of a chip differ from each other, if they may, then the kick's own values of those parameters of the model that differ from kick to
+ * kick. A chip's number of flights is the discrete unknown. Derivatives are exact; only that the others change with the small differences of the bounces is left out. Immutable.
  *
  * <p>The state of the shared model: accSlide, accRoll, kSwitch of flat kicks, the four parameters of chips, then the offset x, y (m) of each camera.
  */
@@ -25,6 +25,12 @@ final class FlightTerm implements KickTerm<double[]> {
 
   /** A number of flights may differ from the 10 mm rule's by so many, since a real ball does not stop hopping at exactly that height. */
   private static final int OFF_RULE = 1;
+
+  /** Of the parameters that say by how much bounces differ from each other. */
+  private static final String BOUNCES = "difference between bounces ";
+
+  /** Their scale: that of the dampings. */
+  private static final double BOUNCE_SCALE = 0.1;
 
   private final KickFit fit;
   private final FlightData data;
@@ -72,13 +78,18 @@ final class FlightTerm implements KickTerm<double[]> {
       index[k] = k;
     }
     Arrays.fill(index, kick, index.length, -1);
+    UnevenBounces bounces = fit.bounces();
+    for (int k = 0; k < bounces.size(); k++) {
+      own.add(new Parameter(BOUNCES + (k + 1), "", 0, BOUNCE_SCALE, -1, 1, true, "starts at none"));
+    }
+    int random = own.size();
     for (int r = 0; r < scattering.length; r++) {
       int k = kick + scattering[r] - first;
       boolean ofThisKind = k >= kick && k < index.length;
       Parameter p = globals.get(scattering[r]);
       own.add(ofThisKind ? p.withValue(p.clamp(fit.estimates().get(k).value())) : p);
       if (ofThisKind) {
-        index[k] = kick + r;
+        index[k] = random + r;
       }
     }
     int[] used = IntStream.range(0, data.size).filter(fit::used).toArray();
@@ -146,13 +157,46 @@ final class FlightTerm implements KickTerm<double[]> {
     return curve;
   }
 
+  /** Where the ball is under one set of unknowns, its bounces differing from each other as the own parameters say. */
+  private final class Path {
+    final FlightCurve curve;
+    private final double[] values;
+    private final double[] byImpact = new double[flights];
+    final double ux;
+    final double uy;
+
+    Path(double[] ownValues, double[] state) {
+      double[] theta = theta(ownValues, state);
+      curve = curve(theta);
+      int first = FlightLayout.kickSize(kind());
+      values = Arrays.copyOfRange(ownValues, first, first + fit.bounces().size());
+      double speed = Math.hypot(theta[ChipTrajectory.VX0], theta[ChipTrajectory.VY0]);
+      ux = speed > 0 ? theta[ChipTrajectory.VX0] / speed : 0;
+      uy = speed > 0 ? theta[ChipTrajectory.VY0] / speed : 0;
+    }
+
+    void position(double time, double[] xyz) {
+      curve.position(time, xyz);
+      if (values.length > 0) {
+        double longer = fit.bounces().longer(values, byImpact(time));
+        xyz[0] += longer * ux;
+        xyz[1] += longer * uy;
+      }
+    }
+
+    double[] byImpact(double time) {
+      curve.byImpact(time, byImpact);
+      return byImpact;
+    }
+  }
+
   @Override
   public void residuals(double[] ownValues, double[] state, double[] out) {
-    FlightCurve curve = curve(theta(ownValues, state));
+    Path path = new Path(ownValues, state);
     double[] xyz = new double[3];
     for (int n = 0; n < used.length; n++) {
       int i = used[n];
-      curve.position(data.time[i], xyz);
+      path.position(data.time[i], xyz);
       double stretch = data.stretch(i, xyz[2]);
       double rx = data.residualX(i, xyz, stretch) - state[OFFSETS + 2 * slot[i]];
       double ry = data.residualY(i, xyz, stretch) - state[OFFSETS + 2 * slot[i] + 1];
@@ -163,10 +207,10 @@ final class FlightTerm implements KickTerm<double[]> {
 
   /** Seen minus predicted position in the ground plane, m, of all detections, used or not. */
   void plainResiduals(double[] ownValues, double[] state, double[] rx, double[] ry) {
-    FlightCurve curve = curve(theta(ownValues, state));
+    Path path = new Path(ownValues, state);
     double[] xyz = new double[3];
     for (int i = 0; i < data.size; i++) {
-      curve.position(data.time[i], xyz);
+      path.position(data.time[i], xyz);
       double stretch = data.stretch(i, xyz[2]);
       rx[i] = data.residualX(i, xyz, stretch) - state[OFFSETS + 2 * slot[i]];
       ry[i] = data.residualY(i, xyz, stretch) - state[OFFSETS + 2 * slot[i] + 1];
@@ -195,6 +239,27 @@ final class FlightTerm implements KickTerm<double[]> {
       }
     }
     along(directions, new double[own.size()][], ownValues, state, columns);
+    if (fit.bounces().size() > 0) {
+      bounceColumns(new Path(ownValues, state), columns);
+    }
+  }
+
+  private void bounceColumns(Path path, double[][] columns) {
+    int first = FlightLayout.kickSize(kind());
+    double[] xyz = new double[3];
+    for (int n = 0; n < used.length; n++) {
+      int i = used[n];
+      path.position(data.time[i], xyz);
+      double stretch = data.stretch(i, xyz[2]);
+      double[] byImpact = path.byImpact(data.time[i]);
+      for (int k = 0; k < fit.bounces().size(); k++) {
+        double longer = stretch * fit.bounces().along(k, byImpact);
+        double gx = longer * path.ux;
+        double gy = longer * path.uy;
+        columns[first + k][2 * n] = data.w11[i] * gx;
+        columns[first + k][2 * n + 1] = data.w21[i] * gx + data.w22[i] * gy;
+      }
+    }
   }
 
   @Override
@@ -264,14 +329,22 @@ final class FlightTerm implements KickTerm<double[]> {
     }
   }
 
+  private boolean isBounce(int index) {
+    int first = FlightLayout.kickSize(kind());
+    return index >= first && index < first + fit.bounces().size();
+  }
+
   @Override
   public double ownPrior(int index) {
-    return fit.kick().time();
+    return isBounce(index) ? 0 : fit.kick().time();
   }
 
   /** Without rest before the kick, its time is known only from where two lines cross. */
   @Override
   public double ownPrecision(int index) {
+    if (isBounce(index)) {
+      return fit.bounces().precision();
+    }
     boolean tied = index == FlightLayout.timeIndex(kind()) && !fit.kick().fromRest();
     return tied ? 1 / (fit.kick().timeError() * fit.kick().timeError()) : 0;
   }

@@ -25,7 +25,7 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
  * Fits all kicks at once: one model, one offset per camera, and position, velocity and time of each kick.
  *
  * <p>Uses what partial kicks determine, each observation with its weight. The parameters of the model are random effects: each kick has its own values, scattered normally about the model's, by an amount that is estimated, too. Where nothing
- * scatters that is one model for all; where carpet, bounces or a wrong law make kicks differ by more than the noise, no kick counts for more than its share, however low the noise is. The closed forms are brought to the kernel of {@link
+ * scatters that is one model for all; where carpet, bounces or a wrong law make kicks differ by more than the noise, no kick counts for more than its share, however low the noise is. Where a kick's fit says that its bounces may differ from each other ({@link KickFit#withUnevenBounces}), these differences are parameters of the kick. The closed forms are brought to the kernel of {@link
  * fieldcal.fit.joint}, which also says what the standard errors assume; outliers are judged again after each solution. Immutable and thread-safe.
  */
 public final class JointFitter {

@@ -3,6 +3,7 @@ package fieldcal.fit;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -14,7 +15,7 @@ import java.util.Optional;
  * <p>The covariance assumes that residuals are independent between detections, and scales the cameras' noise by what the
  * residuals of this kick show. It covers the free unknowns; rows and columns of others are zero. Parameters that the kick did not
  * determine were tied to their start with a standard deviation of one scale, so that the errors of the others contain what is not
- * known of them.
+ * known of them. Errors of chips whose bounces may differ from each other are those of {@link #withUnevenBounces}.
  */
 public final class KickFit {
   private final Kick kick;
@@ -27,6 +28,7 @@ public final class KickFit {
   private final double[] residualY;
   private final boolean[] used;
   private final FitStatistics statistics;
+  private final UnevenBounces bounces;
 
   KickFit(
       Kick kick,
@@ -38,6 +40,30 @@ public final class KickFit {
       double[] residualY,
       boolean[] used,
       FitStatistics statistics) {
+    this(
+        kick,
+        kind,
+        estimates,
+        covariance,
+        trajectory,
+        residualX,
+        residualY,
+        used,
+        statistics,
+        UnevenBounces.NONE);
+  }
+
+  private KickFit(
+      Kick kick,
+      KickKind kind,
+      List<Estimate> estimates,
+      double[][] covariance,
+      BallTrajectory trajectory,
+      double[] residualX,
+      double[] residualY,
+      boolean[] used,
+      FitStatistics statistics,
+      UnevenBounces bounces) {
     this.kick = kick;
     this.kind = kind;
     this.failure = null;
@@ -48,6 +74,7 @@ public final class KickFit {
     this.residualY = residualY;
     this.used = used;
     this.statistics = statistics;
+    this.bounces = bounces;
   }
 
   private KickFit(Kick kick, KickKind kind, String failure, FitStatistics statistics) {
@@ -61,6 +88,44 @@ public final class KickFit {
     this.residualY = new double[0];
     this.used = new boolean[0];
     this.statistics = statistics;
+    this.bounces = UnevenBounces.NONE;
+  }
+
+  /** The same fit with larger errors, and how the bounces of the chip may differ from each other. */
+  KickFit with(double[][] moreCovariance, UnevenBounces uneven) {
+    double[][] all = new double[covariance.length][];
+    List<Estimate> wider = new ArrayList<>();
+    for (int i = 0; i < all.length; i++) {
+      all[i] = covariance[i].clone();
+      for (int j = 0; j < all.length; j++) {
+        all[i][j] += moreCovariance[i][j];
+      }
+      Estimate e = estimates.get(i);
+      double error = Math.sqrt(all[i][i]);
+      wider.add(
+          e.standardError() > 0
+              ? new Estimate(e.parameter(), error, e.undetermined(), e.atBound())
+              : e);
+    }
+    return new KickFit(
+        kick, kind, wider, all, trajectory, residualX, residualY, used, statistics, uneven);
+  }
+
+  /**
+   * The same fit with errors that cover bounces which differ from each other: the horizontal damping of each bounce after the first differs from the mean of the kick's by a normal scatter, as where the ball spins. Values stay. A fit to
+   * which that does not apply stays as it is: a flat kick, a chip with fewer than two such bounces.
+   *
+   * @param cameras with which it was made
+   * @param scatter from bounce to bounce, standard deviation, 0 or more (–)
+   * @return the fit; a joint fit of it estimates the deviations, too
+   */
+  public KickFit withUnevenBounces(CameraViews cameras, double scatter) {
+    return UnevenBounces.cover(this, cameras, scatter);
+  }
+
+  /** How the bounces of a chip may differ from each other. */
+  UnevenBounces bounces() {
+    return bounces;
   }
 
   static KickFit failed(Kick kick, KickKind kind, String reason, long seed) {

@@ -1,5 +1,9 @@
 package fieldcal.play;
 
+import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.RobotOrder.Pose;
+import java.util.Optional;
+
 /** Somebody has to place the ball; the robots stand still until it lies where they can get at it. */
 final class HelpStep implements Step {
   private static final double[] PLACES = {0.05, 0.3, 0.5, 0.7, 0.95, 0.15, 0.85};
@@ -66,17 +70,40 @@ final class HelpStep implements Step {
     return s.others().stream().anyMatch(r -> Math.hypot(r.x() - ballX, r.y() - ballY) < CROWD);
   }
 
-  /** On the line of the next kick, away from all robots and from where the ball was of no use. */
+  /** On the line of the next kick, away from all robots and from where the ball was of no use; best where a robot can kick it soonest. */
   private void choosePlace(Situation s) {
-    PlayLine line = s.plan().lineOf(ledger.next(s));
+    PlannedKick kick = ledger.next(s);
+    PlayLine line = s.plan().lineOf(kick);
+    double least = Double.POSITIVE_INFINITY;
     for (double share : PLACES) {
       double px = line.x0() + share * (line.x1() - line.x0());
       double py = line.y0() + share * (line.y1() - line.y0());
-      if (Double.isNaN(x) || !isFree(s, x, y)) {
+      boolean free = isFree(s, px, py);
+      double drive = free ? drive(s, kick, px, py) : Double.POSITIVE_INFINITY;
+      if (Double.isNaN(x) || drive < least || free && !isFree(s, x, y)) {
         x = px;
         y = py;
+        least = drive;
       }
     }
+  }
+
+  /** How far the robots have to drive until one can kick from there and the other receive, the farther of the two, m; infinite when neither can kick. */
+  private static double drive(Situation s, PlannedKick kick, double px, double py) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < 2; i++) {
+      Optional<Task> task = Decider.from(s, kick, i, px, py);
+      if (!s.stuck(i) && task.isPresent()) {
+        double kicker = distance(s.robot(i), task.get().behind());
+        double receiver = distance(s.robot(1 - i), task.get().receiver());
+        least = Math.min(least, Math.max(kicker, receiver));
+      }
+    }
+    return least;
+  }
+
+  private static double distance(Robot robot, Pose pose) {
+    return Math.hypot(robot.x() - pose.x(), robot.y() - pose.y());
   }
 
   private boolean isFree(Situation s, double px, double py) {

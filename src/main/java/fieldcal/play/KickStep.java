@@ -9,6 +9,12 @@ final class KickStep extends TaskStep {
   /** A slow ball that far from the dribbler was not pushed there by it, m. */
   private static final double ELSEWHERE = 0.5;
 
+  /** A kicker may fire for so long after it was disarmed, s: 70 ms until a slow robot hears of it, 60 ms until the ball is seen to leave, and three frames that show its speed. */
+  private static final double ON_ITS_WAY = 0.2;
+
+  private double disarmed = Double.NaN;
+  private String reason;
+
   KickStep(Ledger ledger, Task task) {
     super(PlayPhase.KICK, ledger, task);
   }
@@ -21,16 +27,19 @@ final class KickStep extends TaskStep {
       return new WatchStep(ledger, task, s.time());
     }
     driveReceiver(s);
+    if (!Double.isNaN(disarmed)) {
+      return s.time() - disarmed > ON_ITS_WAY ? misfired(s, reason) : this;
+    }
     Robot r = s.robot(i);
     boolean passed = task.along(r.x(), r.y()) > -0.03;
     if (passed || age(s) > TIMEOUT) {
-      return misfired(s, s.plan().robot(i) + " did not kick");
+      return disarm(s, s.plan().robot(i) + " did not kick");
     }
     if (moved > 0.2 && s.fromDribbler(i) > ELSEWHERE) {
       return lookAgain("somebody moved the ball before " + s.plan().robot(i) + " kicked it");
     }
     if (moved > 0.2) {
-      return misfired(s, s.plan().robot(i) + " only pushed the ball");
+      return disarm(s, s.plan().robot(i) + " only pushed the ball");
     }
     double aside = Math.max(-0.1, Math.min(0.1, -3 * task.aside(r.x(), r.y())));
     double cos = Math.cos(task.aim());
@@ -38,6 +47,13 @@ final class KickStep extends TaskStep {
     double speed = s.limits().creepSpeed();
     s.creep(i, speed * cos - aside * sin, speed * sin + aside * cos, task.aim());
     s.arm(i, task.order());
+    return this;
+  }
+
+  /** The robot stands. A kick that comes late all the same is one. */
+  private Step disarm(Situation s, String why) {
+    disarmed = s.time();
+    reason = why;
     return this;
   }
 }

@@ -2,7 +2,9 @@ package fieldcal.ball;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -92,6 +94,33 @@ class SensitivitiesTest {
         FiniteDifferences.check(
             n -> RandomKicks.chip(n, flights), numbers, k, t, column(k), tolerance, label);
       }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3})
+  void bySingleImpactsAddUpToThoseByTheModelsDampings(long seed) {
+    RandomKicks kicks = new RandomKicks(seed);
+    for (int i = 0; i < CASES; i++) {
+      double[] numbers = kicks.chipNumbers();
+      int flights = kicks.integer(1, 5);
+      ChipTrajectory path = RandomKicks.chip(numbers, flights);
+      double t = kicks.uniform(path.kickTime() - 0.1, path.restTime() + 0.5);
+      double[] dx = new double[ChipTrajectory.SENSITIVITIES];
+      double[] dy = new double[ChipTrajectory.SENSITIVITIES];
+      path.sensitivitiesAt(t, xyz, dx, dy, new double[ChipTrajectory.SENSITIVITIES]);
+      double[] byImpact = new double[7];
+      path.dampingSensitivitiesAt(t, byImpact);
+      double others = Arrays.stream(byImpact).skip(1).sum();
+      String label = "seed " + seed + " case " + i + " flights " + flights;
+      double first =
+          Math.hypot(
+              dx[ChipTrajectory.DAMPING_XY_FIRST_HOP], dy[ChipTrajectory.DAMPING_XY_FIRST_HOP]);
+      double later =
+          Math.hypot(
+              dx[ChipTrajectory.DAMPING_XY_OTHER_HOPS], dy[ChipTrajectory.DAMPING_XY_OTHER_HOPS]);
+      assertThat(byImpact[0]).as(label).isEqualTo(first, within(1e-12));
+      assertThat(others).as(label).isEqualTo(later, within(1e-12));
     }
   }
 

@@ -21,6 +21,8 @@ class FlightTermTest extends KickTermContract<double[]> {
 
   private static final int[] NOTHING_SCATTERS = {};
 
+  private static final long UNEVEN_SEED = 4;
+
   private static List<Parameter> globals() {
     List<Parameter> all = new ArrayList<>();
     all.addAll(new FlatModel(-3.1, -0.28, 0.63).parameters());
@@ -42,6 +44,19 @@ class FlightTermTest extends KickTermContract<double[]> {
     return FlightTerm.of(fit, data, data.camera.clone(), globals(), scattering);
   }
 
+  /** A chip with four bounces after the first, which may differ from each other. */
+  private static FlightTerm uneven(int[] scattering) {
+    IdealKicks source = new IdealKicks(FitSupport.CLEAN.noise());
+    SplittableRandom random = new SplittableRandom(UNEVEN_SEED);
+    double[] truth = {0.1, -4, 0.5, 3.4, 3.8, 0.5, 0.72, 0.91, 0.55, -0.27};
+    IdealKicks.Sample s = source.observe(KickKind.CHIP, truth, 1, FitSupport.CLEAN, random);
+    KickFit fit =
+        FitSupport.fit(FitSupport.problem(s, source.views(), random), KickKind.CHIP)
+            .withUnevenBounces(source.views(), 0.03);
+    FlightData data = FlightData.of(s.kick().observations(), source.views());
+    return FlightTerm.of(fit, data, data.camera.clone(), globals(), scattering);
+  }
+
   @Override
   protected List<Case<double[]>> cases() {
     List<Case<double[]>> cases = new ArrayList<>();
@@ -55,25 +70,40 @@ class FlightTermTest extends KickTermContract<double[]> {
                   name,
                   term,
                   term.start(),
-                  scales(kind, scattering),
+                  scales(kind, 0, scattering),
                   double[]::clone,
                   globals(),
                   TOLERANCE));
         }
       }
     }
+    for (int[] scattering : new int[][] {NOTHING_SCATTERS, {3, 4}}) {
+      FlightTerm term = uneven(scattering);
+      int bounces = term.ownSize() - FlightLayout.kickSize(KickKind.CHIP) - scattering.length;
+      assertThat(bounces).isPositive();
+      cases.add(
+          new Case<>(
+              "uneven bounces, " + scattering.length + " scatter",
+              term,
+              term.start(),
+              scales(KickKind.CHIP, bounces, scattering),
+              double[]::clone,
+              globals(),
+              TOLERANCE));
+    }
     return cases;
   }
 
-  /** 1 cm, 0.1 m/s and 5 ms, then those of what differs from kick to kick. */
-  private static double[] scales(KickKind kind, int[] scattering) {
+  /** 1 cm, 0.1 m/s and 5 ms, then those of the bounces and of what differs from kick to kick. */
+  private static double[] scales(KickKind kind, int bounces, int[] scattering) {
     int time = FlightLayout.timeIndex(kind);
-    double[] scales = new double[time + 1 + scattering.length];
+    double[] scales = new double[time + 1 + bounces + scattering.length];
     Arrays.fill(scales, 0, 2, 0.01);
     Arrays.fill(scales, 2, time, 0.1);
     scales[time] = 0.005;
+    Arrays.fill(scales, time + 1, time + 1 + bounces, 0.1);
     for (int r = 0; r < scattering.length; r++) {
-      scales[time + 1 + r] = globals().get(scattering[r]).scale();
+      scales[time + 1 + bounces + r] = globals().get(scattering[r]).scale();
     }
     return scales;
   }

@@ -35,6 +35,7 @@ final class IdealKicks {
 
   private final CameraViews views;
   private double sideSpin;
+  private double rollSpin;
 
   IdealKicks(double noise) {
     views = CameraViews.of(List.of(view(0, -3, noise), view(1, 3, noise)));
@@ -53,6 +54,11 @@ final class IdealKicks {
   /** From now on kicks have spin about the direction of travel, as a fraction of rolling spin: they bend. */
   void sideSpin(double fraction) {
     sideSpin = fraction;
+  }
+
+  /** From now on kicks have spin about the rolling axis, as a fraction of rolling spin: negative is backspin. */
+  void rollSpin(double fraction) {
+    rollSpin = fraction;
   }
 
   CameraViews views() {
@@ -100,13 +106,14 @@ final class IdealKicks {
       for (int camera = 0; camera < 2; camera++) {
         double t = k / RATE + camera * phase;
         if (t >= t0 && !kicked) {
-          double perSpeed = sideSpin / physics.ball().radius();
+          double side = sideSpin / physics.ball().radius();
+          double roll = rollSpin / physics.ball().radius();
           ball.launch(
               truth[2],
               truth[3],
               kind == KickKind.CHIP ? truth[4] : 0,
-              perSpeed * truth[2],
-              perSpeed * truth[3],
+              side * truth[2] - roll * truth[3],
+              side * truth[3] + roll * truth[2],
               0);
           kicked = true;
           now = t0;

@@ -176,4 +176,38 @@ class SlowStartTest {
     assertThat(Math.hypot(ours.x, ours.y)).isGreaterThan(0.9);
     assertThat(field.hardestContact).isZero();
   }
+
+  /** Its radio was slow: it heard of the kick too late and of the end of it too late. */
+  @Test
+  void aKickerThatFiresJustAfterItWasDisarmedHasKicked() {
+    start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1), 0);
+    field.kickersFire = false;
+    while (play.state().phase() != PlayPhase.KICK) {
+      tick();
+    }
+    FakeField.Body kicker = field.robots.get(play.state().kicker() == 0 ? YELLOW : BLUE);
+    while (kicker.order.kick().armed()) {
+      tick();
+    }
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.KICK);
+    field.ballVx = 3 * Math.cos(kicker.orientation);
+    field.ballVy = 3 * Math.sin(kicker.orientation);
+    untilKicked(30);
+    assertThat(reasons).noneMatch(r -> r.contains("did not kick"));
+  }
+
+  @Test
+  void theBallIsAskedForWhereTheRobotsAreReadySoonest() {
+    start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1), 0);
+    field.put(YELLOW, -1, -0.7, 0);
+    field.put(BLUE, 4.5, 3, Math.PI);
+    field.ballVisible = false;
+    while (field.request.isEmpty()) {
+      tick();
+    }
+    // Yellow kicks from three tenths of the line, and blue stands where it receives.
+    assertThat(Math.hypot(field.request.get().x() + 1.82, field.request.get().y() + 1.22))
+        .isLessThan(0.1);
+    untilKicked(15);
+  }
 }

@@ -257,17 +257,18 @@ final class LiveFits {
 
   private List<KickResult> judgeAll(Calibration judged) {
     averages = kind == KickKind.FLAT ? judged.flat() : judged.chip();
-    Map<KickFit, CalibratedKick> byFit = new IdentityHashMap<>();
-    judged.kicks().forEach(k -> byFit.put(k.fit(), k));
+    Map<Kick, CalibratedKick> byKick = new IdentityHashMap<>();
+    judged.kicks().forEach(k -> byKick.put(k.fit().kick(), k));
     List<KickResult> changed = new ArrayList<>();
     for (int i = 0; i < results.size(); i++) {
       KickResult before = results.get(i);
       KickFit fit = fits.get(before.played().number());
       if (fit != null) {
-        String reason = reason(byFit.get(fit));
+        CalibratedKick kick = byKick.get(fit.kick());
+        String reason = reason(kick);
         KickResult now =
             new KickResult(
-                before.played(), Optional.of(fit), Optional.of(reason.isEmpty()), reason);
+                before.played(), Optional.of(kick.fit()), Optional.of(reason.isEmpty()), reason);
         results.set(i, now);
         if (!before.verdict().equals(now.verdict())) {
           changed.add(now);
