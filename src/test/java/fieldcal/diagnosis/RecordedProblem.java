@@ -23,6 +23,11 @@ public final class RecordedProblem {
 
   /** Reads and calibrates a recording; nobody knows what its robots were told. */
   public static DiagnosisProblem of(String name) throws IOException {
+    return of(name, SEED);
+  }
+
+  /** The same with another seed of the diagnosis. */
+  public static DiagnosisProblem of(String name, long seed) throws IOException {
     Path log =
         Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", name + ".log.gz");
     CollectedKicks data = new KickCollector((l, read, total) -> {}).collect(List.of(log));
@@ -45,6 +50,6 @@ public final class RecordedProblem {
         data.sessionStart(),
         Map.of(),
         DiagnosisProblem.DEFAULT_MAX_CAUSES,
-        SEED);
+        seed);
   }
 }
