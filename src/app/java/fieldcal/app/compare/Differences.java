@@ -47,13 +47,13 @@ final class Differences {
   /** Fewest kicks of a kind whose parameters are compared: one says nothing of how much they scatter. */
   private static final int FEWEST = 2;
 
-  private final Side real;
-  private final Side sim;
+  private final Diagnosis real;
+  private final Diagnosis sim;
   private final List<Difference> candidates = new ArrayList<>();
   private final List<Double> probabilities = new ArrayList<>();
   private final List<Row> rows = new ArrayList<>();
 
-  private Differences(Side real, Side sim) {
+  private Differences(Diagnosis real, Diagnosis sim) {
     this.real = real;
     this.sim = sim;
   }
@@ -66,8 +66,8 @@ final class Differences {
    */
   record Result(List<Difference> significant, List<Row> parameters) {}
 
-  /** Everything that both sides have of the ball. */
-  static Differences of(Side real, Side sim) {
+  /** Everything that the diagnoses of both sides have of the ball. */
+  static Differences of(Diagnosis real, Diagnosis sim) {
     Differences d = new Differences(real, sim);
     PARAMETERS.forEach(d::parameter);
     d.causes();
@@ -128,10 +128,6 @@ final class Differences {
         - new ChiSquaredDistribution(null, freedom).cumulativeProbability(2 * cause.evidence());
   }
 
-  private static ExtendedModel model(Side side) {
-    return side.diagnosis().diagnosis().model();
-  }
-
   private void parameter(BallParameter p) {
     Optional<double[]> field = estimate(real, p);
     Optional<double[]> other = estimate(sim, p);
@@ -148,10 +144,9 @@ final class Differences {
   }
 
   /** The value in the extended model with its standard error there; empty when too few kicks show it. */
-  private static Optional<double[]> estimate(Side side, BallParameter p) {
-    Diagnosis diagnosis = side.diagnosis().diagnosis();
+  private static Optional<double[]> estimate(Diagnosis diagnosis, BallParameter p) {
     KickKind kind = p.chip ? KickKind.CHIP : KickKind.FLAT;
-    OptionalDouble value = value(model(side), p.name);
+    OptionalDouble value = value(diagnosis.model(), p.name);
     Double error = diagnosis.ballErrors().get(p.name);
     boolean few = diagnosis.kicks().stream().filter(k -> k.kind() == kind).count() < FEWEST;
     return few || value.isEmpty() || error == null
@@ -215,10 +210,8 @@ final class Differences {
     learned();
   }
 
-  private static List<Cause> motion(Side side) {
-    return side.diagnosis().diagnosis().causes().stream()
-        .filter(c -> c.effect() instanceof MotionEffect)
-        .toList();
+  private static List<Cause> motion(Diagnosis diagnosis) {
+    return diagnosis.causes().stream().filter(c -> c.effect() instanceof MotionEffect).toList();
   }
 
   /** The same cause, or one that explains the same kicks. */
@@ -358,8 +351,8 @@ final class Differences {
     return effects;
   }
 
-  private static List<LearnedTerm> learned(Side side) {
-    return model(side).effects().stream()
+  private static List<LearnedTerm> learned(Diagnosis diagnosis) {
+    return diagnosis.model().effects().stream()
         .filter(e -> e instanceof LearnedTerm && e instanceof MotionEffect)
         .map(LearnedTerm.class::cast)
         .toList();
