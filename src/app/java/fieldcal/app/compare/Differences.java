@@ -4,6 +4,7 @@ import fieldcal.app.wording.EffectName;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.effect.Effect;
@@ -24,7 +25,7 @@ import org.apache.commons.math3.distribution.NormalDistribution;
 /** Finds what the simulator's ball has otherwise than the field's, each difference with the probability that chance makes it so large. */
 final class Differences {
   /** A parameter of the ball's simple model. */
-  private record Parameter(String name, boolean chip) {
+  private record BallParameter(String name, boolean chip) {
     String words() {
       return ParameterWords.of(name);
     }
@@ -34,25 +35,25 @@ final class Differences {
     }
   }
 
-  private static final List<Parameter> PARAMETERS =
+  private static final List<BallParameter> PARAMETERS =
       List.of(
-          new Parameter("accSlide", false),
-          new Parameter("accRoll", false),
-          new Parameter("kSwitch", false),
-          new Parameter("dampingXyFirstHop", true),
-          new Parameter("dampingXyOtherHops", true),
-          new Parameter("dampingZ", true));
+          new BallParameter("accSlide", false),
+          new BallParameter("accRoll", false),
+          new BallParameter("kSwitch", false),
+          new BallParameter("dampingXyFirstHop", true),
+          new BallParameter("dampingXyOtherHops", true),
+          new BallParameter("dampingZ", true));
 
   /** Fewest kicks of a kind whose parameters are compared: one says nothing of how much they scatter. */
   private static final int FEWEST = 2;
 
-  private final Side real;
-  private final Side sim;
+  private final Diagnosis real;
+  private final Diagnosis sim;
   private final List<Difference> candidates = new ArrayList<>();
   private final List<Double> probabilities = new ArrayList<>();
   private final List<Row> rows = new ArrayList<>();
 
-  private Differences(Side real, Side sim) {
+  private Differences(Diagnosis real, Diagnosis sim) {
     this.real = real;
     this.sim = sim;
   }
@@ -65,8 +66,8 @@ final class Differences {
    */
   record Result(List<Difference> significant, List<Row> parameters) {}
 
-  /** Everything that both sides have of the ball. */
-  static Differences of(Side real, Side sim) {
+  /** Everything that the diagnoses of both sides have of the ball. */
+  static Differences of(Diagnosis real, Diagnosis sim) {
     Differences d = new Differences(real, sim);
     PARAMETERS.forEach(d::parameter);
     d.causes();
@@ -82,12 +83,27 @@ final class Differences {
   Result judged(double[] corrected) {
     List<Difference> significant = new ArrayList<>();
     for (int i = 0; i < corrected.length; i++) {
-      if (corrected[i] < FieldComparison.ALPHA) {
+      if (corrected[i] < FieldComparison.ALPHA && isClearestOfItsCause(i)) {
         significant.add(candidates.get(i));
       }
     }
     Set<String> ids = significant.stream().map(Difference::id).collect(Collectors.toSet());
     return new Result(significant, rows.stream().map(r -> r.judged(ids.contains(r.id()))).toList());
+  }
+
+  /** Whether no other number of the same cause differs more certainly: a cause is one difference, however many of its numbers differ. */
+  private boolean isClearestOfItsCause(int i) {
+    UnaryOperator<ExtendedModel> change = candidates.get(i).asSimulated();
+    int clearest = i;
+    for (int j = 0; j < candidates.size(); j++) {
+      boolean clearer = probabilities.get(j) < probabilities.get(clearest);
+      boolean sameButFirst =
+          probabilities.get(j).equals(probabilities.get(clearest)) && j < clearest;
+      if (candidates.get(j).asSimulated() == change && (clearer || sameButFirst)) {
+        clearest = j;
+      }
+    }
+    return clearest == i;
   }
 
   private void candidate(Difference difference, double probability) {
@@ -112,11 +128,7 @@ final class Differences {
         - new ChiSquaredDistribution(null, freedom).cumulativeProbability(2 * cause.evidence());
   }
 
-  private static ExtendedModel model(Side side) {
-    return side.diagnosis().diagnosis().model();
-  }
-
-  private void parameter(Parameter p) {
+  private void parameter(BallParameter p) {
     Optional<double[]> field = estimate(real, p);
     Optional<double[]> other = estimate(sim, p);
     if (field.isEmpty() || other.isEmpty()) {
@@ -132,10 +144,9 @@ final class Differences {
   }
 
   /** The value in the extended model with its standard error there; empty when too few kicks show it. */
-  private static Optional<double[]> estimate(Side side, Parameter p) {
-    Diagnosis diagnosis = side.diagnosis().diagnosis();
+  private static Optional<double[]> estimate(Diagnosis diagnosis, BallParameter p) {
     KickKind kind = p.chip ? KickKind.CHIP : KickKind.FLAT;
-    OptionalDouble value = value(model(side), p.name);
+    OptionalDouble value = value(diagnosis.model(), p.name);
     Double error = diagnosis.ballErrors().get(p.name);
     boolean few = diagnosis.kicks().stream().filter(k -> k.kind() == kind).count() < FEWEST;
     return few || value.isEmpty() || error == null
@@ -168,8 +179,7 @@ final class Differences {
     return new ExtendedModel(flat, chip, m.effects(), m.sessionStart());
   }
 
-  private static double[] values(
-      List<fieldcal.ball.Parameter> parameters, String name, double value) {
+  private static double[] values(List<Parameter> parameters, String name, double value) {
     return parameters.stream()
         .mapToDouble(p -> p.name().equals(name) ? value : p.value())
         .toArray();
@@ -200,10 +210,8 @@ final class Differences {
     learned();
   }
 
-  private static List<Cause> motion(Side side) {
-    return side.diagnosis().diagnosis().causes().stream()
-        .filter(c -> c.effect() instanceof MotionEffect)
-        .toList();
+  private static List<Cause> motion(Diagnosis diagnosis) {
+    return diagnosis.causes().stream().filter(c -> c.effect() instanceof MotionEffect).toList();
   }
 
   /** The same cause, or one that explains the same kicks. */
@@ -227,15 +235,6 @@ final class Differences {
       // Two names of what these kicks cannot tell apart.
       return;
     }
-    String parameter = any.effect().parameters().get(0).name();
-    double a = field.map(c -> c.effect().parameters().get(0).value()).orElse(Double.NaN);
-    double b = other.map(c -> c.effect().parameters().get(0).value()).orElse(Double.NaN);
-    double ea = field.map(c -> error(c, parameter)).orElse(Double.NaN);
-    double eb = other.map(c -> error(c, parameter)).orElse(Double.NaN);
-    double difference = (Double.isNaN(b) ? 0 : b) - (Double.isNaN(a) ? 0 : a);
-    double error = Math.hypot(Double.isNaN(ea) ? 0 : ea, Double.isNaN(eb) ? 0 : eb);
-    double sigmas = error > 0 ? difference / error : difference == 0 ? 0 : Double.POSITIVE_INFINITY;
-    boolean both = field.isPresent() && other.isPresent();
     Optional<Effect> simulated = other.map(Cause::effect);
     UnaryOperator<ExtendedModel> asSimulated =
         m ->
@@ -246,17 +245,64 @@ final class Differences {
                   simulated.ifPresent(effects::add);
                   return effects;
                 });
+    if (field.isPresent() && other.isPresent()) {
+      numbers(field.get(), other.get(), asSimulated);
+    } else {
+      presence(any, field.isPresent(), asSimulated);
+    }
+  }
+
+  /** A cause that one side lacks is there or not by its magnitude. */
+  private void presence(Cause cause, boolean ofTheField, UnaryOperator<ExtendedModel> asSimulated) {
+    Parameter magnitude = cause.effect().parameters().get(0);
+    double value = magnitude.value();
+    double error = error(cause, magnitude.name());
+    double nan = Double.NaN;
     candidate(
         new Difference(
-            any.effect().id(),
-            EffectName.of(any.effect()),
-            a,
-            ea,
-            b,
-            eb,
-            any.effect().parameters().get(0).unit(),
+            cause.effect().id(),
+            EffectName.of(cause.effect()),
+            ofTheField ? value : nan,
+            ofTheField ? error : nan,
+            ofTheField ? nan : value,
+            ofTheField ? nan : error,
+            magnitude.unit(),
             asSimulated),
-        both ? byChance(sigmas) : ofPresence(any, sigmas));
+        ofPresence(cause, error > 0 ? value / error : Double.POSITIVE_INFINITY));
+  }
+
+  /** A cause that both sides have may differ in any number that was estimated on both. */
+  private void numbers(Cause field, Cause other, UnaryOperator<ExtendedModel> asSimulated) {
+    Effect effect = field.effect();
+    List<Parameter> parameters = effect.parameters();
+    for (int i = 0; i < parameters.size(); i++) {
+      Parameter p = parameters.get(i);
+      double a = p.value();
+      double b = other.effect().value(p.name());
+      double ea = error(field, p.name());
+      double eb = error(other, p.name());
+      double error = Math.hypot(ea, eb);
+      if (!(error > 0)) {
+        continue;
+      }
+      boolean first = i == 0;
+      candidate(
+          new Difference(
+              first ? effect.id() : effect.id() + "." + p.name(),
+              EffectName.of(effect) + (first ? "" : ", " + p.name().replace('_', ' ')),
+              a,
+              ea,
+              b,
+              eb,
+              p.unit(),
+              asSimulated),
+          byChance(distance(a, b, p.unit()) / error));
+    }
+  }
+
+  /** How far apart two values are; of angles the short way round. */
+  private static double distance(double a, double b, String unit) {
+    return unit.equals("rad") ? Math.IEEEremainder(b - a, 2 * Math.PI) : b - a;
   }
 
   private static double error(Cause cause, String parameter) {
@@ -305,8 +351,8 @@ final class Differences {
     return effects;
   }
 
-  private static List<LearnedTerm> learned(Side side) {
-    return model(side).effects().stream()
+  private static List<LearnedTerm> learned(Diagnosis diagnosis) {
+    return diagnosis.model().effects().stream()
         .filter(e -> e instanceof LearnedTerm && e instanceof MotionEffect)
         .map(LearnedTerm.class::cast)
         .toList();

@@ -41,7 +41,7 @@ final class FieldComparer {
 
   /** All tests of the comparison pay for their number together: the operator reads them together. */
   FieldComparison compare() {
-    Differences ball = Differences.of(real, sim);
+    Differences ball = Differences.of(real.diagnosis().diagnosis(), sim.diagnosis().diagnosis());
     List<Comparison> cameras = cameras();
     TestedRows others = others();
     double[] ofCameras = cameras.stream().mapToDouble(Comparison::p).toArray();
