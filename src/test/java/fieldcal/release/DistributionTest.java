@@ -136,7 +136,7 @@ class DistributionTest {
     String unix = Files.readString(unpacked.resolve("bin/fieldcal"));
     String windows = Files.readString(unpacked.resolve("bin/fieldcal.bat"));
     assertThat(windows.replace("\r\n", "")).doesNotContain("\n");
-    for (String option : List.of("-Xmx512m", "-Xmx400m", "-Dfile.encoding", "fieldcal.app.cli")) {
+    for (String option : List.of("-Xmx512m", "-Xmx1g", "-Dfile.encoding", "fieldcal.app.cli")) {
       assertThat(unix).contains(option);
       assertThat(windows).contains(option);
     }
