@@ -19,9 +19,9 @@ import java.util.OptionalDouble;
  * rolls, and after the last flight the ball rolls.
  *
  * <p>Spin that the kick gave the ball, q (as s), acts at impacts, too. The impulse along the ground follows from the slip of the contact point (R. L. Garwin, "Kinematics of an ultraelastic rough ball", Am. J. Phys.
- * 37, 1969; R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70, 2002): as long as the ball grips, Δv = −k·(v − s) and Δs = −Δv/β, which for a ball without spin is the model's loss with k = 1 − dampingXyFirstHop. So the path without q stays
- * the model's. The law is linear: what q makes of the velocity, p, and what is left of q obey it alone, Δp = −k·(p − q) and Δq = −Δp/β, from p = 0 on; p + β·q stays what it is. Friction is taken not to limit this, as it does not limit the fixed losses. What slip of them the last impact leaves is taken when the ball begins to roll. A {@linkplain MotionEffect.ImpactLaw law of
- * impacts} takes the place of both; the slip that its impacts leave is taken then, too.
+ * 37, 1969; R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70, 2002): as long as the ball grips, Δv = −k·(v − s), which for a ball without spin is the model's loss with k = 1 − dampingXyFirstHop. So the path without q stays
+ * the model's, and q is a linear perturbation of it with the same k: at each impact v gets k·q more, and q is used up by the torque, q ← q·max(0, 1 − k/β). A {@linkplain MotionEffect.ImpactLaw law of impacts} takes the place of both; the slip
+ * that its impacts leave is taken when the ball begins to roll.
  *
  * <p>Without effects the path is {@link fieldcal.ball.FlatTrajectory}'s or {@link ChipTrajectory}'s.
  *

@@ -14,8 +14,15 @@ final class Impacts {
 
   private final MotionEffects effects;
 
-  /** What a ball that was kicked without spin would not have: velocity and spin as {@link BallMotion#spinX}, x before y, m/s. */
-  private final double[] spun = new double[4];
+  /** The part of the spin that comes from the kick and bounces have not used up, as {@link BallMotion#spinX}, m/s. */
+  private double kickSpinX;
+
+  private double kickSpinY;
+
+  /** The part of the velocity that this spin gave the ball at bounces, m/s. */
+  private double spunX;
+
+  private double spunY;
 
   Impacts(MotionEffects effects) {
     this.effects = effects;
@@ -23,8 +30,8 @@ final class Impacts {
 
   /** A kick that gives the ball a spin, as {@link BallMotion#spinX}, m/s. */
   void begin(double spinX, double spinY) {
-    spun[2] = spinX;
-    spun[3] = spinY;
+    kickSpinX = spinX;
+    kickSpinY = spinY;
   }
 
   /** One impact; changes the state. */
@@ -46,66 +53,55 @@ final class Impacts {
       state[6] = after[2];
       state[7] = after[3];
     } else {
-      lose(Math.max(0, dampingXy), grip(model), state);
+      lose(Math.max(0, dampingXy), Math.max(0, 1 - model.dampingXyFirstHop()), state);
     }
     state[5] = -dampingZ * state[5];
     if (turn != 0) {
       turn(3, turn, state);
       turn(6, turn, state);
-      turn(0, turn, spun);
-      turn(2, turn, spun);
     }
   }
 
-  /** The part of the slip that an impact takes from the velocity: the first damping says it of a ball without spin, all of whose velocity is slip. No more than an ideally elastic contact does. */
-  private double grip(ChipModel model) {
-    double beta = effects.ball.inertiaFactor();
-    double elastic = 2 * beta / (1 + beta);
-    return Math.max(0, Math.min(elastic, 1 - model.dampingXyFirstHop()));
-  }
-
-  /** Turns a horizontal vector. */
-  private static void turn(int at, double angle, double[] vectors) {
+  /** Turns a horizontal vector of the state. */
+  private static void turn(int at, double angle, double[] state) {
     double c = Math.cos(angle);
     double s = Math.sin(angle);
-    double x = vectors[at];
-    vectors[at] = c * x - s * vectors[at + 1];
-    vectors[at + 1] = s * x + c * vectors[at + 1];
+    double x = state[at];
+    state[at] = c * x - s * state[at + 1];
+    state[at + 1] = s * x + c * state[at + 1];
   }
 
-  /**
-   * The ball stays down, and what slip the impacts have left is taken at once: hops that are too low to be counted and the carpet do so within milliseconds. Where the fixed losses hold, only spin of the kick leaves any.
-   */
+  /** The ball stays down. Where the contact law holds, the bounces that are too low to be counted take what slip is left. */
   void end(double[] state) {
-    double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
-    boolean law = effects.impacts != null;
-    state[3] -= share * (law ? state[3] - state[6] : spun[0] - spun[2]);
-    state[4] -= share * (law ? state[4] - state[7] : spun[1] - spun[3]);
+    if (effects.impacts != null) {
+      double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
+      state[3] -= share * (state[3] - state[6]);
+      state[4] -= share * (state[4] - state[7]);
+    }
   }
 
   /**
-   * The fixed loss of an impact, and the contact law for what the kick's spin adds to it (see {@link ExtendedTrajectory}): the perturbation is taken out, and put back changed.
+   * The fixed loss of an impact, and what the kick's spin adds to it (see {@link ExtendedTrajectory}): the perturbation is taken out, and put back changed.
    *
    * @param dampingXy what is left of the velocity along the ground
-   * @param grip part of the perturbation's slip that the velocity loses
+   * @param grip slope of the contact law
    * @param state is changed
    */
   private void lose(double dampingXy, double grip, double[] state) {
-    addSpun(-1, state);
+    state[3] -= spunX;
+    state[4] -= spunY;
+    state[6] -= kickSpinX;
+    state[7] -= kickSpinY;
     lose(dampingXy, state);
-    for (int axis = 0; axis < 2; axis++) {
-      double lost = grip * (spun[axis] - spun[2 + axis]);
-      spun[axis] -= lost;
-      spun[2 + axis] += lost / effects.ball.inertiaFactor();
-    }
-    addSpun(1, state);
-  }
-
-  private void addSpun(double sign, double[] state) {
-    state[3] += sign * spun[0];
-    state[4] += sign * spun[1];
-    state[6] += sign * spun[2];
-    state[7] += sign * spun[3];
+    spunX = dampingXy * spunX + grip * kickSpinX;
+    spunY = dampingXy * spunY + grip * kickSpinY;
+    double left = Math.max(0, 1 - grip / effects.ball.inertiaFactor());
+    kickSpinX *= left;
+    kickSpinY *= left;
+    state[3] += spunX;
+    state[4] += spunY;
+    state[6] += kickSpinX;
+    state[7] += kickSpinY;
   }
 
   private void lose(double dampingXy, double[] state) {

@@ -265,12 +265,9 @@ class MotionEffectsTest {
   void spinOfTheKickActsAtImpacts() {
     // A ball that already rolls loses nothing at its first impact.
     assertThat(afterImpacts(new KickSpin(1)).get(0)).isEqualTo(3, within(1e-9));
-    // Backspin grips more: v' = 0.75·v + p', p' = 0.25·q. What it made of the velocity slips at the
-    // next impact, too: v'' = 0.95·0.75·v + p'', p'' = p' − 0.25·(p' − q'), q' = q − p'/0.4.
-    double p = 0.25 * -1.2;
-    double first = 0.75 * 3 + p;
-    double slip = p - (-1.2 - p / 0.4);
-    double second = 0.95 * 0.75 * 3 + p - 0.25 * slip;
+    // Backspin grips more: v' = 0.75·v + 0.25·q, q' = q·(1 − 0.25/0.4), v'' = 0.95·v' + 0.25·q'.
+    double first = 0.75 * 3 + 0.25 * -1.2;
+    double second = 0.95 * first + 0.25 * -1.2 * 0.375;
     List<Double> speeds = afterImpacts(new KickSpin(-0.4));
     assertThat(speeds.get(0)).isEqualTo(first, within(1e-9));
     assertThat(speeds.get(1)).isEqualTo(second, within(1e-9));
