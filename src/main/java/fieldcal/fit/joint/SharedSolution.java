@@ -7,7 +7,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 
 /**
@@ -36,9 +35,6 @@ public final class SharedSolution<S> {
   /** Relative damping of the step to the solution without some kicks: along directions that hardly any kick determines it would lead beyond where the equations hold. */
   private static final double NEWTON_DAMPING = 1e-3;
 
-  /** Shortest part of that step: a thousandth of it changes nothing that a standard error would show. */
-  private static final double LEAST_SHARE = 1e-3;
-
   private final SharedProblem<S> problem;
   private final List<KickTerm<S>> kicks;
   private final List<double[]> own;
@@ -47,10 +43,6 @@ public final class SharedSolution<S> {
   private final int[] free;
   private final double[][][] reduced;
   private final double[][] gradients;
-
-  /** For each kick and free global parameter, by how much the own parameters follow it, with the sign turned round. */
-  private final double[][][] following;
-
   private final double[] chiSquares;
   private final double cost;
   private final double randomCost;
@@ -79,13 +71,11 @@ public final class SharedSolution<S> {
     this.stopReason = stopReason;
     reduced = new double[blocks.length][][];
     gradients = new double[blocks.length][];
-    following = new double[blocks.length][][];
     chiSquares = new double[blocks.length];
     double marginal = 0;
     for (int k = 0; k < blocks.length; k++) {
       reduced[k] = blocks[k].reducedMatrix();
       gradients[k] = blocks[k].reducedGradient();
-      following[k] = blocks[k].following();
       chiSquares[k] = blocks[k].chiSquare / problem.weights()[k];
       for (int r = 0; r < scatters.length; r++) {
         double left = blocks[k].ownVariance(blocks[k].own - scatters.length + r);
@@ -108,7 +98,6 @@ public final class SharedSolution<S> {
     stopReason = of.stopReason;
     reduced = Arrays.stream(kept).mapToObj(k -> of.reduced[k]).toArray(double[][][]::new);
     gradients = Arrays.stream(kept).mapToObj(k -> of.gradients[k]).toArray(double[][]::new);
-    following = Arrays.stream(kept).mapToObj(k -> of.following[k]).toArray(double[][][]::new);
     chiSquares = Arrays.stream(kept).mapToDouble(k -> of.chiSquares[k]).toArray();
   }
 
@@ -421,8 +410,7 @@ public final class SharedSolution<S> {
   }
 
   /**
-   * The global parameters as they would be without some kicks: one Newton step from the solution, exact where the model is linear. Where the step leads out of where the equations hold (a law with a limit, as of friction, that the kicks are short of), the other kicks would be
-   * explained worse than before: the step is then halved until they are not, by more than the one unit of chi-square that a standard error is.
+   * The global parameters as they would be without some kicks: one Newton step from the solution, exact where the model is linear.
    *
    * @param without whether to leave out each kick
    * @return values of all global parameters, within their bounds
@@ -442,67 +430,11 @@ public final class SharedSolution<S> {
       g[i] -= prior.precision() * (values[free[i]] - prior.mean());
     }
     double[] step = ScaledEquations.solve(information(without), g, scales(), NEWTON_DAMPING);
-    if (step == null) {
-      return values.clone();
-    }
-    double most = costOfOthers(without, values, null) + Math.max(1, reducedChiSquare());
-    for (double share = 1; share >= LEAST_SHARE; share /= 2) {
-      double[] moved = moved(step, share);
-      if (costOfOthers(without, moved, problem.model().at(moved)) <= most) {
-        return moved;
-      }
-    }
-    return values.clone();
-  }
-
-  private double[] moved(double[] step, double share) {
     double[] moved = values.clone();
-    for (int i = 0; i < free.length; i++) {
-      int f = free[i];
-      moved[f] = problem.globals().get(f).clamp(values[f] + share * step[i]);
+    for (int i = 0; step != null && i < n; i++) {
+      moved[free[i]] = problem.globals().get(free[i]).clamp(values[free[i]] + step[i]);
     }
     return moved;
-  }
-
-  /** The cost of all kicks but some, and of the priors, at values of the global parameters that the own ones follow to first order; {@code state} is null at the solution. */
-  private double costOfOthers(boolean[] without, double[] at, S state) {
-    double[] means = problem.means(at);
-    double[] costs =
-        IntStream.range(0, without.length)
-            .parallel()
-            .mapToDouble(k -> without[k] ? 0 : cost(k, at, means, state))
-            .toArray();
-    // Summed in order, so that the result does not depend on the number of threads.
-    double sum = 0;
-    for (double c : costs) {
-      sum += c;
-    }
-    for (int f : free) {
-      Prior prior = problem.priors().get(f);
-      double d = at[f] - prior.mean();
-      sum += prior.precision() * d * d;
-    }
-    return sum;
-  }
-
-  private double cost(int k, double[] at, double[] means, S state) {
-    KickTerm<S> term = kicks.get(k);
-    double[] p = own.get(k);
-    double chiSquare = chiSquares[k];
-    if (state != null) {
-      p = p.clone();
-      for (int i = 0; i < free.length; i++) {
-        double step = at[free[i]] - values[free[i]];
-        for (int j = 0; step != 0 && j < p.length; j++) {
-          p[j] -= following[k][i][j] * step;
-        }
-      }
-      term.clamp(p);
-      double[] residuals = new double[term.rows()];
-      term.residuals(p, state, residuals);
-      chiSquare = KickBlock.dot(residuals, residuals);
-    }
-    return problem.weights()[k] * chiSquare + OwnPriors.cost(term, p, means, scatters);
   }
 
   /**
