@@ -161,7 +161,10 @@ final class FlightTerm implements KickTerm<double[]> {
   private final class Path {
     final FlightCurve curve;
     private final double[] values;
-    private final double[] byImpact = new double[flights];
+
+    /** Derivatives of the way by the damping at each impact, at the last position that was asked for, m. */
+    final double[] byImpact = new double[flights];
+
     final double ux;
     final double uy;
 
@@ -178,15 +181,11 @@ final class FlightTerm implements KickTerm<double[]> {
     void position(double time, double[] xyz) {
       curve.position(time, xyz);
       if (values.length > 0) {
-        double longer = fit.bounces().longer(values, byImpact(time));
+        curve.byImpact(time, byImpact);
+        double longer = fit.bounces().longer(values, byImpact);
         xyz[0] += longer * ux;
         xyz[1] += longer * uy;
       }
-    }
-
-    double[] byImpact(double time) {
-      curve.byImpact(time, byImpact);
-      return byImpact;
     }
   }
 
@@ -251,9 +250,8 @@ final class FlightTerm implements KickTerm<double[]> {
       int i = used[n];
       path.position(data.time[i], xyz);
       double stretch = data.stretch(i, xyz[2]);
-      double[] byImpact = path.byImpact(data.time[i]);
       for (int k = 0; k < fit.bounces().size(); k++) {
-        double longer = stretch * fit.bounces().along(k, byImpact);
+        double longer = stretch * fit.bounces().along(k, path.byImpact);
         double gx = longer * path.ux;
         double gy = longer * path.uy;
         columns[first + k][2 * n] = data.w11[i] * gx;

@@ -2,10 +2,10 @@ package fieldcal.fit;
 
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.kick.KickKind;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.MatrixUtils;
+import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
@@ -181,25 +181,11 @@ final class UnevenBounces {
 
     /** An orthonormal basis of what is perpendicular to a vector; empty for no vector. */
     private static double[][] complement(double[] vector) {
-      List<double[]> basis = new ArrayList<>();
-      basis.add(vector.clone());
-      if (!(normalize(basis.get(0)) > 0)) {
+      if (!(dot(vector, vector) > 0)) {
         return new double[0][];
       }
-      for (int n = 0; n < vector.length && basis.size() < vector.length; n++) {
-        double[] next = new double[vector.length];
-        next[n] = 1;
-        for (double[] b : basis) {
-          double part = dot(b, next);
-          for (int i = 0; i < next.length; i++) {
-            next[i] -= part * b[i];
-          }
-        }
-        if (normalize(next) > 1e-3) {
-          basis.add(next);
-        }
-      }
-      return basis.subList(1, basis.size()).toArray(double[][]::new);
+      RealMatrix q = new QRDecomposition(new Array2DRowRealMatrix(vector)).getQ();
+      return IntStream.range(1, vector.length).mapToObj(q::getColumn).toArray(double[][]::new);
     }
 
     private static double dot(double[] a, double[] b) {
@@ -208,15 +194,6 @@ final class UnevenBounces {
         sum += a[i] * b[i];
       }
       return sum;
-    }
-
-    /** Makes it as long as 1 and answers how long it was. */
-    private static double normalize(double[] vector) {
-      double length = Math.sqrt(dot(vector, vector));
-      for (int i = 0; i < vector.length; i++) {
-        vector[i] /= length;
-      }
-      return length;
     }
   }
 }

@@ -23,7 +23,7 @@ final class Descent<S> {
   /** A step with old derivatives must gain less than that share of the step before, or they are not good enough: errors then shrink to less than a third with each step. */
   private static final double FAST = 0.1;
 
-  /** What a descent may gain in all, in gains that the equations promise where it begins: where paths bend, these are not all. Of 20 descents that were worth it, none gained more than 1.6 times as much. */
+  /** What a descent may gain in all, in gains that the equations promise where it begins: the promise is exact where residuals are linear. Where paths bend, these are not all: chosen; of 16 descents for hops that were worth it, in chips of two other generators, none gained more than 1.6 times as much. */
   static final double TRUSTED = 2;
 
   /** A cost that rises by less than that share is the same but for rounding. */
