@@ -77,6 +77,9 @@ final class RecordHeader {
         && (nanos >= YEAR_2000 && nanos <= YEAR_2100 || Math.abs(nanos - lastNanos) <= DAY);
   }
 
+  /** The same as {@link #canFollow} asks of two times, s. */
+  static final double LONGEST_STEP = HOUR * 1e-9;
+
   /** Whether the header at one place can be followed by the one at another. */
   static boolean canFollow(byte[] buffer, int at, int next) {
     return isPlausible(buffer, next) && Math.abs(nanos(buffer, next) - nanos(buffer, at)) <= HOUR;

@@ -54,6 +54,11 @@ public final class RecordingReader implements Closeable {
   private boolean isRead;
   private long frames;
   private double lastTime = Double.NaN;
+
+  /** From the first message to the last, as far as neighbours confirm their times: a damaged one would make a match of minutes one of years. */
+  private double startTime = Double.NaN;
+
+  private double endTime = Double.NaN;
   private long nextProgress;
   private long offset; // of the message at hand; kept, because at the end there is none
 
@@ -150,7 +155,7 @@ public final class RecordingReader implements Closeable {
     isRead = true;
     listener = Objects.requireNonNull(to, "listener");
     order = new CaptureOrder(tolerance, new Counter());
-    double firstTime = hasMessages ? epoch.secondsOfNanos(log.receivedNanos()) : Double.NaN;
+    startTime = hasMessages ? epoch.secondsOfNanos(log.receivedNanos()) : Double.NaN;
     for (boolean more = hasMessages; more; more = log.next()) {
       take();
       if (log.bytesRead() >= nextProgress) {
@@ -169,7 +174,7 @@ public final class RecordingReader implements Closeable {
           LogProblem.NO_MESSAGES, log.logBytes(), () -> problems.file().getFileName().toString());
     }
     listener.onProgress(log.totalBytes(), log.totalBytes());
-    return summary(firstTime);
+    return summary();
   }
 
   @Override
@@ -185,6 +190,10 @@ public final class RecordingReader implements Closeable {
       problem(
           LogProblem.CLOCK_JUMP_BACK,
           () -> String.format("the recorder's clock, by %.3f s", last - received));
+    }
+    if (Math.abs(received - last) <= RecordHeader.LONGEST_STEP) {
+      startTime = Double.isNaN(endTime) ? last : startTime;
+      endTime = received;
     }
     lastTime = received;
     MessageType type = log.type();
@@ -327,7 +336,7 @@ public final class RecordingReader implements Closeable {
     }
   }
 
-  private RecordingSummary summary(double firstTime) {
+  private RecordingSummary summary() {
     Map<MessageType, Long> byType = new EnumMap<>(MessageType.class);
     for (MessageType type : MessageType.values()) {
       if (messages[type.ordinal()] > 0) {
@@ -336,8 +345,8 @@ public final class RecordingReader implements Closeable {
     }
     return new RecordingSummary(
         epoch,
-        firstTime,
-        lastTime,
+        startTime,
+        Double.isNaN(endTime) ? lastTime : endTime,
         byType,
         frames,
         Optional.ofNullable(geometry),

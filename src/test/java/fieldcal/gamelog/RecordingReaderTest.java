@@ -371,4 +371,14 @@ class RecordingReaderTest {
   private static long micros(double time) {
     return 1_763_712_345_000_000L + Math.round(1e6 * time);
   }
+
+  @Test
+  void aDamagedTimeOfTheLastMessageDoesNotMakeARecordingOfMinutesOneOfYears() throws IOException {
+    LogBuilder log = new LogBuilder();
+    for (int i = 0; i < 10; i++) {
+      log.record(1 + i, MessageType.SSL_REFBOX_2013.code(), new byte[0]);
+    }
+    log.record(3e8, MessageType.SSL_REFBOX_2013.code(), new byte[0]);
+    assertThat(read(log.bytes()).duration()).isCloseTo(9, within(1e-6));
+  }
 }
