@@ -82,8 +82,8 @@ final class Engine implements AutoCloseable {
     return collect(() -> context.parallelize(files, files.size()).map(LogTask::identify).collect());
   }
 
-  /** Reads logs, the largest first, so that none is left for the end. */
-  void read(
+  /** Reads logs, the largest first, so that none is left for the end; gives them back, without fingerprint those that changed meanwhile. */
+  List<LogFile> read(
       List<LogFile> logs, ArchiveFolder folder, LogOpener opener, ArchiveEngine.Progress progress)
       throws IOException {
     List<LogFile> order =
@@ -94,14 +94,15 @@ final class Engine implements AutoCloseable {
     Watch watch = new Watch(order, play, progress);
     context.sc().addSparkListener(watch);
     try {
-      collect(
+      return collect(
           () ->
               context
                   .parallelize(order, order.size())
                   .map(
                       log -> {
-                        play.add(LogTask.run(log, folder, opener, attempt(log)));
-                        return log.log();
+                        LogTask.Done done = LogTask.run(log, folder, opener, attempt(log));
+                        play.add(done.play());
+                        return done.log();
                       })
                   .collect());
     } finally {

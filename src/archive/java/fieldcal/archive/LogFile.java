@@ -9,19 +9,26 @@ import java.io.Serializable;
  * @param name of the file alone
  * @param tournament name of the folder it lies in
  * @param bytes size of the file
+ * @param modified when the file was last written before it was identified, ms of Unix time; 0 as long as it is not known
  * @param log fingerprint of its content; null as long as it is not known
  * @param unreadable why the file cannot be opened; null when it can
  */
 record LogFile(
-    String path, String name, String tournament, long bytes, String log, String unreadable)
+    String path,
+    String name,
+    String tournament,
+    long bytes,
+    long modified,
+    String log,
+    String unreadable)
     implements Serializable {
 
-  LogFile withLog(String fingerprint) {
-    return new LogFile(path, name, tournament, bytes, fingerprint, null);
+  LogFile withLog(String fingerprint, long written) {
+    return new LogFile(path, name, tournament, bytes, written, fingerprint, null);
   }
 
   LogFile withFailure(String why) {
-    return new LogFile(path, name, tournament, bytes, null, why);
+    return new LogFile(path, name, tournament, bytes, modified, null, why);
   }
 
   /** Its partition: the file's name, for people, and the content, so that no two logs share one. */

@@ -45,7 +45,7 @@ final class LogFinder {
     Path folder = log.getParent().getFileName();
     String tournament = LogFile.safe(folder == null ? "" : folder.toString());
     String name = log.getFileName().toString();
-    return new LogFile(log.toString(), name, tournament, Files.size(log), null, null);
+    return new LogFile(log.toString(), name, tournament, Files.size(log), 0, null, null);
   }
 
   private static List<Path> inFolder(Path folder) throws IOException {

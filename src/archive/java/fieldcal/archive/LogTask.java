@@ -8,19 +8,35 @@ import fieldcal.archive.match.MatchTables;
 import fieldcal.archive.table.Row;
 import fieldcal.archive.table.Tables;
 import java.io.IOException;
+import java.io.Serializable;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 
 /** What a task does with its log. Whatever the log holds costs that log alone; only an archive that cannot be written fails the task. */
 final class LogTask {
+  private static final String CHANGED =
+      "changed while it was read: is it still being recorded? --resume reads it when it is"
+          + " complete";
+
+  /**
+   * What became of a log.
+   *
+   * @param log the same as before; without fingerprint when it changed while it was read
+   * @param play time between its first and last message, s; 0 when it cannot be read
+   */
+  record Done(LogFile log, double play) implements Serializable {}
+
   private LogTask() {}
 
   /** Finds out which log a file is. */
   static LogFile identify(LogFile file) {
     try {
-      return file.withLog(Fingerprint.of(Path.of(file.path())));
+      Path path = Path.of(file.path());
+      long written = Files.getLastModifiedTime(path).toMillis();
+      return file.withLog(Fingerprint.of(path), written);
     } catch (FileSystemException e) {
       return file.withFailure(
           "cannot be opened: "
@@ -31,11 +47,11 @@ final class LogTask {
   }
 
   /**
-   * Reads a log and writes its rows.
+   * Reads a log and writes its rows; none of a log that was written meanwhile: what was read is not what was identified.
    *
-   * @return time between its first and last message, s; 0 when it cannot be read
+   * @return the log, and the time between its first and last message
    */
-  static double run(LogFile log, ArchiveFolder folder, LogOpener opener, String attempt)
+  static Done run(LogFile log, ArchiveFolder folder, LogOpener opener, String attempt)
       throws IOException {
     Path path = Path.of(log.path());
     MatchData match;
@@ -50,13 +66,27 @@ final class LogTask {
       match = null;
       why = "this is a defect, please report it: " + e + at(e);
     }
+    if (changed(log)) {
+      return new Done(log.withFailure(CHANGED), 0);
+    }
     if (match == null) {
       List<Row> rows = List.of(MatchTables.broken(log.log(), path, why));
       folder.commit(log, Map.of(Tables.PROBLEMS, rows), attempt);
-      return 0;
+      return new Done(log, 0);
     }
     folder.commit(log, MatchTables.of(log.log(), match), attempt);
-    return match.data().duration();
+    return new Done(log, match.data().duration());
+  }
+
+  /** A file that was written since is read again, to be sure; that it is gone shows when it is read. */
+  private static boolean changed(LogFile log) throws IOException {
+    Path path = Path.of(log.path());
+    try {
+      return Files.getLastModifiedTime(path).toMillis() != log.modified()
+          && !Fingerprint.of(path).equals(log.log());
+    } catch (FileSystemException gone) {
+      return true;
+    }
   }
 
   private static String at(Throwable e) {

@@ -63,7 +63,11 @@ public final class SparkArchive implements ArchiveEngine {
       }
     }
     if (!open.isEmpty()) {
-      engine.read(open, folder, request.opener(), progress);
+      Map<String, LogFile> read = new HashMap<>();
+      engine
+          .read(open, folder, request.opener(), progress)
+          .forEach(log -> read.put(log.path(), log));
+      logs.replaceAll(log -> read.getOrDefault(log.path(), log));
     }
     for (LogFile log : logs) {
       if (log.log() == null) {
@@ -102,8 +106,8 @@ public final class SparkArchive implements ArchiveEngine {
       throw new InputException(
           out
               + ": holds "
-              + others.size()
-              + " logs that are not among those named, the first with the content "
+              + (others.size() == 1 ? "1 log that is" : others.size() + " logs that are")
+              + " not among those named, the first with the content "
               + others.get(0)
               + "; name all of them, or another directory");
     }

@@ -17,6 +17,7 @@ import fieldcal.simulation.SimulationSettings;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -208,6 +209,28 @@ class ArchiveRunTest {
     assertThatThrownBy(() -> run(resumed, "local[2,4]", true, logs.resolve("cup")))
         .hasMessageContaining("holds 4 logs that are not among those named");
     assertSame(resumed);
+  }
+
+  @Test
+  void whatIsWrittenWhileItIsReadIsLeftForTheNextRun() throws IOException {
+    Path recorded = folder.resolve("recorded/cup/now.log.gz");
+    Files.createDirectories(recorded.getParent());
+    byte[] all = Files.readAllBytes(logs.resolve("cup/flat-1.log.gz"));
+    Files.write(recorded, Arrays.copyOf(all, all.length / 2));
+    LogFile before = LogTask.identify(LogFinder.find(List.of(recorded)).get(0));
+    Files.write(recorded, all);
+    Files.setLastModifiedTime(recorded, FileTime.fromMillis(before.modified() + 1000));
+    ArchiveFolder archive = new ArchiveFolder(folder.resolve("of-recorded").toString());
+    archive.prepare();
+    LogFile after = LogTask.run(before, archive, LogOpener.USUAL, "1").log();
+    assertThat(after.log()).isNull();
+    assertThat(after.unreadable()).contains("changed while it was read");
+    assertThat(archive.done()).isEmpty();
+
+    LogFile again = LogTask.identify(after);
+    assertThat(LogTask.run(again, archive, LogOpener.USUAL, "2").log().log())
+        .isEqualTo(again.log());
+    assertThat(archive.done()).containsExactly(again.log());
   }
 
   @Test
