@@ -62,6 +62,7 @@ final class Atlas {
         MatchSummary.BIN,
         speeds(summaries),
         fast(summaries),
+        trackers(summaries),
         broken,
         problems(summaries));
   }
@@ -231,8 +232,49 @@ final class Atlas {
                     k.kind(),
                     k.speed(),
                     k.error(),
-                    k.odds()))
+                    k.odds(),
+                    k.rolling(),
+                    k.maySpin()))
         .toList();
+  }
+
+  /** Each tracker of each tournament. */
+  private static List<AtlasView.Tracker> trackers(List<MatchSummary> summaries) {
+    Map<String, Map<String, List<TrackerFacts>>> found = new TreeMap<>();
+    for (MatchSummary summary : summaries) {
+      for (TrackerFacts tracker : summary.trackers()) {
+        found
+            .computeIfAbsent(summary.log().tournament(), t -> new TreeMap<>())
+            .computeIfAbsent(tracker.source(), t -> new ArrayList<>())
+            .add(tracker);
+      }
+    }
+    List<AtlasView.Tracker> trackers = new ArrayList<>();
+    found.forEach(
+        (tournament, bySource) ->
+            bySource
+                .values()
+                .forEach(all -> trackers.add(tracker(tournament, TrackerFacts.pooled(all)))));
+    return trackers;
+  }
+
+  private static AtlasView.Tracker tracker(String tournament, TrackerFacts t) {
+    return new AtlasView.Tracker(
+        tournament,
+        t.source(),
+        t.matches(),
+        t.delay(),
+        t.position(),
+        t.velocity(),
+        t.kicks(),
+        t.matched(),
+        t.missed(),
+        t.invented(),
+        t.speedBias(),
+        t.speedScatter(),
+        t.stops(),
+        t.stopPosition(),
+        t.stopTime());
   }
 
   private static List<AtlasView.Problem> problems(List<MatchSummary> summaries) {

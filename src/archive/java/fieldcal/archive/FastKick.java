@@ -14,6 +14,8 @@ import java.io.Serializable;
  * @param speed right after the kick, m/s
  * @param error its standard error
  * @param odds chance that it was faster than allowed, 0 … 1
+ * @param rolling how fast it is when it begins to roll, m/s; NaN for chips and where unknown
+ * @param maySpin whether the ball was dribbled before
  */
 record FastKick(
     String tournament,
@@ -24,5 +26,7 @@ record FastKick(
     String kind,
     double speed,
     double error,
-    double odds)
+    double odds,
+    double rolling,
+    boolean maySpin)
     implements Serializable {}

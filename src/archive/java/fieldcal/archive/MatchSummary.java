@@ -25,6 +25,7 @@ import org.apache.commons.math3.special.Erf;
  * @param teams yellow and blue; null where unknown
  * @param speeds kicks of each team in bins of {@link #BIN}
  * @param fast kicks near the rule's greatest speed
+ * @param trackers that sent during the match
  * @param problems how often each was found
  * @param fatal why it could not be read; null when it could
  */
@@ -35,6 +36,7 @@ record MatchSummary(
     List<String> teams,
     Map<String, long[]> speeds,
     List<FastKick> fast,
+    List<TrackerFacts> trackers,
     Map<String, Long> problems,
     String fatal)
     implements Serializable {
@@ -65,13 +67,14 @@ record MatchSummary(
     }
     Optional<Row> match = log.log() == null ? Optional.empty() : folder.match(log);
     if (match.isEmpty()) {
-      return new MatchSummary(log, null, 0, List.of(), Map.of(), List.of(), problems, fatal);
+      return new MatchSummary(
+          log, null, 0, List.of(), Map.of(), List.of(), List.of(), problems, fatal);
     }
     Map<String, long[]> speeds = new TreeMap<>();
     List<FastKick> fast = new ArrayList<>();
     List<Row> kicks = folder.rows(Tables.KICKS, log);
     for (Row kick : kicks) {
-      count(log, kick, speeds, fast);
+      count(log, match.get(), kick, speeds, fast);
     }
     List<String> teams = new ArrayList<>();
     teams.add(match.get().text("yellow"));
@@ -83,12 +86,14 @@ record MatchSummary(
         teams,
         new HashMap<>(speeds),
         fast,
+        new ArrayList<>(
+            folder.rows(Tables.TRACKERS, log).stream().map(MatchSummary::tracker).toList()),
         new HashMap<>(problems),
         null);
   }
 
   private static void count(
-      LogFile log, Row kick, Map<String, long[]> speeds, List<FastKick> fast) {
+      LogFile log, Row match, Row kick, Map<String, long[]> speeds, List<FastKick> fast) {
     double speed = kick.number("speed");
     double error = kick.number("speed_error");
     if (!(error < UNCERTAIN)) {
@@ -111,8 +116,36 @@ record MatchSummary(
               kick.text("kind"),
               speed,
               error,
-              odds));
+              odds,
+              rolling(match, kick),
+              (Boolean) kick.get("may_spin")));
     }
+  }
+
+  /** How fast a flat kick is when it begins to roll, m/s, by its own switch to rolling or that of the match; NaN for chips and without either. */
+  private static double rolling(Row match, Row kick) {
+    double own = kick.number("k_switch");
+    double known = Double.isFinite(own) ? own : match.number("k_switch");
+    return "flat".equals(kick.text("kind")) ? known * kick.number("speed") : Double.NaN;
+  }
+
+  private static TrackerFacts tracker(Row row) {
+    return new TrackerFacts(
+        row.text("source"),
+        1,
+        row.whole("samples"),
+        row.number("delay"),
+        row.number("position_error_without_delay"),
+        row.number("velocity_error"),
+        row.whole("kicks"),
+        row.whole("matched"),
+        row.whole("missed"),
+        row.whole("invented"),
+        row.number("speed_bias"),
+        row.number("speed_scatter"),
+        row.whole("stops"),
+        row.number("stop_position_error"),
+        row.number("stop_time_error"));
   }
 
   private static MatchFacts facts(LogFile log, Row match, List<Row> cameras) {

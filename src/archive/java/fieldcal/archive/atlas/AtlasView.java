@@ -16,6 +16,7 @@ import java.util.List;
  * @param binOfSpeeds width of a bin of {@link Speeds}, m/s
  * @param speeds of each team's kicks
  * @param fast kicks near the greatest speed that is allowed
+ * @param trackers of each tournament, against the fits of the kicks
  * @param broken logs that could not be read
  * @param problems of the others
  */
@@ -30,6 +31,7 @@ public record AtlasView(
     double binOfSpeeds,
     List<Speeds> speeds,
     List<Fast> fast,
+    List<Tracker> trackers,
     List<Broken> broken,
     List<Problem> problems) {
 
@@ -124,7 +126,25 @@ public record AtlasView(
   /** Kicks of a team by their speed. */
   public record Speeds(String team, long[] bins, long kicks) {}
 
-  /** A kick near the greatest speed that is allowed. */
+  /** A tracker of a tournament, over all matches in which it sent. */
+  public record Tracker(
+      String tournament,
+      String source,
+      int matches,
+      @Rounded(5) double delay,
+      @Rounded(5) double position,
+      @Rounded(4) double velocity,
+      long kicks,
+      long matched,
+      long missed,
+      long invented,
+      @Rounded(4) double speedBias,
+      @Rounded(4) double speedScatter,
+      long stops,
+      @Rounded(4) double stopPosition,
+      @Rounded(3) double stopTime) {}
+
+  /** A kick near the greatest speed that is allowed; how fast it is when it begins to roll, and whether the ball was dribbled before. */
   public record Fast(
       String tournament,
       String file,
@@ -134,7 +154,9 @@ public record AtlasView(
       String kind,
       @Rounded(3) double speed,
       @Rounded(3) double error,
-      @Rounded(3) double odds) {}
+      @Rounded(3) double odds,
+      @Rounded(2) double rolling,
+      boolean maySpin) {}
 
   /** A log that could not be read. */
   public record Broken(String tournament, String file, String why) {}

@@ -262,8 +262,55 @@
         draw(box, option);
       });
     }
-    table('speeds', ['Probability that it was too fast', 'Speed', 'Kind←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
-      atlas.fast.map(k => [k.odds > 0.999 ? 'certain' : number(100 * k.odds, 1) + ' %', withError(k.speed, k.error, 'm/s'), k.kind, k.team || '–', k.robot < 0 ? '–' : String(k.robot), k.tournament, minute(k.time), k.file]));
+    legend('speeds', 'The speed is the highest that the ball has: right after the kick, while it still slides. It is lower when the ball rolls. A ball that was dribbled before may have spin and slide for a shorter time; then less is known of its speed than the interval says.');
+    if (atlas.fast.length > 0) {
+      const near = [...atlas.fast].sort((a, b) => a.speed - b.speed);
+      const box = figure(content('speeds'), 'kicks near the limit', 'speed with two standard errors', 'chart tall');
+      later(() => {
+        const option = base(theme, 'kicks, the slowest first', 'speed (m/s)');
+        option.tooltip.formatter = fromTip;
+        Object.assign(option.xAxis, {scale: false, min: 0, max: near.length + 1, minInterval: 1});
+        option.series = [...points(near.map((k, i) => ({at: i + 1, value: k.speed, error: k.error, tip: [k.team || 'unknown team', withError(k.speed, k.error, 'm/s'), 'too fast: ' + probability(k), k.file]})), theme.accent, 'circle'),
+          line([[0, ALLOWED], [near.length + 1, ALLOWED]], theme.bad)];
+        draw(box, option);
+      });
+    }
+    table('speeds', ['Probability that it was too fast', 'Speed', '95 % interval (m/s)', 'Speed when it rolls', 'Kind←', 'Dribbled before←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
+      atlas.fast.map(k => [probability(k), withError(k.speed, k.error, 'm/s'), number(k.speed - 1.96 * k.error, 2) + ' to ' + number(k.speed + 1.96 * k.error, 2), known(k.rolling) ? number(k.rolling, 2) + ' m/s' : '–', k.kind, k.maySpin ? 'yes' : 'no',
+        k.team || '–', k.robot < 0 ? '–' : String(k.robot), k.tournament, minute(k.time), k.file]));
+  }
+
+  const probability = k => k.odds > 0.999 ? 'certain' : number(100 * k.odds, 1) + ' %';
+
+  // ---- trackers ----
+
+  function showTrackers() {
+    forget(content('trackers'));
+    const all = atlas.trackers.map(t => ({...t, name: (t.source || 'without a name') + (tournaments.length > 1 ? ', ' + t.tournament : '')}));
+    if (all.length === 0) {
+      content('trackers').replaceChildren(el('p', {class: 'empty'}, 'No log holds messages of trackers.'));
+      table('trackers', [], []);
+      return;
+    }
+    legend('trackers', entry('circle', theme.accent, 'mean, with two standard deviations from kick to kick'), 'Each is compared with the fits of the kicks.');
+    const picture = (words, unit, draws) => {
+      const box = figure(content('trackers'), words, unit);
+      later(() => {
+        const option = base(theme, '', unit);
+        categories(option, all.map(t => t.name));
+        option.yAxis.scale = false;
+        option.tooltip.formatter = fromTip;
+        option.series = draws();
+        draw(box, option);
+      });
+    };
+    const bars = (words, unit, of) => picture(words, unit, () => [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(t => ({value: known(of(t)) ? of(t) : null, tip: [t.name, number(of(t), 1) + ' ' + unit, t.matches + (t.matches === 1 ? ' match' : ' matches')]}))}]);
+    bars('how late its ball is', 'ms', t => 1000 * t.delay);
+    bars('error of its position, without the delay', 'mm', t => 1000 * t.position);
+    picture('reported speed of a kick minus that of the fit', 'm/s', () => points(all.filter(t => known(t.speedBias)).map(t => ({at: t.name, value: t.speedBias, error: t.speedScatter, tip: [t.name, signed(t.speedBias, 2) + ' m/s, standard deviation ' + number(t.speedScatter, 2), t.matched + ' kicks']})), theme.accent, 'circle'));
+    table('trackers', ['Tracker←', 'Tournament←', 'Matches', 'Delay', 'Position', 'Velocity', 'Kicks it reports', 'Missed', 'Invented', 'Speed of a kick', 'Place of rest', 'Time of rest'],
+      all.map(t => [t.source || 'without a name', t.tournament, String(t.matches), number(1000 * t.delay, 1) + ' ms', number(1000 * t.position, 1) + ' mm', number(t.velocity, 2) + ' m/s', String(t.kicks), t.missed + ' of ' + (t.matched + t.missed), String(t.invented),
+        known(t.speedBias) ? signed(t.speedBias, 2) + ' m/s, ± ' + number(t.speedScatter, 2) + ' m/s' : '–', known(t.stopPosition) ? number(t.stopPosition, 2) + ' m' : '–', known(t.stopTime) ? number(t.stopTime, 2) + ' s' : '–']));
   }
 
   // ---- the page ----
@@ -279,12 +326,12 @@
 
   function showAll() {
     showSummary();
-    for (const show of [showCarpets, showDrift, showCameras, showLimits, showPictures, showSpeeds]) show();
+    for (const show of [showCarpets, showDrift, showCameras, showLimits, showPictures, showSpeeds, showTrackers]) show();
     drawAll();
   }
 
   $('provenance').textContent = tournaments.join(', ');
   $('footer').textContent = 'Made by ' + atlas.generatedBy + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Key: t changes between light and dark.';
   chooseTeam();
-  start([...Array(8).keys()], {use(colours) { theme = colours; }, showAll, resized() { showPictures(); showSpeeds(); drawAll(); }, keys: {}});
+  start([...Array(8).keys()], {use(colours) { theme = colours; }, showAll, resized() { showPictures(); showSpeeds(); showTrackers(); drawAll(); }, keys: {}});
 })();
