@@ -1,9 +1,12 @@
 package fieldcal.archive;
 
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.archive.venue.Carpet;
 import fieldcal.archive.venue.Change;
 import fieldcal.archive.venue.MatchFacts;
 import fieldcal.archive.venue.VenueStudy;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
@@ -55,12 +58,19 @@ final class FindingWords {
                 e ->
                     String.format(
                         Locale.ROOT,
-                        "%s %.4g ± %.2g m/s²",
-                        e.getKey(),
+                        "%s %.4g ± %s m/s²",
+                        ParameterWords.ofFileName(e.getKey()),
                         e.getValue().value(),
-                        e.getValue().error()))
+                        plain(e.getValue().error())))
             .collect(Collectors.joining(", "));
     return count(carpet.matches().size()) + (parameters.isEmpty() ? "" : ", " + parameters);
+  }
+
+  /** Two digits, never as a power of ten. */
+  private static String plain(double error) {
+    return Double.isFinite(error)
+        ? new BigDecimal(error).round(new MathContext(2)).toPlainString()
+        : "unknown";
   }
 
   /** A change with its time. */

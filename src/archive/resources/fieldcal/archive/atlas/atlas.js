@@ -8,6 +8,11 @@
     ['damping_xy_first_hop', 'horizontal damping at the first impact', ''], ['damping_xy_other_hops', 'horizontal damping at later impacts', ''], ['damping_z', 'vertical damping', '']];
   const LIMITS = [['velocity_max', 'Velocity', 'm/s'], ['acceleration_max', 'Acceleration', 'm/s²'], ['braking_max', 'Braking', 'm/s²']];
   const TURNS = [['angular_velocity_max', 'Turning', 'rad/s'], ['angular_acceleration_max', 'Turning, speeding up', 'rad/s²'], ['angular_braking_max', 'Turning, slowing down', 'rad/s²']];
+  /** What the quantities of the table robots are called, and their units. */
+  const QUANTITIES = Object.fromEntries([...LIMITS, ...TURNS].map(([id, words, unit]) => [id, [words, unit]]));
+  for (const [id, words, unit] of LIMITS) QUANTITIES['league_' + id] = [words + ', as the league estimates it', unit];
+  Object.assign(QUANTITIES, {torque_limited: ['Acceleration falls with speed', ''], directional: ['Acceleration depends on direction', ''], acceleration_by_direction: ['Acceleration towards', 'm/s²'], braking_by_direction: ['Braking towards', 'm/s²'],
+    speed_cap: ['Highest speed of this robot', 'm/s'], robot_acceleration: ['Acceleration of this robot', 'm/s²'], robot_braking: ['Braking of this robot', 'm/s²']});
   const ALLOWED = 6.5;
   const spelled = name => PARAMETERS.filter(p => p[0] === name).map(([, words, unit]) => words + (unit ? ', ' + unit : ''))[0] || name;
   const carpets = atlas.venues.flatMap(venue => venue.carpets.map(carpet => ({...carpet, venue})));
@@ -17,6 +22,7 @@
 
   // ---- small parts ----
 
+  const scaled = (value, factor, digits, unit) => known(value) ? number(factor * value, digits) + ' ' + unit : '–';
   const minute = seconds => new Date(seconds * 1000).toISOString().slice(0, 16).replace('T', ' ');
   const table = (id, head, rows) => $(id).querySelector('.table').replaceChildren(grid(head, rows));
 
@@ -141,7 +147,7 @@
       later(() => draw(box, option));
     }
     table('cameras', ['Venue / camera←', 'Matches', 'Rate', 'Noise at rest', 'Jitter', 'Missing frames', 'Outages', 'Offset', 'Distortion'],
-      all.map(c => [c.name, String(c.matches), number(c.rate, 1) + ' Hz', number(1000 * c.noise, 2) + ' mm', number(1000 * c.jitter, 2) + ' ms', number(100 * c.loss, 2) + ' %', String(c.gaps), number(1000 * c.offset, 1) + ' mm', number(c.distortion, 3)]));
+      all.map(c => [c.name, String(c.matches), scaled(c.rate, 1, 1, 'Hz'), scaled(c.noise, 1000, 2, 'mm'), scaled(c.jitter, 1000, 2, 'ms'), scaled(c.loss, 100, 2, '%'), String(c.gaps), scaled(c.offset, 1000, 1, 'mm'), number(c.distortion, 3)]));
   }
 
   // ---- teams ----
@@ -169,7 +175,7 @@
     table('limits', ['Team←', 'Tournament←', 'Matches', 'Manoeuvres', ...LIMITS.map(l => l[1]), ...TURNS.map(l => l[1]), 'Departures from one limit↵', 'Robots that differ↵'],
       atlas.teams.map(t => [t.team, t.tournament, String(t.matches), String(t.manoeuvres),
         ...[...LIMITS, ...TURNS].map(([name, , unit]) => { const q = quantity(t, name); return (q.reached === false ? '≥ ' : '') + withError(q.value, q.error, unit); }),
-        t.quantities.filter(q => q.name === 'torque_limited' || q.name === 'directional').map(q => q.name + ' ' + withError(q.value, q.error) + ' (' + q.note + ')').join(', ') || 'none',
+        t.quantities.filter(q => q.name === 'torque_limited' || q.name === 'directional').map(q => QUANTITIES[q.name][0].toLowerCase() + ' ' + withError(q.value, q.error) + ' (' + q.note + ')').join(', ') || 'none',
         t.quantities.filter(q => q.robot >= 0).map(q => q.robot + ': ' + (q.name === 'speed_cap' ? 'at most ' + withError(q.value, q.error, 'm/s') : q.name.replace('robot_', '') + ' ' + withError(q.value, q.error, 'm/s²'))).join(', ') || 'none']));
   }
 
@@ -233,7 +239,7 @@
         known(t.standingNoise) ? [line(round(1000 * t.standingNoise), theme.text)] : []));
     }
     table('pictures', ['Quantity←', 'Robot', 'Value', 'Observations', 'Reached', 'Note↵'],
-      t.quantities.map(q => [q.name + (known(q.direction) ? ' ' + number(q.direction * 180 / Math.PI, 0) + '°' : ''), q.robot < 0 ? 'all' : String(q.robot), withError(q.value, q.error), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']));
+      t.quantities.map(q => [(QUANTITIES[q.name] || [q.name])[0] + (known(q.direction) ? ' ' + number(q.direction * 180 / Math.PI, 0) + '°' : ''), q.robot < 0 ? 'all' : String(q.robot), withError(q.value, q.error, (QUANTITIES[q.name] || [])[1]), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']));
   }
 
   function chooseTeam() {
@@ -262,7 +268,7 @@
         draw(box, option);
       });
     }
-    legend('speeds', 'The speed is the highest that the ball has: right after the kick, while it still slides. It is lower when the ball rolls. A ball that was dribbled before may have spin and slide for a shorter time; then less is known of its speed than the interval says.');
+    legend('speeds', 'Too fast: the probability that the kick broke the limit. The speed is the highest that the ball has: right after the kick, while it still slides. It is lower when the ball rolls. A ball that was dribbled before may have spin and slide for a shorter time; then less is known of its speed than the interval says.');
     if (atlas.fast.length > 0) {
       const near = [...atlas.fast].sort((a, b) => a.speed - b.speed);
       const box = figure(content('speeds'), 'kicks near the limit', 'speed with two standard errors', 'chart tall');
@@ -275,7 +281,7 @@
         draw(box, option);
       });
     }
-    table('speeds', ['Probability that it was too fast', 'Speed', '95 % interval (m/s)', 'Speed when it rolls', 'Kind←', 'Dribbled before←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
+    table('speeds', ['Too fast', 'Speed', '95 % interval (m/s)', 'When it rolls', 'Kind←', 'Dribbled before←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
       atlas.fast.map(k => [probability(k), withError(k.speed, k.error, 'm/s'), number(k.speed - 1.96 * k.error, 2) + ' to ' + number(k.speed + 1.96 * k.error, 2), known(k.rolling) ? number(k.rolling, 2) + ' m/s' : '–', k.kind, k.maySpin ? 'yes' : 'no',
         k.team || '–', k.robot < 0 ? '–' : String(k.robot), k.tournament, minute(k.time), k.file]));
   }
@@ -298,19 +304,21 @@
       later(() => {
         const option = base(theme, '', unit);
         categories(option, all.map(t => t.name));
+        option.xAxis.axisLabel.width = 130;
+        option.grid.bottom = all.length > 5 ? 110 : option.grid.bottom;
         option.yAxis.scale = false;
         option.tooltip.formatter = fromTip;
         option.series = draws();
         draw(box, option);
       });
     };
-    const bars = (words, unit, of) => picture(words, unit, () => [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(t => ({value: known(of(t)) ? of(t) : null, tip: [t.name, number(of(t), 1) + ' ' + unit, t.matches + (t.matches === 1 ? ' match' : ' matches')]}))}]);
-    bars('how late its ball is', 'ms', t => 1000 * t.delay);
-    bars('error of its position, without the delay', 'mm', t => 1000 * t.position);
+    const bars = (words, unit, of) => picture(words, unit, () => [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(t => ({value: of(t), tip: [t.name, scaled(of(t), 1, 1, unit), t.matches + (t.matches === 1 ? ' match' : ' matches')]}))}]);
+    bars('how late its ball is', 'ms', t => known(t.delay) ? 1000 * t.delay : null);
+    bars('error of its position, without the delay', 'mm', t => known(t.position) ? 1000 * t.position : null);
     picture('reported speed of a kick minus that of the fit', 'm/s', () => points(all.filter(t => known(t.speedBias)).map(t => ({at: t.name, value: t.speedBias, error: t.speedScatter, tip: [t.name, signed(t.speedBias, 2) + ' m/s, standard deviation ' + number(t.speedScatter, 2), t.matched + ' kicks']})), theme.accent, 'circle'));
     table('trackers', ['Tracker←', 'Tournament←', 'Matches', 'Delay', 'Position', 'Velocity', 'Kicks it reports', 'Missed', 'Invented', 'Speed of a kick', 'Place of rest', 'Time of rest'],
-      all.map(t => [t.source || 'without a name', t.tournament, String(t.matches), number(1000 * t.delay, 1) + ' ms', number(1000 * t.position, 1) + ' mm', number(t.velocity, 2) + ' m/s', String(t.kicks), t.missed + ' of ' + (t.matched + t.missed), String(t.invented),
-        known(t.speedBias) ? signed(t.speedBias, 2) + ' m/s, ± ' + number(t.speedScatter, 2) + ' m/s' : '–', known(t.stopPosition) ? number(t.stopPosition, 2) + ' m' : '–', known(t.stopTime) ? number(t.stopTime, 2) + ' s' : '–']));
+      all.map(t => [t.source || 'without a name', t.tournament, String(t.matches), scaled(t.delay, 1000, 1, 'ms'), scaled(t.position, 1000, 1, 'mm'), scaled(t.velocity, 1, 2, 'm/s'), t.kicks === 0 ? 'none' : String(t.kicks), t.kicks === 0 ? '–' : t.missed + ' of ' + (t.matched + t.missed), t.kicks === 0 ? '–' : String(t.invented),
+        known(t.speedBias) ? signed(t.speedBias, 2) + ' m/s, ± ' + number(t.speedScatter, 2) + ' m/s' : '–', scaled(t.stopPosition, 1, 2, 'm'), scaled(t.stopTime, 1, 2, 's')]));
   }
 
   // ---- the page ----

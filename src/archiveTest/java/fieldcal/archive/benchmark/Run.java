@@ -27,20 +27,41 @@ final class Run {
     this.archive = archive;
   }
 
+  /** Keeps a process, with all its threads, on the first core. */
+  private static final Path ONE_CORE = Path.of("/usr/bin/taskset");
+
+  /** Starts a run on one core, where the system can hold it there. */
+  static Run onOneCore(Path logs, Path archive) throws IOException {
+    List<String> prefix =
+        Files.isExecutable(ONE_CORE) ? List.of(ONE_CORE.toString(), "-c", "0") : List.of();
+    return start(prefix, logs, archive, "local[1,4]", false, "");
+  }
+
   /** Starts a run; {@code javaOptions} go to its machine. */
   static Run start(Path logs, Path archive, String master, boolean resume, String javaOptions)
       throws IOException {
+    return start(List.of(), logs, archive, master, resume, javaOptions);
+  }
+
+  private static Run start(
+      List<String> prefix,
+      Path logs,
+      Path archive,
+      String master,
+      boolean resume,
+      String javaOptions)
+      throws IOException {
     Path install = Path.of(System.getProperty("fieldcal.projectDir"), "build/install");
-    List<String> command =
-        new ArrayList<>(
-            List.of(
-                install.resolve("fieldcal/bin/fieldcal").toString(),
-                "archive",
-                logs.toString(),
-                "--out",
-                archive.toString(),
-                "--master",
-                master));
+    List<String> command = new ArrayList<>(prefix);
+    command.addAll(
+        List.of(
+            install.resolve("fieldcal/bin/fieldcal").toString(),
+            "archive",
+            logs.toString(),
+            "--out",
+            archive.toString(),
+            "--master",
+            master));
     if (resume) {
       command.add("--resume");
     }
