@@ -1,6 +1,7 @@
 package fieldcal.archive;
 
 import fieldcal.app.files.WholeFile;
+import fieldcal.app.recording.LogOpener;
 import fieldcal.archive.match.Fingerprint;
 import fieldcal.archive.table.ParquetFile;
 import fieldcal.archive.table.Row;
@@ -29,7 +30,7 @@ import java.util.stream.Stream;
  */
 record ArchiveFolder(String root) implements Serializable {
   /** Grows when the tables change: what another release wrote is written again. */
-  private static final int FORMAT = 3;
+  private static final int FORMAT = 4;
 
   private static final String STATE = "state";
   private static final String DONE = ".done";
@@ -67,15 +68,15 @@ record ArchiveFolder(String root) implements Serializable {
   }
 
   /**
-   * Whether a log is done: by this release, under this name, and every file that its record names is there as it was written. Otherwise what is there of it is removed.
+   * Whether a log is done: by this release, under this name, a log that could not be read with the same limit of packing, and every file that its record names is there as it was written. Otherwise what is there of it is removed.
    */
-  boolean isDone(LogFile log) throws IOException {
+  boolean isDone(LogFile log, LogOpener opener) throws IOException {
     Path record = state().resolve(log.log() + DONE);
     if (!Files.exists(record)) {
       return false;
     }
     List<String> lines = Files.readAllLines(record);
-    boolean good = !lines.isEmpty() && lines.get(0).equals(head(log));
+    boolean good = !lines.isEmpty() && isHead(lines.get(0), log, opener);
     for (String line : lines.subList(Math.min(1, lines.size()), lines.size())) {
       String[] cells = line.split("\t");
       Path file = Path.of(root, cells[0]);
@@ -101,6 +102,27 @@ record ArchiveFolder(String root) implements Serializable {
         log.name());
   }
 
+  private static boolean isHead(String line, LogFile log, LogOpener opener) {
+    return line.equals(head(log)) || line.equals(head(log) + unread(opener));
+  }
+
+  /** With another limit of packing the log might be readable. */
+  private static String unread(LogOpener opener) {
+    return "\tnot read with --unpack-limit " + opener.largestRatio();
+  }
+
+  /**
+   * Writes the row of a log that could not be read.
+   *
+   * @param log with fingerprint
+   * @param problem its row
+   * @param opener that tried to read it
+   * @param attempt a name that no other attempt has
+   */
+  void commitUnread(LogFile log, Row problem, LogOpener opener, String attempt) throws IOException {
+    commit(log, Map.of(Tables.PROBLEMS, List.of(problem)), head(log) + unread(opener), attempt);
+  }
+
   /** Where the rows of a table are that come from one log. */
   Path file(Table table, LogFile log) {
     return Path.of(root)
@@ -123,9 +145,14 @@ record ArchiveFolder(String root) implements Serializable {
    * @param attempt a name that no other attempt has
    */
   void commit(LogFile log, Map<Table, List<Row>> rows, String attempt) throws IOException {
+    commit(log, rows, head(log), attempt);
+  }
+
+  private void commit(LogFile log, Map<Table, List<Row>> rows, String head, String attempt)
+      throws IOException {
     Path aside = Files.createDirectories(state().resolve(UNFINISHED + attempt));
     Map<Path, Path> moves = new LinkedHashMap<>();
-    StringBuilder record = new StringBuilder(head(log)).append('\n');
+    StringBuilder record = new StringBuilder(head).append('\n');
     for (Map.Entry<Table, List<Row>> entry : rows.entrySet()) {
       Table table = entry.getKey();
       if (entry.getValue().isEmpty()) {

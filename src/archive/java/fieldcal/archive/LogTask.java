@@ -5,15 +5,11 @@ import fieldcal.archive.match.Fingerprint;
 import fieldcal.archive.match.MatchData;
 import fieldcal.archive.match.MatchReader;
 import fieldcal.archive.match.MatchTables;
-import fieldcal.archive.table.Row;
-import fieldcal.archive.table.Tables;
 import java.io.IOException;
 import java.io.Serializable;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Map;
 
 /** What a task does with its log. Whatever the log holds costs that log alone; only an archive that cannot be written fails the task. */
 final class LogTask {
@@ -70,8 +66,7 @@ final class LogTask {
       return new Done(log.withFailure(CHANGED), 0);
     }
     if (match == null) {
-      List<Row> rows = List.of(MatchTables.broken(log.log(), path, why));
-      folder.commit(log, Map.of(Tables.PROBLEMS, rows), attempt);
+      folder.commitUnread(log, MatchTables.broken(log.log(), path, why), opener, attempt);
       return new Done(log, 0);
     }
     folder.commit(log, MatchTables.of(log.log(), match), attempt);

@@ -58,7 +58,7 @@ public final class SparkArchive implements ArchiveEngine {
     requireAllOf(folder, logs, request.out());
     List<LogFile> open = new ArrayList<>();
     for (LogFile log : logs) {
-      if (log.log() != null && !folder.isDone(log)) {
+      if (log.log() != null && !folder.isDone(log, request.opener())) {
         open.add(log);
       }
     }

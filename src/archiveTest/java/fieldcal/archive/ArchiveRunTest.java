@@ -7,6 +7,7 @@ import fieldcal.app.archive.ArchiveOutcome;
 import fieldcal.app.archive.ArchiveRequest;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.simulation.RecordingFiles;
+import fieldcal.archive.match.MatchTables;
 import fieldcal.archive.table.ParquetFile;
 import fieldcal.archive.table.Row;
 import fieldcal.archive.table.Table;
@@ -231,6 +232,23 @@ class ArchiveRunTest {
     assertThat(LogTask.run(again, archive, LogOpener.USUAL, "2").log().log())
         .isEqualTo(again.log());
     assertThat(archive.done()).containsExactly(again.log());
+  }
+
+  @Test
+  void whatTheLimitOfPackingRefusedIsTriedAgainWithAnotherOne() throws IOException {
+    LogFile log =
+        LogTask.identify(LogFinder.find(List.of(logs.resolve("cup/flat-1.log.gz"))).get(0));
+    ArchiveFolder archive = new ArchiveFolder(folder.resolve("of-packed").toString());
+    archive.prepare();
+    LogOpener tight = new LogOpener(1);
+    Row problem = MatchTables.broken(log.log(), Path.of(log.path()), "unpacks to too much");
+    archive.commitUnread(log, problem, tight, "1");
+    assertThat(archive.isDone(log, tight)).isTrue();
+    assertThat(archive.isDone(log, LogOpener.USUAL)).isFalse();
+
+    LogTask.run(log, archive, LogOpener.USUAL, "2");
+    assertThat(archive.isDone(log, LogOpener.USUAL)).isTrue();
+    assertThat(archive.isDone(log, tight)).isTrue();
   }
 
   @Test
