@@ -1,5 +1,6 @@
 package fieldcal.movement;
 
+import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -24,15 +25,34 @@ public record TurnLimits(
     Objects.requireNonNull(braking, "braking");
   }
 
+  /** The shortest piece that can be distinguished from noise, s; see {@link Pieces#CELL}. */
+  private static final double SHORTEST = 3 * Pieces.CELL;
+
   static TurnLimits of(TeamStatistics team) {
     ManoeuvreTable faster = team.turningFaster().all();
     ManoeuvreTable slower = team.turningSlower().all();
     long turns = faster.samples() + slower.samples();
+    LimitEstimate velocity = velocity(team.turnSpeeds(), turns);
     return new TurnLimits(
-        velocity(team.turnSpeeds(), turns),
-        limit(faster, AccelerationLimit.Kind.TURNING, team.robots()),
-        limit(slower, AccelerationLimit.Kind.TURN_BRAKING, team.robots()),
+        velocity,
+        unlessTooShort(limit(faster, AccelerationLimit.Kind.TURNING, team.robots()), velocity),
+        unlessTooShort(limit(slower, AccelerationLimit.Kind.TURN_BRAKING, team.robots()), velocity),
         turns);
+  }
+
+  /** A lower bound where robots have their highest rate within less time than a piece of constant acceleration must last to be told from noise: the corners at both ends then take some of it away. */
+  static LimitEstimate unlessTooShort(LimitEstimate change, LimitEstimate velocity) {
+    boolean known = change.known() && velocity.known() && velocity.reached();
+    if (!known || velocity.value() >= SHORTEST * change.value()) {
+      return change;
+    }
+    String note =
+        String.format(
+            Locale.ROOT,
+            "the robots turn at their highest rate within %.2f s, which is too short to measure"
+                + " more than a lower bound",
+            velocity.value() / change.value());
+    return new LimitEstimate(change.value(), change.standardError(), change.samples(), false, note);
   }
 
   private static LimitEstimate velocity(SpeedTable speeds, long turns) {
