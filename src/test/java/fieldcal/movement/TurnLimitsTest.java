@@ -16,13 +16,15 @@ class TurnLimitsTest {
     assertThat(bound.value()).isEqualTo(43.3);
     assertThat(bound.reached()).isFalse();
     assertThat(bound.note()).contains("within 0.11 s").contains("lower bound");
+    LimitEstimate seen = new LimitEstimate(3.9, 0.05, 100, false, "never kept");
+    assertThat(TurnLimits.unlessTooShort(reached(42.1), seen).reached()).isFalse();
   }
 
   @Test
   void longerTurnsAndUnknownRatesLeaveItAsItIs() {
     LimitEstimate change = reached(46.2);
     assertThat(TurnLimits.unlessTooShort(change, reached(5.7))).isSameAs(change);
-    LimitEstimate bound = new LimitEstimate(4.7, 0.05, 100, false, "never kept");
+    LimitEstimate bound = new LimitEstimate(5.7, 0.05, 100, false, "never kept");
     assertThat(TurnLimits.unlessTooShort(change, bound)).isSameAs(change);
     LimitEstimate unknown = LimitEstimate.undetermined(3, "too few");
     assertThat(TurnLimits.unlessTooShort(change, unknown)).isSameAs(change);
