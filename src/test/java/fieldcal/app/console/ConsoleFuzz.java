@@ -62,7 +62,7 @@ public final class ConsoleFuzz implements ParserFuzz.Parser, AutoCloseable {
    */
   public static ParserFuzz.Parser notes(Path scratch) {
     return bytes -> {
-      Files.write(scratch.resolve(SessionNotes.FILE), bytes);
+      ParserFuzz.replace(scratch.resolve(SessionNotes.FILE), bytes);
       SessionNotes.read(scratch);
     };
   }

@@ -27,7 +27,7 @@ public final class ExportFuzz {
       Path file = scratch.resolve(sample.base());
       ParserFuzz.Parser parser =
           bytes -> {
-            Files.write(file, bytes);
+            ParserFuzz.replace(file, bytes);
             exporter.into(BaseFile.read(file));
           };
       byte[] good = Files.readAllBytes(TargetsTest.file(sample.base()));

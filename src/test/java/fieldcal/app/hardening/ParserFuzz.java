@@ -76,11 +76,46 @@ public final class ParserFuzz implements AutoCloseable {
     text("é\u202e"),
   };
 
+  /** What a whole word or number of a text is exchanged for, so that the text stays one and the readers' own checks are reached. */
+  private static final byte[][] VALUES = {
+    text("0"),
+    text("-0.0"),
+    text("-1"),
+    text("1e-320"),
+    text("1e308"),
+    text("-1e308"),
+    text("2147483648"),
+    text("-9223372036854775808"),
+    text("NaN"),
+    text("Infinity"),
+    text("null"),
+    text("true"),
+    text("\"\""),
+    text("\"\u001b[2J\""),
+    text("[]"),
+    text("{}"),
+  };
+
+  /** An input that takes longer has hung: the slowest ones take some milliseconds, and 10 s cover pauses of a busy machine. */
+  private static final long HUNG = 10_000_000_000L; // ns
+
   private static final Epoch EPOCH = new Epoch(1_700_000_000_000_000_000L);
 
   private final Map<String, Target> targets = new LinkedHashMap<>();
   private final Path scratch;
   private final ConsoleFuzz console;
+
+  private volatile String now = "nothing";
+  private volatile long began = Long.MAX_VALUE; // ns
+
+  /**
+   * What a parser made of its inputs.
+   *
+   * @param read how many it read without an error
+   * @param slowest the longest time of one input, ns
+   * @param slowestNumber the number of that input
+   */
+  record Outcome(long read, long slowest, long slowestNumber) {}
 
   /**
    * Gathers the good inputs.
@@ -146,9 +181,21 @@ public final class ParserFuzz implements AutoCloseable {
   private Parser file(String name, FileReader reader) {
     Path file = scratch.resolve(name);
     return bytes -> {
-      Files.write(file, bytes);
+      replace(file, bytes);
       reader.read(file);
     };
+  }
+
+  /**
+   * Puts an input where a parser looks for it.
+   *
+   * @param file new each time: a file system may wait for the disk when a file is cut to zero and written again
+   * @param bytes of the input
+   * @throws IOException when it cannot be written
+   */
+  public static void replace(Path file, byte[] bytes) throws IOException {
+    Files.deleteIfExists(file);
+    Files.write(file, bytes);
   }
 
   List<String> names() {
@@ -161,16 +208,20 @@ public final class ParserFuzz implements AutoCloseable {
    * @param name of the parser
    * @param seed of the changes
    * @param inputs how many
-   * @return how many were read without an error
+   * @return what it made of them
    * @throws AssertionError when one broke it, with what is needed to do it again
    */
-  long run(String name, long seed, long inputs) {
+  Outcome run(String name, long seed, long inputs) {
     Target target = targets.get(name);
     Random random = new Random(seed);
     long read = 0;
+    long slowest = 0;
+    long slowestNumber = 0;
     for (long i = 0; i < inputs; i++) {
       byte[] good = target.corpus.get(random.nextInt(target.corpus.size()));
       byte[] input = i == 0 ? good : changed(good, random);
+      long start = System.nanoTime();
+      begin(name, seed, i, start);
       try {
         target.parser.read(input);
         read++;
@@ -181,8 +232,43 @@ public final class ParserFuzz implements AutoCloseable {
       } catch (RuntimeException | Error e) {
         throw broke(name, seed, i, e);
       }
+      long took = System.nanoTime() - start;
+      if (took > slowest) {
+        slowest = took;
+        slowestNumber = i;
+      }
     }
-    return read;
+    began = Long.MAX_VALUE;
+    return new Outcome(read, slowest, slowestNumber);
+  }
+
+  private void begin(String name, long seed, long number, long start) {
+    if (number % 1000 == 0) {
+      now = name + " at input " + number + " or one of the next 1000 of seed " + seed;
+    }
+    began = start;
+  }
+
+  /** Ends the program, with the parser and the place where it is, when an input hangs. */
+  private void watch(PrintStream out) {
+    Thread watch =
+        new Thread(
+            () -> {
+              while (true) {
+                try {
+                  Thread.sleep(1000);
+                } catch (InterruptedException e) {
+                  return;
+                }
+                if (began != Long.MAX_VALUE && System.nanoTime() - began > HUNG) {
+                  out.println("hangs: " + now);
+                  System.exit(1);
+                }
+              }
+            },
+            "watch");
+    watch.setDaemon(true);
+    watch.start();
   }
 
   /**
@@ -222,12 +308,19 @@ public final class ParserFuzz implements AutoCloseable {
     int changes = 1 + random.nextInt(4);
     for (int i = 0; i < changes && bytes.length > 0; i++) {
       int at = random.nextInt(bytes.length);
-      switch (random.nextInt(6)) {
+      switch (random.nextInt(8)) {
         case 0 -> bytes[at] ^= (byte) (1 << random.nextInt(8));
         case 1 -> bytes[at] = (byte) random.nextInt(256);
         case 2 -> bytes = Arrays.copyOf(bytes, at);
         case 3 -> bytes = spliced(bytes, at, at, SPLINTERS[random.nextInt(SPLINTERS.length)]);
         case 4 -> bytes = spliced(bytes, at, end(bytes, at, random), new byte[0]);
+        case 5, 6 ->
+            bytes =
+                spliced(
+                    bytes,
+                    wordStart(bytes, at),
+                    wordEnd(bytes, at),
+                    VALUES[random.nextInt(VALUES.length)]);
         default -> {
           byte[] part = Arrays.copyOfRange(bytes, at, end(bytes, at, random));
           bytes = spliced(bytes, at, at, part);
@@ -239,6 +332,26 @@ public final class ParserFuzz implements AutoCloseable {
 
   private static int end(byte[] bytes, int from, Random random) {
     return Math.min(bytes.length, from + 1 + random.nextInt(40));
+  }
+
+  private static int wordStart(byte[] bytes, int at) {
+    int start = at;
+    while (start > 0 && isWord(bytes[start - 1])) {
+      start--;
+    }
+    return start;
+  }
+
+  private static int wordEnd(byte[] bytes, int at) {
+    int end = at;
+    while (end < bytes.length && isWord(bytes[end])) {
+      end++;
+    }
+    return end;
+  }
+
+  private static boolean isWord(byte letter) {
+    return Character.isLetterOrDigit(letter) || letter == '.' || letter == '-' || letter == '+';
   }
 
   private static byte[] spliced(byte[] bytes, int from, int to, byte[] with) {
@@ -326,12 +439,18 @@ public final class ParserFuzz implements AutoCloseable {
         new ParserFuzz(Path.of(System.getProperty("fieldcal.projectDir", ".")), scratch)) {
       List<String> names =
           args.length > 2 ? Arrays.asList(args).subList(2, args.length) : fuzz.names();
+      fuzz.watch(out);
       for (String name : names) {
         long begin = System.nanoTime();
-        long read = fuzz.run(name, seed, inputs);
+        Outcome outcome = fuzz.run(name, seed, inputs);
         out.printf(
-            "%-34s %,d inputs, %,d of them read, %.0f s%n",
-            name, inputs, read, (System.nanoTime() - begin) * 1e-9);
+            "%-34s %,d inputs, %,d of them read, %.0f s, the slowest %.0f ms (number %d)%n",
+            name,
+            inputs,
+            outcome.read(),
+            (System.nanoTime() - begin) * 1e-9,
+            outcome.slowest() * 1e-6,
+            outcome.slowestNumber());
       }
     }
   }
