@@ -6,6 +6,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -129,7 +130,7 @@ public final class GameLogReader implements Closeable {
         problems.add(
             LogProblem.TRUNCATED_RECORD,
             offsetOf(position),
-            () -> String.format("%d of %d bytes are there", filled - HEADER, payload));
+            () -> String.format(Locale.ROOT, "%d of %d bytes are there", filled - HEADER, payload));
         position = limit;
         return false;
       }
@@ -317,7 +318,9 @@ public final class GameLogReader implements Closeable {
     problems.add(
         LogProblem.DAMAGED_RECORD,
         offsetOf(position),
-        () -> String.format("says %d bytes, the next record starts after %d", payload, actual));
+        () ->
+            String.format(
+                Locale.ROOT, "says %d bytes, the next record starts after %d", payload, actual));
     position = within;
     return true;
   }

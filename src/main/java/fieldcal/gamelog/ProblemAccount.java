@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -105,8 +106,12 @@ public final class ProblemAccount {
               Occurrence first = entry.getValue().first.get(0);
               String detail = first.detail().isEmpty() ? "" : " (" + first.detail() + ")";
               return String.format(
+                  Locale.ROOT,
                   "%d × %s; first at byte %d%s",
-                  entry.getValue().count, entry.getKey().text(), first.offset(), detail);
+                  entry.getValue().count,
+                  entry.getKey().text(),
+                  first.offset(),
+                  detail);
             })
         .toList();
   }

@@ -12,6 +12,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.EnumMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -189,7 +190,7 @@ public final class RecordingReader implements Closeable {
     if (received < lastTime - CameraClock.MAX_STEP) {
       problem(
           LogProblem.CLOCK_JUMP_BACK,
-          () -> String.format("the recorder's clock, by %.3f s", last - received));
+          () -> String.format(Locale.ROOT, "the recorder's clock, by %.3f s", last - received));
     }
     if (Math.abs(received - last) <= RecordHeader.LONGEST_STEP) {
       startTime = Double.isNaN(endTime) ? last : startTime;
@@ -276,7 +277,7 @@ public final class RecordingReader implements Closeable {
     double jump = clock.jump(suspect, suspectReceived);
     problem(
         jump > 0 ? LogProblem.CLOCK_JUMP_FORWARD : LogProblem.CLOCK_JUMP_BACK,
-        () -> String.format("camera %d, by %.3f s", frame.cameraId(), Math.abs(jump)));
+        () -> String.format(Locale.ROOT, "camera %d, by %.3f s", frame.cameraId(), Math.abs(jump)));
     clock.accept(suspect, suspectReceived);
     clock.accept(frame, received);
     order.flush();
@@ -356,7 +357,7 @@ public final class RecordingReader implements Closeable {
   }
 
   private static String describe(VisionFrame frame) {
-    return String.format("camera %d, frame %d", frame.cameraId(), frame.frameNumber());
+    return String.format(Locale.ROOT, "camera %d, frame %d", frame.cameraId(), frame.frameNumber());
   }
 
   private static String difference(FieldGeometry before, FieldGeometry after) {

@@ -8,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -64,6 +65,21 @@ class DamagedLogTest {
     assertThat(read.problems.count(LogProblem.TRUNCATED_GZIP)).isEqualTo(1);
     assertThat(read.problems.first(LogProblem.TRUNCATED_GZIP).get(0).offset())
         .isGreaterThan(100_000);
+  }
+
+  /** A host may run in a language that writes numbers with other digits. */
+  @Test
+  void problemsHaveTheSameDigitsInEveryLanguage() throws IOException {
+    byte[] packed = LogBuilder.gzip(records(2000).bytes());
+    byte[] cut = Arrays.copyOf(packed, packed.length / 2);
+    List<String> expected = read(cut).problems.lines();
+    Locale before = Locale.getDefault();
+    Locale.setDefault(Locale.forLanguageTag("fa-IR"));
+    try {
+      assertThat(read(cut).problems.lines()).isEqualTo(expected);
+    } finally {
+      Locale.setDefault(before);
+    }
   }
 
   @Test

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import picocli.CommandLine;
@@ -52,6 +53,9 @@ public final class Main {
    * @param args command and options
    */
   public static void main(String[] args) {
+    // Numbers are written alike everywhere: by the machine's language some would have other digits,
+    // or a comma.
+    Locale.setDefault(Locale.ROOT);
     int status = commandLineFor(args).execute(args);
     Optional<String> failure = StandardOutput.failure();
     if (failure.isPresent() && status == 0) {

@@ -1,5 +1,8 @@
 package fieldcal.app.wording;
 
+import java.util.Arrays;
+import java.util.Set;
+
 /** Text of others — names of teams and files, errors of simulators — as a terminal may show it: what would steer the terminal is made visible instead. */
 public final class Harmless {
   private static final char ESCAPE = '\u001b';
@@ -11,10 +14,17 @@ public final class Harmless {
   private static final char DELETE = '\u007f';
   private static final char REPLACEMENT = '\ufffd';
 
+  /**
+   * What the help of commands sets, by ECMA-48: normal, bold, italic, red, yellow, and their ends. Others could hide what follows, such as 8 (concealed) and
+   * 30 (black).
+   */
+  private static final Set<String> COLOURS =
+      Set.of("", "0", "1", "3", "21", "22", "23", "31", "33", "39");
+
   private Harmless() {}
 
   /**
-   * Makes a text harmless. Line ends, tabs and colours (as this program's own help has them) stay.
+   * Makes a text harmless. Line ends, tabs and the colours of this program's own help stay.
    *
    * @param text any
    * @return the same, with every other control character, and every one that turns the direction of writing, replaced by a visible one
@@ -51,7 +61,7 @@ public final class Harmless {
     return control ? REPLACEMENT : c;
   }
 
-  /** Behind a sequence that only sets colours, ESC [ numbers m; {@code from} where there is none. */
+  /** Behind a sequence that only sets colours of the help, ESC [ numbers m; {@code from} where there is none. */
   private static int colourEnd(CharSequence text, int from) {
     int i = from + 1;
     if (i >= text.length() || text.charAt(i) != '[') {
@@ -61,6 +71,11 @@ public final class Harmless {
     while (i < text.length() && (Character.isDigit(text.charAt(i)) || text.charAt(i) == ';')) {
       i++;
     }
-    return i < text.length() && text.charAt(i) == 'm' ? i + 1 : from;
+    boolean ends = i < text.length() && text.charAt(i) == 'm';
+    return ends && ofTheHelp(text.subSequence(from + 2, i).toString()) ? i + 1 : from;
+  }
+
+  private static boolean ofTheHelp(String numbers) {
+    return Arrays.stream(numbers.split(";")).allMatch(COLOURS::contains);
   }
 }

@@ -85,6 +85,24 @@ class OddFilesTest {
   }
 
   @Test
+  void theLanguageOfTheMachineChangesNoNumber() throws Exception {
+    // Its first frames come before the geometry, which is told with numbers.
+    String log = LOG.resolveSibling("grsim-flat.log.gz").toString();
+    String expected = run("info", log).out();
+    List<String> command = command("info", log);
+    command.addAll(1, List.of("-Duser.language=fa", "-Duser.country=IR"));
+    Path out = folder.resolve("persian.txt");
+    Process process = new ProcessBuilder(command).redirectOutput(out.toFile()).start();
+    try {
+      assertThat(process.waitFor(LONGEST_S, TimeUnit.SECONDS)).as("%s ends", command).isTrue();
+    } finally {
+      process.destroyForcibly();
+    }
+    assertThat(expected).contains("116 × a frame comes before the first geometry");
+    assertThat(Files.readString(out)).isEqualTo(expected);
+  }
+
+  @Test
   void jsonGoesToStandardOutputAlsoWhereThatIsAFile() throws Exception {
     Ended ended = run("calibrate", LOG.toString(), "--json", "/dev/stdout");
     assertThat(ended.status()).as(ended.err()).isZero();

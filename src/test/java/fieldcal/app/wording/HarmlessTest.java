@@ -17,6 +17,14 @@ class HarmlessTest {
   }
 
   @Test
+  void coloursThatHideWhatFollowsAreShownInstead() {
+    assertThat(Harmless.text("a\u001b[8mb")).isEqualTo("a␛[8mb");
+    assertThat(Harmless.text("\u001b[1;30;40m")).isEqualTo("␛[1;30;40m");
+    assertThat(Harmless.text("\u001b[38;5;0m")).isEqualTo("␛[38;5;0m");
+    assertThat(Harmless.text("\u001b[١m")).isEqualTo("␛[١m");
+  }
+
+  @Test
   void linesTabsColoursAndLettersStay() {
     String text = "Größe\t3 m/s²\n\u001b[1;31mred\u001b[0m …\r\n日本";
     assertThat(Harmless.text(text)).isEqualTo(text);
