@@ -23,15 +23,15 @@ final class TomlForm implements ConfigForm {
 
   @Override
   public List<Leaf> leaves(BaseFile base) throws InputException {
-    TomlParseResult toml = Toml.parse(base.text());
+    TomlParseResult toml;
+    try {
+      toml = Toml.parse(base.text());
+    } catch (TomlParseError e) {
+      // Most errors are gathered; a wrong escape in the name of a table is thrown.
+      throw invalid(base, e);
+    }
     if (toml.hasErrors()) {
-      TomlParseError first = toml.errors().get(0);
-      throw new InputException(
-          base.name()
-              + ", line "
-              + first.position().line()
-              + ": is not valid TOML: "
-              + first.getMessage());
+      throw invalid(base, toml.errors().get(0));
     }
     List<Leaf> leaves = new ArrayList<>();
     for (List<String> path : toml.keyPathSet(false)) {
@@ -42,6 +42,15 @@ final class TomlForm implements ConfigForm {
       }
     }
     return leaves;
+  }
+
+  private static InputException invalid(BaseFile base, TomlParseError error) {
+    return new InputException(
+        base.name()
+            + ", line "
+            + error.position().line()
+            + ": is not valid TOML: "
+            + error.getMessage());
   }
 
   private static int index(String text, TomlPosition position) {
