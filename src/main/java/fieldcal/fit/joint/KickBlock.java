@@ -257,6 +257,11 @@ final class KickBlock {
     return step;
   }
 
+  /** By how much the own parameters follow each shared one, with the sign turned round; call {@link #factor} first. Not to be changed. */
+  double[][] following() {
+    return solved;
+  }
+
   /** Variance of an own parameter with everything shared held; call {@link #factor} with no damping first. */
   double ownVariance(int i) {
     double[] e = new double[own];

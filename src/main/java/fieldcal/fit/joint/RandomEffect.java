@@ -22,4 +22,14 @@ public record RandomEffect(int mean, double scatter, double smallest, double lar
           "scatter " + scatter + " must lie between " + smallest + " and " + largest);
     }
   }
+
+  /**
+   * The same with another start.
+   *
+   * @param start standard deviation at which the estimation starts
+   * @return the changed copy
+   */
+  public RandomEffect withScatter(double start) {
+    return new RandomEffect(mean, start, smallest, largest);
+  }
 }

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 
 /**
@@ -35,6 +36,12 @@ public final class SharedSolution<S> {
   /** Relative damping of the step to the solution without some kicks: along directions that hardly any kick determines it would lead beyond where the equations hold. */
   private static final double NEWTON_DAMPING = 1e-3;
 
+  /** Most steps to the solution without some kicks where the first one leads beyond where the equations hold: each halves the distance or better. */
+  private static final int REFIT_STEPS = 12;
+
+  /** Half a unit of chi-square moves no estimate by more than its error. */
+  private static final double REFIT_TOLERANCE = 0.5;
+
   private final SharedProblem<S> problem;
   private final List<KickTerm<S>> kicks;
   private final List<double[]> own;
@@ -43,6 +50,10 @@ public final class SharedSolution<S> {
   private final int[] free;
   private final double[][][] reduced;
   private final double[][] gradients;
+
+  /** For each kick and free global parameter, by how much the own parameters follow it, with the sign turned round. */
+  private final double[][][] following;
+
   private final double[] chiSquares;
   private final double cost;
   private final double randomCost;
@@ -71,11 +82,13 @@ public final class SharedSolution<S> {
     this.stopReason = stopReason;
     reduced = new double[blocks.length][][];
     gradients = new double[blocks.length][];
+    following = new double[blocks.length][][];
     chiSquares = new double[blocks.length];
     double marginal = 0;
     for (int k = 0; k < blocks.length; k++) {
       reduced[k] = blocks[k].reducedMatrix();
       gradients[k] = blocks[k].reducedGradient();
+      following[k] = blocks[k].following();
       chiSquares[k] = blocks[k].chiSquare / problem.weights()[k];
       for (int r = 0; r < scatters.length; r++) {
         double left = blocks[k].ownVariance(blocks[k].own - scatters.length + r);
@@ -98,6 +111,7 @@ public final class SharedSolution<S> {
     stopReason = of.stopReason;
     reduced = Arrays.stream(kept).mapToObj(k -> of.reduced[k]).toArray(double[][][]::new);
     gradients = Arrays.stream(kept).mapToObj(k -> of.gradients[k]).toArray(double[][]::new);
+    following = Arrays.stream(kept).mapToObj(k -> of.following[k]).toArray(double[][][]::new);
     chiSquares = Arrays.stream(kept).mapToDouble(k -> of.chiSquares[k]).toArray();
   }
 
@@ -410,7 +424,8 @@ public final class SharedSolution<S> {
   }
 
   /**
-   * The global parameters as they would be without some kicks: one Newton step from the solution, exact where the model is linear.
+   * The global parameters as they would be without some kicks: one Newton step from the solution, exact where the model is linear. Where it leads beyond where the equations hold (a law with a limit, as of friction, that the kicks are short of), the other kicks are explained worse than before,
+   * by more than the one unit of chi-square that a standard error is: they are then solved again, the scatters held.
    *
    * @param without whether to leave out each kick
    * @return values of all global parameters, within their bounds
@@ -430,11 +445,76 @@ public final class SharedSolution<S> {
       g[i] -= prior.precision() * (values[free[i]] - prior.mean());
     }
     double[] step = ScaledEquations.solve(information(without), g, scales(), NEWTON_DAMPING);
+    if (step == null) {
+      return values.clone();
+    }
     double[] moved = values.clone();
-    for (int i = 0; step != null && i < n; i++) {
+    for (int i = 0; i < n; i++) {
       moved[free[i]] = problem.globals().get(free[i]).clamp(values[free[i]] + step[i]);
     }
-    return moved;
+    double most = costOfOthers(without, values, null) + Math.max(1, reducedChiSquare());
+    boolean holds = costOfOthers(without, moved, problem.model().at(moved)) <= most;
+    return holds ? moved : refitted(without);
+  }
+
+  /** Global parameters of the kicks that stay, with the scatters and the discrete unknowns of all. */
+  private double[] refitted(boolean[] without) {
+    int[] kept = IntStream.range(0, without.length).filter(k -> !without[k]).toArray();
+    List<Parameter> start =
+        IntStream.range(0, values.length)
+            .mapToObj(i -> problem.globals().get(i).withValue(values[i]))
+            .toList();
+    List<RandomEffect> held =
+        IntStream.range(0, scatters.length)
+            .mapToObj(r -> problem.randoms().get(r).withScatter(scatters[r]))
+            .toList();
+    SharedProblem<S> all =
+        new SharedProblem<>(
+            problem.model(), kicks, own, start, problem.priors(), held, problem.weights());
+    Descent<S> descent = new Descent<>(all.restrictedTo(kept), REFIT_STEPS, REFIT_TOLERANCE);
+    descent.descend();
+    return descent.values().clone();
+  }
+
+  /** The cost of all kicks but some, and of the priors, at values of the global parameters that the own ones follow to first order; {@code state} is null at the solution. */
+  private double costOfOthers(boolean[] without, double[] at, S state) {
+    double[] means = problem.means(at);
+    double[] costs =
+        IntStream.range(0, without.length)
+            .parallel()
+            .mapToDouble(k -> without[k] ? 0 : cost(k, at, means, state))
+            .toArray();
+    // Summed in order, so that the result does not depend on the number of threads.
+    double sum = 0;
+    for (double c : costs) {
+      sum += c;
+    }
+    for (int f : free) {
+      Prior prior = problem.priors().get(f);
+      double d = at[f] - prior.mean();
+      sum += prior.precision() * d * d;
+    }
+    return sum;
+  }
+
+  private double cost(int k, double[] at, double[] means, S state) {
+    KickTerm<S> term = kicks.get(k);
+    double[] p = own.get(k);
+    double chiSquare = chiSquares[k];
+    if (state != null) {
+      p = p.clone();
+      for (int i = 0; i < free.length; i++) {
+        double step = at[free[i]] - values[free[i]];
+        for (int j = 0; step != 0 && j < p.length; j++) {
+          p[j] -= following[k][i][j] * step;
+        }
+      }
+      term.clamp(p);
+      double[] residuals = new double[term.rows()];
+      term.residuals(p, state, residuals);
+      chiSquare = KickBlock.dot(residuals, residuals);
+    }
+    return problem.weights()[k] * chiSquare + OwnPriors.cost(term, p, means, scatters);
   }
 
   /**

@@ -86,6 +86,80 @@ class SharedSolverTest {
     assertClose(solve(kicks).valuesWithout(without), solve(rest).values(), 1e-3);
   }
 
+  /** A law with a limit, as of friction, that no row comes to, and on which the rows depend hardly otherwise. */
+  private record LimitedKick(double wanted) implements KickTerm<double[]> {
+    private static final double HARDLY = 0.3;
+
+    /** What the limit bounds: up to 0.7. */
+    private static double free(int row) {
+      return 0.1 * (row % 8);
+    }
+
+    private static double slight(int row) {
+      return row % 2 == 0 ? HARDLY : -HARDLY;
+    }
+
+    @Override
+    public int ownSize() {
+      return 1;
+    }
+
+    @Override
+    public int rows() {
+      return 16;
+    }
+
+    @Override
+    public void residuals(double[] own, double[] state, double[] out) {
+      for (int i = 0; i < out.length; i++) {
+        double limited = 10 * (free(i) - Math.min(free(i), state[0]));
+        out[i] = limited + slight(i) * (wanted - state[0]) - own[0];
+      }
+    }
+
+    @Override
+    public void ownColumns(double[] own, double[] state, double[] residuals, double[][] columns) {
+      Arrays.fill(columns[0], 1);
+    }
+
+    @Override
+    public double ownPrior(int index) {
+      return 0;
+    }
+
+    @Override
+    public double ownPrecision(int index) {
+      return 0;
+    }
+  }
+
+  private static SharedSolution<double[]> solveLimited(List<LimitedKick> kicks) {
+    double[] weights = new double[kicks.size()];
+    Arrays.fill(weights, 1);
+    return SOLVER.solve(
+        new SharedProblem<>(
+            double[]::clone,
+            kicks,
+            kicks.stream().map(k -> new double[1]).toList(),
+            List.of(new Parameter("limit", "", 1, 1, 0, 10, true, "test")),
+            List.of(Prior.NONE),
+            List.of(),
+            weights));
+  }
+
+  @Test
+  void kicksAreSolvedAgainWhereTheEquationsDoNotHoldWithoutSome() {
+    // All together want a limit of 1; without the first, one of −1, where it would bind.
+    List<LimitedKick> kicks =
+        List.of(new LimitedKick(7), new LimitedKick(-1), new LimitedKick(-1), new LimitedKick(-1));
+    SharedSolution<double[]> all = solveLimited(kicks);
+    assertThat(all.values()[0]).isCloseTo(1, within(1e-6));
+    double without = all.valuesWithout(new boolean[] {true, false, false, false})[0];
+    double best = solveLimited(kicks.subList(1, 4)).values()[0];
+    assertThat(best).isBetween(0.6, 0.75);
+    assertThat(without).isCloseTo(best, within(0.02));
+  }
+
   private static SharedSolution<double[]> holding(List<ToyKick> kicks, int... held) {
     List<Parameter> globals = new ArrayList<>(globals(3));
     for (int k : held) {
