@@ -10,8 +10,11 @@ import java.util.Arrays;
  * edges make a piece's residual a matter of one 2×2 system.
  */
 final class Pieces {
-  /** Distance of possible knots, s: a third of the shortest piece that can be distinguished from noise. */
-  static final double CELL = 0.04;
+  /** The shortest piece that can be distinguished from noise, s. */
+  static final double SHORTEST_TOLD = 0.12;
+
+  /** Distance of possible knots, s. */
+  static final double CELL = SHORTEST_TOLD / 3;
 
   static final int MAX_CELLS = 150;
 

@@ -30,9 +30,6 @@ final class SaturationFit {
 
   private static final double[] QUANTILES = {0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.92, 0.97};
 
-  /** exp(−746) is 0 in a double: what lies so far off has no weight. */
-  private static final double NO_WEIGHT = 746;
-
   private static final int ITERATIONS = 80;
   private static final double SETTLED = 1e-6;
 
@@ -173,19 +170,15 @@ final class SaturationFit {
 
   private double[] step(double[] beta, double spread) {
     int p = beta.length;
-    if (p == 1) {
-      return new double[] {stepOfUniform(beta[0], spread)};
-    }
     double[][] a = new double[p][p];
     double[] b = new double[p];
     for (int i = 0; i < data.count().length; i++) {
       double r = residual(i, beta);
       double h2 = width2(i, beta[0], spread);
-      double exponent = 0.5 * r * r / h2;
-      if (!(exponent < NO_WEIGHT)) {
+      double w = data.count()[i] * Math.exp(-0.5 * r * r / h2) / h2;
+      if (!(w > 0)) {
         continue;
       }
-      double w = data.count()[i] * Math.exp(-exponent) / h2;
       for (int j = 0; j < p; j++) {
         b[j] += w * columns[j][i] * (data.acceleration()[i] - product(i, beta));
         for (int k = 0; k < p; k++) {
@@ -195,25 +188,6 @@ final class SaturationFit {
     }
     DecompositionSolver solver = solver(a);
     return solver == null ? null : solver.solve(new Array2DRowRealMatrix(b)).getColumn(0);
-  }
-
-  /** The same for a limit without further columns: the weighted mean; NaN where nothing has a weight. */
-  private double stepOfUniform(double limit, double spread) {
-    double[] accelerations = data.acceleration();
-    double[] counts = data.count();
-    double weights = 0;
-    double sum = 0;
-    for (int i = 0; i < counts.length; i++) {
-      double r = accelerations[i] - limit;
-      double h2 = width2(i, limit, spread);
-      double exponent = 0.5 * r * r / h2;
-      if (exponent < NO_WEIGHT) {
-        double w = counts[i] * Math.exp(-exponent) / h2;
-        weights += w;
-        sum += w * accelerations[i];
-      }
-    }
-    return sum / weights;
   }
 
   private static DecompositionSolver solver(double[][] a) {

@@ -25,9 +25,6 @@ public record TurnLimits(
     Objects.requireNonNull(braking, "braking");
   }
 
-  /** The shortest piece that can be distinguished from noise, s; see {@link Pieces#CELL}. */
-  private static final double SHORTEST = 3 * Pieces.CELL;
-
   static TurnLimits of(TeamStatistics team) {
     ManoeuvreTable faster = team.turningFaster().all();
     ManoeuvreTable slower = team.turningSlower().all();
@@ -43,7 +40,7 @@ public record TurnLimits(
   /** A lower bound where robots have the highest rate that they were seen to have within less time than a piece of constant acceleration must last to be told from noise: the corners at both ends then take some of it away. */
   static LimitEstimate unlessTooShort(LimitEstimate change, LimitEstimate velocity) {
     boolean known = change.known() && velocity.known();
-    if (!known || velocity.value() >= SHORTEST * change.value()) {
+    if (!known || velocity.value() >= Pieces.SHORTEST_TOLD * change.value()) {
       return change;
     }
     String note =

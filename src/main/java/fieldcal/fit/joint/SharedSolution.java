@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 
@@ -35,12 +36,6 @@ public final class SharedSolution<S> {
 
   /** Relative damping of the step to the solution without some kicks: along directions that hardly any kick determines it would lead beyond where the equations hold. */
   private static final double NEWTON_DAMPING = 1e-3;
-
-  /** Most steps to the solution without some kicks where the first one leads beyond where the equations hold: each halves the distance or better. */
-  private static final int REFIT_STEPS = 12;
-
-  /** Half a unit of chi-square moves no estimate by more than its error. */
-  private static final double REFIT_TOLERANCE = 0.5;
 
   private final SharedProblem<S> problem;
   private final List<KickTerm<S>> kicks;
@@ -452,9 +447,12 @@ public final class SharedSolution<S> {
     for (int i = 0; i < n; i++) {
       moved[free[i]] = problem.globals().get(free[i]).clamp(values[free[i]] + step[i]);
     }
-    double most = costOfOthers(without, values, null) + Math.max(1, reducedChiSquare());
-    boolean holds = costOfOthers(without, moved, problem.model().at(moved)) <= most;
-    return holds ? moved : refitted(without);
+    double[] before = problem.means(values);
+    double[] after = problem.means(moved);
+    S state = problem.model().at(moved);
+    double least = costOfOthers(without, values, k -> cost(k, own.get(k), chiSquares[k], before));
+    double reached = costOfOthers(without, moved, k -> costAt(moved, state, k, after));
+    return reached <= least + Math.max(1, reducedChiSquare()) ? moved : refitted(without);
   }
 
   /** Global parameters of the kicks that stay, with the scatters and the discrete unknowns of all. */
@@ -471,18 +469,18 @@ public final class SharedSolution<S> {
     SharedProblem<S> all =
         new SharedProblem<>(
             problem.model(), kicks, own, start, problem.priors(), held, problem.weights());
-    Descent<S> descent = new Descent<>(all.restrictedTo(kept), REFIT_STEPS, REFIT_TOLERANCE);
+    Descent<S> descent =
+        new Descent<>(all.restrictedTo(kept), SharedSolver.MAX_ITERATIONS, SharedSolver.COARSE);
     descent.descend();
     return descent.values().clone();
   }
 
-  /** The cost of all kicks but some, and of the priors, at values of the global parameters that the own ones follow to first order; {@code state} is null at the solution. */
-  private double costOfOthers(boolean[] without, double[] at, S state) {
-    double[] means = problem.means(at);
+  /** The cost of all kicks but some, and of the priors. */
+  private double costOfOthers(boolean[] without, double[] at, IntToDoubleFunction costOf) {
     double[] costs =
         IntStream.range(0, without.length)
             .parallel()
-            .mapToDouble(k -> without[k] ? 0 : cost(k, at, means, state))
+            .mapToDouble(k -> without[k] ? 0 : costOf.applyAsDouble(k))
             .toArray();
     // Summed in order, so that the result does not depend on the number of threads.
     double sum = 0;
@@ -497,24 +495,25 @@ public final class SharedSolution<S> {
     return sum;
   }
 
-  private double cost(int k, double[] at, double[] means, S state) {
+  private double cost(int k, double[] ownParameters, double chiSquare, double[] means) {
+    return problem.weights()[k] * chiSquare
+        + OwnPriors.cost(kicks.get(k), ownParameters, means, scatters);
+  }
+
+  /** The cost of a kick at other values of the global parameters, which its own ones follow to first order. */
+  private double costAt(double[] at, S state, int k, double[] means) {
     KickTerm<S> term = kicks.get(k);
-    double[] p = own.get(k);
-    double chiSquare = chiSquares[k];
-    if (state != null) {
-      p = p.clone();
-      for (int i = 0; i < free.length; i++) {
-        double step = at[free[i]] - values[free[i]];
-        for (int j = 0; step != 0 && j < p.length; j++) {
-          p[j] -= following[k][i][j] * step;
-        }
+    double[] p = own.get(k).clone();
+    for (int i = 0; i < free.length; i++) {
+      double step = at[free[i]] - values[free[i]];
+      for (int j = 0; step != 0 && j < p.length; j++) {
+        p[j] -= following[k][i][j] * step;
       }
-      term.clamp(p);
-      double[] residuals = new double[term.rows()];
-      term.residuals(p, state, residuals);
-      chiSquare = KickBlock.dot(residuals, residuals);
     }
-    return problem.weights()[k] * chiSquare + OwnPriors.cost(term, p, means, scatters);
+    term.clamp(p);
+    double[] residuals = new double[term.rows()];
+    term.residuals(p, state, residuals);
+    return cost(k, p, KickBlock.dot(residuals, residuals), means);
   }
 
   /**

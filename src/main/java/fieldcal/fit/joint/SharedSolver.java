@@ -11,6 +11,9 @@ import java.util.Optional;
  * parameters held. Kicks are worked on in parallel with the same result as one by one. Immutable and thread-safe.
  */
 public final class SharedSolver {
+  /** Most steps, accepted or not, where nothing else is asked for. */
+  static final int MAX_ITERATIONS = 40;
+
   /** Rounds in which scatters are updated and everything else follows, for a tolerance of a hundredth; EM shrinks the distance to the best scatter by half or more where the kicks determine their values. */
   private static final int SCATTER_ROUNDS = 12;
 
@@ -18,7 +21,7 @@ public final class SharedSolver {
   private static final int FEW_SCATTER_ROUNDS = 3;
 
   /** From that tolerance on a solution is coarse: half a unit of chi-square moves no estimate by more than its error. */
-  private static final double COARSE = 0.5;
+  static final double COARSE = 0.5;
 
   /** A scatter that changes by less than that share is settled: its own error is 1/√(2n), a tenth for fifty kicks. */
   private static final double SCATTER_SETTLED = 0.02;
@@ -50,7 +53,7 @@ public final class SharedSolver {
    * @return a solver that holds discrete unknowns
    */
   public static SharedSolver withDefaults() {
-    return new SharedSolver(40, 0.01, false, false);
+    return new SharedSolver(MAX_ITERATIONS, 0.01, false, false);
   }
 
   /**
