@@ -21,6 +21,9 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
       "ten matches of 2026, Immortals-Robotics/Simulator docs/calibration";
   private static final FlatModel TYPICAL = new FlatModel(-3.3, -0.28, 0.66);
 
+  /** An acceleration's scale is at least this share of it: a search that spreads its starts by 0.7 scales then covers a published value that is 15 % off, whatever its size. */
+  private static final double LEAST_SCALE = 0.25;
+
   /**
    * Checks the numbers. {@inheritDoc}
    *
@@ -66,16 +69,22 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
   }
 
   /**
-   * The numbers as parameters, in the order of the record. The bounds are chosen several times wider than the carpets and
-   * simulators known so far.
+   * The numbers as parameters, in the order of the record. The bounds are chosen several times wider than the carpets known so
+   * far. A simulator needs more of the sliding deceleration: grSim's friction has a coefficient of 1 along each axis of the
+   * field, so that its ball slides with up to √2·g = 13.9 m/s² along a diagonal, and with its rolling friction up to 14.6 m/s².
    *
    * @return accSlide, accRoll, kSwitch
    */
   public List<Parameter> parameters() {
     return List.of(
-        new Parameter("accSlide", "m/s²", accSlide, 1, -12, -0.5, true, MATCHES),
-        new Parameter("accRoll", "m/s²", accRoll, 0.1, -2, -0.02, true, MATCHES),
+        new Parameter("accSlide", "m/s²", accSlide, scale(accSlide, 1), -20, -0.5, true, MATCHES),
+        new Parameter("accRoll", "m/s²", accRoll, scale(accRoll, 0.1), -2, -0.02, true, MATCHES),
         new Parameter("kSwitch", "", kSwitch, 0.1, 0.3, 0.95, true, MATCHES));
+  }
+
+  /** The scale of an acceleration: that of the carpets known so far, and more where the ball slows down much faster. */
+  private static double scale(double acceleration, double onCarpets) {
+    return Math.max(onCarpets, LEAST_SCALE * -acceleration);
   }
 
   /**

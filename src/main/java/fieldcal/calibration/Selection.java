@@ -21,6 +21,12 @@ final class Selection {
   /** A kick fitted that many times worse than its fellows is something else: a ball that hit a robot, two balls. */
   private static final double WORSE_THAN_OTHERS = 3;
 
+  /**
+   * RMS of a good fit with the cameras of real fields, mm (ten matches of 2026, Immortals-Robotics/Simulator, {@code docs/calibration}). With cameras that
+   * are better than those, what is compared is how well the model describes each kick, and all of them are good.
+   */
+  private static final double GOOD_RMS_MM = 1.3;
+
   /** More outliers than that, and the rest is not trusted either. */
   private static final double MOST_OUTLIERS = 0.25;
 
@@ -42,7 +48,11 @@ final class Selection {
   /** Whether a kick is explained much worse than the others of its kind: the model of all, or what was fitted of this one, is not right for it. */
   static boolean standsOut(KickFit fit, List<KickFit> fits) {
     return fit.failure().isEmpty()
-        && fit.statistics().rmsMm() > WORSE_THAN_OTHERS * medianRms(fits).get(fit.kind());
+        && isWorse(fit.statistics().rmsMm(), medianRms(fits).get(fit.kind()));
+  }
+
+  private static boolean isWorse(double rmsMm, double median) {
+    return rmsMm > WORSE_THAN_OTHERS * Math.max(GOOD_RMS_MM, median);
   }
 
   private static Optional<String> distrust(
@@ -57,7 +67,7 @@ final class Selection {
     }
     FitStatistics s = fit.statistics();
     double median = medians.get(fit.kind());
-    if (s.rmsMm() > WORSE_THAN_OTHERS * median) {
+    if (isWorse(s.rmsMm(), median)) {
       return Optional.of(
           String.format(
               Locale.ROOT, "its rms is %.1f mm, that of the others %.1f mm", s.rmsMm(), median));

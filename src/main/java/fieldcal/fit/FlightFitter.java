@@ -14,6 +14,9 @@ final class FlightFitter {
   /** A parameter is undetermined when its error exceeds this share of its scale. */
   private static final double DETERMINED = 0.5;
 
+  /** An estimate that is nearer to a bound than this share of its error is at it; chosen far below 1, so that no estimate that merely lies beside a bound is meant. */
+  private static final double AT_BOUND = 1e-3;
+
   /** Start spread of the search in scales: 0.7 m/s² of accSlide, 70 mm/s …; chosen to cover published models that are 15 % off. */
   private static final double SPREAD = 0.7;
 
@@ -264,6 +267,7 @@ final class FlightFitter {
     for (int round = 0; round < 4; round++) {
       double[][] inverse = inverse(solver);
       double noise = noiseScale(flight, solver);
+      double[] scales = scales(theta);
       int worst = -1;
       double most = DETERMINED;
       for (int k = FlightLayout.kickSize(kind); k < size; k++) {
@@ -273,7 +277,7 @@ final class FlightFitter {
         double relative =
             inverse == null || inverse[k][k] <= 0
                 ? Double.MAX_VALUE
-                : noise * Math.sqrt(inverse[k][k]) / parameters.get(k).scale();
+                : noise * Math.sqrt(inverse[k][k]) / scales[k];
         if (solver.equations().a[k][k] <= 0) {
           relative = Double.POSITIVE_INFINITY;
         }
@@ -285,11 +289,23 @@ final class FlightFitter {
       if (worst < 0) {
         break;
       }
-      reasons[worst] = FlightLayout.whyUndetermined(parameters.get(worst), most);
+      reasons[worst] = FlightLayout.whyUndetermined(parameters.get(worst), most * scales[worst]);
       flight.prior(worst, parameters.get(worst).value(), parameters.get(worst).scale());
       solver.minimize(flight, theta);
     }
     return reasons;
+  }
+
+  /** The scales at the fitted values, by which an error is judged: a published model that is far off does not make a kick determine less or more. */
+  private double[] scales(double[] theta) {
+    double[] scales = parameters.stream().mapToDouble(Parameter::scale).toArray();
+    if (kind == KickKind.FLAT) {
+      List<Parameter> fitted = FlightLayout.flatModel(theta).parameters();
+      for (int k = 0; k < fitted.size(); k++) {
+        scales[FlightLayout.kickSize(kind) + k] = fitted.get(k).scale();
+      }
+    }
+    return scales;
   }
 
   /** By how much the residuals say that the noise is larger than the cameras' own. */
@@ -347,7 +363,9 @@ final class FlightFitter {
       double value = best.theta[k];
       double variance = covariance == null ? Double.NaN : covariance[k][k] * factor;
       double error = p.estimated() && variance > 0 ? Math.sqrt(variance) : Double.NaN;
-      boolean bound = p.estimated() && (value <= p.min() || value >= p.max());
+      // A search stops just short of a bound: nearer than a thousandth of the error is at it.
+      double near = error > 0 ? AT_BOUND * error : 0;
+      boolean bound = p.estimated() && (value <= p.min() + near || value >= p.max() - near);
       estimates.add(
           new Estimate(p.withValue(value), error, Optional.ofNullable(reasons[k]), bound));
     }

@@ -109,7 +109,7 @@ final class FlightLayout {
   }
 
   /** Why a kick does not determine a parameter of the model, with the error it would have, in its scales, where that is finite. */
-  static String whyUndetermined(Parameter parameter, double relativeError) {
+  static String whyUndetermined(Parameter parameter, double error) {
     String why =
         switch (parameter.name()) {
           case "accRoll" -> "the ball was hardly seen rolling";
@@ -119,8 +119,8 @@ final class FlightLayout {
           case "dampingXyOtherHops" -> "little was seen after the second landing";
           default -> "too few landings were seen";
         };
-    return relativeError < 1e6
-        ? String.format(Locale.ROOT, "%s: error %.2g", why, relativeError * parameter.scale())
+    return error < 1e6 * parameter.scale()
+        ? String.format(Locale.ROOT, "%s: error %.2g", why, error)
         : why;
   }
 }

@@ -275,7 +275,18 @@ public final class CalibrationPlay {
    * @param good false to make it again
    */
   public void judge(int number, boolean good) {
-    ledger.judge(number, good);
+    judge(number, good, "");
+  }
+
+  /**
+   * Whether a kick counts, and why not. When too few kicks count, the play ends and says what most of them lacked.
+   *
+   * @param number of the {@link PlayedKick}
+   * @param good false to make it again
+   * @param reason why it does not count, for the operator; empty when it counts, or when nobody knows
+   */
+  public void judge(int number, boolean good, String reason) {
+    ledger.judge(number, good, Objects.requireNonNull(reason, "reason"));
   }
 
   /**

@@ -1,9 +1,12 @@
 package fieldcal.play;
 
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /** Counts the kicks, and asks for the next one when the last has been made. */
 final class Ledger {
@@ -32,7 +35,7 @@ final class Ledger {
   private String lastReason = "";
 
   /** A kick and whether it counts, so far. */
-  private record Judged(PlannedKick kick, boolean counts) {}
+  private record Judged(PlannedKick kick, boolean counts, String reason) {}
 
   Ledger(PlayPlan plan, KickChooser chooser, Consumer<PlayedKick> listener) {
     wanted = plan.kicks();
@@ -87,19 +90,22 @@ final class Ledger {
     listener.accept(kick);
   }
 
-  void judge(int number, boolean counts) {
+  void judge(int number, boolean counts, String reason) {
     PlannedKick kick = unjudged.remove(number);
     if (kick != null) {
       count(counts, 1);
-      judged.put(number, new Judged(kick, counts));
+      judged.put(number, new Judged(kick, counts, reason));
       chooser.done(kick, counts);
       return;
     }
     Judged before = judged.get(number);
-    if (before != null && before.counts() != counts) {
+    if (before == null) {
+      return;
+    }
+    judged.put(number, new Judged(before.kick(), counts, reason));
+    if (before.counts() != counts) {
       count(!counts, -1);
       count(counts, 1);
-      judged.put(number, new Judged(before.kick(), counts));
       if (!counts) {
         chooser.done(before.kick(), false);
       }
@@ -177,14 +183,32 @@ final class Ledger {
     }
     if (bad > 2 * wanted + maxAttempts) {
       return Optional.of(
-          bad
-              + " kicks could not be used, "
-              + good
-              + " of "
-              + wanted
-              + " could; see what is wrong");
+          String.format(
+              Locale.ROOT,
+              "only %d of %d kicks could be used%s",
+              good,
+              good + bad,
+              mostFrequentReason()));
     }
     return Optional.empty();
+  }
+
+  /** What kicks that do not count lack most often, and how many of them; empty when nobody has said. */
+  private String mostFrequentReason() {
+    Map<String, Long> reasons =
+        judged.values().stream()
+            .filter(j -> !j.counts() && !j.reason().isEmpty())
+            .collect(Collectors.groupingBy(Judged::reason, TreeMap::new, Collectors.counting()));
+    return reasons.entrySet().stream()
+        .max(Map.Entry.comparingByValue())
+        .map(
+            e ->
+                String.format(
+                    Locale.ROOT,
+                    "; the most frequent reason, %d times: %s",
+                    e.getValue(),
+                    e.getKey()))
+        .orElse("");
   }
 
   /** Whether the kicker may still have to charge after it was fired in vain, which takes no longer for what is done meanwhile. */

@@ -38,6 +38,21 @@ class ModelsTest {
     check(ChipModel.typical().parameters(), n -> ChipModel.typical().withParameters(n));
   }
 
+  /** Friction with a coefficient of 1 along each axis of the field, as grSim has it, is √2·g along a diagonal; its rolling friction acts besides. */
+  @Test
+  void aSimulatorsFrictionIsWithinTheBoundsAndItsScaleFollows() {
+    double diagonal = -(Math.sqrt(2) + 0.05) * Gravity.ACCELERATION;
+    FlatModel sticky = new FlatModel(1.15 * diagonal, -0.7, 0.7);
+    assertThat(sticky.parameters()).allMatch(Parameter::isWithinBounds);
+    // A published value that is 15 % off is within a search's spread, 0.7 scales.
+    assertThat(sticky.parameters().subList(0, 2))
+        .allSatisfy(
+            p -> assertThat(0.7 * p.scale()).isGreaterThan(0.15 * Math.abs(p.value()) / 1.15));
+    assertThat(FlatModel.typical().parameters())
+        .extracting(Parameter::scale)
+        .containsExactly(1.0, 0.1, 0.1);
+  }
+
   private static void check(List<Parameter> parameters, Consumer<double[]> model) {
     assertThat(parameters).allMatch(Parameter::isWithinBounds);
     model.accept(parameters.stream().mapToDouble(Parameter::min).toArray());

@@ -111,6 +111,42 @@ class KickFitterTest {
     assertThat(mean).isEqualTo(0, within(0.12));
   }
 
+  /** A ball that slides as that of grSim, with 14.3 m/s² along a diagonal: it slid for a tenth of a second, in which each camera saw it seven times. */
+  @ParameterizedTest
+  @ValueSource(doubles = {3, 3.5, 4})
+  void aBallThatSlidesForATenthOfASecondDeterminesHow(double v) {
+    IdealKicks.Sample s = flat(-4, -3, v, v, 0.505, -14.3, -0.7, 0.7);
+    KickFit fit = fit(problem(s), KickKind.FLAT);
+    assertThat(fit.estimate("accSlide").usable()).as(fit.toString()).isTrue();
+    assertRecovered(fit, s);
+  }
+
+  /** The same, published far off, as by somebody who measured on a carpet: what a kick determines does not depend on that. */
+  @Test
+  void howWellAParameterIsDeterminedDoesNotDependOnWhatWasPublished() {
+    IdealKicks.Sample s = flat(-4, -3, 3.5, 3.5, 0.505, -14.3, -0.7, 0.7);
+    for (double published : new double[] {-6, -10, -14, -18}) {
+      FitProblem problem =
+          FitProblem.of(
+              s.kick(), source.views(), new FlatModel(published, -0.7, 0.7), ChipModel.typical());
+      KickFit fit = fit(problem, KickKind.FLAT);
+      assertThat(fit.estimate("accSlide").usable()).as("%s: %s", published, fit).isTrue();
+      assertRecovered(fit, s);
+    }
+  }
+
+  /** Beyond every bound: the value at the bound is no measurement, though a search stops just short of it. */
+  @Test
+  void aValueAtItsBoundIsNoMeasurement() {
+    IdealKicks.Sample s = flat(-4, -3, 4, 4, 0.505, -28, -0.7, 0.7);
+    FitProblem problem =
+        FitProblem.of(s.kick(), source.views(), new FlatModel(-19, -0.7, 0.7), ChipModel.typical());
+    Estimate slide = fit(problem, KickKind.FLAT).estimate("accSlide");
+    assertThat(slide.value()).isEqualTo(-20, within(1e-3));
+    assertThat(slide.usable()).isFalse();
+    assertThat(slide.atBound()).isTrue();
+  }
+
   @Test
   void aBallCaughtWhileSlidingSaysNothingOfRolling() {
     IdealKicks.Sample s = flat(-5, -1, 5.5, 1.5, 0.505, -3.1, -0.28, 0.62);

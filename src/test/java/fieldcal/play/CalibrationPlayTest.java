@@ -555,10 +555,18 @@ class CalibrationPlayTest {
     PlayPlan plan = PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 1);
     play =
         new CalibrationPlay(
-            plan, new SpreadKicks(1, 3, 3, 0, 1), kick -> play.judge(kick.number(), false));
+            plan,
+            new SpreadKicks(1, 3, 3, 0, 1),
+            kick ->
+                play.judge(kick.number(), false, kick.number() == 2 ? "it bounced" : "too short"));
     field.run(play, 600);
     assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
-    assertThat(play.state().waiting().orElseThrow()).contains("could not be used");
+    int made = play.state().made();
+    assertThat(play.state().waiting().orElseThrow())
+        .isEqualTo(
+            String.format(
+                "only 0 of %d kicks could be used; the most frequent reason, %d times: too short",
+                made, made - 1));
   }
 
   @Test

@@ -29,6 +29,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -290,6 +291,14 @@ final class LiveFits {
     }
     // What a chip's roll is, flat kicks say.
     for (Estimate e : kick.fit().modelEstimates().subList(0, 3)) {
+      if (e.atBound() && e.undetermined().isEmpty()) {
+        return String.format(
+            Locale.ROOT,
+            "its %s is at the end of what is searched (%.3g%s)",
+            ParameterWords.of(e.name()),
+            e.value(),
+            e.parameter().unit().isEmpty() ? "" : " " + e.parameter().unit());
+      }
       if (!e.usable()) {
         return "does not determine the " + ParameterWords.of(e.name());
       }

@@ -226,7 +226,7 @@ public final class PlaySession {
       started = now;
     }
     for (KickResult result : fits.judge(now)) {
-      play.judge(result.played().number(), result.good());
+      play.judge(result.played().number(), result.good(), result.reason());
       averages = fits.model();
       precise =
           request.precision() > 0
