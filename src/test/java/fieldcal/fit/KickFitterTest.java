@@ -12,6 +12,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
+import fieldcal.ball.Parameter;
 import fieldcal.ball.Phase;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
@@ -135,14 +136,16 @@ class KickFitterTest {
     }
   }
 
-  /** Beyond every bound: the value at the bound is no measurement, though a search stops just short of it. */
+  /** A search stops just short of a bound: what it found there is no measurement. */
   @Test
   void aValueAtItsBoundIsNoMeasurement() {
-    IdealKicks.Sample s = flat(-4, -3, 4, 4, 0.505, -28, -0.7, 0.7);
+    IdealKicks.Sample s = flat(-4, -3, 4, 4, 0.505, -14.3, -0.7, 0.7);
+    List<Parameter> flat = new ArrayList<>(new FlatModel(-11, -0.7, 0.7).parameters());
+    flat.set(0, flat.get(0).withBounds(-12, -0.5));
     FitProblem problem =
-        FitProblem.of(s.kick(), source.views(), new FlatModel(-19, -0.7, 0.7), ChipModel.typical());
+        new FitProblem(s.kick(), source.views(), flat, ChipModel.typical().parameters());
     Estimate slide = fit(problem, KickKind.FLAT).estimate("accSlide");
-    assertThat(slide.value()).isEqualTo(-20, within(1e-3));
+    assertThat(slide.value()).isEqualTo(-12, within(1e-3));
     assertThat(slide.usable()).isFalse();
     assertThat(slide.atBound()).isTrue();
   }
