@@ -57,6 +57,7 @@ public final class SimulatedWorld implements Scene {
   private double time;
   private final Set<RobotCharacter> characters = EnumSet.noneOf(RobotCharacter.class);
   private final double[] touchedSince;
+  private final RandomStream secondStroke;
   private double slippedAt = Double.NEGATIVE_INFINITY;
   private int heldSteps;
   private double heldVx;
@@ -88,6 +89,7 @@ public final class SimulatedWorld implements Scene {
     integrator = new BallIntegrator(physics);
     ballRadius = physics.ball().radius();
     kicker = new Kicker(behaviour, ballRadius, seed);
+    secondStroke = RandomStream.of(seed, "second stroke");
     readyToKick = new double[this.robots.size()];
     touchedSince = new double[this.robots.size()];
     Arrays.fill(touchedSince, Double.NaN);
@@ -249,6 +251,16 @@ public final class SimulatedWorld implements Scene {
         new KickCommand(
             order.speed(), Math.IEEEremainder(robot.orientation(), 2 * Math.PI), order.elevation());
     kicker.kick(robot, command, ball);
+    if (characters.contains(RobotCharacter.UNEVEN_KICKER) && secondStroke.happens(0.5)) {
+      double left = RobotCharacter.STRUCK_TWICE;
+      ball.launch(
+          left * ball.vx(),
+          left * ball.vy(),
+          left * ball.vz(),
+          left * ball.spinX(),
+          left * ball.spinY(),
+          left * ball.spinZ());
+    }
     if (characters.contains(RobotCharacter.LATE_KICKER)) {
       ball.launch(
           ball.vx() + robot.vx(),

@@ -153,6 +153,30 @@ class InteractiveFieldTest {
   }
 
   @Test
+  void anUnevenKickerGivesSomeKicksAFifthLess() {
+    InteractiveField field = field().robotsLike(Set.of(RobotCharacter.UNEVEN_KICKER));
+    int full = 0;
+    int weak = 0;
+    for (int kick = 0; kick < 40; kick++) {
+      field.world().placeBall(0, 0);
+      field.placeRobot(FIRST, -0.15, 0, 0);
+      field.command(FIRST, new RobotCommand(new Velocity(0.3, 0, 0), new Kick(4, 0), false));
+      double fastest = 0;
+      for (int i = 0; i < 120; i++) {
+        field.step(p -> {});
+        fastest = Math.max(fastest, field.world().ball().groundSpeed());
+      }
+      full += Math.abs(fastest - 4) < 0.3 ? 1 : 0;
+      weak += Math.abs(fastest - 3.2) < 0.3 ? 1 : 0;
+      field.command(FIRST, RobotCommand.HALT);
+      run(field, 0.5);
+    }
+    assertThat(full + weak).isEqualTo(40);
+    // Half of them: three standard deviations of 40 draws are 9.5.
+    assertThat(weak).isBetween(11, 29);
+  }
+
+  @Test
   void aDriftingRobotDrivesBesideItsWay() {
     InteractiveField field = field().robotsLike(Set.of(RobotCharacter.DRIFTING));
     field.placeRobot(FIRST, -2, -2, 0);

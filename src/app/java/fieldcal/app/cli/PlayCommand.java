@@ -299,6 +299,7 @@ final class PlayCommand implements Callable<Integer> {
     }
     text.result(
         result,
+        request,
         truth.map(t -> t.get("ideal_model")),
         Optional.ofNullable(out).map(o -> result.directory()));
     simulatorNotes(field);

@@ -5,6 +5,7 @@ import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.play.KickResult;
 import fieldcal.app.play.KickStrength;
 import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.play.SessionSnapshot.Undecided;
 import fieldcal.app.wording.ParameterWords;
@@ -17,6 +18,8 @@ import fieldcal.kick.KickKind;
 import fieldcal.play.PlayState;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -175,7 +178,11 @@ final class PlayText {
         k.good() ? parameters : "  not used: " + k.reason());
   }
 
-  void result(PlayRun.Result result, Optional<JsonNode> truth, Optional<Path> directory) {
+  void result(
+      PlayRun.Result result,
+      SessionRequest request,
+      Optional<JsonNode> truth,
+      Optional<Path> directory) {
     SessionSnapshot last = result.session().last();
     if (result.calibration().isPresent()) {
       CalibrationOutcome outcome = result.calibration().get();
@@ -190,6 +197,13 @@ final class PlayText {
         last.state().good(),
         last.state().good() == 1 ? "kick" : "kicks",
         last.state().made());
+    if (result.session().complete() && last.state().wanted() < request.kicks()) {
+      line(
+          "Every parameter is known to %s %%, as asked. The other kicks of %d are not needed.",
+          new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT))
+              .format(100 * request.precision()),
+          request.kicks());
+    }
     strengths(result.strengths());
     if (!last.undecided().causes().isEmpty()) {
       line("%nUndecided: %s.", String.join("; ", last.undecided().causes()));

@@ -52,7 +52,7 @@ final class SimulatedFieldOptions {
       paramLabel = "NAME[,NAME]",
       description =
           "simulated field that is played on or served: what its robots are like; ideal,"
-              + " slipping-dribbler, late-kicker, drifting, sluggish")
+              + " slipping-dribbler, late-kicker, drifting, sluggish, uneven-kicker")
   private String robots = "ideal";
 
   Set<RobotCharacter> robots() {

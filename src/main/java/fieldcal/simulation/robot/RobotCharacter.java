@@ -17,7 +17,9 @@ public enum RobotCharacter {
   /** The robot drives 4° beside and 5 % slower than commanded, and creeps a little when it is to stand. */
   DRIFTING,
   /** The robot hears its orders 50 ms later, follows them with a time constant of 0.1 s, and gains and loses no more than 1.5 m/s each second. */
-  SLUGGISH;
+  SLUGGISH,
+  /** The kicker gives half of the kicks, drawn at random, a fifth less speed than the others: it strikes the ball twice, and the second stroke brakes it, as with grSim. */
+  UNEVEN_KICKER;
 
   /** Largest acceleration that friction gives a ball towards the robot and to its sides, m/s² (chosen: a third of what robots do). */
   public static final double HELD_ACCELERATION = 1.2;
@@ -36,6 +38,9 @@ public enum RobotCharacter {
 
   /** A kicker reaches so far before the plate, m. */
   public static final double KICKER_REACH = 0.012;
+
+  /** Part of the speed that is left after a second stroke: grSim's kicker takes back a fifth of what the ball has ({@code KickerDampFactor} 0.2). */
+  public static final double STRUCK_TWICE = 0.8;
 
   /** Beside the direction that is commanded, rad. */
   public static final double BESIDE = Math.toRadians(4);

@@ -58,6 +58,28 @@ class PlayCommandTest {
         .isBetween(0.515, 0.525);
   }
 
+  @Test
+  void whoAsksForAPrecisionIsToldThatItWasReached() {
+    assertThat(run("play --sim --kind flat --kicks 30 --adaptive --precision 5 --seed 2")).isZero();
+    assertThat(out.toString())
+        .containsPattern(
+            "Finished after \\d+ s of field time: \\d good kicks of \\d made\\.\\REvery parameter"
+                + " is known to 5 %, as asked\\. The other kicks of 30 are not needed\\.");
+  }
+
+  /** Kickers that strike twice, as in grSim: their strength scatters, the ball does not. */
+  @Test
+  void unevenKickersDoNotDisturbTheModel() throws Exception {
+    assertThat(
+            run(
+                "play --sim --kind flat --kicks 8 --seed 2 --robots-like uneven-kicker"
+                    + " --vision-like noiseless --out DIR"))
+        .isZero();
+    double kSwitch = json("calibration.json").get("flat").get("k_switch").get("mean").asDouble();
+    assertThat(kSwitch).isBetween(0.645, 0.655);
+    assertThat(json("play.json").get("kicks")).hasSizeLessThan(12);
+  }
+
   /** Somebody who exports the folder's model afterwards gets that of the carpet. */
   @Test
   void aRehearsalLeavesTheResultsOfARealFieldAlone() throws Exception {
