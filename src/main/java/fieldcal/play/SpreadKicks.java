@@ -3,18 +3,25 @@ package fieldcal.play;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Predicate;
 
-/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. Kicks that were not good are made again, a little nearer to the middle of the range: what is not determined by the slowest or fastest kick is so again when it is repeated as it was. Not thread-safe. */
+/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. Kicks that were not good are made again, nearer to a speed that was good: what is not determined by a slow or fast kick is so again when it is repeated as it was. Which speeds are good depends on the field: where the ball slides for a tenth of a second only, the fast ones. While none was, the middle of the range is taken for good. Not thread-safe. */
 public final class SpreadKicks implements KickChooser {
-  /** How far towards the middle of the range a kick goes when it is made again. */
+  /** How far towards the middle of the range a kick goes when it is made again, while none was good. */
   private static final double INWARDS = 0.3;
 
+  /** How far towards the nearest speed that was good: bisection. */
+  private static final double BETWEEN = 0.5;
+
   private final Deque<PlannedKick> waiting = new ArrayDeque<>();
+  private final List<Double> good = new ArrayList<>();
+  private final List<Double> failed = new ArrayList<>();
+  private final List<Double> repeated = new ArrayList<>();
   private final PlannedKick spare;
 
   /**
@@ -77,11 +84,52 @@ public final class SpreadKicks implements KickChooser {
   }
 
   @Override
-  public void done(PlannedKick kick, boolean good) {
-    if (!good) {
-      // At once: the robots are on the right line still.
-      double speed = kick.speed() + INWARDS * (spare.speed() - kick.speed());
-      waiting.addFirst(new PlannedKick(speed, kick.elevation(), kick.otherLine()));
+  public void done(PlannedKick kick, boolean counts) {
+    double speed = kick.speed();
+    if (counts) {
+      good.add(speed);
+      return;
     }
+    // A kick may turn out bad later.
+    good.remove(speed);
+    failed.add(speed);
+    double next = again(speed);
+    repeated.add(next);
+    PlannedKick again = new PlannedKick(next, kick.elevation(), kick.otherLine());
+    if (good.isEmpty()) {
+      // Nobody knows yet which speeds are good: the others on this line first.
+      insertAfterLine(again);
+    } else {
+      // At once: the robots are on the right line still.
+      waiting.addFirst(again);
+    }
+  }
+
+  private void insertAfterLine(PlannedKick kick) {
+    Deque<PlannedKick> others = new ArrayDeque<>();
+    while (!waiting.isEmpty() && waiting.getLast().otherLine() != kick.otherLine()) {
+      others.addFirst(waiting.removeLast());
+    }
+    waiting.addLast(kick);
+    waiting.addAll(others);
+  }
+
+  /** The speed instead of one that failed. Once may be chance. When a repeat fails, too, it goes on from the failed speed that is nearest to the good one. */
+  private double again(double speed) {
+    if (good.isEmpty()) {
+      return speed + INWARDS * (spare.speed() - speed);
+    }
+    double best = nearest(good, speed);
+    double from = speed;
+    if (repeated.contains(speed)) {
+      double least = Math.min(speed, best);
+      double most = Math.max(speed, best);
+      from = nearest(failed.stream().filter(f -> f >= least && f <= most).toList(), best);
+    }
+    return from + BETWEEN * (best - from);
+  }
+
+  private static double nearest(List<Double> speeds, double to) {
+    return Collections.min(speeds, Comparator.comparingDouble(s -> Math.abs(s - to)));
   }
 }
