@@ -15,12 +15,11 @@ public final class SpreadKicks implements KickChooser {
   /** How far towards the middle of the range a kick goes when it is made again, while none was good. */
   private static final double INWARDS = 0.3;
 
-  /** How far towards the nearest speed that was good: bisection. */
+  /** How far towards the nearest speed that was good a kick goes when it is made again. */
   private static final double BETWEEN = 0.5;
 
   private final Deque<PlannedKick> waiting = new ArrayDeque<>();
   private final List<Double> good = new ArrayList<>();
-  private final List<Double> failed = new ArrayList<>();
   private final List<Double> repeated = new ArrayList<>();
   private final PlannedKick spare;
 
@@ -92,7 +91,6 @@ public final class SpreadKicks implements KickChooser {
     }
     // A kick may turn out bad later.
     good.remove(speed);
-    failed.add(speed);
     double next = again(speed);
     repeated.add(next);
     PlannedKick again = new PlannedKick(next, kick.elevation(), kick.otherLine());
@@ -114,22 +112,15 @@ public final class SpreadKicks implements KickChooser {
     waiting.addAll(others);
   }
 
-  /** The speed instead of one that failed. Once may be chance. When a repeat fails, too, it goes on from the failed speed that is nearest to the good one. */
+  /** The speed instead of one that failed. Once may be chance. When a repeat fails, too, the nearest good speed may have been, and the middle one of the good ones is taken. */
   private double again(double speed) {
     if (good.isEmpty()) {
       return speed + INWARDS * (spare.speed() - speed);
     }
-    double best = nearest(good, speed);
-    double from = speed;
     if (repeated.contains(speed)) {
-      double least = Math.min(speed, best);
-      double most = Math.max(speed, best);
-      from = nearest(failed.stream().filter(f -> f >= least && f <= most).toList(), best);
+      return good.stream().sorted().toList().get(good.size() / 2);
     }
-    return from + BETWEEN * (best - from);
-  }
-
-  private static double nearest(List<Double> speeds, double to) {
-    return Collections.min(speeds, Comparator.comparingDouble(s -> Math.abs(s - to)));
+    Comparator<Double> nearest = Comparator.comparingDouble(g -> Math.abs(g - speed));
+    return speed + BETWEEN * (Collections.min(good, nearest) - speed);
   }
 }

@@ -59,6 +59,14 @@ class SpreadKicksTest {
     assertThat(kicks.next()).isEqualTo(new PlannedKick(4.5, 0, false));
   }
 
+  /** A kicker that gives some kicks a fifth less, as in grSim: one slow kick counts by chance, and the others must not stay beside it. */
+  @Test
+  void oneLuckySlowKickDoesNotHoldTheOthers() {
+    Random random = new Random(6);
+    List<Double> made = speeds(v -> v * (random.nextBoolean() ? 1 : 0.8) > 4.4);
+    assertThat(made).hasSizeLessThan(34);
+  }
+
   /** A ball that somebody touched says nothing of the speed: the range stays covered. */
   @Test
   void chanceDoesNotNarrowTheRange() {
@@ -73,7 +81,7 @@ class SpreadKicksTest {
           return counts;
         });
     assertThat(good).hasSize(12);
-    assertThat(good.stream().filter(v -> v < 3.5)).hasSizeGreaterThanOrEqualTo(3);
-    assertThat(good.stream().filter(v -> v > 5)).hasSizeGreaterThanOrEqualTo(3);
+    assertThat(good.stream().filter(v -> v < 3.5)).hasSizeGreaterThanOrEqualTo(2);
+    assertThat(good.stream().filter(v -> v > 5)).hasSizeGreaterThanOrEqualTo(2);
   }
 }
