@@ -5,6 +5,8 @@ import fieldcal.ball.BallTrajectory;
 import fieldcal.diagnosis.KickResiduals;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
+import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.motion.KickSpin;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,10 +15,8 @@ import org.apache.commons.math3.analysis.solvers.BrentSolver;
 import org.apache.commons.math3.exception.MathIllegalArgumentException;
 import org.apache.commons.math3.exception.TooManyEvaluationsException;
 
-/** The spin that one kick gave the ball: that with which the extended model's path is as long as the path that was fitted to the kick. */
+/** The whole spin that one kick gave the ball, of flat kicks and chips alike: that with which the extended model's path is as long as the path that was fitted to the kick. */
 final class SpinOfKick {
-  private static final String KICK_SPIN = "kick_spin";
-
   /** Largest spin that is looked for, in units of rolling spin: what the effect allows. */
   private static final double MOST = 2;
 
@@ -26,16 +26,21 @@ final class SpinOfKick {
   private static final int EVALUATIONS = 60;
 
   private final ExtendedModel model;
-  private final int index;
+  private final List<Effect> others;
 
   SpinOfKick(ExtendedModel model) {
     this.model = model;
-    index = model.effects().stream().map(Effect::id).toList().indexOf(KICK_SPIN);
+    others = model.effects().stream().filter(e -> !givesSpin(e)).toList();
+  }
+
+  private static boolean givesSpin(Effect effect) {
+    return effect instanceof KickSpin
+        || effect instanceof LearnedTerm term && term.actsOn().equals("kick");
   }
 
   /** Empty when kicks give no spin, or none explains the path: of a chip with another number of hops. */
   OptionalDouble of(KickResiduals kick) {
-    if (index < 0) {
+    if (others.size() == model.effects().size()) {
       return OptionalDouble.empty();
     }
     BallTrajectory path = kick.after();
@@ -59,8 +64,8 @@ final class SpinOfKick {
   }
 
   private BallTrajectory with(KickKind kind, double fraction, double time, BallState s) {
-    List<Effect> effects = new ArrayList<>(model.effects());
-    effects.set(index, effects.get(index).withParameters(fraction));
+    List<Effect> effects = new ArrayList<>(others);
+    effects.add(new KickSpin(fraction));
     ExtendedModel spun =
         new ExtendedModel(model.flat(), model.chip(), effects, model.sessionStart());
     return kind == KickKind.CHIP
