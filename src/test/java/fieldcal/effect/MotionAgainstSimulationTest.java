@@ -37,10 +37,16 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Paths with effects against the simulation's spinning ball, which shares no code and no equations with them. */
 class MotionAgainstSimulationTest {
-  /** The design asks for 0.1 mm. */
+  /** What the design asks for, m. */
+  private static final double DESIGN_LIMIT = 1e-4;
+
   private static final double LIMIT = 2e-5;
 
   private static final double K = 1 / (1 + Ball.GOLF_BALL.inertiaFactor());
+
+  /** Where teams measure it, and not where mechanics has it without anything else. */
+  private static final double LATE = 0.62;
+
   private static final double SESSION_TIME = 400;
   private static final FlatModel FLAT = new FlatModel(-3.1, -0.28, K);
   private static final ChipModel CHIP = new ChipModel(0.75, 0.9, 0.52, -0.28);
@@ -194,6 +200,31 @@ class MotionAgainstSimulationTest {
     }
   }
 
+  /** A twin has the k_switch that was measured, and a golf ball. */
+  @ParameterizedTest
+  @MethodSource("worlds")
+  void flatKicksAgreeWhereTheBallRollsLater(World world, List<MotionEffect> effects) {
+    Ball late = Ball.GOLF_BALL.withKSwitch(LATE);
+    FlatModel model = new FlatModel(FLAT.accSlide(), FLAT.accRoll(), LATE);
+    for (double[] v : new double[][] {{5, 2, 0}, {-1, 4, 0}}) {
+      ExtendedTrajectory path =
+          ExtendedTrajectory.flat(
+              model, MotionEffects.of(effects), 0, SESSION_TIME, 0, 0, v[0], v[1]);
+      compare(late, DESIGN_LIMIT, world, path, v, path.restTime() + 0.1);
+    }
+  }
+
+  /** Chips have no k_switch. */
+  @ParameterizedTest
+  @MethodSource("worldsOfChips")
+  void chipsAgreeWhereTheBallRollsLater(World world, List<MotionEffect> effects) {
+    Ball late = Ball.GOLF_BALL.withKSwitch(LATE);
+    for (double[] v : CHIPS) {
+      ExtendedTrajectory path = chip(effects, v);
+      compare(late, DESIGN_LIMIT, world, path, v, path.restTime() + 0.1);
+    }
+  }
+
   private static final double[][] CHIPS = {{3, 1, 3}, {2, -1, 4.2}};
 
   /** Impacts with a law of their own, and balls that the kick gave no spin. */
@@ -255,10 +286,15 @@ class MotionAgainstSimulationTest {
   }
 
   private static void compare(World world, ExtendedTrajectory path, double[] v, double until) {
+    compare(Ball.GOLF_BALL, LIMIT, world, path, v, until);
+  }
+
+  private static void compare(
+      Ball body, double limit, World world, ExtendedTrajectory path, double[] v, double until) {
     BallBody ball = new BallBody();
     ball.place(0, 0);
     ball.kick(v[0], v[1], v[2], world.roll, world.side, Ball.GOLF_BALL.radius());
-    BallPhysics physics = new BallPhysics(Ball.GOLF_BALL, world.ground, world.impact, world.air);
+    BallPhysics physics = new BallPhysics(body, world.ground, world.impact, world.air);
     BallIntegrator integrator = new BallIntegrator(physics);
     BallHistory history = new BallHistory();
     history.node(SESSION_TIME, ball);
@@ -268,7 +304,7 @@ class MotionAgainstSimulationTest {
     for (double t = SESSION_TIME; t < until; t += 0.0137) {
       assertThat(history.positionAt(t, truth)).isTrue();
       path.positionAt(t, xyz);
-      assertThat(xyz).containsExactly(truth, within(LIMIT));
+      assertThat(xyz).containsExactly(truth, within(limit));
     }
   }
 }

@@ -10,6 +10,7 @@ import fieldcal.effect.ExtendedModel;
 import fieldcal.kick.KickKind;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TurnLimits;
 import fieldcal.vision.Team;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -191,6 +192,17 @@ final class FieldComparer {
     limit(team, "velocity", "m/s", a.velocity(), b.velocity(), rows);
     limit(team, "acceleration", "m/s²", a.acceleration(), b.acceleration(), rows);
     limit(team, "braking", "m/s²", a.braking(), b.braking(), rows);
+    TurnLimits real = a.turning();
+    TurnLimits simulated = b.turning();
+    limit(team, "rate of turning", "rad/s", real.velocity(), simulated.velocity(), rows);
+    limit(
+        team,
+        "angular acceleration",
+        "rad/s²",
+        real.acceleration(),
+        simulated.acceleration(),
+        rows);
+    limit(team, "angular braking", "rad/s²", real.braking(), simulated.braking(), rows);
   }
 
   /** Two limits that were reached; or one, and robots on the other side that did more than that. */
@@ -211,7 +223,7 @@ final class FieldComparer {
             : a.reached() ? ", in the simulator at least" : ", on the field at least";
     rows.tested(
         new Row(
-            "limit." + team.label() + "." + name,
+            "limit." + team.label() + "." + name.replace(' ', '_'),
             "largest " + name + " of " + team.label() + atLeast,
             unit,
             a.value(),

@@ -45,6 +45,8 @@ final class LimitsReader {
         JsonNode turning = node.path("angular");
         if (turning.path(name).isNumber() && turning.path("reached").path(name).asBoolean(false)) {
           values.put("angular_" + name, turning.path(name).asDouble());
+          quantities =
+              quantities.with(team.label() + ".angular_" + name, turning.path(name).asDouble());
         }
       }
       Map<String, Double> effects = new LinkedHashMap<>();

@@ -222,7 +222,7 @@ public final class TruthJson {
     ObjectNode node = JSON.objectNode();
     node.put("acc_slide", -g.slidingFriction() * BallPhysics.GRAVITY);
     node.put("acc_roll", -g.rollingDeceleration());
-    node.put("k_switch", 1 / (1 + p.ball().inertiaFactor()));
+    node.put("k_switch", p.ball().kSwitch());
     if (p.impact().tangential() instanceof ImpactLaw.FixedLoss loss) {
       node.put("damping_xy_first_hop", loss.firstHop());
       node.put("damping_xy_other_hops", loss.otherHops());

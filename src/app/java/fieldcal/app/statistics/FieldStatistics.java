@@ -1,6 +1,7 @@
 package fieldcal.app.statistics;
 
 import fieldcal.app.statistics.Statistic.How;
+import fieldcal.app.wording.ParameterWords;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
@@ -172,11 +173,15 @@ public final class FieldStatistics {
     }
   }
 
+  private static String kinds(KickKind kind) {
+    return kind == KickKind.CHIP ? "chips" : "flat kicks";
+  }
+
   private void parameters(KickFit fit, String key) {
     String kind = fit.kind().id();
     for (Estimate e : fit.modelEstimates()) {
       if (e.usable()) {
-        String what = e.name() + " of " + kind + " kicks";
+        String what = ParameterWords.words(e.name()) + " of " + kinds(fit.kind());
         add(kind + "." + e.name(), what, e.parameter().unit(), How.PAIRED, key, e.value());
         add(
             kind + "_scatter." + e.name(),

@@ -18,6 +18,7 @@ import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
 import fieldcal.movement.MovementEffect;
 import fieldcal.movement.TeamLimits;
+import fieldcal.movement.TurnLimits;
 import fieldcal.simulation.EffectSetting;
 import fieldcal.simulation.FieldSize;
 import fieldcal.simulation.KickBehaviour.SpinTable;
@@ -124,7 +125,7 @@ final class TwinBuilder {
     if (model.chip().isEmpty()) {
       notes.add("No chip was recorded: bounces are usual values.");
     }
-    return BallPhysics.ideal(
+    return BallPhysics.ofGolfBall(
         flat.accSlide(),
         roll,
         flat.kSwitch(),
@@ -237,13 +238,18 @@ final class TwinBuilder {
   private RobotLimits limitsOf(TeamLimits team) {
     RobotLimits usual = RobotLimits.DEFAULT;
     String name = team.team().label();
+    TurnLimits turn = team.turning();
     RobotLimits result =
         new RobotLimits(
-            of("velocity of " + name, team.velocity(), usual.velocity()),
-            of("acceleration of " + name, team.acceleration(), usual.acceleration()),
-            of("braking of " + name, team.braking(), usual.braking()),
-            usual.angularVelocity(),
-            usual.angularAcceleration(),
+            of("velocity of " + name, " m/s", team.velocity(), usual.velocity()),
+            of("acceleration of " + name, " m/s²", team.acceleration(), usual.acceleration()),
+            of("braking of " + name, " m/s²", team.braking(), usual.braking()),
+            of("rate of turning of " + name, " rad/s", turn.velocity(), usual.angularVelocity()),
+            of(
+                "angular acceleration of " + name,
+                " rad/s²",
+                turn.acceleration(),
+                usual.angularAcceleration()),
             0,
             0);
     for (LimitDeviation d : team.deviations()) {
@@ -256,7 +262,7 @@ final class TwinBuilder {
     return result;
   }
 
-  private double of(String what, LimitEstimate estimate, double usual) {
+  private double of(String what, String unit, LimitEstimate estimate, double usual) {
     if (estimate.known() && estimate.reached() && estimate.value() > 0) {
       return estimate.value();
     }
@@ -265,7 +271,7 @@ final class TwinBuilder {
             + what
             + ": "
             + usual
-            + (what.contains("velocity") ? " m/s" : " m/s²")
+            + unit
             + " is assumed, a usual value.");
     return estimate.known() ? Math.max(usual, estimate.value()) : usual;
   }

@@ -49,7 +49,7 @@ public final class TwinFile {
   /**
    * Writes.
    *
-   * @param twin what to write; its physics must be {@link BallPhysics#ideal} with tabulated laws
+   * @param twin what to write; its physics must be {@link BallPhysics#ofGolfBall} with tabulated laws
    * @param file where
    * @throws IOException when it cannot be written
    */
@@ -120,7 +120,7 @@ public final class TwinFile {
     FixedLoss loss = (FixedLoss) p.impact().tangential();
     node.put("acc_slide", -p.ground().slidingFriction() * BallPhysics.GRAVITY);
     node.put("acc_roll", -p.ground().rollingDeceleration());
-    node.put("k_switch", 1 / (1 + p.ball().inertiaFactor()));
+    node.put("k_switch", p.ball().kSwitch());
     node.put("damping_xy_first_hop", loss.firstHop());
     node.put("damping_xy_other_hops", loss.otherHops());
     node.put("damping_z", p.impact().dampingZOtherHops());
@@ -301,7 +301,7 @@ public final class TwinFile {
   private static BallPhysics ball(Fields f) throws InputException {
     return f.made(
         () ->
-            BallPhysics.ideal(
+            BallPhysics.ofGolfBall(
                 f.number("acc_slide"),
                 f.number("acc_roll"),
                 f.number("k_switch"),

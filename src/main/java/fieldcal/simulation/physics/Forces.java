@@ -12,6 +12,7 @@ final class Forces {
   private final GroundLaw ground;
   private final double radius;
   private final double beta;
+  private final double slidingBeta;
   private final double dragFactor;
   private final double liftFactor;
   private final double spinDecay;
@@ -46,6 +47,7 @@ final class Forces {
     ground = physics.ground();
     radius = physics.ball().radius();
     beta = physics.ball().inertiaFactor();
+    slidingBeta = physics.ball().slidingInertiaFactor();
     AirLaw air = physics.air();
     double pressure = 0.5 * air.density() * Math.PI * radius * radius / physics.ball().mass();
     dragFactor = pressure * air.dragCoefficient();
@@ -317,8 +319,8 @@ final class Forces {
     rate[4] = frictionY + externalY;
     addToPath(s, friction, rate);
     rate[5] = 0;
-    rate[6] = frictionY / (beta * radius);
-    rate[7] = -frictionX / (beta * radius);
+    rate[6] = frictionY / (slidingBeta * radius);
+    rate[7] = -frictionX / (slidingBeta * radius);
     rate[8] = -ground.verticalSpinDecay() * s[8];
   }
 
