@@ -47,7 +47,8 @@ final class ExportCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "MODEL",
       description =
-          "calibration.json, extended_model.json, geometry_models.pb, or limits.json for robots")
+          "calibration.json, extended_model.json, geometry_models.pb, limits.json for robots, or"
+              + " twin.json for cameras")
   private Path file;
 
   @Option(

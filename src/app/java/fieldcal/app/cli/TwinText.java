@@ -7,6 +7,7 @@ import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -38,9 +39,14 @@ final class TwinText {
           Amount.withError(p.twin(), p.twinError()),
           p.sigmas());
     }
-    if (!outcome.causes().isEmpty()) {
+    List<String> causes = new ArrayList<>(outcome.causes());
+    int learned = outcome.twin().settings().physics().extras().size();
+    if (learned > 0) {
+      causes.add(learned + (learned == 1 ? " learned law" : " learned laws") + " of the ball");
+    }
+    if (!causes.isEmpty()) {
       line("%nCauses in the twin:");
-      outcome.causes().forEach(e -> line("- %s", e));
+      causes.forEach(e -> line("- %s", e));
     }
     if (!outcome.twin().notes().isEmpty()) {
       line("%nAssumed, or left out:");

@@ -137,7 +137,7 @@ public record ExportModel(
   /**
    * Reads a model.
    *
-   * @param file {@code calibration.json}, {@code extended_model.json}, {@code limits.json}, or {@code SSL_GeometryModels} in binary or text form
+   * @param file {@code calibration.json}, {@code extended_model.json}, {@code limits.json}, {@code twin.json} (its cameras), or {@code SSL_GeometryModels} in binary or text form
    * @return the model
    * @throws InputException when it is none of these, with file and place
    * @throws IOException when it cannot be read
@@ -156,13 +156,14 @@ public record ExportModel(
         yield ofBall(file, new BallModels(extended.flat(), extended.chip()), Optional.of(extended));
       }
       case "fieldcal.limits/1" -> LimitsReader.read(file, root);
+      case "fieldcal.twin/1" -> TwinReader.read(file);
       default ->
           throw new InputException(
               file
                   + ": schema is '"
                   + schema
-                  + "'; give calibration.json, extended_model.json, limits.json or"
-                  + " geometry_models.pb");
+                  + "'; give calibration.json, extended_model.json, limits.json, twin.json"
+                  + " or geometry_models.pb");
     };
   }
 

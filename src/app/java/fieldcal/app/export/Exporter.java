@@ -133,7 +133,7 @@ public final class Exporter {
               + Amount.of(taken)
               + ".");
     }
-    return new Setting(path, taken, key.unit(), key.min(), key.max());
+    return new Setting(path, taken, key.unit(), key.min(), key.max(), key.whole());
   }
 
   private void explain(Set<String> unknown) {

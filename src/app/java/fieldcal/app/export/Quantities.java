@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
  *
  * <p>Of the ball: {@code acc_slide}, {@code acc_roll} (m/s²), {@code k_switch}, {@code inertia} (1/k_switch − 1), {@code damping_xy_first_hop}, {@code
  * damping_xy_other_hops}, {@code damping_z}, {@code min_bounce_speed} (m/s, the vertical speed of an impact after which the model has no further hop) and {@code roll_slope} (1/s, 0 without the effect
- * {@code speed_dependent_roll}). Of the cameras: {@code ball_noise} and {@code camera_offset} (m). Of the robots: {@code velocity_max} (m/s), {@code acceleration_max} and {@code
+ * {@code speed_dependent_roll}). Of the cameras: {@code ball_noise} and {@code camera_offset} (m), and from a twin {@code robot_noise} (m), {@code robot_angle_noise} (rad), {@code missed_balls}, {@code missed_robots} (shares) and {@code processing_time} (s, from exposure to sending). Of the robots: {@code velocity_max} (m/s), {@code acceleration_max} and {@code
  * braking_max} (m/s²), and where the robots reached them {@code angular_velocity_max} (rad/s), {@code angular_acceleration_max} and {@code angular_braking_max} (rad/s²) of the team that is chosen, and of both with {@code yellow.} or {@code blue.} before them.
  */
 public final class Quantities {

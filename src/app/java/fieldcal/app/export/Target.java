@@ -107,6 +107,7 @@ public record Target(String name, String title, List<TargetFile> files) {
    * @param divisor 1 when left out
    * @param min the least value that the program takes; −∞ when left out
    * @param max the largest; ∞ when left out
+   * @param whole whether the program takes whole numbers alone; false when left out
    */
   public record Key(
       List<String> path,
@@ -115,7 +116,8 @@ public record Target(String name, String title, List<TargetFile> files) {
       Double factor,
       Double divisor,
       Double min,
-      Double max) {
+      Double max,
+      boolean whole) {
     /** Fills in what a descriptor leaves out. {@inheritDoc} */
     public Key {
       path = List.copyOf(path);

@@ -43,8 +43,11 @@ import java.util.stream.Collectors;
 
 /** Makes a twin of what a diagnosis, the frames and the movement of the robots tell. */
 final class TwinBuilder {
-  /** Effects of the kicker, which become its settings. */
-  private static final List<String> KICKERS = List.of("kick_spin", "side_spin", "robot_kick_bias");
+  /** Spins that kickers give. */
+  private static final List<String> SPINS = List.of("kick_spin", "side_spin");
+
+  /** Another effect of the kicker. All of them become its settings. */
+  private static final String BIAS = "robot_kick_bias";
 
   private final DiagnosisOutcome diagnosis;
   private final FieldRecording field;
@@ -114,6 +117,11 @@ final class TwinBuilder {
     return new FieldSize(g.length(), g.width(), g.boundaryWidth(), g.goalWidth(), g.goalDepth());
   }
 
+  /** Whether the twin's kickers have it. */
+  static boolean isSpin(Effect effect) {
+    return SPINS.contains(effect.id());
+  }
+
   private BallPhysics physics(ExtendedModel model) {
     FlatModel flat = model.flat().orElse(FlatModel.typical());
     ChipModel chip = model.chip().orElse(ChipModel.typical());
@@ -175,7 +183,7 @@ final class TwinBuilder {
             }
           }
         }
-      } else if (!KICKERS.contains(effect.id()) && !effect.isAbsent()) {
+      } else if (!isSpin(effect) && !effect.id().equals(BIAS) && !effect.isAbsent()) {
         add(effect, effects);
       }
     }

@@ -1,6 +1,8 @@
 package fieldcal.app.twin;
 
 import fieldcal.app.diagnose.DiagnosisOutcome;
+import fieldcal.diagnosis.Cause;
+import fieldcal.effect.Effect;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
@@ -23,7 +25,7 @@ public record TwinOutcome(
   }
 
   /**
-   * The causes in the twin, in words.
+   * The causes in the twin, in words, with the spin that its kickers give.
    *
    * @return for example "air drag (cd 0.50)"
    */
@@ -31,8 +33,16 @@ public record TwinOutcome(
     Set<String> ids =
         twin.settings().effects().stream().map(e -> e.effect().id()).collect(Collectors.toSet());
     return diagnosis.diagnosis().model().effects().stream()
-        .filter(e -> ids.contains(e.id()))
-        .map(TwinWords::cause)
+        .filter(e -> ids.contains(e.id()) || TwinBuilder.isSpin(e))
+        .map(e -> TwinWords.cause(e, scatter(e)))
         .toList();
+  }
+
+  private double scatter(Effect effect) {
+    return diagnosis.diagnosis().causes().stream()
+        .filter(c -> c.effect().id().equals(effect.id()))
+        .mapToDouble(Cause::scatter)
+        .findFirst()
+        .orElse(0);
   }
 }

@@ -1,6 +1,7 @@
 package fieldcal.app.twin;
 
 import fieldcal.app.statistics.Comparison;
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.EffectName;
 import fieldcal.effect.Effect;
 import java.util.Locale;
@@ -29,9 +30,11 @@ final class TwinWords {
         bounces ? " Bounces differ from kick to kick; the twin's all obey one model." : "");
   }
 
-  /** A cause of the twin, for example "air drag (cd 0.50)". */
-  static String cause(Effect effect) {
-    return EffectName.of(effect) + " (" + EffectName.strength(effect, Map.of()) + ")";
+  /** A cause of the twin, for example "air drag (cd 0.50)"; with its scatter from kick to kick where it has one. */
+  static String cause(Effect effect, double scatter) {
+    String strength = EffectName.strength(effect, Map.of());
+    String scattered = scatter > 0 ? ", scatter " + Amount.decimals(scatter, 2) : "";
+    return EffectName.of(effect) + " (" + strength + scattered + ")";
   }
 
   /** With four significant figures. */

@@ -58,6 +58,7 @@ class TargetsTest {
         new Sample("sumatra", "sumatra-robots.json", robots, "TIGERs v2020", "yellow"),
         new Sample("erforce-tracker", "erforce-tracker.txt", ball, null, null),
         new Sample("erforce-realism", "erforce-realism.txt", ball, null, null),
+        new Sample("erforce-realism", "erforce-cameras.txt", "twin.json", null, null),
         new Sample("immortals", "immortals.toml", ball, null, null),
         new Sample("grsim", "grsim.xml", ball, null, null),
         new Sample("grsim", "grsim-robots.ini", robots, null, "blue"),

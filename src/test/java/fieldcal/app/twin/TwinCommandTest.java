@@ -96,6 +96,28 @@ class TwinCommandTest {
     assertThat(Files.readString(folder.resolve("out/twin.html"))).contains("\"statistics\":");
   }
 
+  /** Every other kick of a field with spin has another spin; the twin's kicks have them again. */
+  @Test
+  void aFieldWhoseKicksHaveSpinHasATwin() throws IOException {
+    Path log = folder.resolve("spun.log.gz");
+    Answer made =
+        run(
+            "simulate",
+            "--scenario=flat",
+            "--kicks=10",
+            "--seed=7",
+            "--cameras=2",
+            "--physics=contact",
+            "--effect=kick_spin:fraction=-0.4,scatter=0.1",
+            "--out=" + log);
+    assertThat(made.exit()).as(made.err()).isZero();
+    Answer spun = run("twin", log.toString(), "--out=" + folder.resolve("spun"));
+    assertThat(spun.exit()).as(spun.err()).isZero();
+    assertThat(spun.out()).contains("10 of 10 kicks were found again").contains("- backspin");
+    JsonNode kickers = json(folder.resolve("spun/twin.json")).get("kickers");
+    assertThat(kickers.get("roll_spin").asDouble()).isBetween(-0.6, -0.2);
+  }
+
   @Test
   void simulateLikeItGivesTheSameBytesTwice() throws IOException {
     List<byte[]> logs = new ArrayList<>();

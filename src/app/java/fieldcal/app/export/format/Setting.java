@@ -12,8 +12,10 @@ import java.util.List;
  * @param unit the file's unit; empty for a pure number
  * @param min the least value that the program takes, which some forms state beside the value; −∞ when there is none
  * @param max the largest; ∞ when there is none
+ * @param whole whether the program takes whole numbers alone
  */
-public record Setting(List<String> path, double value, String unit, double min, double max) {
+public record Setting(
+    List<String> path, double value, String unit, double min, double max, boolean whole) {
   /** Parameters are known to four digits at best; two more keep rounding out of every comparison. */
   private static final MathContext DIGITS = new MathContext(6);
 
@@ -32,10 +34,10 @@ public record Setting(List<String> path, double value, String unit, double min, 
   /**
    * The value as a file holds it.
    *
-   * @return a decimal number of six digits, without an exponent and with a decimal point, as every form takes it for a real number
+   * @return a decimal number of six digits, without an exponent; with a decimal point, as every form takes it for a real number, or rounded to a whole number without one
    */
   public String text() {
-    return text(value);
+    return whole ? String.valueOf(Math.round(value)) : text(value);
   }
 
   static String text(double value) {
