@@ -88,6 +88,7 @@ final class TwinBuilder {
                 base.scenario().withLimits(limitsOf(limits.yellow()), limitsOf(limits.blue())))
             .withInstalled(cameras);
     settings = withEffects(settings, model);
+    TwinWords.unexplained(diagnosis.diagnosis().unexplained()).ifPresent(notes::add);
     notes.addAll(study.notes());
     return new Twin(calibration.logs().stream().map(Path::toString).toList(), settings, notes);
   }

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.app.statistics.Comparison;
 import fieldcal.app.statistics.Statistic;
+import fieldcal.diagnosis.StructureVariable;
+import fieldcal.diagnosis.Unexplained;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
@@ -25,5 +28,32 @@ class TwinWordsTest {
         .doesNotContain(why);
     assertThat(TwinWords.sentence(compared("flat_scatter.accRoll", 0.006, 0.001)))
         .doesNotContain(why);
+  }
+
+  /** Medians of pairs may look alike where every kick differs. */
+  @Test
+  void ofTheSameKicksTheDifferenceIsTold() {
+    Statistic rolling =
+        new Statistic(
+            "flat.accRoll",
+            "rolling deceleration of flat kicks",
+            "m/s²",
+            Statistic.How.PAIRED,
+            Map.of());
+    Comparison c = new Comparison(rolling, -0.30014, -0.30013, -9e-5, 4e-5, 23, 9.7e-4, 0.04);
+    assertThat(TwinWords.sentence(c))
+        .isEqualTo(
+            "Rolling deceleration of flat kicks: -0.3001 m/s² in the recording, -0.3001 m/s² in the"
+                + " twin; the same kicks differ by -0.000090 m/s².");
+  }
+
+  @Test
+  void whatHasNoCauseIsLeftOutAndTold() {
+    List<StructureVariable> speed = List.of(StructureVariable.SPEED);
+    assertThat(TwinWords.unexplained(new Unexplained(true, 1.63, 40, speed)))
+        .contains(
+            "The twin lacks what the diagnosis could not explain: balls are off by 1.63 mm beyond"
+                + " the noise, depending on the speed of the ball.");
+    assertThat(TwinWords.unexplained(new Unexplained(false, 0.1, 1, List.of()))).isEmpty();
   }
 }
