@@ -52,7 +52,7 @@ class TwinWordsTest {
     List<StructureVariable> speed = List.of(StructureVariable.SPEED);
     assertThat(TwinWords.unexplained(new Unexplained(true, 1.63, 40, speed)))
         .contains(
-            "The twin lacks what the diagnosis could not explain: balls are off by 1.63 mm beyond"
+            "The twin lacks what the diagnosis could not explain: balls are off by 1.6 mm beyond"
                 + " the noise, depending on the speed of the ball.");
     assertThat(TwinWords.unexplained(new Unexplained(false, 0.1, 1, List.of()))).isEmpty();
   }
