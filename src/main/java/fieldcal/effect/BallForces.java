@@ -20,6 +20,7 @@ final class BallForces {
 
   private final MotionEffects effects;
   private final double rollingBrake;
+  private final double rollingOfKick;
   private final double sessionStart;
   private final BallMotion motion = new BallMotion();
   private final double[] force = new double[3];
@@ -46,12 +47,13 @@ final class BallForces {
     this.sessionStart = sessionStart;
     motion.airX = effects.airX;
     motion.airY = effects.airY;
-    double brake = -accRoll;
+    rollingBrake = -accRoll;
+    double ofKick = 1;
     for (FrictionOfKick effect : effects.frictions) {
-      brake *= effect.rolling(kickTime - sessionStart);
+      ofKick *= effect.rolling(kickTime - sessionStart);
       slidingOfKick *= effect.sliding(kickTime - sessionStart);
     }
-    rollingBrake = brake;
+    rollingOfKick = ofKick;
   }
 
   void setSliding(double acceleration, double kSwitch) {
@@ -222,12 +224,12 @@ final class BallForces {
 
   private double rollingDeceleration(BallMotion m) {
     double deceleration = rollingBrake;
-    double addend = 0;
+    double factor = rollingOfKick * zoneFactor * pressure();
     for (RollingResistance effect : effects.resistances) {
-      deceleration *= effect.factor(m);
-      addend += effect.addend(m);
+      deceleration += effect.addend(m);
+      factor *= effect.factor(m);
     }
-    return zoneFactor * pressure() * (deceleration + addend);
+    return factor * deceleration;
   }
 
   /** Whether rolling resistance keeps a ball at rest where it is; if not, gives it a creeping velocity downhill. */

@@ -109,7 +109,7 @@ public interface MotionEffect extends Effect {
   /** What makes a whole kick differ from the next: asked once per kick. */
   interface FrictionOfKick extends MotionEffect {
     /**
-     * Factor on the rolling deceleration of the model.
+     * Factor on the rolling deceleration, with what other effects add to it.
      *
      * @param kickTime session time of the kick, s
      * @return 1 = as in the model
@@ -159,7 +159,7 @@ public interface MotionEffect extends Effect {
   /** What makes rolling differ from a constant deceleration: a = −(−accRoll·∏ factors + Σ addends) along the velocity. */
   interface RollingResistance extends MotionEffect {
     /**
-     * Factor on the deceleration of the model.
+     * Factor on the deceleration, with what other effects add to it.
      *
      * @param motion how the ball moves
      * @return 1 = as in the model
@@ -169,7 +169,7 @@ public interface MotionEffect extends Effect {
     }
 
     /**
-     * What is added to the deceleration.
+     * What is added to the deceleration of the model.
      *
      * @param motion how the ball moves
      * @return m/s², positive brakes, 0 = as in the model

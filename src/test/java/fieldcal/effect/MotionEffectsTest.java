@@ -339,6 +339,34 @@ class MotionEffectsTest {
   }
 
   @Test
+  void factorsActOnTheWholeRollingDeceleration() {
+    // Along the nap at 2 m/s: (0.3 + 0.05·2)·(1 + 0.1)·(1 + 0.2·t/600) m/s².
+    MotionEffects both =
+        MotionEffects.of(
+            List.of(new CarpetNap(0.1, 0), new SpeedDependentRoll(0.05), new Drift(20)));
+    FlatModel rolls = new FlatModel(-3, -0.3, 0.7);
+    ExtendedTrajectory path = ExtendedTrajectory.flat(rolls, both, 0, 60, 0, 0, 5, 0);
+    double before = timeAtSpeed(path, 2.01);
+    double after = timeAtSpeed(path, 1.99);
+    double expected = (0.3 + 0.05 * 2) * 1.1 * (1 + 0.2 * before / 600);
+    assertThat(0.02 / (after - before)).isEqualTo(expected, within(1e-3 * expected));
+  }
+
+  private static double timeAtSpeed(ExtendedTrajectory path, double speed) {
+    double early = path.kickTime();
+    double late = path.restTime();
+    while (late - early > 1e-9) {
+      double middle = (early + late) / 2;
+      if (path.stateAt(middle).groundSpeed() > speed) {
+        early = middle;
+      } else {
+        late = middle;
+      }
+    }
+    return early;
+  }
+
+  @Test
   void aBallThatMovesWithTheAirFeelsNoDrag() {
     MotionEffects windy = MotionEffects.of(List.of(new AirDrag(0.45), new Wind(3, 0)));
     ExtendedTrajectory path =

@@ -277,8 +277,8 @@ public record GroundLaw(
     double speed = Math.sqrt(vx * vx + vy * vy);
     double nap =
         napAmplitude == 0 ? 1 : 1 + napAmplitude * Math.cos(Math.atan2(vy, vx) - napDirection);
-    return rollingDeceleration * (1 + driftPerSecond * sessionTime) * nap
-        + rollingPerSpeed * speed
-        + rollingPerSpeedSquared * speed * speed;
+    double atSpeed =
+        rollingDeceleration + rollingPerSpeed * speed + rollingPerSpeedSquared * speed * speed;
+    return atSpeed * (1 + driftPerSecond * sessionTime) * nap;
   }
 }
