@@ -160,7 +160,7 @@ final class FlightTerm implements KickTerm<double[]> {
   /** Where the ball is under one set of unknowns, its bounces differing from each other as the own parameters say. */
   private final class Path {
     final FlightCurve curve;
-    private final double[] values;
+    private final double[] deviations;
 
     /** Derivatives of the way by the damping at each impact, at the last position that was asked for, m. */
     final double[] byImpact = new double[flights];
@@ -172,7 +172,9 @@ final class FlightTerm implements KickTerm<double[]> {
       double[] theta = theta(ownValues, state);
       curve = curve(theta);
       int first = FlightLayout.kickSize(kind());
-      values = Arrays.copyOfRange(ownValues, first, first + fit.bounces().size());
+      deviations =
+          fit.bounces()
+              .deviations(Arrays.copyOfRange(ownValues, first, first + fit.bounces().size()));
       double speed = Math.hypot(theta[ChipTrajectory.VX0], theta[ChipTrajectory.VY0]);
       ux = speed > 0 ? theta[ChipTrajectory.VX0] / speed : 0;
       uy = speed > 0 ? theta[ChipTrajectory.VY0] / speed : 0;
@@ -180,9 +182,9 @@ final class FlightTerm implements KickTerm<double[]> {
 
     void position(double time, double[] xyz) {
       curve.position(time, xyz);
-      if (values.length > 0) {
+      if (deviations.length > 0) {
         curve.byImpact(time, byImpact);
-        double longer = fit.bounces().longer(values, byImpact);
+        double longer = UnevenBounces.longer(deviations, byImpact);
         xyz[0] += longer * ux;
         xyz[1] += longer * uy;
       }

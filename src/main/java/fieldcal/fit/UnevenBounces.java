@@ -7,6 +7,7 @@ import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
  * How the bounces of one chip may differ from each other. The closed form damps all of them but the first alike. A ball that spins does not bounce like that: its spin fades from bounce to bounce (Cross 2002), and what it does to a kick's horizontal dampings as a whole is of the size of what
@@ -17,6 +18,9 @@ import org.apache.commons.math3.linear.RealMatrix;
 final class UnevenBounces {
   /** All bounces alike. */
   static final UnevenBounces NONE = new UnevenBounces(new double[0][], 1);
+
+  /** What deviations of the usual size change chi-square by must be more than that: what changes it by less moves nothing by a tenth of its error. */
+  private static final double VISIBLE = 0.01;
 
   private static final int OTHER = ChipTrajectory.DAMPING_XY_OTHER_HOPS;
 
@@ -30,7 +34,7 @@ final class UnevenBounces {
     this.scatter = scatter;
   }
 
-  /** How many parameters describe the deviations: one less than there are bounces after the first. */
+  /** How many parameters describe the deviations: at most one less than there are bounces after the first. */
   int size() {
     return shapes.length;
   }
@@ -41,26 +45,38 @@ final class UnevenBounces {
   }
 
   /**
-   * By how much a path is longer than without deviations, m.
+   * By how much the damping at each impact deviates.
    *
    * @param values of the parameters
+   * @return at the second impact, the third and so on
+   */
+  double[] deviations(double[] values) {
+    double[] deviations = new double[shapes.length == 0 ? 0 : shapes[0].length];
+    for (int k = 0; k < shapes.length; k++) {
+      for (int n = 0; n < deviations.length; n++) {
+        deviations[n] += values[k] * shapes[k][n];
+      }
+    }
+    return deviations;
+  }
+
+  /**
+   * By how much a path is longer than without deviations, m.
+   *
+   * @param deviations of the damping at the second impact, the third and so on
    * @param byImpact derivatives of the way by the damping at each impact, that of the first impact first
    */
-  double longer(double[] values, double[] byImpact) {
+  static double longer(double[] deviations, double[] byImpact) {
     double sum = 0;
-    for (int k = 0; k < shapes.length; k++) {
-      sum += values[k] * along(k, byImpact);
+    for (int n = 0; n < deviations.length && n + 1 < byImpact.length; n++) {
+      sum += deviations[n] * byImpact[n + 1];
     }
     return sum;
   }
 
   /** Derivative of the way by one of the parameters. */
   double along(int k, double[] byImpact) {
-    double sum = 0;
-    for (int n = 0; n < shapes[k].length && n + 1 < byImpact.length; n++) {
-      sum += shapes[k][n] * byImpact[n + 1];
-    }
-    return sum;
+    return longer(shapes[k], byImpact);
   }
 
   /**
@@ -157,7 +173,7 @@ final class UnevenBounces {
 
     KickFit with(double scatter) {
       RealMatrix response = covariance.multiply(withUnknowns.transpose());
-      double[][] rows = complement(response.getRow(OTHER));
+      double[][] rows = visible(complement(response.getRow(OTHER)), scatter);
       if (rows.length == 0) {
         return fit;
       }
@@ -177,6 +193,22 @@ final class UnevenBounces {
       RealMatrix moves = covariance.multiply(unknowns.transpose());
       RealMatrix more = moves.multiply(square).multiply(moves.transpose());
       return fit.with(more.getData(), new UnevenBounces(rows, scatter));
+    }
+
+    /** Of orthonormal shapes those, turned so that they do not depend on each other, that the detections show. A hundred low hops in which a wrong fit may end show a few. */
+    private double[][] visible(double[][] rows, double scatter) {
+      if (rows.length == 0) {
+        return rows;
+      }
+      RealMatrix shapes = new Array2DRowRealMatrix(rows, false);
+      // Symmetric and not negative: the singular values are the eigenvalues.
+      SingularValueDecomposition axes =
+          new SingularValueDecomposition(shapes.multiply(information).multiply(shapes.transpose()));
+      double least = VISIBLE * factor / (scatter * scatter);
+      return IntStream.range(0, rows.length)
+          .filter(k -> axes.getSingularValues()[k] > least)
+          .mapToObj(k -> shapes.preMultiply(axes.getU().getColumn(k)))
+          .toArray(double[][]::new);
     }
 
     /** An orthonormal basis of what is perpendicular to a vector; empty for no vector. */

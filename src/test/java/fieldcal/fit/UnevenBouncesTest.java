@@ -8,6 +8,7 @@ import fieldcal.ball.FlatModel;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -68,6 +69,28 @@ class UnevenBouncesTest {
       assertThat(covered.bounces().size())
           .isEqualTo(several ? plain.statistics().flights() - 2 : 0);
     }
+  }
+
+  @Test
+  void lowHopsThatNobodySeesHaveNoDeviationsOfTheirOwn() {
+    SplittableRandom random = new SplittableRandom(5);
+    double[] truth = IdealKicks.chipTruth(random.split());
+    double[] model = {0.75, 0.99, 0.82, -0.28};
+    System.arraycopy(model, 0, truth, FlightLayout.kickSize(KickKind.CHIP), model.length);
+    IdealKicks.Sample s = source.observe(KickKind.CHIP, truth, 1, CONDITIONS, random.split());
+    KickFit plain =
+        FitSupport.fit(
+            FitProblem.of(s.kick(), source.views(), FlatModel.typical(), CHIP)
+                .withChipRollFixed(CHIP.accRoll()),
+            KickKind.CHIP);
+    KickFit covered = plain.withUnevenBounces(source.views(), 0.002);
+    System.out.printf(
+        Locale.ROOT,
+        "%d flights, %d deviations%n",
+        plain.statistics().flights(),
+        covered.bounces().size());
+    assertThat(plain.statistics().flights()).isGreaterThan(8);
+    assertThat(covered.bounces().size()).isBetween(1, plain.statistics().flights() / 2);
   }
 
   @Test
