@@ -27,14 +27,9 @@ public final class MeasurementEffects {
   /** Whether any camera reports balls at another time than they were there. */
   private final boolean late;
 
-  private MeasurementEffects(
-      Collection<ObservedCamera> cameras, List<? extends MeasurementEffect> effects) {
+  private MeasurementEffects(View[] views, List<? extends MeasurementEffect> effects) {
     this.effects = List.copyOf(effects);
-    views = new View[cameras.size()];
-    int n = 0;
-    for (ObservedCamera camera : cameras) {
-      views[n++] = new View(camera, this.effects);
-    }
+    this.views = views;
     byId = new View[TABLE];
     boolean anyLate = false;
     for (View view : views) {
@@ -55,7 +50,25 @@ public final class MeasurementEffects {
    */
   public static MeasurementEffects of(
       Collection<ObservedCamera> cameras, List<? extends MeasurementEffect> effects) {
-    return new MeasurementEffects(cameras, effects);
+    View[] views = cameras.stream().map(camera -> new View(camera, effects)).toArray(View[]::new);
+    return new MeasurementEffects(views, effects);
+  }
+
+  /**
+   * The same cameras under other effects. What is the same for a camera is not made again, so that {@link #report(Sightings, ExtendedTrajectory, double, MeasurementEffects, double[], double[])} knows it.
+   *
+   * @param others in any order; several of one id add up
+   * @return the changed copy, or this where nothing differs
+   */
+  public MeasurementEffects under(List<? extends MeasurementEffect> others) {
+    if (others.equals(effects)) {
+      return this;
+    }
+    View[] changed = new View[views.length];
+    for (int i = 0; i < changed.length; i++) {
+      changed[i] = views[i].under(others);
+    }
+    return new MeasurementEffects(changed, others);
   }
 
   /**
@@ -91,9 +104,34 @@ public final class MeasurementEffects {
    */
   public void report(
       Sightings seen, ExtendedTrajectory path, double sessionStart, double[] ground) {
+    report(seen, path, sessionStart, null, null, ground);
+  }
+
+  /**
+   * The same where it is known what cameras under other effects report of the same path: for a camera of which both say the same it is copied.
+   *
+   * @param seen cameras and times
+   * @param path of the ball
+   * @param sessionStart when the session began, on the clock of the path, s
+   * @param known other effects on the same cameras, one of the two made {@linkplain #under from the other}; null when there are none
+   * @param knownGround what is reported under these, m
+   * @param ground receives x and y of each, m; NaN where the ball is not below the camera or the stamp is no number
+   */
+  public void report(
+      Sightings seen,
+      ExtendedTrajectory path,
+      double sessionStart,
+      MeasurementEffects known,
+      double[] knownGround,
+      double[] ground) {
     PathFollower ball = path.follower();
     for (int i = 0; i < seen.size(); i++) {
       View view = find(seen.camera[i]);
+      if (known != null && view == known.find(seen.camera[i])) {
+        ground[2 * i] = knownGround[2 * i];
+        ground[2 * i + 1] = knownGround[2 * i + 1];
+        continue;
+      }
       double speed = Double.NaN;
       if (view != null && view.dependsOnSpeed()) {
         speed = ball.speedAt(seen.stamp[i]);

@@ -40,34 +40,47 @@ final class View {
   private double addedX;
   private double addedY;
 
-  View(ObservedCamera observer, List<MeasurementEffect> all) {
+  View(ObservedCamera observer, List<? extends MeasurementEffect> all) {
+    this(observer, concerning(observer, all));
+  }
+
+  private View(ObservedCamera observer, MeasurementEffect[] effects) {
     this.observer = observer;
+    this.effects = effects;
     id = observer.id();
     camera = observer.camera().orElse(null);
-    List<MeasurementEffect> concerning = new ArrayList<>(all.size());
     List<Timing> late = new ArrayList<>(1);
     List<Refraction> bending = new ArrayList<>(1);
     List<Displacement> displacing = new ArrayList<>(1);
-    for (MeasurementEffect e : all) {
-      if (!e.isAbsent() && e.isApplicable(observer) && e.concerns(observer)) {
-        concerning.add(e);
-        if (e instanceof Timing timing) {
-          late.add(timing);
-        }
-        if (e instanceof Refraction refraction) {
-          bending.add(refraction);
-        }
-        if (e instanceof Displacement displacement) {
-          displacing.add(displacement);
-        }
+    for (MeasurementEffect e : effects) {
+      if (e instanceof Timing timing) {
+        late.add(timing);
+      }
+      if (e instanceof Refraction refraction) {
+        bending.add(refraction);
+      }
+      if (e instanceof Displacement displacement) {
+        displacing.add(displacement);
       }
     }
-    effects = concerning.toArray(MeasurementEffect[]::new);
     timings = late.toArray(Timing[]::new);
     dependsOnSpeed = late.stream().anyMatch(Timing::dependsOnSpeed);
     refractions = bending.toArray(Refraction[]::new);
     displacements = displacing.toArray(Displacement[]::new);
     prepare(new Sight(observer));
+  }
+
+  private static MeasurementEffect[] concerning(
+      ObservedCamera observer, List<? extends MeasurementEffect> all) {
+    return all.stream()
+        .filter(e -> !e.isAbsent() && e.isApplicable(observer) && e.concerns(observer))
+        .toArray(MeasurementEffect[]::new);
+  }
+
+  /** The same camera under other effects; this where none of those that concern it differs. */
+  View under(List<? extends MeasurementEffect> others) {
+    MeasurementEffect[] now = concerning(observer, others);
+    return Arrays.equals(now, effects) ? this : new View(observer, now);
   }
 
   private void prepare(Sight sight) {

@@ -4,6 +4,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.Parameter;
 import fieldcal.fit.joint.KickTerm;
+import fieldcal.fit.joint.Probe;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -267,20 +268,21 @@ final class FlightTerm implements KickTerm<double[]> {
       double[] ownValues,
       double[] state,
       double[] residuals,
-      List<double[]> stepped,
-      double[] steps,
+      List<Probe<double[]>> probes,
       double[][] columns) {
-    double[][] directions = new double[steps.length][index.length];
-    double[][] offsets = new double[steps.length][state.length - OFFSETS];
-    for (int c = 0; c < steps.length; c++) {
-      double[] there = stepped.get(c);
+    double[][] directions = new double[columns.length][index.length];
+    double[][] offsets = new double[columns.length][state.length - OFFSETS];
+    for (int c = 0; c < columns.length; c++) {
+      Probe<double[]> probe = probes.get(c);
+      double[] from = probe.from() == null ? state : probe.from();
+      double[] to = probe.to();
       for (int k = 0; k < index.length; k++) {
         if (index[k] < 0) {
-          directions[c][k] = (there[inState(k)] - state[inState(k)]) / steps[c];
+          directions[c][k] = (to[inState(k)] - from[inState(k)]) / probe.width();
         }
       }
       for (int k = 0; k < offsets[c].length; k++) {
-        offsets[c][k] = (there[OFFSETS + k] - state[OFFSETS + k]) / steps[c];
+        offsets[c][k] = (to[OFFSETS + k] - from[OFFSETS + k]) / probe.width();
       }
     }
     along(directions, offsets, ownValues, state, columns);

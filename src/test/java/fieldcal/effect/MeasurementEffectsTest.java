@@ -92,6 +92,15 @@ class MeasurementEffectsTest {
       }
       assertThat(effects.lastBallTime(seen, 0)).isEqualTo(last);
       assertThat(atOnce).containsExactly(predict(effect), within(1e-9));
+
+      MeasurementEffects none = MeasurementEffects.of(cameras(), List.of());
+      MeasurementEffects under = none.under(List.of((MeasurementEffect) effect));
+      double[] plain = new double[160];
+      none.report(seen, path, 0, plain);
+      double[] beside = new double[160];
+      under.report(seen, path, 0, none, plain, beside);
+      assertThat(beside).containsExactly(atOnce);
+      assertThat(under.under(List.of((MeasurementEffect) effect))).isSameAs(under);
     }
   }
 

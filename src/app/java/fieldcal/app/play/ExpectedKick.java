@@ -9,6 +9,7 @@ import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.MotionEffects;
 import fieldcal.fit.joint.KickTerm;
+import fieldcal.fit.joint.Probe;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -137,11 +138,12 @@ final class ExpectedKick implements KickTerm<ExpectedKick.State> {
 
   @Override
   public void ownColumns(double[] own, State state, double[] residuals, double[][] columns) {
+    double[] here = report(state, path(own, state));
     for (int k = 0; k < own.length; k++) {
       double[] moved = own.clone();
       double h = step(k);
       moved[k] += h;
-      difference(report(state, path(moved, state)), residuals, h, columns[k]);
+      difference(report(state, path(moved, state)), here, h, columns[k]);
     }
   }
 
@@ -150,20 +152,25 @@ final class ExpectedKick implements KickTerm<ExpectedKick.State> {
       double[] own,
       State state,
       double[] residuals,
-      List<State> stepped,
-      double[] steps,
+      List<Probe<State>> probes,
       double[][] columns) {
     ExtendedTrajectory path = path(own, state);
-    for (int c = 0; c < steps.length; c++) {
-      State there = stepped.get(c);
-      ExtendedTrajectory moved = there.hasMotionOf(state) ? path : path(own, there);
-      difference(report(there, moved), residuals, steps[c], columns[c]);
+    double[] here = report(state, path);
+    for (int c = 0; c < columns.length; c++) {
+      Probe<State> probe = probes.get(c);
+      double[] from = probe.from() == null ? here : moved(own, state, path, probe.from());
+      difference(moved(own, state, path, probe.to()), from, probe.width(), columns[c]);
     }
   }
 
-  private void difference(double[] there, double[] residuals, double h, double[] column) {
+  /** What is reported under another state. */
+  private double[] moved(double[] own, State state, ExtendedTrajectory path, State there) {
+    return report(there, there.hasMotionOf(state) ? path : path(own, there));
+  }
+
+  private static void difference(double[] to, double[] from, double h, double[] column) {
     for (int i = 0; i < column.length; i++) {
-      column[i] = (there[i] - expected[i] + residuals[i]) / h;
+      column[i] = (to[i] - from[i]) / h;
     }
   }
 

@@ -23,7 +23,7 @@ final class Information {
     model = fitted.model();
     values = fitted.solution().values();
     double[] weights = Weighing.ALIKE.of(fitted);
-    ScoreSystem equations = fitted.solution().scores(List.of(), new double[0], weights);
+    ScoreSystem equations = fitted.solution().scores(List.of(), weights);
     int n = equations.size();
     all = new double[n][n];
     for (int i = 0; i < n; i++) {

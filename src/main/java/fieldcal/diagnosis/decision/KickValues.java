@@ -53,8 +53,7 @@ record KickValues(List<Kick> kicks) {
     int mean = model.model().freeIndex(model.model().offset(component));
     double scatter = model.scatter(component);
     // The kick's own value is eliminated from them: of the mean a kick tells 1/(scatter² + error²).
-    ScoreSystem equations =
-        model.solution().scores(List.of(), new double[0], Weighing.ALIKE.of(model));
+    ScoreSystem equations = model.solution().scores(List.of(), Weighing.ALIKE.of(model));
     List<Kick> all = new ArrayList<>();
     for (int k = 0; k < model.kickCount(); k++) {
       EffectKick kick = model.kick(k);

@@ -166,7 +166,7 @@ final class Proof {
    */
   boolean isToldByFewKicks(double limit) {
     double[] ones = Weighing.ALIKE.of(model);
-    ScoreSystem equations = model.solution().scores(List.of(), new double[0], ones);
+    ScoreSystem equations = model.solution().scores(List.of(), ones);
     int from = model.model().offset(component);
     double[] values = model.solution().values();
     double[] told = new double[model.kickCount()];

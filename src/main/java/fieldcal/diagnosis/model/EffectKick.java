@@ -7,10 +7,12 @@ import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffects;
 import fieldcal.effect.Sightings;
 import fieldcal.fit.joint.KickTerm;
+import fieldcal.fit.joint.Probe;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * One kick under a model with effects, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s), then its values of the random effects. A chip's number of flights is the discrete
@@ -271,32 +273,72 @@ public final class EffectKick implements KickTerm<ModelState> {
       double[] own,
       ModelState state,
       double[] residuals,
-      List<ModelState> stepped,
-      double[] steps,
+      List<Probe<ModelState>> probes,
       double[][] columns) {
-    // The path is shared with the states that differ in what the cameras do.
-    double until = state.measurement().lastBallTime(record.blockSightings, sessionStart);
-    for (ModelState there : stepped) {
-      MeasurementEffects moved = there.measurement();
-      if (moved != state.measurement()) {
-        until = Math.max(until, moved.lastBallTime(record.blockSightings, sessionStart));
+    Surroundings around = new Surroundings(own, state, probes);
+    double[] from = new double[around.here.length];
+    for (int c = 0; c < columns.length; c++) {
+      Probe<ModelState> probe = probes.get(c);
+      if (!around.comesToWhereTheyDiffer(probe)) {
+        Arrays.fill(columns[c], 0);
+        continue;
       }
+      if (probe.from() != null) {
+        around.report(probe.from(), from);
+      }
+      around.report(probe.to(), columns[c]);
+      difference(probe.from() == null ? around.here : from, probe.width(), columns[c]);
     }
-    ExtendedTrajectory path = path(own, state, until);
-    double[] centre = new double[2 * record.blocks.length];
-    report(state, path, centre);
-    double[] way = null;
-    for (int c = 0; c < steps.length; c++) {
-      ModelState there = stepped.get(c);
-      if (there.reach().isPresent()) {
-        way = way == null ? way(path) : way;
-        if (!comes(way, there.reach().get())) {
-          Arrays.fill(columns[c], 0);
-          continue;
-        }
+  }
+
+  /** What is reported under states near one, of which much is the same. */
+  private final class Surroundings {
+    private final double[] own;
+    private final ModelState state;
+    private final double until;
+
+    /** Shared with the states that differ in what the cameras do. */
+    private final ExtendedTrajectory path;
+
+    private final double[] here = new double[2 * record.blocks.length];
+    private double[] way;
+
+    Surroundings(double[] own, ModelState state, List<Probe<ModelState>> probes) {
+      this.own = own;
+      this.state = state;
+      double last = state.measurement().lastBallTime(record.blockSightings, sessionStart);
+      for (Probe<ModelState> probe : probes) {
+        last = Math.max(last, lastBallTime(probe.to()));
+        last = probe.from() == null ? last : Math.max(last, lastBallTime(probe.from()));
       }
-      report(there, there.hasMotionOf(state) ? path : path(own, there, until), columns[c]);
-      difference(centre, steps[c], columns[c]);
+      until = last;
+      path = path(own, state, until);
+      EffectKick.this.report(state, path, here);
+    }
+
+    private double lastBallTime(ModelState there) {
+      MeasurementEffects cameras = there.measurement();
+      return cameras == state.measurement()
+          ? Double.NEGATIVE_INFINITY
+          : cameras.lastBallTime(record.blockSightings, sessionStart);
+    }
+
+    boolean comesToWhereTheyDiffer(Probe<ModelState> probe) {
+      Optional<Area> area = probe.to().reach();
+      if (area.isEmpty()) {
+        return true;
+      }
+      way = way == null ? way(path) : way;
+      return comes(way, area.get());
+    }
+
+    void report(ModelState there, double[] out) {
+      if (there.hasMotionOf(state)) {
+        MeasurementEffects known = state.measurement();
+        there.measurement().report(record.blockSightings, path, sessionStart, known, here, out);
+      } else {
+        EffectKick.this.report(there, path(own, there, until), out);
+      }
     }
   }
 

@@ -275,7 +275,7 @@ public final class EffectModel implements SharedModel<ModelState> {
 
   @Override
   public ModelState stepped(double[] globals, int index, double step) {
-    ModelState state = SharedModel.super.stepped(globals, index, step);
+    ModelState state = SharedModel.super.stepped(globals, index, step).sharing(at(globals));
     int k = BALL;
     for (Component c : components) {
       if (index >= k && index < k + c.size()) {

@@ -62,10 +62,9 @@ public final class ModelState {
    * The same with more effects, for the derivative by them.
    *
    * @param more effects that may be of both families
-   * @param observers the cameras
    * @return the changed copy
    */
-  public ModelState plus(List<? extends Effect> more, List<ObservedCamera> observers) {
+  public ModelState plus(List<? extends Effect> more) {
     List<MotionEffect> moving = new ArrayList<>();
     List<MeasurementEffect> measuring = new ArrayList<>(measurement.effects());
     for (Effect e : more) {
@@ -80,9 +79,20 @@ public final class ModelState {
         flat,
         chip,
         moving.isEmpty() ? motion : motion.plus(moving),
-        measures ? MeasurementEffects.of(observers, measuring) : measurement,
+        measures ? measurement.under(measuring) : measurement,
         random,
         more.size() == 1 ? more.get(0).reach().orElse(null) : null);
+  }
+
+  /** The same, with what is the same under another state taken from there, so that it need not be worked out or compared again. */
+  ModelState sharing(ModelState other) {
+    return new ModelState(
+        flat,
+        chip,
+        motion.effects().equals(other.motion.effects()) ? other.motion : motion,
+        other.measurement.under(measurement.effects()),
+        random,
+        reach);
   }
 
   /** The same, known to differ from the state that it is compared with for balls that came there. */

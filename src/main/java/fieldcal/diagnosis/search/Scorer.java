@@ -1,9 +1,11 @@
 package fieldcal.diagnosis.search;
 
+import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelState;
 import fieldcal.diagnosis.model.Weighing;
+import fieldcal.fit.joint.Probe;
 import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
@@ -35,8 +37,7 @@ final class Scorer {
   Scorer(FittedModel model, Collection<Component> components, Weighing weighing) {
     this.model = model;
     ModelState centre = model.solution().state();
-    List<ModelState> states = new ArrayList<>();
-    List<Double> steps = new ArrayList<>();
+    List<Probe<ModelState>> probes = new ArrayList<>();
     List<Prior> priors = new ArrayList<>();
     int base = freeCount(model);
     for (Component c : components) {
@@ -45,18 +46,13 @@ final class Scorer {
       }
       int[] of = new int[c.size()];
       for (int j = 0; j < of.length; j++) {
-        double h = STEP * c.coordinates().get(j).scale();
-        double[] at = new double[of.length];
-        at[j] = h;
-        of[j] = base + states.size();
-        states.add(centre.plus(List.of(c.effect(at, 0)), model.model().observers()));
-        steps.add(h);
+        of[j] = base + probes.size();
+        probes.add(probe(centre, c, j));
         priors.add(c.priors().get(j));
       }
       columns.put(c, of);
     }
-    double[] widths = steps.stream().mapToDouble(s -> s).toArray();
-    system = model.solution().scores(states, widths, weighing.of(model));
+    system = model.solution().scores(probes, weighing.of(model));
     precisions = new double[system.size()];
     List<Prior> known = model.model().priors();
     int free = 0;
@@ -72,6 +68,22 @@ final class Scorer {
     for (int i = 0; i < base; i++) {
       sweep.toggle(i);
     }
+  }
+
+  /** To both sides of an absent effect where it can be negative: what hardly differs from the model's own parameters would otherwise differ by the bend of the path. */
+  private static Probe<ModelState> probe(ModelState centre, Component c, int coordinate) {
+    Parameter p = c.coordinates().get(coordinate);
+    double h = STEP * p.scale();
+    ModelState ahead = stepped(centre, c, coordinate, h);
+    return -h < p.min()
+        ? new Probe<>(null, ahead, h)
+        : new Probe<>(stepped(centre, c, coordinate, -h), ahead, 2 * h);
+  }
+
+  private static ModelState stepped(ModelState centre, Component c, int coordinate, double step) {
+    double[] at = new double[c.size()];
+    at[coordinate] = step;
+    return centre.plus(List.of(c.effect(at, 0)));
   }
 
   private static int freeCount(FittedModel model) {
@@ -142,8 +154,16 @@ final class Scorer {
 
   /** What a proposal would gain beside what is swept in, values of each kick's own included. */
   double gain(Proposal p, Sweep at) {
-    double gain = at.gain(columns(p));
+    int[] of = columns(p);
     Component first = p.components().get(0);
+    double gain;
+    if (of.length == 1) {
+      // Drag that accelerates the ball would explain much and cannot be.
+      Parameter coordinate = first.coordinates().get(0);
+      gain = at.gain(of[0], coordinate.min(), coordinate.max());
+    } else {
+      gain = at.gain(of);
+    }
     return first.isPerKick() ? gain + randomGain(columns(first)[0], first, at) : gain;
   }
 

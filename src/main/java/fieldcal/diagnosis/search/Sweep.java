@@ -126,6 +126,17 @@ final class Sweep {
     return gain;
   }
 
+  /** What a column that is out would gain by the best number within a range: beyond the range its end is best. */
+  double gain(int column, double min, double max) {
+    double curvature = m[column][column];
+    if (!(curvature > COLLINEAR * original[column])) {
+      return 0;
+    }
+    double slope = m[column][n];
+    double value = Math.max(min, Math.min(max, slope / curvature));
+    return (2 * slope - curvature * value) * value;
+  }
+
   /** Estimate of a column that is in. */
   double estimate(int column) {
     return m[column][n];

@@ -45,26 +45,27 @@ public interface KickTerm<S> {
   void ownColumns(double[] own, S state, double[] residuals, double[][] columns);
 
   /**
-   * Derivatives of the whitened prediction by what is shared: differences to states that are a small step away.
+   * Derivatives of the whitened prediction by what is shared.
    *
    * @param own the kick's own parameters
    * @param state of the shared model
    * @param residuals at that state
-   * @param stepped states a step away
-   * @param steps the lengths of the steps
-   * @param columns one array of rows per state, to be filled in
+   * @param probes pairs of states a small step from each other
+   * @param columns one array of rows per probe, to be filled in
    */
   default void sharedColumns(
-      double[] own,
-      S state,
-      double[] residuals,
-      List<S> stepped,
-      double[] steps,
-      double[][] columns) {
-    for (int c = 0; c < steps.length; c++) {
-      residuals(own, stepped.get(c), columns[c]);
+      double[] own, S state, double[] residuals, List<Probe<S>> probes, double[][] columns) {
+    double[] from = new double[residuals.length];
+    for (int c = 0; c < columns.length; c++) {
+      Probe<S> probe = probes.get(c);
+      if (probe.from() == null) {
+        System.arraycopy(residuals, 0, from, 0, from.length);
+      } else {
+        residuals(own, probe.from(), from);
+      }
+      residuals(own, probe.to(), columns[c]);
       for (int i = 0; i < residuals.length; i++) {
-        columns[c][i] = (residuals[i] - columns[c][i]) / steps[c];
+        columns[c][i] = (from[i] - columns[c][i]) / probe.width();
       }
     }
   }

@@ -14,7 +14,7 @@ final class Linearizer<S> {
   static final double DERIVATIVE_STEP = 0.001;
 
   /**
-   * The same where a parameter is zero: an absent effect leaves the path to be integrated in longer steps, and their errors (0.02 mm) must stay small beside what the step of the parameter does. It is where solutions begin, not where they end.
+   * The same where a parameter is zero: an absent effect leaves the path to be integrated in longer steps, and their errors (0.02 mm) must stay small beside what the step of the parameter does. So that a step that long gives a derivative that is as right, it leads to both sides.
    */
   private static final double STEP_FROM_ABSENCE = 0.05;
 
@@ -38,17 +38,16 @@ final class Linearizer<S> {
   }
 
   KickBlock[] blocks(int[] free, int[] meanColumns) {
-    return blocks(free, meanColumns, List.of(), new double[0]);
+    return blocks(free, meanColumns, List.of());
   }
 
-  /** Columns of the free global parameters, then those towards further states. */
-  KickBlock[] blocks(int[] free, int[] meanColumns, List<S> probes, double[] probeSteps) {
+  /** Columns of the free global parameters, then those of further probes. */
+  KickBlock[] blocks(int[] free, int[] meanColumns, List<Probe<S>> further) {
     KickBlock[] blocks = new KickBlock[kicks.size()];
     double[] means = problem.means(values);
     each(
         free,
-        probes,
-        probeSteps,
+        further,
         (k, residuals, ownColumns, shared) -> {
           KickBlock block = new KickBlock(ownColumns.length, shared.length);
           block.add(ownColumns, shared, residuals, problem.weights()[k]);
@@ -64,7 +63,6 @@ final class Linearizer<S> {
     each(
         free,
         List.of(),
-        new double[0],
         (k, residuals, ownColumns, shared) -> {
           residualsHere[k] = residuals;
           columns[k] = new KickColumns(ownColumns, shared, residuals.length, problem.weights()[k]);
@@ -78,19 +76,13 @@ final class Linearizer<S> {
     void make(int kick, double[] residuals, double[][] ownColumns, double[][] shared);
   }
 
-  private void each(int[] free, List<S> probes, double[] probeSteps, Maker maker) {
+  private void each(int[] free, List<Probe<S>> further, Maker maker) {
     S centre = problem.model().at(values);
-    List<S> states = new ArrayList<>();
-    double[] steps = new double[free.length + probeSteps.length];
-    for (int i = 0; i < free.length; i++) {
-      Parameter p = problem.globals().get(free[i]);
-      double share = values[free[i]] == 0 ? STEP_FROM_ABSENCE : DERIVATIVE_STEP;
-      double h = share * p.scale();
-      steps[i] = values[free[i]] + h <= p.max() ? h : -h;
-      states.add(problem.model().stepped(values, free[i], steps[i]));
+    List<Probe<S>> probes = new ArrayList<>();
+    for (int f : free) {
+      probes.add(probe(f));
     }
-    states.addAll(probes);
-    System.arraycopy(probeSteps, 0, steps, free.length, probeSteps.length);
+    probes.addAll(further);
     IntStream.range(0, kicks.size())
         .parallel()
         .forEach(
@@ -101,9 +93,33 @@ final class Linearizer<S> {
               term.residuals(p, centre, residuals);
               double[][] ownColumns = new double[p.length][residuals.length];
               term.ownColumns(p, centre, residuals, ownColumns);
-              double[][] shared = new double[steps.length][residuals.length];
-              term.sharedColumns(p, centre, residuals, states, steps, shared);
+              double[][] shared = new double[probes.size()][residuals.length];
+              term.sharedColumns(p, centre, residuals, probes, shared);
               maker.make(k, residuals, ownColumns, shared);
             });
+  }
+
+  private Probe<S> probe(int index) {
+    Parameter p = problem.globals().get(index);
+    double value = values[index];
+    if (value != 0) {
+      double h = DERIVATIVE_STEP * p.scale();
+      return towards(index, value + h <= p.max() ? h : -h);
+    }
+    double h = STEP_FROM_ABSENCE * p.scale();
+    if (h > p.max()) {
+      return towards(index, -h);
+    }
+    return -h < p.min()
+        ? towards(index, h)
+        : new Probe<>(stepped(index, -h), stepped(index, h), 2 * h);
+  }
+
+  private Probe<S> towards(int index, double step) {
+    return new Probe<>(null, stepped(index, step), step);
+  }
+
+  private S stepped(int index, double step) {
+    return problem.model().stepped(values, index, step);
   }
 }

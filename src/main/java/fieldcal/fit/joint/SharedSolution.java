@@ -517,18 +517,17 @@ public final class SharedSolution<S> {
   }
 
   /**
-   * The system of equations at the solution with further columns: derivatives towards states that are a small step away.
+   * The system of equations at the solution with further columns.
    *
-   * @param states one per column
-   * @param steps lengths of the steps, not zero
+   * @param probes one per column
    * @param weights of the kicks, which may differ from those that were solved with
    * @return the system
    */
-  public ScoreSystem scores(List<S> states, double[] steps, double[] weights) {
+  public ScoreSystem scores(List<Probe<S>> probes, double[] weights) {
     SharedProblem<S> weighted = problem.withWeights(weights);
     KickBlock[] blocks =
         new Linearizer<>(weighted, kicks, own, values, scatters)
-            .blocks(free, problem.meanColumns(free), states, steps);
+            .blocks(free, problem.meanColumns(free), probes);
     return ScoreSystem.of(free.length, blocks);
   }
 

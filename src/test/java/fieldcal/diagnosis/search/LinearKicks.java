@@ -2,6 +2,7 @@ package fieldcal.diagnosis.search;
 
 import fieldcal.ball.Parameter;
 import fieldcal.fit.joint.KickTerm;
+import fieldcal.fit.joint.Probe;
 import fieldcal.fit.joint.ScoreSystem;
 import fieldcal.fit.joint.SharedProblem;
 import fieldcal.fit.joint.SharedProblem.Prior;
@@ -66,17 +67,15 @@ final class LinearKicks {
 
   /** The equations with all probes. */
   ScoreSystem system() {
-    List<double[]> stepped = new ArrayList<>();
+    List<Probe<double[]>> probes = new ArrayList<>();
     for (int c = BASE; c < COLUMNS; c++) {
       double[] state = solution.state().clone();
       state[c] += 1;
-      stepped.add(state);
+      probes.add(new Probe<>(null, state, 1));
     }
-    double[] steps = new double[stepped.size()];
     double[] weights = new double[KICKS];
-    Arrays.fill(steps, 1);
     Arrays.fill(weights, 1);
-    return solution.scores(stepped, steps, weights);
+    return solution.scores(probes, weights);
   }
 
   private OLSMultipleLinearRegression regression(int... columns) {

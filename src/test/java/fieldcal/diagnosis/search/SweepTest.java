@@ -33,6 +33,25 @@ class SweepTest {
   }
 
   @Test
+  void gainWithinARangeIsThatOfItsBestNumber() {
+    Sweep base = withBase();
+    double full = base.gain(new int[] {2});
+    Sweep with = base.copy();
+    with.toggle(2);
+    double best = with.estimate(2);
+    double far = 2 * Math.abs(best);
+    assertThat(base.gain(2, -far, far)).isCloseTo(full, EXACT);
+    // A parabola: half of the way gains three quarters.
+    double half = best / 2;
+    assertThat(base.gain(2, Math.min(0, half), Math.max(0, half))).isCloseTo(0.75 * full, EXACT);
+    // On the wrong side of zero there is nothing to gain.
+    assertThat(best > 0 ? base.gain(2, -far, 0) : base.gain(2, 0, far)).isZero();
+    base.toggle(3);
+    base.toggle(2);
+    assertThat(base.gain(5, -far, far)).isZero();
+  }
+
+  @Test
   void estimatesAreTheRegressions() {
     Sweep base = withBase();
     base.toggle(2);

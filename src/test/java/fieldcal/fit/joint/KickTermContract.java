@@ -76,14 +76,17 @@ public abstract class KickTermContract<S> {
         c -> {
           S state = c.model.at(values(c));
           int n = c.globals.size();
-          List<S> stepped = new ArrayList<>();
-          double[] steps = new double[n];
+          List<Probe<S>> probes = new ArrayList<>();
           double[] scales = new double[n];
           double[][] expected = new double[n][];
           for (int k = 0; k < n; k++) {
             scales[k] = c.globals.get(k).scale();
-            steps[k] = Linearizer.DERIVATIVE_STEP * scales[k];
-            stepped.add(c.model.at(moved(c, k, steps[k])));
+            double step = Linearizer.DERIVATIVE_STEP * scales[k];
+            // One-sided and two-sided in turn.
+            S back = c.model.at(moved(c, k, -step));
+            S ahead = c.model.at(moved(c, k, step));
+            boolean twoSided = k % 2 == 1;
+            probes.add(new Probe<>(twoSided ? back : null, ahead, (twoSided ? 2 : 1) * step));
             double h = STEP * scales[k];
             expected[k] =
                 slope(
@@ -92,8 +95,7 @@ public abstract class KickTermContract<S> {
                     2 * h);
           }
           double[][] columns = new double[n][c.term.rows()];
-          c.term.sharedColumns(
-              c.own.clone(), state, residuals(c, c.own, state), stepped, steps, columns);
+          c.term.sharedColumns(c.own.clone(), state, residuals(c, c.own, state), probes, columns);
           compare(c, "shared", columns, expected, scales);
         });
   }

@@ -186,7 +186,7 @@ class SharedSolverTest {
     stepped[2] += 0.1;
     double[] weights = new double[8];
     Arrays.fill(weights, 1);
-    ScoreSystem system = without.scores(List.of(stepped), new double[] {0.1}, weights);
+    ScoreSystem system = without.scores(List.of(new Probe<>(null, stepped, 0.1)), weights);
     assertThat(system.base()).isEqualTo(2);
     assertThat(system.size()).isEqualTo(3);
     assertThat(system.kicks()).isEqualTo(8);
