@@ -318,6 +318,29 @@ final class Descent<S> {
     equate();
   }
 
+  /**
+   * Where the equations of this point have their minimum.
+   *
+   * @param means of the random effects
+   * @param own parameters of each kick
+   */
+  record Foreseen(double[] means, List<double[]> own) {}
+
+  /** The minimum that the equations promise beside the scatters as they are now; this point where they are singular. Nothing is predicted anew. Leaves the blocks factored without damping. */
+  Foreseen foreseen() {
+    equate();
+    double[] step = step();
+    Foreseen there = new Foreseen(means(), List.copyOf(own));
+    if (step != null) {
+      double[] next = after(step);
+      there = new Foreseen(problem.means(next), ownAfter(madeBy(next)));
+    }
+    for (KickBlock block : blocks) {
+      block.factor(0);
+    }
+    return there;
+  }
+
   /** Takes new derivatives. */
   private void linearize() {
     residuals = new double[kicks.size()][];
@@ -423,11 +446,32 @@ final class Descent<S> {
 
   /** The damped step of the free global parameters; null when the equations stay singular. */
   private double[] step() {
+    double[][] given = new double[blocks.length][];
+    for (int k = 0; k < given.length; k++) {
+      given[k] = OwnBounds.given(kicks.get(k), own.get(k), blocks[k].ga);
+    }
+    double[] step = step(given);
+    for (int round = 0; round < OwnBounds.ROUNDS && step != null; round++) {
+      boolean cut = false;
+      for (int k = 0; k < given.length; k++) {
+        cut |= OwnBounds.cut(kicks.get(k), own.get(k), blocks[k].ownStep(step), given[k]);
+      }
+      if (!cut) {
+        break;
+      }
+      step = step(given);
+    }
+    return step;
+  }
+
+  /** The same with the steps of some own parameters given. */
+  private double[] step(double[][] given) {
     int n = free.length;
     while (true) {
       double[] g = new double[n];
-      for (KickBlock block : blocks) {
-        block.factor(damping.lambda());
+      for (int k = 0; k < blocks.length; k++) {
+        KickBlock block = blocks[k];
+        block.factor(damping.lambda(), given[k]);
         double[] t = block.reducedGradient();
         for (int i = 0; i < n; i++) {
           g[i] += t[i];

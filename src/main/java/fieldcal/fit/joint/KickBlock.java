@@ -1,5 +1,7 @@
 package fieldcal.fit.joint;
 
+import java.util.Arrays;
+
 /**
  * Normal equations of one kick: own parameters first, then columns that are shared. The own parameters are eliminated by a Schur complement, so that the system of all kicks stays as small as the number of shared columns,
  * however many kicks there are.
@@ -168,12 +170,23 @@ final class KickBlock {
 
   /** Factors the own part, damped by {@code lambda}. */
   void factor(double lambda) {
+    double[] free = new double[own];
+    Arrays.fill(free, Double.NaN);
+    factor(lambda, free);
+  }
+
+  /** The same with the steps of some own parameters given: those that are no NaN. */
+  void factor(double lambda, double[] given) {
     double largest = 0;
     for (int i = 0; i < own; i++) {
       largest = Math.max(largest, a[i][i]);
     }
     for (int i = 0; i < own; i++) {
       for (int j = 0; j <= i; j++) {
+        if (isGiven(given[i]) || isGiven(given[j])) {
+          l[i][j] = i == j ? 1 : 0;
+          continue;
+        }
         double sum = a[i][j];
         if (i == j) {
           sum = sum * (1 + lambda) + SINGULAR * largest;
@@ -185,15 +198,25 @@ final class KickBlock {
             i == j ? Math.sqrt(Math.max(sum, SINGULAR * Math.max(a[i][i], 1e-300))) : sum / l[j][j];
       }
     }
-    solvedGradient = ga.clone();
+    solvedGradient = new double[own];
+    for (int i = 0; i < own; i++) {
+      solvedGradient[i] = isGiven(given[i]) ? given[i] : ga[i];
+      for (int j = 0; j < own && !isGiven(given[i]); j++) {
+        solvedGradient[i] -= isGiven(given[j]) ? a[i][j] * given[j] : 0;
+      }
+    }
     solve(solvedGradient);
     solved = new double[shared][own];
     for (int k = 0; k < shared; k++) {
       for (int i = 0; i < own; i++) {
-        solved[k][i] = b[i][k];
+        solved[k][i] = isGiven(given[i]) ? 0 : b[i][k];
       }
       solve(solved[k]);
     }
+  }
+
+  private static boolean isGiven(double step) {
+    return !Double.isNaN(step);
   }
 
   private void solve(double[] x) {

@@ -3,6 +3,7 @@ package fieldcal.fit.joint;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Levenberg–Marquardt on the normal equations from which each kick's own parameters are eliminated (Schur complement; Triggs et al. 2000, "Bundle adjustment").
@@ -14,7 +15,7 @@ public final class SharedSolver {
   /** Most steps, accepted or not, where nothing else is asked for. */
   static final int MAX_ITERATIONS = 40;
 
-  /** Rounds in which scatters are updated and everything else follows, for a tolerance of a hundredth; EM shrinks the distance to the best scatter by half or more where the kicks determine their values. */
+  /** Rounds in which scatters are updated and everything else follows, for a tolerance of a hundredth; the equations of one round are nearly those of the next. */
   private static final int SCATTER_ROUNDS = 12;
 
   /** Such rounds for a coarse solution. */
@@ -25,6 +26,12 @@ public final class SharedSolver {
 
   /** A scatter that changes by less than that share is settled: its own error is 1/√(2n), a tenth for fifty kicks. */
   private static final double SCATTER_SETTLED = 0.02;
+
+  /** Steps of EM on the same equations: they shrink the distance to the best scatter by half or more where the kicks determine their values. */
+  private static final int EXPECTATIONS = 30;
+
+  /** Such a step that changes a scatter by less than that share is the last: a quarter of what settles it. */
+  private static final double EXPECTATION_SETTLED = 0.005;
 
   private static final int VARIANT_ROUNDS = 3;
 
@@ -274,22 +281,36 @@ public final class SharedSolver {
       return changed;
     }
 
-    /** False, and nothing changed, when they are settled. */
+    /** Takes the scatters to where the equations of this point put them; false when they were there already. */
     private boolean updateScatters() {
       double[] scatters = descent.scatters();
-      boolean moved = false;
-      double[] means = descent.means();
-      double[] updated = new double[scatters.length];
-      for (KickBlock block : descent.blocks()) {
-        block.factor(0);
+      double[] before = scatters.clone();
+      boolean moves = true;
+      for (int round = 0; round < EXPECTATIONS && moves; round++) {
+        double[] updated = expectedScatters();
+        moves = differ(updated, scatters, EXPECTATION_SETTLED);
+        System.arraycopy(updated, 0, scatters, 0, updated.length);
       }
+      return differ(scatters, before, SCATTER_SETTLED);
+    }
+
+    private static boolean differ(double[] scatters, double[] before, double share) {
+      return IntStream.range(0, scatters.length)
+          .anyMatch(r -> Math.abs(scatters[r] - before[r]) > share * before[r]);
+    }
+
+    /** One step of EM (Dempster, Laird and Rubin 1977): the root mean square of the kicks' values about their mean, with what is not known of them. */
+    private double[] expectedScatters() {
+      double[] scatters = descent.scatters();
+      Descent.Foreseen there = descent.foreseen();
+      double[] updated = new double[scatters.length];
       for (int r = 0; r < scatters.length; r++) {
         double meanVariance = descent.meanVariance(r);
         double sum = 0;
         for (int k = 0; k < descent.kicks().size(); k++) {
-          double[] own = descent.own().get(k);
+          double[] own = there.own().get(k);
           int i = own.length - scatters.length + r;
-          double d = own[i] - means[r];
+          double d = own[i] - there.means()[r];
           double left = descent.blocks()[k].ownVariance(i);
           // A value that the kick itself determines does not follow the mean when that errs.
           double stays = 1 - left / (scatters[r] * scatters[r]);
@@ -297,14 +318,9 @@ public final class SharedSolver {
         }
         RandomEffect random = problem.randoms().get(r);
         double next = Math.sqrt(sum / descent.kicks().size());
-        next = Math.max(random.smallest(), Math.min(random.largest(), next));
-        moved |= Math.abs(next - scatters[r]) > SCATTER_SETTLED * scatters[r];
-        updated[r] = next;
+        updated[r] = Math.max(random.smallest(), Math.min(random.largest(), next));
       }
-      if (moved) {
-        System.arraycopy(updated, 0, scatters, 0, updated.length);
-      }
-      return moved;
+      return updated;
     }
   }
 }

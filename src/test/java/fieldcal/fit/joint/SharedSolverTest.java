@@ -179,6 +179,33 @@ class SharedSolverTest {
   }
 
   @Test
+  void aKickOnABoundKeepsNobodyFromMoving() {
+    List<ToyKick> free = kicks(8, 6);
+    double wanted = solve(free).own(3)[0];
+    // On its bound from the beginning, and on the way to it.
+    for (double most : new double[] {wanted - 1, Math.max(1e-3, wanted - 0.2)}) {
+      List<ToyKick> kicks = new ArrayList<>(free);
+      kicks.set(3, free.get(3).withMost(most));
+      SharedSolution<double[]> s = solve(kicks);
+      assertThat(s.stopReason()).isEqualTo(StopReason.CONVERGED);
+      // Linear equations: one step to the minimum, and those that confirm it.
+      assertThat(s.iterations()).isLessThan(5);
+      assertThat(s.own(3)[0]).isEqualTo(most);
+      // Everything else is where its slope vanishes.
+      double[] r = new double[12];
+      double[] slope = new double[3];
+      for (int k = 0; k < 8; k++) {
+        kicks.get(k).residuals(s.own(k), s.values(), r);
+        for (int g = 0; g < slope.length; g++) {
+          slope[g] += KickBlock.dot(r, kicks.get(k).b[g]);
+        }
+        assertThat(KickBlock.dot(r, kicks.get(k).a[1])).isEqualTo(0, within(1e-4));
+      }
+      assertClose(slope, new double[3], 1e-4);
+    }
+  }
+
+  @Test
   void scoresAreTrueGains() {
     List<ToyKick> kicks = kicks(8, 5);
     SharedSolution<double[]> without = holding(kicks, 2);

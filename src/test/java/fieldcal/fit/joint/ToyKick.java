@@ -9,26 +9,39 @@ final class ToyKick implements KickTerm<double[]> {
   final double[][] b;
   private final boolean movable;
   private final double shift;
+  private final double most;
 
   /**
    * @param a one array of rows per own parameter
    * @param b one array of rows per global parameter
    */
   ToyKick(double[] y, double[][] a, double[][] b) {
-    this(y, a, b, false, 0);
+    this(y, a, b, false, 0, Double.POSITIVE_INFINITY);
   }
 
-  private ToyKick(double[] y, double[][] a, double[][] b, boolean movable, double shift) {
+  private ToyKick(
+      double[] y, double[][] a, double[][] b, boolean movable, double shift, double most) {
     this.y = y;
     this.a = a;
     this.b = b;
     this.movable = movable;
     this.shift = shift;
+    this.most = most;
+  }
+
+  /** With an upper bound of the first own parameter. */
+  ToyKick withMost(double value) {
+    return new ToyKick(y, a, b, movable, shift, value);
+  }
+
+  @Override
+  public void clamp(double[] own) {
+    own[0] = Math.min(own[0], most);
   }
 
   /** With a discrete unknown: a whole number that is added to every prediction; others than 0 to 3 are impossible. */
   ToyKick withShift(int value) {
-    return new ToyKick(y, a, b, true, value);
+    return new ToyKick(y, a, b, true, value, most);
   }
 
   double shift() {
