@@ -85,12 +85,13 @@ public final class Calibrator {
       covered = BounceScatter.covered(fits, views, decisions);
       List<KickFit> good = Selection.trusted(covered, decisions);
       OptionalDouble newRoll = rollOfFlats(problem, views, good);
-      together = jointly(problem, views, good, newRoll);
-      CameraViews next = together.isPresent() ? withOffsets(views, together.get()) : views;
+      Optional<JointFit> rough = jointly(problem, views, good, newRoll).map(joint::fitRoughly);
+      CameraViews next = rough.isPresent() ? withOffsets(views, rough.get()) : views;
       boolean settled = moved(views, next) < OFFSET_SETTLED && near(roll, newRoll);
       roll = newRoll;
       if (settled || round == MAX_ROUNDS - 1) {
         // The cameras of the result are those that its fits were made with.
+        together = jointly(problem, views, good, newRoll).map(joint::fit);
         break;
       }
       views = next;
@@ -254,19 +255,20 @@ public final class Calibrator {
       CalibrationProblem problem, CameraViews views, List<KickFit> good) {
     List<KickFit> flats = good.stream().filter(f -> f.kind() == KickKind.FLAT).toList();
     Optional<Estimate> roll =
-        jointly(problem, views, flats, OptionalDouble.empty()).flatMap(j -> j.flat("accRoll"));
+        jointly(problem, views, flats, OptionalDouble.empty())
+            .map(joint::fit)
+            .flatMap(j -> j.flat("accRoll"));
     return roll.filter(Estimate::usable)
         .map(e -> OptionalDouble.of(e.value()))
         .orElse(OptionalDouble.empty());
   }
 
-  private Optional<JointFit> jointly(
+  private static Optional<JointProblem> jointly(
       CalibrationProblem problem, CameraViews views, List<KickFit> fits, OptionalDouble chipRoll) {
-    if (fits.isEmpty()) {
-      return Optional.empty();
-    }
-    return Optional.of(
-        joint.fit(new JointProblem(fits, views, problem.flat(), problem.chip(), chipRoll, true)));
+    return fits.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            new JointProblem(fits, views, problem.flat(), problem.chip(), chipRoll, true));
   }
 
   private static CameraViews withOffsets(CameraViews views, JointFit joint) {

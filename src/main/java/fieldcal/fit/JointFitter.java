@@ -32,6 +32,9 @@ public final class JointFitter {
   /** Outliers settle within that many rounds. */
   private static final int OUTLIER_ROUNDS = 3;
 
+  /** Tolerance of a rough fit: what gains less than a unit of chi-square moves no offset by its error. */
+  private static final double ROUGH = 1;
+
   /** Weak knowledge of the model's parameters, so that one that no kick determines stays where it is: that many scales. */
   private static final double EXPECTED = 1000;
 
@@ -77,10 +80,20 @@ public final class JointFitter {
    * @throws IllegalArgumentException when there is no fitted kick
    */
   public JointFit fit(JointProblem problem) {
-    if (problem.fits().isEmpty()) {
-      throw new IllegalArgumentException("a joint fit needs at least one kick");
-    }
-    return new Run(problem).fit();
+    SharedSolver solver = SharedSolver.withDefaults().settlingVariants();
+    return new Run(problem, solver, OUTLIER_ROUNDS).fit();
+  }
+
+  /**
+   * Fits as well as needed where kicks are fitted again with the offsets that come out: outliers are those of the kicks' own fits.
+   *
+   * @param problem at least one fitted kick
+   * @return the joint model
+   * @throws IllegalArgumentException when there is no fitted kick
+   */
+  public JointFit fitRoughly(JointProblem problem) {
+    SharedSolver solver = SharedSolver.withDefaults().settlingVariants().withTolerance(ROUGH);
+    return new Run(problem, solver, 0).fit();
   }
 
   /** One joint fit; used once. */
@@ -91,11 +104,17 @@ public final class JointFitter {
     private final List<Parameter> globals;
     private final int[] scattering;
     private final List<RandomEffect> randoms = new ArrayList<>();
-    private final SharedSolver solver = SharedSolver.withDefaults().settlingVariants();
+    private final SharedSolver solver;
+    private final int outlierRounds;
     private int iterations;
 
-    Run(JointProblem problem) {
+    Run(JointProblem problem, SharedSolver solver, int outlierRounds) {
+      if (problem.fits().isEmpty()) {
+        throw new IllegalArgumentException("a joint fit needs at least one kick");
+      }
       this.problem = problem;
+      this.solver = solver;
+      this.outlierRounds = outlierRounds;
       cameraIds =
           problem.fits().stream()
               .flatMapToInt(f -> Arrays.stream(f.kick().observations().cameras()))
@@ -261,7 +280,11 @@ public final class JointFitter {
     }
 
     private SharedSolution<double[]> solve(
-        List<FlightTerm> kicks, List<double[]> starts, double[] values, double[] weights) {
+        List<FlightTerm> kicks,
+        List<double[]> starts,
+        double[] values,
+        List<RandomEffect> randoms,
+        double[] weights) {
       List<Parameter> at =
           IntStream.range(0, values.length)
               .mapToObj(k -> globals.get(k).withValue(values[k]))
@@ -281,8 +304,9 @@ public final class JointFitter {
               kicks,
               kicks.stream().map(FlightTerm::start).toList(),
               globals.stream().mapToDouble(Parameter::value).toArray(),
+              randoms,
               weights);
-      for (int round = 0; round < OUTLIER_ROUNDS; round++) {
+      for (int round = 0; round < outlierRounds; round++) {
         List<FlightTerm> before = kicks(solution);
         List<FlightTerm> screened = screened(solution);
         double[] newWeights = weights(solution);
@@ -290,7 +314,12 @@ public final class JointFitter {
           break;
         }
         weights = newWeights;
-        solution = solve(screened, solution.own(), solution.values(), weights);
+        double[] scatters = solution.scatters();
+        List<RandomEffect> settled =
+            IntStream.range(0, scatters.length)
+                .mapToObj(r -> randoms.get(r).withScatter(scatters[r]))
+                .toList();
+        solution = solve(screened, solution.own(), solution.values(), settled, weights);
       }
       return result(solution);
     }

@@ -78,14 +78,17 @@ class JointFitterTest {
   }
 
   private JointFit solve(List<KickFit> fits, CameraViews views) {
-    return joint.fit(
-        new JointProblem(
-            fits,
-            views,
-            new FlatModel(-3.5, -0.25, 0.6),
-            new ChipModel(0.8, 0.85, 0.47, -0.28),
-            OptionalDouble.of(-0.28),
-            true));
+    return joint.fit(problem(fits, views));
+  }
+
+  private JointProblem problem(List<KickFit> fits, CameraViews views) {
+    return new JointProblem(
+        fits,
+        views,
+        new FlatModel(-3.5, -0.25, 0.6),
+        new ChipModel(0.8, 0.85, 0.47, -0.28),
+        OptionalDouble.of(-0.28),
+        true);
   }
 
   private static void assertRecovered(Estimate e, double truth) {
@@ -107,6 +110,13 @@ class JointFitterTest {
     }
     JointFit fit = solve(fits, views);
     assertThat(fit.converged()).isTrue();
+    JointFit rough = joint.fitRoughly(problem(fits, views));
+    fit.offsets()
+        .forEach(
+            (id, o) -> {
+              assertThat(rough.offsets().get(id).x()).isEqualTo(o.x(), within(o.errorX()));
+              assertThat(rough.offsets().get(id).y()).isEqualTo(o.y(), within(o.errorY()));
+            });
     assertRecovered(fit.flat("accSlide").orElseThrow(), FLAT.accSlide());
     assertRecovered(fit.flat("accRoll").orElseThrow(), FLAT.accRoll());
     assertRecovered(fit.flat("kSwitch").orElseThrow(), FLAT.kSwitch());
