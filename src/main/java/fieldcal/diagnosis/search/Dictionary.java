@@ -86,12 +86,36 @@ public final class Dictionary {
         .toList();
   }
 
-  /** Proposals with a place, one list for each family. */
+  /** Proposals with a place, one list for each family. Of what a model has already, fuller versions at its place: elsewhere they would have to do what it does where it is, too. */
   List<List<Proposal>> placed(EffectModel model) {
     return placed.values().stream()
         .map(list -> list.stream().filter(p -> isPossible(p, model)).toList())
+        .map(list -> whereTheyAre(list, model))
         .filter(list -> !list.isEmpty())
         .toList();
+  }
+
+  private static List<Proposal> whereTheyAre(List<Proposal> proposals, EffectModel model) {
+    Map<String, Proposal> all = new LinkedHashMap<>();
+    for (Proposal p : proposals) {
+      Component c = p.components().get(0);
+      Component moved =
+          model.components().stream()
+              .filter(c::isSameCause)
+              .findFirst()
+              .map(had -> atPlaceOf(c, had))
+              .orElse(c);
+      all.putIfAbsent(moved.toString(), Proposal.of(moved));
+    }
+    return List.copyOf(all.values());
+  }
+
+  private static Component atPlaceOf(Component c, Component had) {
+    Effect there = c.template();
+    for (String name : there.places()) {
+      there = there.with(name, had.template().value(name));
+    }
+    return c.startingAt(there);
   }
 
   /** When the kicks were, session time, s, ascending. */

@@ -37,6 +37,9 @@ final class Pursuit {
   /** Steps of a place that is moved while all else is fitted again. */
   private static final int RELOCATIONS = 6;
 
+  /** Where a component is taken out, the first steps of the other places must regain that share of what it explained: the way of all steps is ten times as long at most. */
+  private static final double REGAINED = 0.1;
+
   /** Gaps between kicks over which an instant is moved at once, at most: farther off the score test sees it. */
   private static final int FARTHEST_GAP = 4;
 
@@ -62,6 +65,9 @@ final class Pursuit {
   private List<Component> held = List.of();
   private Predicate<Proposal> allowed = p -> true;
   private FittedModel best;
+
+  /** What was left when laws were tried last: a law that did not explain enough of it then explains not much more of what is left while that is nearly the same. */
+  private double leftByLaws = Double.POSITIVE_INFINITY;
 
   /**
    * @param refits with the weights of this pursuit
@@ -131,7 +137,7 @@ final class Pursuit {
         i++;
         continue;
       }
-      FittedModel moved = relocated(at, i);
+      FittedModel moved = atBestInstant(relocated(at, i), i);
       FittedModel fewer = settledWithout(at, i);
       boolean idle = price.net(at, fewer) > Math.max(0, price.net(at, moved));
       best = idle ? fewer : moved;
@@ -145,13 +151,22 @@ final class Pursuit {
     return best;
   }
 
-  /** Without a component, and everything else that has a place moved. */
+  /** Without a component, and everything else that has a place moved; only begun where that does not regain what the component explains. */
   private FittedModel settledWithout(FittedModel from, int index) {
     List<Component> without = new ArrayList<>(from.model().components());
     without.remove(index);
-    FittedModel at = refits.fit(from, without);
-    for (int i = 0; i < without.size(); i++) {
-      at = without.get(i).hasPlace() ? relocated(at, i) : at;
+    FittedModel fewer = refits.fit(from, without);
+    FittedModel begun = othersMoved(fewer, 1);
+    double lost = price.gain(fewer, from);
+    return price.gain(from, fewer, begun) < REGAINED * lost
+        ? begun
+        : othersMoved(begun, RELOCATIONS);
+  }
+
+  private FittedModel othersMoved(FittedModel from, int steps) {
+    FittedModel at = from;
+    for (int i = 0; i < from.model().components().size(); i++) {
+      at = from.model().components().get(i).hasPlace() ? relocated(at, i, steps) : at;
     }
     return at;
   }
@@ -159,13 +174,17 @@ final class Pursuit {
   /** Each round adds something, or rejects or removes it. */
   private void grow(int atOnce) {
     FittedModel before = best;
+    List<Component> had = before.model().components();
     for (int round = 0; round < 4 * maxComponents && addBest(atOnce); round++) {
       if (round == 0) {
         addTogether(before);
       }
       if (trace.get(trace.size() - 1).action() == Action.ADDED) {
-        movePlaces();
-        addLaws();
+        movePlaces(had);
+        had = best.model().components();
+        if (left() < (1 - LAW_SHARE) * leftByLaws) {
+          addLaws();
+        }
         changeLaws();
         prune();
       }
@@ -217,9 +236,13 @@ final class Pursuit {
 
   /** With a place moved step by step, all else fitted again at each: a descent of all places at once ends where an edge does not matter to first order. */
   private FittedModel relocated(FittedModel from, int index) {
+    return relocated(from, index, RELOCATIONS);
+  }
+
+  private FittedModel relocated(FittedModel from, int index, int steps) {
     FittedModel at = from;
     double share = PlaceSearch.FIRST_STEP;
-    for (int round = 0; round < RELOCATIONS; round++) {
+    for (int round = 0; round < steps; round++) {
       Component now = at.model().components().get(index).startingAt(at.effects().get(index));
       List<Component> tried = PlaceSearch.neighbours(now, share);
       if (tried.isEmpty()) {
@@ -440,19 +463,22 @@ final class Pursuit {
   private List<Component> placed(List<Component> chosen) {
     List<Component> better = new ArrayList<>();
     for (Component c : chosen) {
-      better.add(c.hasPlace() ? new PlaceSearch(best, refits.weighing()).improve(c) : c);
+      boolean known = best.model().components().stream().anyMatch(c::isSameCause);
+      boolean moves = c.hasPlace() && !known;
+      better.add(moves ? new PlaceSearch(best, refits.weighing()).improve(c) : c);
     }
     return better;
   }
 
-  /** Fits the places of what is in the model together with everything else. */
-  private void movePlaces() {
+  /** Fits the places of what is in the model together with everything else, and looks for the instants of what was not there before. */
+  private void movePlaces(List<Component> before) {
     if (best.model().components().stream().noneMatch(Component::hasPlace)) {
       return;
     }
     FittedModel moved = refits.fitPlaces(best);
     for (int i = 0; i < moved.model().components().size(); i++) {
-      moved = atBestInstant(moved, i);
+      Component c = moved.model().components().get(i);
+      moved = before.stream().anyMatch(c::isSameCause) ? moved : atBestInstant(moved, i);
     }
     double gained = price.gain(best, moved);
     if (gained > 0) {
@@ -508,9 +534,10 @@ final class Pursuit {
         tryLaw(law);
       }
       if (best == before) {
-        return;
+        break;
       }
     }
+    leftByLaws = left();
   }
 
   private void tryLaw(Effect law) {

@@ -33,7 +33,7 @@ final class Refits {
     return count;
   }
 
-  /** A model of these components; those that the other model has start from its values. */
+  /** A model of these components; those that the other model has, or of which it has a lesser version, start from its values. */
   FittedModel fit(FittedModel from, List<Component> components) {
     return fit(from, components, solver);
   }
@@ -49,8 +49,14 @@ final class Refits {
     List<Effect> now = from.effects();
     List<Component> started = new ArrayList<>();
     for (Component c : components) {
-      int i = had.indexOf(c);
-      started.add(i < 0 ? c : c.startingAt(now.get(i)));
+      Component start = c;
+      for (int i = 0; i < had.size(); i++) {
+        Component h = had.get(i);
+        if (h == c || c.isSameCause(h) && Dictionary.isMore(c, h)) {
+          start = c.startingAt(now.get(i));
+        }
+      }
+      started.add(start);
     }
     return fitter.fit(start(from).with(started), from, weighing, solver);
   }

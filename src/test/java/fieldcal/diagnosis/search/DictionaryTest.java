@@ -10,6 +10,7 @@ import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.measurement.CameraPoseError;
 import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.CarpetSeam;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Wind;
 import fieldcal.effect.motion.WornRegion;
@@ -110,6 +111,19 @@ class DictionaryTest {
     assertThat(families).hasSize(1);
     assertThat(ids(families.get(0))).containsExactly("worn_region");
     assertThat(families.get(0)).hasSizeGreaterThan(10);
+  }
+
+  @Test
+  void moreOfWhatHasAPlaceIsProposedWhereItIs() {
+    Dictionary dictionary = new Dictionary(List.of(new CarpetSeam(0, 0, 0, 0)), FLATS.arena());
+    Component seam = Component.of(new CarpetSeam(0.1, 0, 0.3, 1.2), List.of("loss"));
+    List<List<Proposal>> families = dictionary.placed(SIMPLE.with(List.of(seam)));
+    assertThat(families).hasSize(1);
+    assertThat(families.get(0)).hasSize(1);
+    Component more = families.get(0).get(0).components().get(0);
+    assertThat(more.magnitudeCount()).isEqualTo(2);
+    assertThat(more.template().value("normal")).isEqualTo(0.3);
+    assertThat(more.template().value("distance")).isEqualTo(1.2);
   }
 
   @Test
