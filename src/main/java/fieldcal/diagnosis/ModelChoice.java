@@ -96,9 +96,17 @@ final class ModelChoice {
       return held.rmsMm() * (1 - share) <= Math.max(1000 * CameraNoise.FLOOR, other.held.rmsMm());
     }
 
-    /** Whether this does better beyond chance on held-out kicks, fitted and predicted: a value for each kick may fit what it does not help to predict. */
+    /** Whether this does better beyond chance on held-out kicks, fitted and predicted. A value for each kick may fit what it does not help to predict; where the kicks have no more values of their own, a better fit is enough if no prediction is worse. */
     boolean isBetterThan(Weighed other, long seed) {
-      return held.gainOn(other.held, seed)[HoldOut.LOWER] > 0 && predictsBetterThan(other, seed);
+      boolean sound =
+          valuesPerKick() > other.valuesPerKick()
+              ? predictsBetterThan(other, seed)
+              : !held.predictsWorseThan(other.held, seed);
+      return sound && held.gainOn(other.held, seed)[HoldOut.LOWER] > 0;
+    }
+
+    private long valuesPerKick() {
+      return model.model().components().stream().filter(Component::isPerKick).count();
     }
 
     /** Whether this predicts most held-out kicks better beyond chance, and none worse by any measure: fits of kicks that are seen to the end do not tell what predicts the next one. */

@@ -89,14 +89,17 @@ class RecordedEffectsTest {
         .isLessThan(0.25 * diagnosis.base().predictionErrorMm().get(1.0));
   }
 
+  /** The simulator's ball brakes otherwise when it is slow, which no effect of the catalogue says and a curve does. What it predicts from the first 0.3 s of a kick is as good as without the curve: the error of the direction decides there. */
   @Test
   void theOffsetBetweenTheSimulatorsCamerasIsFoundAndNothingElse() throws IOException {
     Diagnosis diagnosis = diagnose("erforce-flat");
     Cause offset = onlyNamed(diagnosis, "camera_offset");
     // One camera by 20, the other by -20: 40 mm between them.
     assertThat(2 * Math.abs(offset.effect().value("x_mm"))).isCloseTo(40, within(2.0));
+    assertThat(diagnosis.learned().get(0).actsOn()).isEqualTo("ground");
+    assertThat(diagnosis.learned().get(0).dependsOn()).containsExactly("speed");
     assertThat(diagnosis.extended().holdoutRmsMm())
-        .isLessThan(0.3 * diagnosis.base().holdoutRmsMm());
+        .isLessThan(1.1 * diagnosis.extended().noiseMm());
   }
 
   /** The spin of each kick is one of its own values, which predict nothing; the law that they follow does. */
