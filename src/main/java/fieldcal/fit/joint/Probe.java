@@ -12,7 +12,7 @@ import java.util.Objects;
  */
 public record Probe<S>(S from, S to, double width) {
   /**
-   * Checks what is there.
+   * Checks what is there. {@inheritDoc}
    *
    * @throws NullPointerException when {@code to} is missing
    */
