@@ -1,5 +1,6 @@
 package fieldcal.diagnosis.search;
 
+import fieldcal.ball.ChipModel;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
@@ -545,9 +546,11 @@ final class Pursuit {
     FittedModel top = null;
     double most = Math.max(Price.LAW, LAW_SHARE * left());
     double gained = 0;
-    for (Effect start : law.starts()) {
+    boolean low = hopsLow(before) && !law.forms().isEmpty();
+    for (Effect start : low ? law.forms() : law.starts()) {
       Component c = Component.of(start, start.magnitudes());
-      FittedModel tried = refits.fit(before, added(before.model().components(), List.of(c)));
+      List<Component> with = added(before.model().components(), List.of(c));
+      FittedModel tried = low ? refits.fitForm(before, with) : refits.fit(before, with);
       double gain = price.gain(before, tried);
       gained = Math.max(gained, gain);
       if (gain > most) {
@@ -564,6 +567,11 @@ final class Pursuit {
     if (top != null) {
       rejected.clear();
     }
+  }
+
+  /** Whether the chips hop lower than the league's models have them: a law then begins in the form that does so, too, since it could not do without those hops. */
+  private static boolean hopsLow(FittedModel model) {
+    return model.solution().state().chip().lowestHop() < ChipModel.MIN_HOP_HEIGHT;
   }
 
   /** Adds what all kicks share and gains most; whether there was any. */
