@@ -132,7 +132,8 @@ public final class KickScreen {
     double[] own = at.solution().own(k);
     double[] scatters = at.solution().scatters();
     double good = LIKE_THE_OTHERS * Math.max(1, median);
-    List<KickRecord> parts = cuts ? parts(now) : List.of();
+    // Ends look wrong, too, where most kicks are not explained.
+    List<KickRecord> parts = cuts && median < STANDS_OUT ? parts(now) : List.of();
     if (now.usedCount() < now.whole().usedCount()) {
       // What was cut because of a worse model comes back when this one explains it.
       parts = List.of(now.whole());

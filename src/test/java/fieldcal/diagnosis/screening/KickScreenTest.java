@@ -15,6 +15,7 @@ import fieldcal.simulation.physics.BallPhysics;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 /** Kicks among sound ones, of which one is not what it is taken for. */
@@ -79,6 +80,24 @@ class KickScreenTest {
     assertThat(field.screen().revise(fitted, false).get(WHICH).usedCount())
         .as("where the model may be wrong, no end is cut")
         .isEqualTo(touched.usedCount());
+  }
+
+  /** Beside drag that the model does not know, what stands out may be the model's fault. */
+  @Test
+  void noEndIsCutWhereMostKicksAreNotExplained() {
+    FittedField field = FittedField.flats("air_drag:cd=0.45");
+    KickRecord sound = field.fitter().kicks().get(WHICH);
+    Kick kick = sound.kick();
+    double touch = end(sound) - 0.3 - kick.time();
+    KickRecord touched =
+        field.again(MovedBall.shifted(kick, t -> 3 * Math.max(0, t - touch)), KickKind.FLAT);
+    FittedModel fitted = field.simple(with(field, touched));
+    double[] reduced =
+        IntStream.range(0, fitted.kickCount()).mapToDouble(fitted::reduced).sorted().toArray();
+    assertThat(reduced[reduced.length / 2]).as("no kick is explained").isGreaterThan(2.5);
+    assertThat(fitted.reduced(WHICH)).as("it stands out").isEqualTo(reduced[reduced.length - 1]);
+    KickRecord revised = field.screen().revise(fitted, true).get(WHICH);
+    assertThat(revised.usedCount()).isEqualTo(touched.usedCount());
   }
 
   @Test
