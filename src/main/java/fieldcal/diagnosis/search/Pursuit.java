@@ -53,7 +53,7 @@ final class Pursuit {
   /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
   private static final double REALISED = 0.1;
 
-  /** A law that replaces another must explain that share of what is left, or its shadow on other effects would be taken for it. */
+  /** A law that replaces another, and what has more numbers than there are kicks, must explain that share of what is left: they take up a part of anything. */
   private static final double LAW_SHARE = 0.1;
 
   private final Dictionary dictionary;
@@ -309,6 +309,7 @@ final class Pursuit {
     List<Proposal> from = new ArrayList<>();
     double first = 0;
     double worth = WORTH * best.solution().rows();
+    double left = left();
     double expected = 0;
     while (from.size() < atOnce && model.components().size() + chosen.size() < maxComponents) {
       Proposal top = null;
@@ -319,7 +320,7 @@ final class Pursuit {
           continue;
         }
         double gain = scorer.gain(p, sweep);
-        if (gain - Price.of(p) <= topNet) {
+        if (gain - Price.of(p) <= topNet || gain < leastShare(p) * left) {
           continue;
         }
         double net = gain - Price.of(p.group() ? members(p, scorer, sweep) : p.components());
@@ -351,6 +352,12 @@ final class Pursuit {
       return false;
     }
     return tryAdding(placed(chosen), from, expected);
+  }
+
+  /** What a proposal must explain of what is left: one of more numbers than there are kicks follows a part of anything, as a law does. */
+  private double leastShare(Proposal p) {
+    boolean large = p.components().get(0).magnitudeCount() > best.kickCount();
+    return large ? LAW_SHARE : 0;
   }
 
   /** Effects that only do something together, in place of what the score test chose, if they explain more. */
