@@ -2,6 +2,7 @@ package fieldcal.effect;
 
 import fieldcal.ball.Gravity;
 import fieldcal.ball.Phase;
+import fieldcal.effect.MotionEffect.AirFlow;
 import fieldcal.effect.MotionEffect.ExternalForce;
 import fieldcal.effect.MotionEffect.FrictionOfKick;
 import fieldcal.effect.MotionEffect.FrictionZone;
@@ -24,6 +25,7 @@ final class BallForces {
   private final double sessionStart;
   private final BallMotion motion = new BallMotion();
   private final double[] force = new double[3];
+  private final double[] air = new double[2];
 
   /** A ball at rest that is about to move, and its rates. */
   private final double[] creep = new double[8];
@@ -45,8 +47,6 @@ final class BallForces {
   BallForces(MotionEffects effects, double sessionStart, double accRoll, double kickTime) {
     this.effects = effects;
     this.sessionStart = sessionStart;
-    motion.airX = effects.airX;
-    motion.airY = effects.airY;
     rollingBrake = -accRoll;
     double ofKick = 1;
     for (FrictionOfKick effect : effects.frictions) {
@@ -121,7 +121,20 @@ final class BallForces {
     m.timeSinceKick = t - kickTime;
     m.flying = flying;
     m.sliding = false;
+    addAir(m);
     return m;
+  }
+
+  private void addAir(BallMotion m) {
+    if (effects.flows.length > 0) {
+      air[0] = 0;
+      air[1] = 0;
+      for (AirFlow.Flow flow : effects.flows) {
+        flow.add(m, air);
+      }
+      m.airX = air[0];
+      m.airY = air[1];
+    }
   }
 
   /** Rate of change of the state. */

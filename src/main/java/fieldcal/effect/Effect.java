@@ -119,7 +119,7 @@ public interface Effect {
   }
 
   /**
-   * Whether the mean of what differs from kick to kick is a number of its own, not one of the ball's parameters by another name.
+   * Whether the mean of what differs from kick to kick is a number of its own: not one of the ball's parameters by another name, and not zero by symmetry.
    *
    * @return true unless an effect says otherwise
    */

@@ -20,6 +20,7 @@ import fieldcal.effect.motion.Drift;
 import fieldcal.effect.motion.FieldSlope;
 import fieldcal.effect.motion.KickSpin;
 import fieldcal.effect.motion.Magnus;
+import fieldcal.effect.motion.PullScatter;
 import fieldcal.effect.motion.RobotKickBias;
 import fieldcal.effect.motion.RollScatter;
 import fieldcal.effect.motion.SideSpin;
@@ -63,7 +64,8 @@ public final class EffectCatalogue {
           new ContactImpacts(0, 0, 0, 0, 10),
           new CarpetSeam(0, 0, 0, 0));
 
-  private static final List<Effect> UNNAMED = List.of(new RollScatter(0), new BounceScatter(0));
+  private static final List<Effect> UNNAMED =
+      List.of(new RollScatter(0), new BounceScatter(0), new PullScatter(0));
 
   private EffectCatalogue() {}
 

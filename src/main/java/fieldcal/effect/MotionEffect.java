@@ -71,18 +71,23 @@ public interface MotionEffect extends Effect {
   /** Air that moves. Forces of the air ask {@link BallMotion#airX} and {@link BallMotion#airY}, the sum over all flows. */
   interface AirFlow extends MotionEffect {
     /**
-     * Velocity of the air, the same everywhere.
+     * How the air moves.
      *
-     * @return along x, m/s
+     * @return the flow, asked for once and used for many instants
      */
-    double airX();
+    Flow flow();
 
-    /**
-     * Velocity of the air, the same everywhere.
-     *
-     * @return along y, m/s
-     */
-    double airY();
+    /** Velocities of air. */
+    @FunctionalInterface
+    interface Flow {
+      /**
+       * Adds the velocity where a ball is.
+       *
+       * @param motion how the ball moves
+       * @param air x and y, m/s; add to it
+       */
+      void add(BallMotion motion, double[] air);
+    }
   }
 
   /** What makes sliding differ from a constant friction: accSlide·∏ factors against the slip. */

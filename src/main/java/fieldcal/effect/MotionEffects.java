@@ -29,6 +29,7 @@ public final class MotionEffects {
   private static final Varying[] NONE_VARYING = {};
   private static final FrictionZone[] NO_ZONES = {};
   private static final Bounce[] NO_BOUNCES = {};
+  private static final AirFlow.Flow[] NO_FLOWS = {};
 
   /** A golf ball on which nothing acts but what the models say. */
   public static final MotionEffects NONE = of(List.of());
@@ -52,10 +53,7 @@ public final class MotionEffects {
   /** Null where the models' fixed losses hold. */
   final ImpactLaw impacts;
 
-  /** Velocity of the air, m/s. */
-  final double airX;
-
-  final double airY;
+  final AirFlow.Flow[] flows;
   private final List<MotionEffect> effects;
 
   /** Nothing acts on the ball. */
@@ -74,8 +72,7 @@ public final class MotionEffects {
     zones = NO_ZONES;
     bounces = NO_BOUNCES;
     impacts = null;
-    airX = 0;
-    airY = 0;
+    flows = NO_FLOWS;
   }
 
   /** Some effects and more of them. */
@@ -96,8 +93,7 @@ public final class MotionEffects {
     FrictionZone[] worn = some.zones;
     Bounce[] bouncing = some.bounces;
     ImpactLaw law = some.impacts;
-    double flowX = some.airX;
-    double flowY = some.airY;
+    AirFlow.Flow[] flowing = some.flows;
     for (MotionEffect effect : more) {
       if (effect.isAbsent()) {
         // It is left out, so that it changes nothing, not even a rounding error.
@@ -125,8 +121,7 @@ public final class MotionEffects {
         law = e;
       }
       if (effect instanceof AirFlow e) {
-        flowX += e.airX();
-        flowY += e.airY();
+        flowing = and(flowing, e.flow());
       }
       if (effect instanceof PathAcceleration e) {
         accelerating = and(accelerating, e);
@@ -158,8 +153,7 @@ public final class MotionEffects {
     zones = worn;
     bounces = bouncing;
     impacts = law;
-    airX = flowX;
-    airY = flowY;
+    flows = flowing;
   }
 
   /** Whether a place is beyond a line, on the side to which its normal points. */

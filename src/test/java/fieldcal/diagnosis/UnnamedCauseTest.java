@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Quantity;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallMoment;
+import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.ExtraLaw;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -144,5 +146,80 @@ class UnnamedCauseTest {
     assertThat(found.actsOn()).isEqualTo("impact");
     assertThat(found.scatter()).isCloseTo(Hops.SCATTER, within(2.5 * Hops.SCATTER / Math.sqrt(32)));
     assertThat(diagnosis.unexplained().significant()).isFalse();
+  }
+
+  /** Balls whose weight is not in their centre: each kick turns another way while it rolls. */
+  private record LopsidedBalls() implements ExtraLaw {
+    static final double SCATTER = 0.05;
+
+    @Override
+    public double acrossPath(BallMoment m) {
+      long kick = Math.round(m.sessionTime() - m.sinceKick());
+      return m.slip() > 0 ? 0 : SCATTER * new SplittableRandom(kick).nextGaussian();
+    }
+  }
+
+  @Test
+  void ballsThatTurnAnotherWayInEachKickAreNotTakenForCauses() {
+    Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 16, new LopsidedBalls());
+    assertThat(diagnosis.causes()).as("%s", diagnosis.learned()).isEmpty();
+    LearnedFinding found = diagnosis.learned().get(0);
+    assertThat(found.kind()).isEqualTo(LearnedFinding.Kind.SCATTER);
+    assertThat(found.scatter())
+        .isCloseTo(LopsidedBalls.SCATTER, within(2.5 * LopsidedBalls.SCATTER / Math.sqrt(32)));
+    assertThat(diagnosis.model().effects()).as("nothing to predict with").isEmpty();
+    assertThat(diagnosis.unexplained().significant()).isFalse();
+  }
+
+  /** Two rolls of carpet, laid in opposite directions. */
+  private record RollsOfCarpet() implements ExtraLaw {
+    private static final double NAP = 0.15;
+    private static final double EDGE = 0.05;
+
+    @Override
+    public double rollingFactor(BallMoment m) {
+      return 1 + NAP * Math.tanh(m.y() / EDGE) * Math.cos(m.heading());
+    }
+  }
+
+  @Test
+  void rollsOfCarpetThatLieInOppositeDirectionsAreLearned() {
+    Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 20, new RollsOfCarpet());
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    LearnedTerm nap = (LearnedTerm) diagnosis.learned().get(0).effect();
+    assertThat(nap.family().quantity()).isEqualTo(Quantity.NAP);
+    // Knots that are 1 m apart make a slope of the edge.
+    assertThat(nap.valueAt(0, 0, 1.5) - nap.valueAt(0, 0, -1.5))
+        .isCloseTo(2 * RollsOfCarpet.NAP, within(0.5 * RollsOfCarpet.NAP));
+    assertThat(diagnosis.extended().predictionErrorMm().get(2.0))
+        .isLessThan(0.5 * diagnosis.base().predictionErrorMm().get(2.0));
+  }
+
+  /** Air that comes in at one door and crosses the field. */
+  private record Door() implements ExtraLaw {
+    private static final double SPEED = 2.5;
+    private static final double WIDTH = 1.2;
+
+    @Override
+    public void flow(BallMoment m, double[] air) {
+      air[1] += SPEED * Math.exp(-Math.pow((m.x() + 1.5) / WIDTH, 2));
+    }
+  }
+
+  @Test
+  void aDraughtFromOneDoorIsNotCalledAWind() {
+    BallPhysics sound = FittedField.SOUND.physics();
+    SimulationSettings world =
+        FittedField.SOUND
+            .withScenario(ScenarioKind.FLAT, 20)
+            .withPhysics(sound.withAir(sound.air().withDrag(0.45)).withExtra(new Door()));
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    assertThat(diagnosis.causes())
+        .as("%s", diagnosis.learned())
+        .noneMatch(c -> c.effect().id().equals("wind"));
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(0.5 * diagnosis.base().holdoutRmsMm());
+    assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
+        .isLessThan(0.6 * diagnosis.base().predictionErrorMm().get(1.0));
   }
 }

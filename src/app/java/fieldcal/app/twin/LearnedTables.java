@@ -36,6 +36,8 @@ final class LearnedTables {
     List<TabulatedLaw.Quantity> changes =
         switch (quantity) {
           case PUSH -> List.of(TabulatedLaw.Quantity.PUSH_X, TabulatedLaw.Quantity.PUSH_Y);
+          case NAP -> List.of(TabulatedLaw.Quantity.NAP_X, TabulatedLaw.Quantity.NAP_Y);
+          case AIR -> List.of(TabulatedLaw.Quantity.AIR_X, TabulatedLaw.Quantity.AIR_Y);
           case SLIDING ->
               List.of(TabulatedLaw.Quantity.SLIDING_ALONG, TabulatedLaw.Quantity.SLIDING_ACROSS);
           default -> List.of(TabulatedLaw.Quantity.valueOf(quantity.name()));

@@ -20,22 +20,37 @@ final class ChanceWords {
           new ChanceWords(
               "rolling",
               "rolling deceleration (acc_roll)",
+              "",
               "leave a margin on long passes. See whether several balls are in play, or one that is"
                   + " dirty or out of round."),
           "bounce_scatter",
           new ChanceWords(
               "height of bounces",
               "vertical damping of bounces (damping_z)",
+              "",
               "let robots wait for the second bounce of a chip. See whether the carpet is rough or"
-                  + " has seams where the chips come down."));
+                  + " has seams where the chips come down."),
+          "pull_scatter",
+          new ChanceWords(
+              "sideways pull",
+              "pull of the rolling ball to its left",
+              "m/s²",
+              "leave a margin on long passes. Let a ball roll slowly from the same place several"
+                  + " times: if it curves another way each time, its weight is not in its centre;"
+                  + " use another ball."));
 
   private final String name;
   private final String quantity;
+
+  /** Empty where the magnitude is a share. */
+  private final String unit;
+
   private final String advice;
 
-  private ChanceWords(String name, String quantity, String advice) {
+  private ChanceWords(String name, String quantity, String unit, String advice) {
     this.name = name;
     this.quantity = quantity;
+    this.unit = unit;
     this.advice = advice;
   }
 
@@ -45,13 +60,12 @@ final class ChanceWords {
 
   static CauseText of(Effect effect, double scatter, Optional<Dependence> follows) {
     ChanceWords words = ALL.get(effect.id());
-    String percent = Amount.of(100 * scatter);
-    String strength = text("scatter %s %% of the %s", percent, words.quantity);
+    String strength = text("scatter %s of the %s", words.amount(scatter), words.quantity);
     if (follows.isPresent()) {
       Dependence d = follows.get();
       return new CauseText(
           words.name + " that depends on " + LearnedWords.variable(d.on()),
-          words.form(d) + rest(d, scatter),
+          words.form(d) + words.rest(d, scatter),
           "",
           advice(d),
           strength);
@@ -59,8 +73,8 @@ final class ChanceWords {
     return new CauseText(
         name(effect),
         text(
-            "The %s differs by %s %% from kick to kick, and nothing that was recorded says why.",
-            words.quantity, percent),
+            "The %s differs by %s from kick to kick, and nothing that was recorded says why.",
+            words.quantity, words.amount(scatter)),
         "",
         "No model predicts it: " + words.advice,
         strength);
@@ -70,10 +84,10 @@ final class ChanceWords {
     return switch (d.form()) {
       case STEP ->
           text(
-              "%s, the %s is %s %% %s.",
+              "%s, the %s is %s %s.",
               Sentences.begin(FieldWords.from(d.place())),
               quantity,
-              Amount.of(100 * Math.abs(d.change())),
+              amount(Math.abs(d.change())),
               d.change() < 0 ? "lower" : "higher");
       case LINE ->
           text(
@@ -99,10 +113,13 @@ final class ChanceWords {
     };
   }
 
-  private static String from(Level level) {
-    return text(
-        "%s %% %s",
-        Amount.of(100 * Math.abs(level.value())), level.value() < 0 ? "below" : "above");
+  private String from(Level level) {
+    return amount(Math.abs(level.value())) + (level.value() < 0 ? " below" : " above");
+  }
+
+  /** With its unit; a share in per cent. */
+  private String amount(double value) {
+    return unit.isEmpty() ? Amount.of(100 * value) + " %" : Amount.of(value) + " " + unit;
   }
 
   private static String where(Dependence d, Level level) {
@@ -117,14 +134,14 @@ final class ChanceWords {
     };
   }
 
-  private static String rest(Dependence d, double scatter) {
+  private String rest(Dependence d, double scatter) {
     double left = Math.sqrt(Math.max(0, 1 - d.explained()));
     return left < LEFT
         ? ""
         : text(
-            " Beyond that it differs by %s %% from kick to kick, and nothing that was recorded says"
+            " Beyond that it differs by %s from kick to kick, and nothing that was recorded says"
                 + " why.",
-            Amount.of(100 * scatter * left));
+            amount(scatter * left));
   }
 
   private static String advice(Dependence d) {

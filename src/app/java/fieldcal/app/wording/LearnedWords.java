@@ -47,6 +47,8 @@ public final class LearnedWords {
       case ROLLING -> "rolling that depends on " + on;
       case SLIDING -> "sliding friction that depends on " + on;
       case PUSH -> "push that depends on " + on;
+      case NAP -> "direction of the carpet that depends on " + on;
+      case AIR -> "moving air that depends on " + on;
       case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
       case TANGENTIAL_RESTITUTION -> "loss of speed at bounces that depends on " + on;
       case TURN -> "turn at bounces that depends on " + on;
@@ -152,7 +154,9 @@ public final class LearnedWords {
           curve.component() == 0
               ? "change of the sliding friction"
               : "pull to the left of the slip";
-      case PUSH -> "acceleration towards " + (curve.component() == 0 ? "+x" : "+y");
+      case PUSH -> "acceleration towards " + axis(curve);
+      case NAP -> "change of the rolling deceleration towards " + axis(curve);
+      case AIR -> "velocity of the air towards " + axis(curve);
       case VERTICAL_RESTITUTION -> "change of the vertical damping";
       case TANGENTIAL_RESTITUTION -> "change of the horizontal damping";
       case TURN -> "turn to the left";
@@ -171,7 +175,7 @@ public final class LearnedWords {
   public static String unit(LearnedCurve curve) {
     return switch (curve.family().quantity()) {
       case TURN -> "°";
-      case FRICTION, ROLLING, SLIDING -> "%";
+      case FRICTION, ROLLING, SLIDING, NAP -> "%";
       default -> curve.family().quantity().unit();
     };
   }
@@ -186,7 +190,7 @@ public final class LearnedWords {
   public static double inUnit(LearnedCurve curve, double value) {
     return switch (curve.family().quantity()) {
       case TURN -> Math.toDegrees(value);
-      case FRICTION, ROLLING, SLIDING -> PER_CENT * value;
+      case FRICTION, ROLLING, SLIDING, NAP -> PER_CENT * value;
       default -> value;
     };
   }
@@ -366,6 +370,11 @@ public final class LearnedWords {
               ? "sliding ball is braked " + (more ? "more" : "less")
               : "sliding ball is pulled to its " + (more ? "left" : "right");
       case PUSH -> "ball is pushed " + side(curve.component(), more);
+      case NAP ->
+          text(
+              "ball that rolls %s is braked %s",
+              side(curve.component(), true), more ? "more" : "less");
+      case AIR -> "air moves faster " + side(curve.component(), more);
       case VERTICAL_RESTITUTION -> "ball bounces " + (more ? "higher" : "lower");
       case TANGENTIAL_RESTITUTION ->
           "ball loses " + (more ? "less" : "more") + " speed at a bounce";
@@ -374,6 +383,10 @@ public final class LearnedWords {
       case SHIFT -> camera + " are too far " + side(curve.component(), more);
       case TIME_ERROR -> "time stamps" + camera.substring(7) + " are " + (more ? "late" : "early");
     };
+  }
+
+  private static String axis(LearnedCurve curve) {
+    return curve.component() == 0 ? "+x" : "+y";
   }
 
   private static String side(int component, boolean more) {

@@ -288,7 +288,9 @@ public final class Decision {
       return Outcome.FORM;
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
-    if (!(gain[1] > 100 * least)) {
+    // What is left may be another form of it, which helps some kicks and harms others.
+    boolean sure = scales.excess == 0 || gain[HoldOut.LOWER] > 0;
+    if (!(gain[1] > 100 * least) || !sure) {
       return Outcome.NO_GAIN;
     }
     if (c.isPerKick() && proof.isBallItself()) {

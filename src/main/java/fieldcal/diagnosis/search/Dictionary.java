@@ -79,7 +79,7 @@ public final class Dictionary {
     return everywhere.stream().filter(p -> isPossible(p, model)).toList();
   }
 
-  /** Of these the values of each kick's own whose mean is a parameter of the ball. */
+  /** Of these the values of each kick's own that have no mean of their own. */
   List<Proposal> random(EffectModel model) {
     return everywhere(model).stream()
         .filter(p -> !p.components().get(0).template().hasOwnMean())

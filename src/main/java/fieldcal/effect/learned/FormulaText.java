@@ -87,7 +87,9 @@ final class FormulaText {
       case ROLLING -> "relative rolling deceleration";
       case SLIDING ->
           component == 0 ? "relative friction while sliding" : "pull to the left while sliding";
-      case PUSH -> "acceleration towards " + (component == 0 ? "+x" : "+y");
+      case PUSH -> "acceleration towards " + axis(component);
+      case NAP -> "relative rolling deceleration towards " + axis(component);
+      case AIR -> "velocity of the air towards " + axis(component);
       case VERTICAL_RESTITUTION -> "vertical restitution";
       case TANGENTIAL_RESTITUTION -> "tangential restitution";
       case TURN -> "turn to the left at an impact";
@@ -95,6 +97,10 @@ final class FormulaText {
       case SHIFT -> component == 0 ? "reported x" : "reported y";
       case TIME_ERROR -> "lateness of the time stamps";
     };
+  }
+
+  private static String axis(int component) {
+    return component == 0 ? "+x" : "+y";
   }
 
   private static String name(Variable variable) {

@@ -131,6 +131,8 @@ public record LearnedFamily(
       case ROLLING -> new LearnedRolling(this, coefficients);
       case SLIDING -> new LearnedSliding(this, coefficients);
       case PUSH -> new LearnedPush(this, coefficients);
+      case NAP -> new LearnedNap(this, coefficients);
+      case AIR -> new LearnedAir(this, coefficients);
       case VERTICAL_RESTITUTION, TANGENTIAL_RESTITUTION, TURN ->
           new LearnedBounce(this, coefficients);
       case SPIN -> new LearnedSpin(this, coefficients);

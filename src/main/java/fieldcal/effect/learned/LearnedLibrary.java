@@ -186,6 +186,8 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));
     all.add(LearnedFamily.of(Quantity.PUSH, Variable.PLACE, stripes(arena)));
     all.add(LearnedFamily.of(Quantity.PUSH, Variable.SESSION_TIME, session(arena)));
+    all.add(LearnedFamily.of(Quantity.NAP, Variable.PLACE, stripes(arena)));
+    all.add(LearnedFamily.of(Quantity.AIR, Variable.PLACE, stripes(arena)));
   }
 
   private static void impact(Arena arena, Ranges ranges, List<LearnedFamily> all) {

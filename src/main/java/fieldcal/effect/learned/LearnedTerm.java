@@ -20,6 +20,8 @@ public abstract sealed class LearnedTerm implements Effect
         LearnedRolling,
         LearnedSliding,
         LearnedPush,
+        LearnedNap,
+        LearnedAir,
         LearnedBounce,
         LearnedSpin,
         LearnedShift,

@@ -24,6 +24,12 @@ public enum Quantity {
   /** Force over the mass along x and y of the field on a ball on the carpet, m/s²: the coefficients of x come first, then those of y. A rolling ball follows it with 5/7, since it must be turned, too. */
   PUSH("ground", "push", "m/s²", 2, 0.05, 3, "a slope of 0.5 % pulls so much"),
 
+  /** Relative change of the rolling deceleration by the pile of the carpet (–): a·cos θ + b·sin θ for a ball that travels in direction θ. The coefficients of a come first, then those of b; positive brakes more. */
+  NAP("ground", "nap", "", 2, 0.05, 0.9, "up to 0.08 with the heading in matches of 2026"),
+
+  /** Velocity of the air along x and y of the field, m/s, on which drag depends: the coefficients of x come first, then those of y. */
+  AIR("ground", "air", "m/s", 2, 0.5, 10, "an open hall door moves air at 0.3 to 2 m/s"),
+
   /** Change of the vertical restitution e_z (–). */
   VERTICAL_RESTITUTION(
       "impact", "vertical_restitution", "", 1, 0.03, 0.5, "0.47 and 0.38 in matches of 2026"),
@@ -99,7 +105,7 @@ public enum Quantity {
   /**
    * How many numbers it is.
    *
-   * @return 2 of a shift in the plane, of a push and of sliding friction, else 1
+   * @return 2 of what has components along x and y, and of sliding friction, else 1
    */
   public int components() {
     return components;
@@ -110,6 +116,7 @@ public enum Quantity {
     return switch (this) {
       case SLIDING -> variable == Variable.HEADING;
       case PUSH -> variable == Variable.PLACE || variable == Variable.SESSION_TIME;
+      case NAP, AIR -> variable == Variable.PLACE;
       case TIME_ERROR -> variable == Variable.SESSION_TIME || variable == Variable.SPEED;
       case SHIFT -> variable == Variable.SESSION_TIME || variable == Variable.IMAGE_POSITION;
       default -> true;

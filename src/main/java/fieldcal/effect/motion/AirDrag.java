@@ -13,6 +13,9 @@ import java.util.List;
  * @param cd drag coefficient (–), 0 = no air
  */
 public record AirDrag(double cd) implements ExternalForce {
+  /** That of a golf ball at SSL speeds; design, what real matches look like. */
+  public static final AirDrag USUAL = new AirDrag(0.45);
+
   private static final String ID = "air_drag";
 
   /**

@@ -15,9 +15,6 @@ import java.util.List;
 public record Wind(double speed, double direction) implements AirFlow {
   private static final String ID = "wind";
 
-  /** Drag coefficient of a golf ball at SSL speeds; design, what real matches look like. */
-  private static final double USUAL_DRAG = 0.45;
-
   /**
    * Checks the numbers. {@inheritDoc}
    *
@@ -65,16 +62,16 @@ public record Wind(double speed, double direction) implements AirFlow {
 
   @Override
   public List<Effect> companions() {
-    return List.of(new AirDrag(USUAL_DRAG));
+    return List.of(AirDrag.USUAL);
   }
 
   @Override
-  public double airX() {
-    return speed * Math.cos(direction);
-  }
-
-  @Override
-  public double airY() {
-    return speed * Math.sin(direction);
+  public Flow flow() {
+    double x = speed * Math.cos(direction);
+    double y = speed * Math.sin(direction);
+    return (motion, air) -> {
+      air[0] += x;
+      air[1] += y;
+    };
   }
 }

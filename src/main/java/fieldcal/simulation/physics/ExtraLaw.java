@@ -34,6 +34,24 @@ public interface ExtraLaw {
   }
 
   /**
+   * What is added to the factor of the rolling deceleration, for parts of one law that do not multiply.
+   *
+   * @param moment where and how the ball moves
+   * @return 0 = no change; where the sum of all is below −1, nothing brakes
+   */
+  default double rollingChange(BallMoment moment) {
+    return 0;
+  }
+
+  /**
+   * Velocity of the air beside the wind that is the same everywhere, for the drag.
+   *
+   * @param moment where and how the ball moves
+   * @param air x and y, m/s; add to it
+   */
+  default void flow(BallMoment moment, double[] air) {}
+
+  /**
    * What the vertical restitution e_z of an impact is multiplied by.
    *
    * @param moment right before the impact

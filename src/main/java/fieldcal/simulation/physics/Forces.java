@@ -23,6 +23,7 @@ final class Forces {
   private final boolean[] beyond;
   private final BallMoment moment = new BallMoment();
   private final double[] push = new double[2];
+  private final double[] air = new double[2];
 
   private MotionPhase phase = MotionPhase.RESTING;
   private double stepTime;
@@ -143,10 +144,12 @@ final class Forces {
 
   private double extraRolling() {
     double factor = 1;
+    double sum = 1;
     for (ExtraLaw law : extras) {
       factor *= Math.max(0, law.rollingFactor(moment));
+      sum += law.rollingChange(moment);
     }
-    return factor;
+    return factor * Math.max(0, sum);
   }
 
   /** Factor on e_z of an impact of the moment that was asked for last. */
@@ -275,8 +278,13 @@ final class Forces {
   }
 
   private void external(double[] s) {
-    double x = s[3] - windX;
-    double y = s[4] - windY;
+    air[0] = windX;
+    air[1] = windY;
+    for (ExtraLaw law : extras) {
+      law.flow(moment, air);
+    }
+    double x = s[3] - air[0];
+    double y = s[4] - air[1];
     double drag = dragFactor * Math.sqrt(x * x + y * y + s[5] * s[5]);
     externalX = liftFactor * (s[7] * s[5] - s[8] * s[4]) - drag * x + G * ground.slopeX();
     externalY = liftFactor * (s[8] * s[3] - s[6] * s[5]) - drag * y + G * ground.slopeY();

@@ -30,6 +30,14 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     PUSH_X,
     /** Force over the mass along y on a ball on the carpet, m/s². */
     PUSH_Y,
+    /** Relative change of the rolling deceleration of a ball that travels along x (–), times the cosine for others; positive brakes more. */
+    NAP_X,
+    /** Relative change of the rolling deceleration of a ball that travels along y (–), times the sine for others. */
+    NAP_Y,
+    /** Velocity of the air along x beside the wind that is the same everywhere, m/s. */
+    AIR_X,
+    /** Velocity of the air along y, m/s. */
+    AIR_Y,
     /** Added to e_z of an impact (–). */
     VERTICAL_RESTITUTION,
     /** Added to e_xy of an impact (–). */
@@ -140,6 +148,24 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
   @Override
   public double rollingFactor(BallMoment moment) {
     return changes == Quantity.ROLLING ? Math.max(0, 1 + at(moment)) : frictionFactor(moment);
+  }
+
+  @Override
+  public double rollingChange(BallMoment moment) {
+    double along =
+        switch (changes) {
+          case NAP_X -> Math.cos(moment.heading());
+          case NAP_Y -> Math.sin(moment.heading());
+          default -> 0;
+        };
+    return along == 0 ? 0 : along * at(moment);
+  }
+
+  @Override
+  public void flow(BallMoment moment, double[] air) {
+    if (changes == Quantity.AIR_X || changes == Quantity.AIR_Y) {
+      air[changes == Quantity.AIR_X ? 0 : 1] += at(moment);
+    }
   }
 
   private double frictionFactor(BallMoment moment) {

@@ -234,7 +234,7 @@ class CauseWordsTest {
               Optional.empty(),
               new Gain(1, 10, 0.5, 1.5));
       assertThat(WORDS.of(found).sentences())
-          .contains("differs by 12 % from kick to kick")
+          .containsPattern("differs by (12 %|0\\.12 m/s²) from kick to kick")
           .contains("No model predicts it: ");
       assertThat(EffectName.of(effect)).endsWith("from kick to kick");
     }

@@ -11,6 +11,9 @@ import fieldcal.effect.MotionEffects;
 import fieldcal.effect.learned.Harmonics;
 import fieldcal.effect.learned.LearnedFamily;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Spline;
+import fieldcal.effect.learned.Stripes;
+import fieldcal.effect.motion.AirDrag;
 import fieldcal.simulation.physics.TabulatedLaw.Quantity;
 import fieldcal.simulation.physics.TabulatedLaw.Variable;
 import java.util.Arrays;
@@ -22,6 +25,11 @@ import org.junit.jupiter.api.Test;
 /** Laws from tables do what the same law as a formula does. */
 class TabulatedLawTest {
   private static final BallPhysics PLAIN = BallPhysics.ideal(-3, -0.3, 0.7, 0.75, 0.9, 0.5);
+
+  /** kSwitch of a solid ball, of whose moment of inertia forces on a rolling ball ask. */
+  private static final double SOLID = 5.0 / 7;
+
+  private static final BallPhysics SOLID_BALL = BallPhysics.ideal(-3, -0.3, SOLID, 0.75, 0.9, 0.5);
 
   private static BallBody after(BallPhysics physics, double vx, double vz, double seconds) {
     BallBody ball = new BallBody();
@@ -213,5 +221,63 @@ class TabulatedLawTest {
     new BallIntegrator(pushed).advance(ball, 0, rolls, new BallHistory());
     assertThat(ball.y()).isCloseTo(0.5 * 0.7 * 0.02 * rolls * rolls, within(1e-4));
     assertThat(after(pushed, 2, 4, 0.5).y()).isZero();
+  }
+
+  /** A curve over x and one over y, as the learned terms over the place have them. */
+  private static LearnedTerm overThePlace(fieldcal.effect.learned.Quantity quantity, double scale) {
+    Stripes stripes = new Stripes(new Spline(-2, 6, 9, true), new Spline(-2, 6, 9, true));
+    LearnedFamily family =
+        LearnedFamily.of(quantity, fieldcal.effect.learned.Variable.PLACE, stripes);
+    double[] coefficients =
+        IntStream.range(0, family.size()).mapToDouble(i -> scale * Math.sin(2.0 * i)).toArray();
+    return family.term(coefficients);
+  }
+
+  private static BallPhysics with(BallPhysics physics, LearnedTerm term, Quantity... parts) {
+    double[] places = grid(-2, 6, 161);
+    BallPhysics all = physics;
+    for (int c = 0; c < parts.length; c++) {
+      int component = c;
+      double[] values =
+          Arrays.stream(places)
+              .flatMap(y -> Arrays.stream(places).map(x -> term.valueAt(component, x, y)))
+              .toArray();
+      Table table = Table.surface(places, places, values);
+      all = all.withExtra(new TabulatedLaw(parts[c], Variable.PLACE, table));
+    }
+    return all;
+  }
+
+  /** Both integrators know the law, each in its own form. */
+  private static void isTheSame(BallPhysics physics, List<MotionEffect> effects) {
+    double vx = 4 * Math.cos(0.6);
+    double vy = 4 * Math.sin(0.6);
+    ExtendedTrajectory path =
+        ExtendedTrajectory.flat(
+            new FlatModel(-3, -0.3, SOLID), MotionEffects.of(effects), 0, 0, 0, 0, vx, vy);
+    BallBody ball = new BallBody();
+    ball.launch(vx, vy, 0, 0, 0, 0);
+    new BallIntegrator(physics).advance(ball, 0, 1.5, new BallHistory());
+    BallBody plain = new BallBody();
+    plain.launch(vx, vy, 0, 0, 0, 0);
+    new BallIntegrator(SOLID_BALL).advance(plain, 0, 1.5, new BallHistory());
+    assertThat(path.stateAt(1.5).x()).isCloseTo(ball.x(), within(5e-4));
+    assertThat(path.stateAt(1.5).y()).isCloseTo(ball.y(), within(5e-4));
+    assertThat(Math.hypot(ball.x() - plain.x(), ball.y() - plain.y())).isGreaterThan(0.01);
+  }
+
+  @Test
+  void aNapThatDependsOnThePlaceIsTheLearnedTermsNap() {
+    LearnedTerm nap = overThePlace(fieldcal.effect.learned.Quantity.NAP, 0.3);
+    isTheSame(with(SOLID_BALL, nap, Quantity.NAP_X, Quantity.NAP_Y), List.of((MotionEffect) nap));
+  }
+
+  @Test
+  void airThatDependsOnThePlaceIsTheLearnedTermsAir() {
+    LearnedTerm air = overThePlace(fieldcal.effect.learned.Quantity.AIR, 2);
+    BallPhysics draught = SOLID_BALL.withAir(AirLaw.NONE.withDrag(AirDrag.USUAL.cd()));
+    isTheSame(
+        with(draught, air, Quantity.AIR_X, Quantity.AIR_Y),
+        List.of(AirDrag.USUAL, (MotionEffect) air));
   }
 }
