@@ -55,7 +55,7 @@ public final class MeasurementEffects {
   }
 
   /**
-   * The same cameras under other effects. What is the same for a camera is not made again, so that {@link #report(Sightings, ExtendedTrajectory, double, MeasurementEffects, double[], double[])} knows it.
+   * The same cameras under other effects. What is the same for a camera is not made again, so that {@link Reports#under} knows it.
    *
    * @param others in any order; several of one id add up
    * @return the changed copy, or this where nothing differs
@@ -104,46 +104,35 @@ public final class MeasurementEffects {
    */
   public void report(
       Sightings seen, ExtendedTrajectory path, double sessionStart, double[] ground) {
-    report(seen, path, sessionStart, null, null, ground);
-  }
-
-  /**
-   * The same where it is known what cameras under other effects report of the same path: for a camera of which both say the same it is copied.
-   *
-   * @param seen cameras and times
-   * @param path of the ball
-   * @param sessionStart when the session began, on the clock of the path, s
-   * @param known other effects on the same cameras, one of the two made {@linkplain #under from the other}; null when there are none
-   * @param knownGround what is reported under these, m
-   * @param ground receives x and y of each, m; NaN where the ball is not below the camera or the stamp is no number
-   */
-  public void report(
-      Sightings seen,
-      ExtendedTrajectory path,
-      double sessionStart,
-      MeasurementEffects known,
-      double[] knownGround,
-      double[] ground) {
     PathFollower ball = path.follower();
     for (int i = 0; i < seen.size(); i++) {
-      View view = find(seen.camera[i]);
-      if (known != null && view == known.find(seen.camera[i])) {
-        ground[2 * i] = knownGround[2 * i];
-        ground[2 * i + 1] = knownGround[2 * i + 1];
-        continue;
-      }
-      double speed = Double.NaN;
-      if (view != null && view.dependsOnSpeed()) {
-        speed = ball.speedAt(seen.stamp[i]);
-      }
-      ball.goTo(ballTime(view, seen, i, sessionStart, speed));
-      if (view == null) {
-        ground[2 * i] = ball.x();
-        ground[2 * i + 1] = ball.y();
-      } else {
-        double stamp = seen.stamp[i] - sessionStart;
-        view.report(ball.x(), ball.y(), ball.z(), stamp, ground, 2 * i);
-      }
+      report(seen, i, ball, sessionStart, ground);
+    }
+  }
+
+  /** Where a ball is reported by one sighting; leaves the ball where it was then. */
+  void report(Sightings seen, int i, PathFollower ball, double sessionStart, double[] ground) {
+    View view = goTo(seen, i, ball, sessionStart);
+    place(view, ball.x(), ball.y(), ball.z(), seen.stamp[i] - sessionStart, ground, 2 * i);
+  }
+
+  /** Lets a ball go to where it was when a sighting saw it; of whom, null when the camera is not listed. */
+  View goTo(Sightings seen, int i, PathFollower ball, double sessionStart) {
+    View view = find(seen.camera[i]);
+    boolean asksForSpeed = view != null && view.dependsOnSpeed();
+    double speed = asksForSpeed ? ball.speedAt(seen.stamp[i]) : Double.NaN;
+    ball.goTo(ballTime(view, seen, i, sessionStart, speed));
+    return view;
+  }
+
+  /** Where a camera reports a ball; where it is when the camera is not listed. */
+  static void place(
+      View view, double x, double y, double z, double stamp, double[] ground, int at) {
+    if (view == null) {
+      ground[at] = x;
+      ground[at + 1] = y;
+    } else {
+      view.report(x, y, z, stamp, ground, at);
     }
   }
 
@@ -201,17 +190,11 @@ public final class MeasurementEffects {
    * @param ground receives x and y, m; NaN when the ball is not below the camera
    */
   public void report(int camera, double stamp, double[] ball, double[] ground) {
-    View view = find(camera);
-    if (view == null) {
-      ground[0] = ball[0];
-      ground[1] = ball[1];
-    } else {
-      view.report(ball[0], ball[1], ball[2], stamp, ground, 0);
-    }
+    place(find(camera), ball[0], ball[1], ball[2], stamp, ground, 0);
   }
 
   /** Of two with one id the later one counts. */
-  private View find(int camera) {
+  View find(int camera) {
     if (camera >= 0 && camera < TABLE) {
       return byId[camera];
     }

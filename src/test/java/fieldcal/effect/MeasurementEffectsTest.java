@@ -38,10 +38,10 @@ class MeasurementEffectsTest {
     return ObservedCamera.of(c, Camera.of(c), 2);
   }
 
-  abstract static class Reports extends EffectContract {
+  abstract static class ReportsOfEffect extends EffectContract {
     private final Effect effect;
 
-    Reports(Effect effect) {
+    ReportsOfEffect(Effect effect) {
       this.effect = effect;
     }
 
@@ -95,80 +95,109 @@ class MeasurementEffectsTest {
 
       MeasurementEffects none = MeasurementEffects.of(cameras(), List.of());
       MeasurementEffects under = none.under(List.of((MeasurementEffect) effect));
-      double[] plain = new double[160];
-      none.report(seen, path, 0, plain);
       double[] beside = new double[160];
-      under.report(seen, path, 0, none, plain, beside);
+      new Reports(none, seen, path, 0).under(under, beside);
       assertThat(beside).containsExactly(atOnce);
       assertThat(under.under(List.of((MeasurementEffect) effect))).isSameAs(under);
+    }
+
+    @Test
+    void pathsCloseByAreReportedToFirstOrder() {
+      int[] cameras = new int[80];
+      double[] stamps = new double[80];
+      double[] rows = new double[80];
+      for (int i = 0; i < 80; i++) {
+        cameras[i] = i % 2;
+        stamps[i] = 100.05 + 0.0203 * i;
+        rows[i] = 10 + 20 * i;
+      }
+      MeasurementEffects effects =
+          MeasurementEffects.of(cameras(), List.of((MeasurementEffect) effect));
+      Sightings seen = new Sightings(cameras, stamps, rows);
+      double[] plain = new double[160];
+      double[] moved = new double[160];
+      double[] firstOrder = new double[160];
+      Reports reports = new Reports(effects, seen, chip(2), 0);
+      reports.copyTo(plain);
+      effects.report(seen, chip(2.0001), 0, moved);
+      reports.near(chip(2.0001), firstOrder);
+      for (int i = 0; i < 160; i++) {
+        double change = Math.max(1e-5, Math.abs(moved[i] - plain[i]));
+        assertThat(firstOrder[i]).isCloseTo(moved[i], within(2e-4 * change));
+      }
+    }
+
+    private static ExtendedTrajectory chip(double vx) {
+      return ExtendedTrajectory.chip(
+          ChipModel.typical(), MotionEffects.of(List.of()), 0, 100, -1, -0.5, vx, 1, 3);
     }
   }
 
   @Nested
-  class CameraOffsetTest extends Reports {
+  class CameraOffsetTest extends ReportsOfEffect {
     CameraOffsetTest() {
       super(new CameraOffset(20, -10, 1));
     }
   }
 
   @Nested
-  class CameraTimeOffsetTest extends Reports {
+  class CameraTimeOffsetTest extends ReportsOfEffect {
     CameraTimeOffsetTest() {
       super(new CameraTimeOffset(4, 1));
     }
   }
 
   @Nested
-  class CameraPoseErrorTest extends Reports {
+  class CameraPoseErrorTest extends ReportsOfEffect {
     CameraPoseErrorTest() {
       super(new CameraPoseError(3, 1, 50, 10, -20, 1));
     }
   }
 
   @Nested
-  class CameraPositionErrorTest extends Reports {
+  class CameraPositionErrorTest extends ReportsOfEffect {
     CameraPositionErrorTest() {
       super(new CameraPositionError(80, -60, 100, 1));
     }
   }
 
   @Nested
-  class LensDistortionErrorTest extends Reports {
+  class LensDistortionErrorTest extends ReportsOfEffect {
     LensDistortionErrorTest() {
       super(new LensDistortionError(0.01, 1));
     }
   }
 
   @Nested
-  class LensDistortionErrorOfAllTest extends Reports {
+  class LensDistortionErrorOfAllTest extends ReportsOfEffect {
     LensDistortionErrorOfAllTest() {
       super(new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS));
     }
   }
 
   @Nested
-  class CameraMovedTest extends Reports {
+  class CameraMovedTest extends ReportsOfEffect {
     CameraMovedTest() {
       super(new CameraMoved(12, -7, 100.8, 1));
     }
   }
 
   @Nested
-  class BallHeightErrorTest extends Reports {
+  class BallHeightErrorTest extends ReportsOfEffect {
     BallHeightErrorTest() {
       super(new BallHeightError(8.5));
     }
   }
 
   @Nested
-  class ClockSkewTest extends Reports {
+  class ClockSkewTest extends ReportsOfEffect {
     ClockSkewTest() {
       super(new ClockSkew(100, 1));
     }
   }
 
   @Nested
-  class RollingShutterTest extends Reports {
+  class RollingShutterTest extends ReportsOfEffect {
     RollingShutterTest() {
       super(new RollingShutter(8));
     }

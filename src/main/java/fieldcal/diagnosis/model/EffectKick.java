@@ -5,6 +5,7 @@ import fieldcal.effect.Area;
 import fieldcal.effect.ExtendedTrajectory;
 import fieldcal.effect.MeasurementEffects;
 import fieldcal.effect.MotionEffects;
+import fieldcal.effect.Reports;
 import fieldcal.effect.Sightings;
 import fieldcal.fit.joint.KickTerm;
 import fieldcal.fit.joint.Probe;
@@ -300,6 +301,8 @@ public final class EffectKick implements KickTerm<ModelState> {
     /** Shared with the states that differ in what the cameras do. */
     private final ExtendedTrajectory path;
 
+    private final Reports reports;
+
     private final double[] here = new double[2 * record.blocks.length];
     private double[] way;
 
@@ -313,7 +316,8 @@ public final class EffectKick implements KickTerm<ModelState> {
       }
       until = last;
       path = path(own, state, until);
-      EffectKick.this.report(state, path, here);
+      reports = new Reports(state.measurement(), record.blockSightings, path, sessionStart);
+      reports.copyTo(here);
     }
 
     private double lastBallTime(ModelState there) {
@@ -334,10 +338,9 @@ public final class EffectKick implements KickTerm<ModelState> {
 
     void report(ModelState there, double[] out) {
       if (there.hasMotionOf(state)) {
-        MeasurementEffects known = state.measurement();
-        there.measurement().report(record.blockSightings, path, sessionStart, known, here, out);
+        reports.under(there.measurement(), out);
       } else {
-        EffectKick.this.report(there, path(own, there, until), out);
+        reports.near(path(own, there, until), out);
       }
     }
   }
