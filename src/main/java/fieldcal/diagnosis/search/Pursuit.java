@@ -53,8 +53,11 @@ final class Pursuit {
   /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
   private static final double REALISED = 0.1;
 
-  /** A law that replaces another, and what has more numbers than there are kicks, must explain that share of what is left: they take up a part of anything. */
+  /** A law that replaces another, and what has as many numbers as there are kicks, must explain that share of what is left: they take up a part of anything. */
   private static final double LAW_SHARE = 0.1;
+
+  /** What explains half of what is left is worth having, whatever it costs. */
+  private static final double MOST_ASKED = 0.5;
 
   private final Dictionary dictionary;
   private final int maxComponents;
@@ -354,10 +357,10 @@ final class Pursuit {
     return tryAdding(placed(chosen), from, expected);
   }
 
-  /** What a proposal must explain of what is left: one of more numbers than there are kicks follows a part of anything, as a law does. */
+  /** What a proposal must explain of what is left: one of more numbers than there are kicks follows a part of anything, as a law does, and the more the more numbers it has. */
   private double leastShare(Proposal p) {
-    boolean large = p.components().get(0).magnitudeCount() > best.kickCount();
-    return large ? LAW_SHARE : 0;
+    double perKick = (double) p.components().get(0).magnitudeCount() / best.kickCount();
+    return perKick > 1 ? Math.min(MOST_ASKED, LAW_SHARE * perKick) : 0;
   }
 
   /** Effects that only do something together, in place of what the score test chose, if they explain more. */
