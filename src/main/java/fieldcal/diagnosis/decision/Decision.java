@@ -275,6 +275,9 @@ public final class Decision {
       // A place is chosen where it takes up most of whatever has no name.
       return Outcome.FORM;
     }
+    if (!c.isPerKick() && evidence < settings.imitation() * scales.excess) {
+      return Outcome.FORM;
+    }
     boolean common = !c.isPerKick() && Scales.isMotion(c);
     if (scales.excess > 0 && common && !(scales.held.errorFactor(heldWithout) < 1)) {
       // It helps to fit kicks, not to predict most of them: what is left may be another form of it.

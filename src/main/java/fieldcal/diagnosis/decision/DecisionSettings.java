@@ -9,6 +9,7 @@ package fieldcal.diagnosis.decision;
  * @param formShare a cause that explains less than that share of what the largest cause of its kind (motion, measurement) explains, and gains little, is that one's form: a law whose shape is right to a sixth leaves three hundredths of its
  *     chi-square
  * @param formGain share of the held-out residual from which on it is a cause all the same: three per cent of the noise is a quarter of it in variance
+ * @param imitation what a cause that all kicks share must explain at least, as a share of what is left: of so many effects some correlate by a half with whatever that is, take up a quarter of it, and leave three
  * @param fewKicks share of what values of each kick's own explain that kicks other than the two that gain most must have: two numbers, a mean and a scatter, fit any two
  * @param tie difference of cost up to which two explanations are equals: odds of e³ = 20 : 1
  * @param tieShare the same as a share of what the cause explains: where much is explained, errors of the model that all explanations share decide more than noise does
@@ -22,6 +23,7 @@ public record DecisionSettings(
     double uneven,
     double formShare,
     double formGain,
+    double imitation,
     double fewKicks,
     double tie,
     double tieShare,
@@ -34,6 +36,6 @@ public record DecisionSettings(
    * @return the defaults
    */
   public static DecisionSettings defaults() {
-    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 0.15, 6, 0.002, 1e-4, 0.002);
+    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 1.0 / 3, 0.15, 6, 0.002, 1e-4, 0.002);
   }
 }
