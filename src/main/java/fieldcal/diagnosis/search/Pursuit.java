@@ -7,7 +7,6 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.effect.Effect;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -35,17 +34,8 @@ final class Pursuit {
   /** How many others may come for one that is taken out: a shadow may hide two causes. */
   private static final int EXCHANGED = 2;
 
-  /** Steps of a place that is moved while all else is fitted again. */
-  private static final int RELOCATIONS = 6;
-
   /** Where a component is taken out, the first steps of the other places must regain that share of what it explained: the way of all steps is ten times as long at most. */
   private static final double REGAINED = 0.1;
-
-  /** Gaps between kicks over which an instant is moved at once, at most: farther off the score test sees it. */
-  private static final int FARTHEST_GAP = 4;
-
-  /** What a move must gain at least: less than the unit of chi-square is rounding of the fits. */
-  private static final double LEAST_MOVE = 1;
 
   /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
   private static final double WORTH = 0.003;
@@ -63,6 +53,7 @@ final class Pursuit {
   private final int maxComponents;
   private final Refits refits;
   private final Price price;
+  private final PlaceMoves places;
   private final List<SearchStep> trace;
   private final Set<String> rejected = new HashSet<>();
   private Component banned;
@@ -85,6 +76,7 @@ final class Pursuit {
     this.maxComponents = maxComponents;
     this.trace = trace;
     price = new Price(refits.weighing());
+    places = new PlaceMoves(refits, dictionary.kickTimes());
   }
 
   /** What comes first. */
@@ -141,7 +133,7 @@ final class Pursuit {
         i++;
         continue;
       }
-      FittedModel moved = atBestInstant(relocated(at, i), i);
+      FittedModel moved = places.atBestInstant(places.relocated(at, i), i);
       FittedModel fewer = settledWithout(at, i);
       boolean idle = price.net(at, fewer) > Math.max(0, price.net(at, moved));
       best = idle ? fewer : moved;
@@ -160,19 +152,11 @@ final class Pursuit {
     List<Component> without = new ArrayList<>(from.model().components());
     without.remove(index);
     FittedModel fewer = refits.fit(from, without);
-    FittedModel begun = othersMoved(fewer, 1);
+    FittedModel begun = places.allRelocated(fewer, 1);
     double lost = price.gain(fewer, from);
     return price.gain(from, fewer, begun) < REGAINED * lost
         ? begun
-        : othersMoved(begun, RELOCATIONS);
-  }
-
-  private FittedModel othersMoved(FittedModel from, int steps) {
-    FittedModel at = from;
-    for (int i = 0; i < from.model().components().size(); i++) {
-      at = from.model().components().get(i).hasPlace() ? relocated(at, i, steps) : at;
-    }
-    return at;
+        : places.allRelocated(begun, PlaceMoves.MOST_STEPS);
   }
 
   /** Each round adds something, or rejects or removes it. */
@@ -218,7 +202,7 @@ final class Pursuit {
         best = price.net(before, restarted) > price.net(before, best) ? restarted : best;
       }
       if (out.hasPlace()) {
-        FittedModel moved = relocated(before, before.model().components().indexOf(out));
+        FittedModel moved = places.relocated(before, before.model().components().indexOf(out));
         best = price.net(before, moved) > price.net(before, best) ? moved : best;
       }
       double gain = price.net(before, best);
@@ -236,40 +220,6 @@ final class Pursuit {
     }
     trace.add(new SearchStep(what, Action.SWAPPED, Double.NaN, most));
     return true;
-  }
-
-  /** With a place moved step by step, all else fitted again at each: a descent of all places at once ends where an edge does not matter to first order. */
-  private FittedModel relocated(FittedModel from, int index) {
-    return relocated(from, index, RELOCATIONS);
-  }
-
-  private FittedModel relocated(FittedModel from, int index, int steps) {
-    FittedModel at = from;
-    double share = PlaceSearch.FIRST_STEP;
-    for (int round = 0; round < steps; round++) {
-      Component now = at.model().components().get(index).startingAt(at.effects().get(index));
-      List<Component> tried = PlaceSearch.neighbours(now, share);
-      if (tried.isEmpty()) {
-        // All such steps leave the range.
-        share *= PlaceSearch.SHRINK;
-        continue;
-      }
-      Scorer scorer = new Scorer(at, tried, refits.weighing());
-      Sweep sweep = scorer.without(List.of(index));
-      Component top =
-          tried.stream()
-              .max(Comparator.comparingDouble(c -> scorer.gain(Proposal.of(c), sweep)))
-              .orElseThrow();
-      List<Component> moved = new ArrayList<>(at.model().components());
-      moved.set(index, scorer.estimated(top, sweep));
-      FittedModel next = refits.fitPlaces(refits.fit(at, moved));
-      if (price.gain(at, next) > 0) {
-        at = next;
-      } else {
-        share *= PlaceSearch.SHRINK;
-      }
-    }
-    return at;
   }
 
   /** Lets others take the place of a component. */
@@ -489,52 +439,13 @@ final class Pursuit {
     FittedModel moved = refits.fitPlaces(best);
     for (int i = 0; i < moved.model().components().size(); i++) {
       Component c = moved.model().components().get(i);
-      moved = before.stream().anyMatch(c::isSameCause) ? moved : atBestInstant(moved, i);
+      moved = before.stream().anyMatch(c::isSameCause) ? moved : places.atBestInstant(moved, i);
     }
     double gained = price.gain(best, moved);
     if (gained > 0) {
       trace.add(new SearchStep("places", Action.MOVED, Double.NaN, gained));
       best = moved;
     }
-  }
-
-  /**
-   * With an instant moved from gap to gap between the kicks, all else fitted again at each. Kicks on the wrong side of a step bend what it is fitted to, so that the first order, which sees the bent model, keeps it where it is; and from one side of a
-   * kick to the other there is no derivative.
-   */
-  private FittedModel atBestInstant(FittedModel from, int index) {
-    if (!from.model().components().get(index).isInstant()) {
-      return from;
-    }
-    FittedModel at = from;
-    int reach = 1;
-    while (reach <= FARTHEST_GAP) {
-      FittedModel top = at;
-      for (int gaps : new int[] {-reach, reach}) {
-        FittedModel tried = shifted(at, index, gaps);
-        // Weights that moved along could lead round in a circle.
-        top = price.gain(from, top, tried) > LEAST_MOVE ? tried : top;
-      }
-      reach = top == at ? 2 * reach : 1;
-      at = top;
-    }
-    return at;
-  }
-
-  /** The same model with an instant so many gaps later; the model itself where there is none. */
-  private FittedModel shifted(FittedModel at, int index, int gaps) {
-    Component now = at.model().components().get(index).startingAt(at.effects().get(index));
-    String name = now.template().places().get(0);
-    double instant = now.template().value(name);
-    double[] kicks = dictionary.kickTimes();
-    int before = (int) Arrays.stream(kicks).filter(t -> t < instant).count() + gaps;
-    if (before < 1 || before >= kicks.length) {
-      return at;
-    }
-    double there = 0.5 * (kicks[before - 1] + kicks[before]);
-    List<Component> moved = new ArrayList<>(at.model().components());
-    moved.set(index, now.startingAt(now.template().with(name, there)));
-    return refits.fit(at, moved);
   }
 
   /** Tries laws that replace another: they cannot be score-tested. What gains more than a law comes first, since a law with its several numbers takes up a part of anything that happens at impacts. */

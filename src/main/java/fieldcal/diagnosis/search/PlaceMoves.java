@@ -1,0 +1,115 @@
+package fieldcal.diagnosis.search;
+
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.FittedModel;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+
+/** Moves of places and instants of a model's components, with everything else fitted again at each: what a {@link PlaceSearch} finds beside a fixed model is where a component was needed then. Not thread-safe. */
+final class PlaceMoves {
+  /** Steps of a place that is moved while all else is fitted again. */
+  static final int MOST_STEPS = 6;
+
+  /** Gaps between kicks over which an instant is moved at once, at most: farther off the score test sees it. */
+  private static final int FARTHEST_GAP = 4;
+
+  /** What a move must gain at least: less than the unit of chi-square is rounding of the fits. */
+  private static final double LEAST_MOVE = 1;
+
+  private final Refits refits;
+  private final Price price;
+  private final double[] kickTimes;
+
+  /**
+   * @param refits with the weights of a pursuit
+   * @param kickTimes when the kicks were, session time, s, ascending
+   */
+  PlaceMoves(Refits refits, double[] kickTimes) {
+    this.refits = refits;
+    this.kickTimes = kickTimes;
+    price = new Price(refits.weighing());
+  }
+
+  /** With a place moved step by step, all else fitted again at each: a descent of all places at once ends where an edge does not matter to first order. */
+  FittedModel relocated(FittedModel from, int index) {
+    return relocated(from, index, MOST_STEPS);
+  }
+
+  private FittedModel relocated(FittedModel from, int index, int steps) {
+    FittedModel at = from;
+    double share = PlaceSearch.FIRST_STEP;
+    for (int round = 0; round < steps; round++) {
+      Component now = at.model().components().get(index).startingAt(at.effects().get(index));
+      List<Component> tried = PlaceSearch.neighbours(now, share);
+      if (tried.isEmpty()) {
+        // All such steps leave the range.
+        share *= PlaceSearch.SHRINK;
+        continue;
+      }
+      Scorer scorer = new Scorer(at, tried, refits.weighing());
+      Sweep sweep = scorer.without(List.of(index));
+      Component top =
+          tried.stream()
+              .max(Comparator.comparingDouble(c -> scorer.gain(Proposal.of(c), sweep)))
+              .orElseThrow();
+      List<Component> moved = new ArrayList<>(at.model().components());
+      moved.set(index, scorer.estimated(top, sweep));
+      FittedModel next = refits.fitPlaces(refits.fit(at, moved));
+      if (price.gain(at, next) > 0) {
+        at = next;
+      } else {
+        share *= PlaceSearch.SHRINK;
+      }
+    }
+    return at;
+  }
+
+  /** With everything that has a place moved, one after another. */
+  FittedModel allRelocated(FittedModel from, int steps) {
+    FittedModel at = from;
+    for (int i = 0; i < from.model().components().size(); i++) {
+      at = from.model().components().get(i).hasPlace() ? relocated(at, i, steps) : at;
+    }
+    return at;
+  }
+
+  /**
+   * With an instant moved from gap to gap between the kicks, all else fitted again at each. Kicks on the wrong side of a step bend what it is fitted to, so that the first order, which sees the bent model, keeps it where it is; and from one side of a
+   * kick to the other there is no derivative.
+   */
+  FittedModel atBestInstant(FittedModel from, int index) {
+    if (!from.model().components().get(index).isInstant()) {
+      return from;
+    }
+    FittedModel at = from;
+    int reach = 1;
+    while (reach <= FARTHEST_GAP) {
+      FittedModel top = at;
+      for (int gaps : new int[] {-reach, reach}) {
+        FittedModel tried = shifted(at, index, gaps);
+        // Weights that moved along could lead round in a circle.
+        top = price.gain(from, top, tried) > LEAST_MOVE ? tried : top;
+      }
+      reach = top == at ? 2 * reach : 1;
+      at = top;
+    }
+    return at;
+  }
+
+  /** The same model with an instant so many gaps later; the model itself where there is none. */
+  private FittedModel shifted(FittedModel at, int index, int gaps) {
+    Component now = at.model().components().get(index).startingAt(at.effects().get(index));
+    String name = now.template().places().get(0);
+    double instant = now.template().value(name);
+    int before = (int) Arrays.stream(kickTimes).filter(t -> t < instant).count() + gaps;
+    if (before < 1 || before >= kickTimes.length) {
+      return at;
+    }
+    double there = 0.5 * (kickTimes[before - 1] + kickTimes[before]);
+    List<Component> moved = new ArrayList<>(at.model().components());
+    moved.set(index, now.startingAt(now.template().with(name, there)));
+    return refits.fit(at, moved);
+  }
+}
