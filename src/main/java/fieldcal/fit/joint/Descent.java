@@ -199,6 +199,11 @@ final class Descent<S> {
     } else {
       equate();
     }
+    if (!Double.isFinite(cost)) {
+      // Nothing can be predicted here, so there are no equations that lead away.
+      reason = StopReason.SINGULAR;
+      return;
+    }
     damping.restarted();
     reason = StopReason.TOO_MANY_ITERATIONS;
     double gainBefore = Double.POSITIVE_INFINITY;
@@ -240,7 +245,7 @@ final class Descent<S> {
           reason = StopReason.CONVERGED;
           return;
         }
-        if (damping.isLargest() || Double.isNaN(cost)) {
+        if (damping.isLargest()) {
           reason = StopReason.NO_DESCENT;
           return;
         }
@@ -294,8 +299,12 @@ final class Descent<S> {
             k -> {
               KickTerm<S> term = kicks.get(k);
               double[] r = new double[term.rows()];
-              term.residuals(owns.get(k), state, r);
               all[k] = r;
+              if (!KickBlock.areFinite(owns.get(k))) {
+                costs[k] = Double.POSITIVE_INFINITY;
+                return;
+              }
+              term.residuals(owns.get(k), state, r);
               costs[k] =
                   problem.weights()[k] * KickBlock.dot(r, r)
                       + OwnPriors.cost(term, owns.get(k), means, scatters);
@@ -461,7 +470,7 @@ final class Descent<S> {
       }
       step = step(given);
     }
-    return step;
+    return step == null || !KickBlock.areFinite(step) ? null : step;
   }
 
   /** The same with the steps of some own parameters given. */

@@ -293,6 +293,16 @@ final class KickBlock {
     return e[i];
   }
 
+  /** Whether all are numbers: near what cannot be predicted derivatives may be none. */
+  static boolean areFinite(double[] x) {
+    for (double v : x) {
+      if (!Double.isFinite(v)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   static double dot(double[] x, double[] y) {
     double s0 = 0;
     double s1 = 0;

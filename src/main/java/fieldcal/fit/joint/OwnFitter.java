@@ -61,6 +61,9 @@ final class OwnFitter<S> {
         break;
       }
       double[] candidate = plus(own, step);
+      if (!KickBlock.areFinite(candidate)) {
+        break;
+      }
       term.clamp(candidate);
       term.residuals(candidate, state, next);
       double nextCost = cost(term, candidate, next);
@@ -144,6 +147,6 @@ final class OwnFitter<S> {
 
   /** By more than rounding; anything is less than what is impossible. */
   static boolean isLess(double a, double b) {
-    return a < b && (Double.isInfinite(b) || a < b - ROUNDING * Math.abs(b));
+    return Double.isFinite(b) ? a < b - ROUNDING * Math.abs(b) : Double.isFinite(a);
   }
 }

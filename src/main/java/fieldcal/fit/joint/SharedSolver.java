@@ -259,6 +259,11 @@ public final class SharedSolver {
       double[] sorted = reduced.clone();
       Arrays.sort(sorted);
       double limit = STUCK * Math.max(1, sorted[sorted.length / 2]);
+      boolean[] stuck = new boolean[reduced.length];
+      for (int k = 0; k < stuck.length; k++) {
+        // Also where nothing can be predicted.
+        stuck[k] = !(reduced[k] <= limit);
+      }
       OwnFitter<S> fitter = ownFitter();
       List<Optional<OwnFit<S>>> fits =
           descent.eachKick(
@@ -266,15 +271,14 @@ public final class SharedSolver {
                   kicks.get(k).neighbours().isEmpty()
                       ? Optional.empty()
                       : Optional.of(
-                          fitter.bestVariant(
-                              kicks.get(k), descent.own().get(k), reduced[k] > limit)));
+                          fitter.bestVariant(kicks.get(k), descent.own().get(k), stuck[k])));
       boolean changed = false;
       for (int k = 0; k < fits.size(); k++) {
         OwnFit<S> fit = fits.get(k).orElse(null);
-        if (fit != null && (fit.term() != kicks.get(k) || reduced[k] > limit)) {
+        if (fit != null && (fit.term() != kicks.get(k) || stuck[k])) {
           changed |=
               fit.term() != kicks.get(k)
-                  || fit.chiSquare() < IMPROVED * reduced[k] * fit.term().rows();
+                  || !(fit.chiSquare() >= IMPROVED * reduced[k] * fit.term().rows());
           descent.put(k, fit.term(), fit.own());
         }
       }
@@ -283,6 +287,9 @@ public final class SharedSolver {
 
     /** Takes the scatters to where the equations of this point put them; false when they were there already. */
     private boolean updateScatters() {
+      if (!Double.isFinite(descent.cost())) {
+        return false;
+      }
       double[] scatters = descent.scatters();
       double[] before = scatters.clone();
       boolean moves = true;

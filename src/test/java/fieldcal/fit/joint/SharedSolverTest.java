@@ -64,6 +64,32 @@ class SharedSolverTest {
     assertThat(s.toString()).contains("CONVERGED", "g2", "9 kicks");
   }
 
+  /** Of eight kicks the third begins where nothing can be predicted. */
+  private static SharedProblem<double[]> withABlindKick(List<ToyKick> kicks) {
+    SharedProblem<double[]> seen = ToyProblem.problem(kicks, globals(3), ToyProblem.noPriors(3));
+    List<KickTerm<double[]>> terms = new ArrayList<>(kicks);
+    terms.set(2, new BlindKick(kicks.get(2), 50));
+    List<double[]> starts = new ArrayList<>(seen.starts());
+    starts.set(2, new double[] {80, 0});
+    return new SharedProblem<>(
+        seen.model(), terms, starts, seen.globals(), seen.priors(), List.of(), seen.weights());
+  }
+
+  @Test
+  void whereNothingCanBePredictedNothingIsFitted() {
+    SharedSolution<double[]> s = SOLVER.solve(withABlindKick(kicks(8, 6)));
+    assertThat(s.stopReason()).isEqualTo(StopReason.SINGULAR);
+    assertThat(s.values()).containsOnly(0);
+  }
+
+  @Test
+  void aKickThatCannotBePredictedBeginsAgain() {
+    List<ToyKick> kicks = kicks(8, 6);
+    SharedSolution<double[]> s = SOLVER.settlingVariants().solve(withABlindKick(kicks));
+    assertThat(s.stopReason()).isEqualTo(StopReason.CONVERGED);
+    assertClose(s.values(), ToyProblem.dense(kicks, 3, new double[3]).globals(3), 1e-6);
+  }
+
   @Test
   void priorsCountLikeData() {
     List<ToyKick> kicks = kicks(5, 2);
