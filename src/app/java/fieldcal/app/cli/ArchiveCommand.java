@@ -70,7 +70,7 @@ final class ArchiveCommand implements Callable<Integer> {
                         "archive: needs Apache Spark, which is not part of this distribution;"
                             + " ./fieldcal archive in the source tree downloads it on first use"));
     ArchiveOutcome outcome;
-    try (ArchiveDisplay display = new ArchiveDisplay(spec.commandLine().getOut())) {
+    try (ArchiveDisplay display = new ArchiveDisplay(spec)) {
       outcome =
           engine.run(
               new ArchiveRequest(

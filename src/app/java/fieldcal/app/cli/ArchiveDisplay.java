@@ -2,9 +2,9 @@ package fieldcal.app.cli;
 
 import fieldcal.app.archive.ArchiveEngine;
 import fieldcal.app.archive.ArchiveProgress;
-import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.Locale;
+import picocli.CommandLine.Model.CommandSpec;
 
 /** How far an archive is: logs done, throughput, and the time that is left. */
 final class ArchiveDisplay implements ArchiveEngine.Progress, AutoCloseable {
@@ -12,9 +12,9 @@ final class ArchiveDisplay implements ArchiveEngine.Progress, AutoCloseable {
   private final TerminalProgress bar;
   private final long begin = System.nanoTime();
 
-  /** A bar on a terminal; otherwise a line now and then in the command's output. */
-  ArchiveDisplay(PrintWriter out) {
-    heartbeat = Heartbeat.in(out);
+  /** A bar on a terminal; otherwise a line now and then on the command's error stream. */
+  ArchiveDisplay(CommandSpec spec) {
+    heartbeat = Heartbeat.of(spec);
     bar = TerminalProgress.ofSteps("archive", " logs", heartbeat);
   }
 

@@ -147,8 +147,7 @@ final class CalibrateCommand implements Callable<Integer> {
     CalibrationSession session =
         new CalibrationSession(FitSettings.defaults().withSeed(seed), logOptions.opener());
     CalibrationOutcome outcome;
-    try (WorkProgress progress =
-        new WorkProgress(Heartbeat.in(spec.commandLine().getOut(), json))) {
+    try (WorkProgress progress = new WorkProgress(Heartbeat.of(spec))) {
       CollectedKicks data =
           new KickCollector(progress, logOptions.opener())
               .collect(request.logs())

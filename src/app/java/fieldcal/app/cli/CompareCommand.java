@@ -77,7 +77,7 @@ final class CompareCommand implements Callable<Integer> {
     List<CommandFile.Command> simTold =
         simCommands == null ? List.of() : CommandFile.read(simCommands);
     CompareSession.Outcome outcome;
-    Heartbeat heartbeat = Heartbeat.in(spec.commandLine().getOut(), json);
+    Heartbeat heartbeat = Heartbeat.of(spec);
     try (WorkProgress first = new WorkProgress(heartbeat);
         WorkProgress second = new WorkProgress(heartbeat)) {
       outcome =

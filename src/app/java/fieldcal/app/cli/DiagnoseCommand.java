@@ -92,8 +92,7 @@ final class DiagnoseCommand implements Callable<Integer> {
     DiagnosisSession session =
         new DiagnosisSession(FitSettings.defaults().withSeed(seed), maxCauses, logOptions.opener());
     DiagnosisOutcome outcome;
-    try (WorkProgress progress =
-        new WorkProgress(Heartbeat.in(spec.commandLine().getOut(), json))) {
+    try (WorkProgress progress = new WorkProgress(Heartbeat.of(spec))) {
       outcome = session.run(arguments.logs(), byHand, told, progress);
     }
     if (out != null) {

@@ -1,50 +1,44 @@
 package fieldcal.app.cli;
 
-import fieldcal.app.files.NamedOutput;
 import java.io.PrintWriter;
 import java.io.Writer;
-import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
+import picocli.CommandLine.Model.CommandSpec;
 
 /**
- * Says from time to time what long work is at, where nobody sees a progress bar. Progress on the error stream is for a terminal only, so a pipe or a
- * file gets a plain line in the output itself, as from {@code play} and {@code record}, and none from shorter work.
+ * Says from time to time what long work is at, where the error stream is no terminal and nobody sees a progress bar: a plain line on the error
+ * stream, and none from shorter work. The output has the result alone, whose first line is the verdict.
  */
 final class Heartbeat implements AutoCloseable {
   /** Chosen: well below the minutes after which silence looks like a hang, and above what most work takes. */
   static final long PERIOD_SECONDS = 30;
 
-  private final PrintWriter out;
+  private final PrintWriter err;
   private final LongSupplier nanoTime;
   private final long begin;
   private ScheduledExecutorService timer;
   private String what = "";
   private boolean closed;
 
-  /** Into a command's output, with a clock in ns. */
-  Heartbeat(PrintWriter out, LongSupplier nanoTime) {
-    this.out = out;
+  /** Onto a command's error stream, with a clock in ns. */
+  Heartbeat(PrintWriter err, LongSupplier nanoTime) {
+    this.err = err;
     this.nanoTime = nanoTime;
     begin = nanoTime.getAsLong();
   }
 
-  /** Into a command's output. */
-  static Heartbeat in(PrintWriter out) {
-    return new Heartbeat(out, System::nanoTime);
-  }
-
-  /** Into a command's output, unless that is where its JSON goes, which a program reads; {@code json} may be null. */
-  static Heartbeat in(PrintWriter out, Path json) {
-    return json != null && NamedOutput.isStandardOutput(json) ? none() : in(out);
+  /** Of a command, onto its error stream. */
+  static Heartbeat of(CommandSpec command) {
+    return new Heartbeat(command.commandLine().getErr(), System::nanoTime);
   }
 
   /** Nowhere. */
   static Heartbeat none() {
-    return in(new PrintWriter(Writer.nullWriter()));
+    return new Heartbeat(new PrintWriter(Writer.nullWriter()), System::nanoTime);
   }
 
   /** What is being done from now on. */
@@ -68,8 +62,8 @@ final class Heartbeat implements AutoCloseable {
       return;
     }
     long seconds = TimeUnit.NANOSECONDS.toSeconds(nanoTime.getAsLong() - begin);
-    out.println(String.format(Locale.ROOT, "%4d s  %s", seconds, what));
-    out.flush();
+    err.println(String.format(Locale.ROOT, "%4d s  %s", seconds, what));
+    err.flush();
   }
 
   @Override

@@ -35,7 +35,7 @@ final class InfoCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     RecordingInfo info;
     PrintWriter out = spec.commandLine().getOut();
-    try (Heartbeat heartbeat = json ? Heartbeat.none() : Heartbeat.in(out);
+    try (Heartbeat heartbeat = Heartbeat.of(spec);
         TerminalProgress progress = TerminalProgress.ofBytes("reading", heartbeat)) {
       info = RecordingInfo.of(log, logOptions.opener(), progress);
     }

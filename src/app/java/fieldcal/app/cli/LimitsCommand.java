@@ -46,7 +46,7 @@ final class LimitsCommand implements Callable<Integer> {
     LimitsSession session =
         new LimitsSession(Runtime.getRuntime().availableProcessors(), logOptions.opener());
     LimitsOutcome outcome;
-    try (Heartbeat heartbeat = Heartbeat.in(spec.commandLine().getOut(), json);
+    try (Heartbeat heartbeat = Heartbeat.of(spec);
         TerminalProgress bar = TerminalProgress.ofBytes("reading", heartbeat)) {
       outcome = session.run(logs, bar::at);
     }

@@ -273,7 +273,7 @@ final class PlayCommand implements Callable<Integer> {
     PlayText text = new PlayText(spec.commandLine().getOut());
     PlayRun.Result result;
     try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none());
-        WorkProgress fitting = new WorkProgress(Heartbeat.in(spec.commandLine().getOut()))) {
+        WorkProgress fitting = new WorkProgress(Heartbeat.of(spec))) {
       PlaySession session = new PlaySession(request, field, s -> follow(s, field, text, progress));
       PrintWriter err = spec.commandLine().getErr();
       Runnable cleanUp = () -> forgetUnlessKept(directory);

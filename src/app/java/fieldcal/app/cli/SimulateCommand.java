@@ -312,7 +312,7 @@ final class SimulateCommand implements Callable<Integer> {
     RecordingFiles files = RecordingFiles.besides(out);
     Truth truth;
     PrintWriter print = spec.commandLine().getOut();
-    try (Heartbeat heartbeat = Heartbeat.in(print);
+    try (Heartbeat heartbeat = Heartbeat.of(spec);
         TerminalProgress progress = TerminalProgress.ofPercent("simulating", heartbeat)) {
       truth = files.write(settings, share -> progress.at(Math.round(100 * share), 100));
     }

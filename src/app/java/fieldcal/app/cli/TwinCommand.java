@@ -71,7 +71,7 @@ final class TwinCommand implements Callable<Integer> {
     OutputPlaces.check(out, null);
     List<CommandFile.Command> told = commands == null ? List.of() : CommandFile.read(commands);
     TwinOutcome outcome;
-    try (WorkProgress progress = new WorkProgress(Heartbeat.in(spec.commandLine().getOut()))) {
+    try (WorkProgress progress = new WorkProgress(Heartbeat.of(spec))) {
       outcome =
           new TwinSession(FitSettings.defaults().withSeed(seed), logOptions.opener())
               .run(logs, told, out, progress);

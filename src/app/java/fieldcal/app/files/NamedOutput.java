@@ -47,16 +47,6 @@ public final class NamedOutput {
         || Files.exists(name) && !Files.isRegularFile(name) && !Files.isDirectory(name);
   }
 
-  /**
-   * Whether a name stands for this program's own standard output.
-   *
-   * @param name of a file, for example {@code /dev/stdout}
-   * @return true if so
-   */
-  public static boolean isStandardOutput(Path name) {
-    return own(name).filter(FileDescriptor.out::equals).isPresent();
-  }
-
   /** This program's own output or error stream, when the name stands for it. */
   private static Optional<FileDescriptor> own(Path name) {
     return switch (name.toAbsolutePath().normalize().toString()) {

@@ -7,8 +7,8 @@ import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
 
 /** What who reads a pipe sees of long work. */
 class HeartbeatTest {
@@ -51,23 +51,24 @@ class HeartbeatTest {
     assertThat(out.toString()).isEmpty();
   }
 
+  /** The output has the result alone: its first line is the verdict, and it may be JSON. */
   @Test
-  void jsonInTheOutputIsNotInterrupted() {
-    try (Heartbeat heartbeat = Heartbeat.in(new PrintWriter(out), Path.of("/dev/stdout"))) {
+  void theOutputOfACommandHasNoProgress() {
+    StringWriter err = new StringWriter();
+    CommandLine program = Main.commandLine();
+    program.setOut(new PrintWriter(out));
+    program.setErr(new PrintWriter(err));
+    try (Heartbeat heartbeat = Heartbeat.of(program.getCommandSpec())) {
       heartbeat.at("fitting, 1 of 20 kicks");
       heartbeat.tell();
     }
     assertThat(out.toString()).isEmpty();
-    try (Heartbeat heartbeat = Heartbeat.in(new PrintWriter(out), Path.of("out.json"))) {
-      heartbeat.at("fitting, 1 of 20 kicks");
-      heartbeat.tell();
-    }
-    assertThat(out.toString()).endsWith("fitting, 1 of 20 kicks" + System.lineSeparator());
+    assertThat(err.toString()).endsWith("fitting, 1 of 20 kicks" + System.lineSeparator());
   }
 
-  /** Progress on the error stream is for a terminal only. */
+  /** Bars are redrawn on a terminal only. */
   @Test
-  void theErrorStreamOfAPipeStaysEmpty() {
+  void aPipeGetsPlainLines() {
     ByteArrayOutputStream errors = new ByteArrayOutputStream();
     PrintStream before = System.err;
     System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
