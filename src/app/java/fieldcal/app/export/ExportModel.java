@@ -178,6 +178,20 @@ public record ExportModel(
     return ofBall(name, models, Optional.empty());
   }
 
+  /** What a file holds that says nothing of the ball: a twin's cameras, or the limits of robots. */
+  static ExportModel withoutBall(
+      Path file, Quantities quantities, List<RobotLimits> limits, List<String> sources) {
+    return new ExportModel(
+        file,
+        BallModels.NONE,
+        Optional.empty(),
+        false,
+        quantities,
+        List.of(),
+        limits,
+        new Provenance(sources, List.of(), Optional.empty()));
+  }
+
   private static ExportModel ofBall(
       Path file, BallModels models, Optional<ExtendedModel> extended) {
     Quantities quantities = Quantities.none();

@@ -2,16 +2,13 @@ package fieldcal.app.export;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import fieldcal.app.calibrate.InputException;
-import fieldcal.app.export.ExportModel.Provenance;
 import fieldcal.app.export.ExportModel.RobotLimits;
-import fieldcal.vision.BallModels;
 import fieldcal.vision.Team;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** Reads {@code limits.json}. */
 final class LimitsReader {
@@ -64,14 +61,6 @@ final class LimitsReader {
     }
     List<String> sources = new ArrayList<>();
     root.path("sources").forEach(source -> sources.add(source.asText()));
-    return new ExportModel(
-        file,
-        BallModels.NONE,
-        Optional.empty(),
-        false,
-        quantities,
-        List.of(),
-        teams,
-        new Provenance(sources, List.of(), Optional.empty()));
+    return ExportModel.withoutBall(file, quantities, teams, sources);
   }
 }

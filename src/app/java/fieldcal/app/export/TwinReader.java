@@ -1,14 +1,11 @@
 package fieldcal.app.export;
 
-import fieldcal.app.export.ExportModel.Provenance;
 import fieldcal.app.twin.Twin;
 import fieldcal.app.twin.TwinFile;
 import fieldcal.simulation.imaging.InstalledCamera;
-import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -33,15 +30,7 @@ final class TwinReader {
             .with(
                 "processing_time",
                 mean(cameras, c -> c.latency() + HALF_NORMAL_MEAN * c.latencySpread()));
-    return new ExportModel(
-        file,
-        BallModels.NONE,
-        Optional.empty(),
-        false,
-        quantities,
-        List.of(),
-        List.of(),
-        new Provenance(twin.sources(), List.of(), Optional.empty()));
+    return ExportModel.withoutBall(file, quantities, List.of(), twin.sources());
   }
 
   private static double mean(

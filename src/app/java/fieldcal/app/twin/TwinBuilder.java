@@ -134,13 +134,14 @@ final class TwinBuilder {
     if (model.chip().isEmpty()) {
       notes.add("No chip was recorded: bounces are usual values.");
     }
-    return BallPhysics.ofGolfBall(
-        flat.accSlide(),
-        roll,
-        flat.kSwitch(),
-        chip.dampingXyFirstHop(),
-        chip.dampingXyOtherHops(),
-        chip.dampingZ());
+    return BallPhysics.ideal(
+            flat.accSlide(),
+            roll,
+            flat.kSwitch(),
+            chip.dampingXyFirstHop(),
+            chip.dampingXyOtherHops(),
+            chip.dampingZ())
+        .withGolfBall();
   }
 
   private Map<String, Spin> scatters() {

@@ -49,7 +49,7 @@ public final class TwinFile {
   /**
    * Writes.
    *
-   * @param twin what to write; its physics must be {@link BallPhysics#ofGolfBall} with tabulated laws
+   * @param twin what to write; its physics must be {@link BallPhysics#withGolfBall} with tabulated laws
    * @param file where
    * @throws IOException when it cannot be written
    */
@@ -301,13 +301,14 @@ public final class TwinFile {
   private static BallPhysics ball(Fields f) throws InputException {
     return f.made(
         () ->
-            BallPhysics.ofGolfBall(
-                f.number("acc_slide"),
-                f.number("acc_roll"),
-                f.number("k_switch"),
-                f.number("damping_xy_first_hop"),
-                f.number("damping_xy_other_hops"),
-                f.number("damping_z")));
+            BallPhysics.ideal(
+                    f.number("acc_slide"),
+                    f.number("acc_roll"),
+                    f.number("k_switch"),
+                    f.number("damping_xy_first_hop"),
+                    f.number("damping_xy_other_hops"),
+                    f.number("damping_z"))
+                .withGolfBall());
   }
 
   private static EffectSetting cause(Fields f) throws InputException {

@@ -73,30 +73,6 @@ public record BallPhysics(
   }
 
   /**
-   * As {@link #ideal}, but of a solid golf ball, which the carpet lets roll earlier or later than its own inertia does. The extended model of a diagnosis has the same ball: wherever something else than the carpet's friction turns it (an impact, a
-   * slope under a rolling ball), its inertia is that of a golf ball.
-   *
-   * @param accSlide acceleration while sliding, m/s², negative
-   * @param accRoll acceleration while rolling, m/s², negative
-   * @param kSwitch speed at which rolling begins over the kick speed, 0 … 1
-   * @param dampingXyFirstHop e_xy1 (–)
-   * @param dampingXyOtherHops e_xy (–)
-   * @param dampingZ e_z (–)
-   * @return the laws
-   * @throws IllegalArgumentException when a value is out of range
-   */
-  public static BallPhysics ofGolfBall(
-      double accSlide,
-      double accRoll,
-      double kSwitch,
-      double dampingXyFirstHop,
-      double dampingXyOtherHops,
-      double dampingZ) {
-    return ideal(accSlide, accRoll, kSwitch, dampingXyFirstHop, dampingXyOtherHops, dampingZ)
-        .withBall(Ball.GOLF_BALL.withKSwitch(kSwitch));
-  }
-
-  /**
    * A solid golf ball whose bounces are contacts with friction.
    *
    * @param slidingFriction μ (–)
@@ -123,6 +99,18 @@ public record BallPhysics(
    */
   public BallPhysics withBall(Ball newBall) {
     return new BallPhysics(newBall, ground, impact, air, extras, seams);
+  }
+
+  /**
+   * The same laws of a solid golf ball, which the carpet lets roll as early or as late as it rolls now, earlier or later than its own inertia does. The extended model of a diagnosis has the same ball: wherever something else than the carpet's
+   * friction turns it (an impact, a slope under a rolling ball), its inertia is that of a golf ball.
+   *
+   * @return the changed laws
+   */
+  public BallPhysics withGolfBall() {
+    Ball golf = Ball.GOLF_BALL;
+    return withBall(
+        new Ball(golf.mass(), golf.radius(), golf.inertiaFactor(), ball.slidingInertiaFactor()));
   }
 
   /**
