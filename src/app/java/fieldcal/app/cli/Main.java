@@ -122,7 +122,9 @@ public final class Main {
     CommandLine command = exception.getCommandLine();
     PrintWriter err = command.getErr();
     err.println("fieldcal: " + words(exception));
-    UnmatchedArgumentException.printSuggestions(exception, err);
+    if (exception instanceof UnmatchedArgumentException unmatched) {
+      UsageWords.guess(unmatched.getSuggestions()).ifPresent(err::println);
+    }
     err.println("Try '" + command.getCommandSpec().qualifiedName() + " --help' for the options.");
     err.flush();
     return command.getCommandSpec().exitCodeOnInvalidInput();

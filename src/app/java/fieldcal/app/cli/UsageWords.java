@@ -3,13 +3,14 @@ package fieldcal.app.cli;
 import fieldcal.app.wording.WordList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** What the parser of the command line says about bad usage, in the words of the other errors. Thread safe. */
 final class UsageWords {
   private static final Pattern MISSING =
-      Pattern.compile("Missing required (?:options?|parameters?): (.*)");
+      Pattern.compile("Missing required (?:options?(?: and parameters?)?|parameters?): (.*)");
 
   private static final Pattern ONE_OF =
       Pattern.compile("Missing required argument \\(specify one of these\\): \\((.*)\\)");
@@ -77,6 +78,11 @@ final class UsageWords {
     return text.replace("Missing required subcommand", "name a command")
         .replaceFirst("is not an? (int|long)$", "is not a whole number")
         .replaceFirst("is not a double$", "is not a number");
+  }
+
+  /** What somebody may have meant: the nearest of the parser's guesses, which begin with it and go on to names that have little in common with what was typed. */
+  static Optional<String> guess(List<String> nearestFirst) {
+    return nearestFirst.stream().findFirst().map(name -> "Did you mean '" + name + "'?");
   }
 
   /** {@code '--kind=flat|chip', '--kicks=N'} as a user types them. */

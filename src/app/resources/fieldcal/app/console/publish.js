@@ -101,7 +101,7 @@ export function publishPage(app) {
     renew($('sending'), [running, to, failure, text === state().model.text], () => running ? [el('p', {class: 'bar'}, Frame.badge('good', '● sending'), (text === state().model.text ? 'This model' : 'An earlier model') + ' is sent to ' + to + (everySeconds === 1 ? ' every second' : ' every ' + everySeconds + ' s') + ', as vision repeats it, until you stop it or the console ends.', button('Stop sending', () => app.run('publish/end'), {id: 'send-end'}))]
       : failure ? [el('p', {class: 'notice bad'}, 'Sending stopped: ' + failure)] : []);
     const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text'}, p.format), el('td', {class: 'text', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
-    $('published').replaceChildren(rows.length ? el('table', {}, el('thead', {}, el('tr', {}, ['Sent (UTC)', 'To', 'As', 'What'].map(h => el('th', {scope: 'col', class: 'text'}, h)))), el('tbody', {}, rows)) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
+    $('published').replaceChildren(rows.length ? table(['Sent (UTC)', 'To', 'As', 'What'].map(head => [head, true]), rows) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
   }
 
   const missing = () => !state().model.flat ? 'Only the chip model is complete; the flat one is not sent.' : !state().model.chip ? 'Only the flat model is complete; the chip one is not sent.' : '';

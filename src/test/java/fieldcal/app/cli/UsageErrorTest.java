@@ -51,9 +51,23 @@ class UsageErrorTest {
   void aMisspeltCommandIsGuessed() {
     assertThat(run("calibrat", "x.log")).isEqualTo(2);
     assertThat(err.toString())
-        .startsWith("fieldcal: there is no command 'calibrat'")
-        .contains("calibrate")
+        .startsWith(
+            """
+            fieldcal: there is no command 'calibrat'
+            Did you mean 'calibrate'?
+            """)
         .contains("fieldcal --help");
+  }
+
+  @Test
+  void aMisspeltOptionIsGuessed() {
+    assertThat(run("calibrate", "--kinds=flat", "x.log")).isEqualTo(2);
+    assertThat(err.toString())
+        .startsWith(
+            """
+            fieldcal: there is no option '--kinds=flat'
+            Did you mean '--kind'?
+            """);
   }
 
   @Test
@@ -67,6 +81,7 @@ class UsageErrorTest {
       strings = {
         "calibrate | LOG is missing",
         "record | --out FILE is missing",
+        "twin | --out DIR and LOG are missing",
         "play | --kind flat|chip and --kicks N are missing",
         "simulate --scenario flat | --out FILE is missing",
         "simulate --serve --out x.log | --serve writes no recording: leave out --out",

@@ -3,6 +3,8 @@ package fieldcal.app.console;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -142,6 +144,23 @@ class LayoutTest {
     browser.open(console.url() + "files/report.html");
     browser.find("#kick-charts canvas");
     assertWhole("report");
+    browser.assertNoComplaints();
+  }
+
+  @Test
+  void whatWasSentIsWholeOnAPhone() throws IOException {
+    browser.resize(390, 844);
+    browser.open(console.url() + "#publish");
+    try (DatagramSocket team = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      browser.type("#send-address", "127.0.0.1");
+      browser.type("#send-port", Integer.toString(team.getLocalPort()));
+      browser.click("#send-button");
+      browser.click("#confirm");
+      browser.awaitText("#published", "this model");
+      assertWhole("what was sent");
+      browser.click("#send-end");
+      browser.awaitGone("#send-end");
+    }
     browser.assertNoComplaints();
   }
 
