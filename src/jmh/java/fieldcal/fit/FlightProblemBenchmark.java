@@ -18,7 +18,7 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * The fit's inner loop, per observation, robust and plain. With {@code -prof gc}: the path is made anew for each evaluation (about a
+ * The fit's inner loop, per observation, robust and plain. With {@code -prof gc}: the path is made again for each evaluation (about a
  * kilobyte), the observations allocate nothing.
  */
 @State(Scope.Thread)

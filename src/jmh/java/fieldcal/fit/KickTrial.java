@@ -22,7 +22,7 @@ record KickTrial(KickFit fit, double[] errors, double[] pulls) {
   /** A fit whose residuals are so much above the noise explains something else. */
   private static final double WORST_RESIDUAL = 1.2;
 
-  /** A parameter that many bounds off has been found in another valley. */
+  /** A parameter that many bounds off has been found in another local minimum. */
   private static final double MOST_BOUNDS = 6;
 
   /** Draws, fits and judges; the same kicks for the same seed, however many threads there are. */

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 
 /**
- * How often the search ends in a wrong valley, from published parameters that are 15 % off: residuals above 1.2 of the noise, a
+ * How often the search ends in a wrong local minimum, from published parameters that are 15 % off: residuals above 1.2 of the noise, a
  * parameter more than 6 bounds off, or no fit at all.
  */
 public final class WrongMinima {

@@ -65,7 +65,7 @@ class ParameterTrackTest {
     assertThat(cleared).isEqualTo(1);
   }
 
-  /** A sample of a ball that rolls as on the carpets of 2026, at a speed drawn anew; {@code factor} times as much. */
+  /** A sample of a ball that rolls as on the carpets of 2026, at a new speed; {@code factor} times as much. */
   private void addAtAnySpeed(ParameterTrack track, double factor) {
     double speed = 1 + 2.2 * random.nextDouble();
     double value = -factor * (0.23 + 0.019 * speed * speed) * (1 + 0.02 * random.nextGaussian());

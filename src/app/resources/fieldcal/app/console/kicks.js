@@ -188,7 +188,7 @@ export function kicksPage(app) {
 
   const points = new WeakMap();
 
-  /** The circle around the selected kick lies over the picture, which need not be drawn anew for it. */
+  /** The circle around the selected kick lies over the picture, which need not be drawn again for it. */
   function circle(box) {
     const point = (points.get(box) || []).find(item => item.kick === view.selected);
     const old = box.querySelector('.ring');
@@ -294,7 +294,7 @@ export function kicksPage(app) {
   /** The marked kicks of the same kind, whose lines are drawn beside those of the selected one; of many the first: more could not be told apart. */
   const besides = kick => [...view.marks].filter(id => id !== kick.id && kickOf(id).kind === kick.kind).sort((a, b) => a - b).slice(0, MOST_BESIDE);
 
-  /** What was seen of a kick, asked for once as long as it is not fitted anew. */
+  /** What was seen of a kick, asked for once as long as it is not fitted again. */
   function detailOf(id) {
     const known = view.details;
     if (!known.has(id)) {

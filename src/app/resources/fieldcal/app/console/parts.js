@@ -10,7 +10,7 @@ export function button(label, press, {key, title, disabled, id, pressed, strong}
   }, label);
 }
 
-/** Shows a question; resolves to true when it is confirmed. Who asked has the focus again afterwards, also when the page drew that button anew meanwhile. */
+/** Shows a question; resolves to true when it is confirmed. Who asked has the focus again afterwards, also when the page drew that button again meanwhile. */
 export function confirmed(title, contents, yes) {
   const dialog = document.getElementById('dialog');
   const asked = document.activeElement, near = asked && asked.closest('section');

@@ -40,7 +40,7 @@ export const act = (what, body = {}) => answer(fetch('/api/' + what, {
 
 /**
  * Hears of changes for ever: told(name, data) for each event, link(connected) when the connection comes or goes. A connection that is silent is given up and
- * made anew: a laptop that slept does not notice otherwise.
+ * made again: a laptop that slept does not notice otherwise.
  */
 export function listen(told, link) {
   let source = null, heard = 0, connected = null;

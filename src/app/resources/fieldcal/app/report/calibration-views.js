@@ -195,7 +195,7 @@ const CalibrationViews = (() => {
       ...(beside.length ? [el('span', {class: 'beside'}, swatch('line', theme.warn), 'marked: ' + beside.map(one => one.id).join(', '))] : [])];
   }
 
-  /** Places for a kick's pictures; made anew only when another sort of kick has others. */
+  /** Places for a kick's pictures; made again only when another sort of kick has others. */
   function layOutKick(box, kick) {
     const fitted = kick.fitted.t.length > 0;
     const layout = kick.kind + (fitted ? '' : ' without fit');

@@ -172,7 +172,7 @@ final class Browser implements AutoCloseable {
   }
 
   String text(String css) {
-    // In one step: the page may draw an element anew between finding and reading it.
+    // In one step: the page may draw an element again between finding and reading it.
     return await(css + " is read", d -> d.findElement(By.cssSelector(css)).getText());
   }
 

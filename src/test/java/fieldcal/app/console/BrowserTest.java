@@ -421,7 +421,7 @@ class BrowserTest {
     }
   }
 
-  /** What a question was asked from may be drawn anew while it is answered; the keyboard goes on there all the same. */
+  /** What a question was asked from may be drawn again while it is answered; the keyboard goes on there all the same. */
   @Test
   void aQuestionGivesTheFocusBack() throws IOException {
     Path session = folder.resolve("question");
