@@ -141,8 +141,8 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--kicks",
       paramLabel = "N",
       description =
-          "number of kicks (default: 24); a match ends after N kicks of both teams, without N after"
-              + " its minutes")
+          "number of kicks (default: 24); a match ends after N kicks of both teams or after"
+              + " --minutes, whichever comes first")
   private Integer kicks;
 
   @Option(
@@ -244,8 +244,8 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--minutes",
       paramLabel = "M",
       description =
-          "length of a match, at most that with --kicks (default: 2 min; with --kicks half a minute"
-              + " per kick, not less than 2 min)")
+          "how long a match lasts at most (default: 2 min, or with --kicks half a minute per kick"
+              + " where that is longer)")
   private Double minutes;
 
   @Option(

@@ -99,8 +99,8 @@ final class CarryingCost {
     }
     if (!priced.isEmpty() && !model.beside()) {
       sentences.add(
-          "These parameters hold together with what is not carried. A program that knows them"
-              + " alone predicts better with those of calibrate without --model.");
+          "These parameters are valid only together with what is not carried. A program that reads"
+              + " them alone predicts better with the parameters of calibrate without --model.");
     }
     priced.sort(Map.Entry.<Double, String>comparingByKey().reversed());
     List<String> all =

@@ -189,7 +189,7 @@ public final class ProcessorHost {
         throw new InputException(
             url
                 + ": uses the new values, but did not save them: somebody changed its file on disk."
-                + " Decide in its page which of the two holds.");
+                + " Decide on its page which of the two is right.");
       }
     }
     return Optional.of(accepted(response));

@@ -47,8 +47,8 @@ final class RobotCost {
       RobotLimits limits, String effect, double coefficient, String where, double metres) {
     return String.format(
         Locale.ROOT,
-        "Not carried: %s (coefficient %.2f) of %s. A robot that drives off %s with the exported"
-            + " limits comes %.0f mm too far in 1 s.",
+        "Not carried: %s (coefficient %.2f) of %s. With the exported limits, a robot that"
+            + " sets off %s comes %.0f mm too far in 1 s.",
         effect,
         coefficient,
         limits.team(),

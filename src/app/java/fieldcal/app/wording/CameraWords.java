@@ -133,7 +133,7 @@ final class CameraWords {
     String where = parts.isEmpty() ? "slightly off" : String.join(", ", parts);
     OptionalDouble hangs = shifts.height(camera());
     double off = Math.hypot(x, y) * HOP / (hangs.orElse(Double.NaN) - HOP);
-    String far = off > 0 ? text("%s mm off from there", Amount.of(off)) : "in the wrong place";
+    String far = off > 0 ? text("%s mm off", Amount.of(off)) : "wrongly";
     return new Sentences(
         text(
             "The position that vision publishes for %s is %s.",
@@ -141,7 +141,7 @@ final class CameraWords {
             where),
         text(
             "Balls on the carpet are reported where they are. A program that uses the position to"
-                + " find a ball that flies %s m high finds it %s.",
+                + " locate a ball that flies %s m high places it %s.",
             Amount.decimals(HOP, 1), far),
         CALIBRATE_POSITION + " Until then, predict chips with the extended model.",
         CALIBRATE_POSITION);

@@ -47,7 +47,7 @@ final class CarpetWords extends MotionText {
     return Sentences.extended(
         text(
             "The carpet has a direction: balls that roll %s are braked %s %% more than on average,"
-                + " those that roll the other way as much less.",
+                + " and balls that roll the other way are braked less by as much.",
             FieldWords.direction(against), Amount.of(100 * Math.abs(amplitude))),
         slow.isEmpty()
             ? ""

@@ -102,8 +102,8 @@ public final class CauseWords {
     CauseText proven = of(finding.effect(), Map.of());
     String what =
         text(
-            "%s It differs by ± %s %% from kick to kick. This is not proven: the ball and the"
-                + " carpet may be what is not as the model says.",
+            "%s It differs by ± %s %% from kick to kick. This is not proven: the ball or the"
+                + " carpet may be what differs from the model.",
             proven.what(), MotionText.percent(finding.scatter()));
     return new CauseText(proven.name(), what, "", "", proven.strength());
   }

@@ -206,8 +206,8 @@ public final class LearnedWords {
   /** Where no single value of a curve is certain and all of them together are. */
   private static String uncertain(LearnedTerm term) {
     return Sentences.begin(name(term))
-        + ": held-out kicks show that there is some, but not in which way; every value of the curve"
-        + " is within two standard errors of zero.";
+        + ": held-out kicks show that there is some, but not what it looks like; every value of the"
+        + " curve is within two standard errors of zero.";
   }
 
   private static String advice(LearnedTerm term, boolean extendedHelps) {

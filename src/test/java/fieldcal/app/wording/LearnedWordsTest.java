@@ -153,8 +153,9 @@ class LearnedWordsTest {
     assertThat(strength).isEqualTo("deceleration: its errors are too large for a formula");
     assertThat(LearnedWords.of(braking, List.of(curve), true, true).what())
         .isEqualTo(
-            "Braking that depends on the speed: held-out kicks show that there is some, but not in"
-                + " which way; every value of the curve is within two standard errors of zero.");
+            "Braking that depends on the speed: held-out kicks show that there is some, but not"
+                + " what it looks like; every value of the curve is within two standard errors of"
+                + " zero.");
   }
 
   /** Its shape may be that of anything else that is left. */

@@ -100,7 +100,7 @@
     const titles = [
       ...(laws.length ? ['A law that replaces a law of the simple model'] : []),
       ...(helping.length ? ['What helps without a proven cause'] : [])];
-    $('learned-title').textContent = titles.join('; ') || 'In the extended model, without a gain that is shown';
+    $('learned-title').textContent = titles.join('; ') || 'In the extended model, but held-out kicks do not show that it helps';
     [...laws, ...helping, ...others].forEach(finding => learnedItem(box, finding));
   }
 
