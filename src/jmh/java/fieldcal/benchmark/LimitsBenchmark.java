@@ -67,15 +67,17 @@ final class LimitsBenchmark {
         Locale.ROOT,
         "%d-minute matches; own estimate (error), league's (error)%n",
         settings.minutes());
+    int block = 0;
     for (double noise : NOISES) {
       for (int size : SIZES) {
         out.printf(Locale.ROOT, "%n%.1f mm, %d against %d%n", 1000 * noise, size, size);
         for (int i = 0; i < UNIFORM.length; i += 2) {
-          match(noise, size, limits(UNIFORM[i]), limits(UNIFORM[i + 1]), i);
+          match(noise, size, limits(UNIFORM[i]), limits(UNIFORM[i + 1]), block + i);
         }
         for (int i = 0; i < ODD.length; i += 2) {
-          match(noise, size, limits(ODD[i]), limits(ODD[i + 1]), 100 + i);
+          match(noise, size, limits(ODD[i]), limits(ODD[i + 1]), block + 100 + i);
         }
+        block += UNIFORM.length; // each match has cameras of its own
       }
     }
     summary();

@@ -12,10 +12,12 @@ import java.util.Arrays;
  * @param value the mean of what lies there, in the unit of the values
  * @param error its standard error from the errors of the manoeuvres
  * @param scatter how much the manoeuvres there differ beyond their errors, for example since robots do
+ * @param noise the mean error of the manoeuvres there
  * @param mass how many manoeuvres lie there
  * @param share of all that were well measured
  */
-record UpperEdge(double value, double error, double scatter, double mass, double share) {
+record UpperEdge(
+    double value, double error, double scatter, double noise, double mass, double share) {
   /** Distance of the grid's values, in parts: a quarter of the error of a well measured manoeuvre. */
   private static final double STEP = 0.004;
 
@@ -91,7 +93,7 @@ record UpperEdge(double value, double error, double scatter, double mass, double
   /** The same where it is not known whether a higher value is the limit: the error covers both. */
   private UpperEdge orUpTo(double higher) {
     double open = 0.5 * Math.max(0, higher - value);
-    return new UpperEdge(value, Math.hypot(error, open), scatter, mass, share);
+    return new UpperEdge(value, Math.hypot(error, open), scatter, noise, mass, share);
   }
 
   /** The distribution, and the edge of it. */
@@ -242,6 +244,8 @@ record UpperEdge(double value, double error, double scatter, double mass, double
       }
       double weights = 0;
       double squares = 0;
+      double inWindow = 0;
+      double errors = 0;
       for (int i = 0; i < value.length; i++) {
         double inside = 0;
         for (int j = Math.max(from, first[i]);
@@ -249,13 +253,21 @@ record UpperEdge(double value, double error, double scatter, double mass, double
             j++) {
           inside += likelihood[i][j - first[i]] * mass[j];
         }
-        double weight = inside / expected(i) / (error[i] * error[i] + variance);
+        double probability = inside / expected(i);
+        inWindow += count[i] * probability;
+        errors += count[i] * probability * error[i];
+        double weight = probability / (error[i] * error[i] + variance);
         double off = value[i] - mean;
         weights += count[i] * weight;
         squares += count[i] * weight * weight * off * off;
       }
       return new UpperEdge(
-          mean, Math.sqrt(squares) / weights, Math.sqrt(variance), there, there / total);
+          mean,
+          Math.sqrt(squares) / weights,
+          Math.sqrt(variance),
+          errors / inWindow,
+          there,
+          there / total);
     }
   }
 }

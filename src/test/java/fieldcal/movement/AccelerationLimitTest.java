@@ -61,6 +61,28 @@ class AccelerationLimitTest {
     assertThat(covered).isBetween(85, 100);
   }
 
+  /** Short manoeuvres in much noise lean to one side together, by a part of their own errors: many of them do not average that out. */
+  @Test
+  void theErrorGrowsWithThatOfTheManoeuvres() {
+    assertThat(errorPart(0.002)).isBetween(0.006, 0.0065);
+    assertThat(errorPart(0.012)).isBetween(0.006, 0.0065);
+    assertThat(errorPart(0.025)).isBetween(0.009, 0.012);
+  }
+
+  /** The standard error of a limit that 2000 manoeuvres of that error show, both in parts of the limit. */
+  private static double errorPart(double ofManoeuvres) {
+    Random random = new Random(13);
+    ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.DRIVING);
+    for (int i = 0; i < 2000; i++) {
+      double error = 4 * ofManoeuvres;
+      table.add(4 + error * random.nextGaussian(), error, 1.5, 0);
+    }
+    LimitEstimate e =
+        new AccelerationLimit(table, AccelerationLimit.Kind.BRAKING, SPEED, 16).estimate();
+    assertThat(e.value()).isEqualTo(4, within(0.02));
+    return e.standardError() / e.value();
+  }
+
   /** A controller that plans with a part of what the robots can do, and uses all of it only when it is surprised. */
   @ParameterizedTest
   @ValueSource(doubles = {0.8, 0.85, 0.9, 0.94})
