@@ -80,7 +80,7 @@ final class UsageWords {
         .replaceFirst("is not a double$", "is not a number");
   }
 
-  /** What somebody may have meant: the nearest of the parser's guesses, which begin with it and go on to names that have little in common with what was typed. */
+  /** What somebody may have meant. The first of the parser's guesses is the nearest; the others have little in common with what was typed. */
   static Optional<String> guess(List<String> nearestFirst) {
     return nearestFirst.stream().findFirst().map(name -> "Did you mean '" + name + "'?");
   }
