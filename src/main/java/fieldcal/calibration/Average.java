@@ -1,8 +1,10 @@
 package fieldcal.calibration;
 
+import fieldcal.fit.Agreement;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.RobustCentre;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Weighted mean of samples of unequal precision, with its standard error.
@@ -63,9 +65,7 @@ public record Average(double mean, double standardError, double scatter, int n) 
    */
   public static Average of(List<Sample> samples) {
     List<Sample> used = samples.stream().filter(s -> s.dropped().isEmpty()).toList();
-    return of(
-        used.stream().mapToDouble(Sample::value).toArray(),
-        used.stream().mapToDouble(Sample::standardError).toArray());
+    return of(values(used), errors(used));
   }
 
   private static double weightedMean(double[] values, double[] weights) {
@@ -104,18 +104,49 @@ public record Average(double mean, double standardError, double scatter, int n) 
   /**
    * The same, robust against samples that come from two sides ({@link RobustCentre}).
    *
-   * @param samples from which it was averaged
-   * @return this average, or the median with a larger standard error
+   * @param samples from which it was averaged, and those that were not
+   * @return this average, or another with a larger standard error
    */
   public Average robust(List<Sample> samples) {
     List<Sample> used = samples.stream().filter(s -> s.dropped().isEmpty()).toList();
     RobustCentre centre =
         RobustCentre.of(
-            used.stream().mapToDouble(Sample::value).toArray(),
-            used.stream().mapToDouble(s -> Math.hypot(s.standardError(), scatter)).toArray(),
-            mean,
-            standardError);
+            values(used), errors(used), scatter, mean, standardError, agreement(samples));
     return new Average(centre.value(), centre.standardError(), scatter, n);
+  }
+
+  /**
+   * On what several samples agree beside others that scatter. Those that the 2σ rule excludes count, too: which side they are on would be hidden otherwise.
+   *
+   * @param samples of one parameter
+   * @return empty where they scatter about one mean
+   */
+  public static Optional<Agreement> agreement(List<Sample> samples) {
+    List<Sample> spread = spread(samples);
+    return Agreement.of(values(spread), errors(spread));
+  }
+
+  /**
+   * The average of a parameter: weighted, robust, with an error that covers what the 2σ rule excludes.
+   *
+   * @param samples that the 2σ rule has judged
+   * @return their average
+   */
+  public static Average judged(List<Sample> samples) {
+    return of(samples).robust(samples).widened(spread(samples));
+  }
+
+  /** The samples that are used and those that were excluded for their value; not those of kicks that are not trusted. */
+  private static List<Sample> spread(List<Sample> samples) {
+    return samples.stream().filter(s -> s.dropped().isEmpty() || s.leftForItsValue()).toList();
+  }
+
+  private static double[] values(List<Sample> samples) {
+    return samples.stream().mapToDouble(Sample::value).toArray();
+  }
+
+  private static double[] errors(List<Sample> samples) {
+    return samples.stream().mapToDouble(Sample::standardError).toArray();
   }
 
   /**

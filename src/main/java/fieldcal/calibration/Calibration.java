@@ -6,6 +6,7 @@ import fieldcal.fit.CameraViews;
 import fieldcal.fit.JointFit;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -98,6 +99,45 @@ public record Calibration(
   public Optional<ChipModel> chipModel(double accRoll) {
     double[] v = means(chip, "dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
     return v == null ? Optional.empty() : Optional.of(new ChipModel(v[0], v[1], v[2], accRoll));
+  }
+
+  /**
+   * How well a parameter is known whichever kick is left out: the largest standard error of its average, of all kicks or of all but one, relative to that average. What few kicks show of a scatter is itself uncertain, and who stops as soon as
+   * the error is small stops where it is small by chance, which one kick more or less betrays.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @return 0 or more; infinite where two kicks or fewer determine it
+   */
+  public double leastPrecision(KickKind kind, String parameter) {
+    List<Sample> samples =
+        kicks(kind).stream()
+            .flatMap(k -> k.samples().stream())
+            .filter(s -> s.parameter().equals(parameter))
+            .map(s -> s.leftForItsValue() ? s.taken() : s)
+            .filter(s -> s.dropped().isEmpty())
+            .toList();
+    return leastPrecision(samples);
+  }
+
+  static double leastPrecision(List<Sample> samples) {
+    if (samples.size() < 3) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double worst = relative(samples);
+    for (int left = 0; left < samples.size(); left++) {
+      List<Sample> others = new ArrayList<>(samples);
+      others.remove(left);
+      worst = Math.max(worst, relative(others));
+    }
+    return worst;
+  }
+
+  private static double relative(List<Sample> samples) {
+    Average average = Average.judged(TwoSigma.repeated(samples));
+    return average.n() < 2
+        ? Double.POSITIVE_INFINITY
+        : average.standardError() / Math.abs(average.mean());
   }
 
   private static double[] means(Map<String, Average> averages, String... names) {

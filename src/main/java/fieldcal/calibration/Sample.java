@@ -37,6 +37,15 @@ public record Sample(
   }
 
   /**
+   * The same sample, used.
+   *
+   * @return the changed copy
+   */
+  Sample taken() {
+    return new Sample(kickId, parameter, value, standardError, Optional.empty());
+  }
+
+  /**
    * The same sample, not used.
    *
    * @param reason for people

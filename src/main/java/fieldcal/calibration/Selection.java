@@ -160,13 +160,8 @@ final class Selection {
               .flatMap(k -> k.samples().stream())
               .filter(s -> s.parameter().equals(name))
               .toList();
-      averages.put(name, Average.of(samples).robust(samples).widened(spread(samples)));
+      averages.put(name, Average.judged(samples));
     }
     return averages;
-  }
-
-  /** The samples that are used and those that were excluded for their value; not those of kicks that are not trusted. */
-  private static List<Sample> spread(List<Sample> samples) {
-    return samples.stream().filter(s -> s.dropped().isEmpty() || s.leftForItsValue()).toList();
   }
 }

@@ -193,11 +193,15 @@ public final class JointFitter {
     private RobustCentre centre(SharedSolution<double[]> solution, int parameter, double error) {
       double scatter = solution.scatters()[randomOf(parameter)];
       List<Estimate> known = known(parameter);
+      double[] values = known.stream().mapToDouble(Estimate::value).toArray();
+      double[] errors = known.stream().mapToDouble(Estimate::standardError).toArray();
       return RobustCentre.of(
-          known.stream().mapToDouble(Estimate::value).toArray(),
-          known.stream().mapToDouble(e -> Math.hypot(e.standardError(), scatter)).toArray(),
+          values,
+          errors,
+          scatter,
           solution.globals().get(parameter).value(),
-          error);
+          error,
+          Agreement.of(values, errors));
     }
 
     private static double squares(List<Estimate> known, double scatter) {

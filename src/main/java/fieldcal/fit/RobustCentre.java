@@ -2,11 +2,16 @@ package fieldcal.fit;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * A mean, or the median where the samples come from two sides: kicks with and without spin, for example. Where the mean lies farther from the weighted median than nineteen in twenty symmetric scatters bring it, the median is taken,
- * with an error that covers both, since it is not known which side is meant.
+ * The centre of samples that may come from two sides: kicks with and without spin, for example. The value of the model then means one of two things, and nobody knows which: what the kicks have on average, or what most of them stand for
+ * and the others are drawn away from. So the error covers both readings.
+ *
+ * <p>The second reading is the value on which several kicks agree within their own errors while the others scatter ({@link Agreement}), however many they are. Without such kicks it is the weighted median, where the mean
+ * lies farther from it than nineteen in twenty symmetric scatters bring it. The value is that of most samples: the mean where less than half of them agree.
  *
  * @param value of the parameter, in its unit
  * @param standardError in the same unit
@@ -18,30 +23,48 @@ public record RobustCentre(double value, double standardError) {
   /** Mean and median of Gaussian samples differ by √(π/2 − 1) = 0.756 standard errors; one in twenty by 1.96 times that: the median costs little. */
   private static final double SKEWED = 1.96 * 0.756;
 
-  /** Fewer samples do not show two sides. */
-  private static final int FEWEST = 6;
-
   /**
    * The centre of samples whose mean is known.
    *
    * @param values the samples
-   * @param spreads what is expected of each: its own error and the scatter, standard deviations, positive; same length
+   * @param errors their standard errors, positive; same length
+   * @param scatter what differs between samples beyond their errors, standard deviation
    * @param mean of the samples
    * @param standardError of the mean; NaN or 0 when it is not known
-   * @return the mean, or the median with a larger error
+   * @param agreement on which several of them, and of samples that were excluded as too far from the mean, agree
+   * @return the mean, or another value, or the mean with a larger error
    */
   public static RobustCentre of(
-      double[] values, double[] spreads, double mean, double standardError) {
+      double[] values,
+      double[] errors,
+      double scatter,
+      double mean,
+      double standardError,
+      Optional<Agreement> agreement) {
     RobustCentre asItIs = new RobustCentre(mean, standardError);
-    if (values.length < FEWEST || !(standardError > 0)) {
+    if (values.length < Agreement.FEWEST || !(standardError > 0)) {
       return asItIs;
     }
+    double[] spreads = DoubleStream.of(errors).map(e -> Math.hypot(e, scatter)).toArray();
     double median = weightedMedian(values, spreads);
-    double apart = mean - median;
-    if (Math.abs(apart) < SKEWED * standardError) {
-      return asItIs;
+    double medianError = Math.sqrt(MEDIAN_VARIANCE) * standardError;
+    if (agreement.isPresent()) {
+      return between(agreement.get(), asItIs, medianError);
     }
-    return new RobustCentre(median, Math.hypot(Math.sqrt(MEDIAN_VARIANCE) * standardError, apart));
+    double apart = mean - median;
+    return Math.abs(apart) < SKEWED * standardError
+        ? asItIs
+        : new RobustCentre(median, Math.hypot(medianError, apart));
+  }
+
+  /** Two standard errors reach a group of others that agree among themselves, one reaches the mean of all. */
+  private static RobustCentre between(Agreement agreed, RobustCentre mean, double medianError) {
+    double apart = Math.abs(mean.value() - agreed.value());
+    if (agreed.share() < 0.5) {
+      return new RobustCentre(mean.value(), Math.hypot(mean.standardError(), apart));
+    }
+    double half = agreed.othersAgree() ? Math.abs(agreed.others() - agreed.value()) / 2 : 0;
+    return new RobustCentre(agreed.value(), Math.hypot(medianError, Math.max(apart, half)));
   }
 
   /** Where half of the weight lies on either side; between two samples the middle. */

@@ -6,6 +6,7 @@ import fieldcal.calibration.Average;
 import fieldcal.calibration.Calibration;
 import fieldcal.calibration.Sample;
 import fieldcal.calibration.TwoSigma;
+import fieldcal.fit.Agreement;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -67,27 +68,72 @@ public final class CalibrationWarnings {
                 .toList())
         .ifPresent(warnings::add);
     addLackOfFit(warnings);
+    Stream.of(KickKind.values()).forEach(kind -> warnings.addAll(agreements(kind)));
     medians(Stream.of(KickKind.values()).flatMap(kind -> oneSided(kind).stream()).toList())
         .ifPresent(warnings::add);
     return warnings;
   }
 
+  /** Parameters on which some kicks agree and others do not. */
+  private List<String> agreements(KickKind kind) {
+    List<String> sentences = new ArrayList<>();
+    averages(kind)
+        .forEach(
+            (name, average) ->
+                Average.agreement(samples(kind, name))
+                    .filter(a -> covered(average, a))
+                    .map(a -> agreement(ParameterWords.of(name), a, samples(kind, name).size()))
+                    .ifPresent(sentences::add));
+    return sentences;
+  }
+
+  private Map<String, Average> averages(KickKind kind) {
+    return kind == KickKind.FLAT ? calibration.flat() : calibration.chip();
+  }
+
+  /** Where the 2σ rule has excluded the others, they are named as excluded. */
+  private static boolean covered(Average average, Agreement agreement) {
+    return Math.abs(average.mean() - agreement.others()) < 2 * average.standardError();
+  }
+
+  /** The values of a parameter, but those of kicks that are not trusted. */
+  private List<Sample> samples(KickKind kind, String name) {
+    return calibration.kicks(kind).stream()
+        .flatMap(k -> k.samples().stream())
+        .filter(s -> s.parameter().equals(name))
+        .filter(s -> s.dropped().isEmpty() || s.leftForItsValue())
+        .toList();
+  }
+
+  /** On which two values the kicks stand, and that the error covers both. */
+  static String agreement(String parameter, Agreement agreement, int kicks) {
+    return String.format(
+        Locale.ROOT,
+        "The kicks are of two kinds: %d of %d agree on a %s of %.4g, the others have %.4g on"
+            + " average, as when some of them have spin. The error of the mean covers both.",
+        Math.round(agreement.share() * kicks),
+        kicks,
+        parameter,
+        agreement.value(),
+        agreement.others());
+  }
+
   /** Parameters of which a median is given, so that values are used that lie more than 2 σ from it. */
   private List<String> oneSided(KickKind kind) {
     List<String> names = new ArrayList<>();
-    Map<String, Average> averages = kind == KickKind.FLAT ? calibration.flat() : calibration.chip();
-    averages.forEach(
-        (name, average) -> {
-          List<Sample> used =
-              calibration.kicks(kind).stream()
-                  .flatMap(k -> k.samples().stream())
-                  .filter(s -> s.parameter().equals(name) && s.dropped().isEmpty())
-                  .toList();
-          boolean isMedian = average.n() > 0 && average.mean() != Average.of(used).mean();
-          if (isMedian && used.stream().anyMatch(s -> average.sigmas(s) > TwoSigma.LIMIT)) {
-            names.add(ParameterWords.of(name));
-          }
-        });
+    averages(kind)
+        .forEach(
+            (name, average) -> {
+              List<Sample> samples = samples(kind, name);
+              List<Sample> used = samples.stream().filter(s -> s.dropped().isEmpty()).toList();
+              boolean isMedian =
+                  average.n() > 0
+                      && average.mean() != Average.of(used).mean()
+                      && Average.agreement(samples).isEmpty();
+              if (isMedian && used.stream().anyMatch(s -> average.sigmas(s) > TwoSigma.LIMIT)) {
+                names.add(ParameterWords.of(name));
+              }
+            });
     return names;
   }
 

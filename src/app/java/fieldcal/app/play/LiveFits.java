@@ -76,6 +76,7 @@ final class LiveFits {
   private boolean pending;
   private boolean busy;
   private Map<String, Average> averages = Map.of();
+  private Map<String, Double> precisions = Map.of();
   private final Map<Integer, Camera> cameras = new TreeMap<>();
   private final Map<Integer, SeeingCamera> seeing = new TreeMap<>();
   private final Map<Integer, Boolean> seen = new TreeMap<>();
@@ -184,6 +185,7 @@ final class LiveFits {
       Map<Integer, KickFit> fits,
       Optional<CameraViews> fittedWith,
       Optional<Calibration> judged,
+      Map<String, Double> precisions,
       Optional<RuntimeException> failure) {}
 
   private void begin() {
@@ -204,7 +206,8 @@ final class LiveFits {
           try {
             done.set(fitAll(work));
           } catch (RuntimeException e) {
-            done.set(new Done(Map.of(), Optional.empty(), Optional.empty(), Optional.of(e)));
+            done.set(
+                new Done(Map.of(), Optional.empty(), Optional.empty(), Map.of(), Optional.of(e)));
           }
         });
   }
@@ -227,7 +230,9 @@ final class LiveFits {
       }
     }
     Calibration judged = Calibrator.judged(List.copyOf(made.values()), views, seed);
-    return new Done(made, Optional.of(views), Optional.of(judged), Optional.empty());
+    Map<String, Double> known = new HashMap<>();
+    PARAMETERS.get(kind).forEach(name -> known.put(name, judged.leastPrecision(kind, name)));
+    return new Done(made, Optional.of(views), Optional.of(judged), known, Optional.empty());
   }
 
   private List<KickResult> take(Done ready) {
@@ -237,6 +242,7 @@ final class LiveFits {
     }
     fits.putAll(ready.fits());
     fittedWith = ready.fittedWith().orElseThrow();
+    precisions = ready.precisions();
     return judgeAll(ready.judged().orElseThrow());
   }
 
@@ -361,7 +367,7 @@ final class LiveFits {
   }
 
   /**
-   * Largest relative standard error of the three parameters. Infinite while one is not determined, and while there are too few kicks to see what differs from kick to kick: {@link #FEWEST}, of both
+   * Largest relative standard error of the three parameters, whichever kick is left out. Infinite while one is not determined, and while there are too few kicks to see what differs from kick to kick: {@link #FEWEST}, of both
    * robots, slow, middling and fast.
    *
    * @param slowest of the kicks that are wanted, m/s
@@ -379,12 +385,7 @@ final class LiveFits {
     }
     double worst = 0;
     for (String name : PARAMETERS.get(kind)) {
-      Average a = averages.get(name);
-      double relative =
-          a == null || a.n() < 2
-              ? Double.POSITIVE_INFINITY
-              : a.standardError() / Math.abs(a.mean());
-      worst = Math.max(worst, relative);
+      worst = Math.max(worst, precisions.getOrDefault(name, Double.POSITIVE_INFINITY));
     }
     return worst;
   }

@@ -2,6 +2,7 @@ package fieldcal.app.calibrate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.fit.Agreement;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -44,6 +45,14 @@ class CalibrationWarningsTest {
                 assertThat(text)
                     .contains("about the mean of the switch to rolling (k_switch), as when")
                     .contains("The median is given"));
+  }
+
+  @Test
+  void whatKicksAgreeOnIsSaid() {
+    Agreement agreement = new Agreement(0.6878, 0.33, 0.6639, false);
+    assertThat(CalibrationWarnings.agreement("switch to rolling (k_switch)", agreement, 12))
+        .startsWith("The kicks are of two kinds: 4 of 12 agree on a switch to rolling (k_switch)")
+        .contains("of 0.6878, the others have 0.6639 on average");
   }
 
   @Test
