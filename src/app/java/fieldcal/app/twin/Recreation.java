@@ -5,7 +5,6 @@ import fieldcal.app.statistics.FieldRecording;
 import fieldcal.app.statistics.RecordedFrames;
 import fieldcal.ball.BallState;
 import fieldcal.diagnosis.Diagnosis;
-import fieldcal.diagnosis.KickResiduals;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
 import fieldcal.kick.Kick;
@@ -42,15 +41,18 @@ final class Recreation {
 
   private final FieldRecording field;
   private final SpinOfKick spins;
-  private final Map<Integer, KickResiduals> fitted = new TreeMap<>();
+  private final Map<Integer, FittedPath> fitted;
   private final Epoch epoch;
   private final double start;
 
-  /** With the paths of the extended model: the twin obeys it. */
+  /** With the paths of the extended model, which the twin obeys. */
   Recreation(FieldRecording field, Diagnosis diagnosis) {
     this.field = field;
     spins = new SpinOfKick(diagnosis.model());
-    diagnosis.kicks().forEach(k -> fitted.put(k.kick().id(), k));
+    fitted =
+        FittedPath.all(
+            field.calibration().calibration().trusted().stream().map(FittedPath::of).toList(),
+            diagnosis.kicks());
     Epoch recorded = field.calibration().data().epoch();
     // Session times of causes count from the first frame.
     start = field.calibration().data().sessionStart();
@@ -93,12 +95,12 @@ final class Recreation {
       // A ball that is kicked from where it stopped comes there by itself.
       double free = before;
       before = kick.endTime();
-      KickResiduals fit = fitted.get(kick.id());
+      FittedPath fit = fitted.get(kick.id());
       if (fit == null) {
         continue;
       }
-      double time = fit.after().kickTime();
-      BallState state = fit.after().stateAt(time);
+      double time = fit.path().kickTime();
+      BallState state = fit.path().stateAt(time);
       double end = Math.max(time, kick.endTime());
       boolean held = kick.end() == KickEnd.TOUCHED_ROBOT || kick.end() == KickEnd.STOPPED;
       double rests =

@@ -2,7 +2,6 @@ package fieldcal.app.twin;
 
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
-import fieldcal.diagnosis.KickResiduals;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.learned.LearnedTerm;
@@ -39,11 +38,11 @@ final class SpinOfKick {
   }
 
   /** Empty when kicks give no spin, or none explains the path: of a chip with another number of hops. */
-  OptionalDouble of(KickResiduals kick) {
+  OptionalDouble of(FittedPath kick) {
     if (others.size() == model.effects().size()) {
       return OptionalDouble.empty();
     }
-    BallTrajectory path = kick.after();
+    BallTrajectory path = kick.path();
     double begin = path.kickTime();
     double at = Math.max(begin, Math.min(path.restTime(), kick.kick().endTime()));
     BallState start = path.stateAt(begin);

@@ -7,7 +7,6 @@ import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
-import fieldcal.diagnosis.KickResiduals;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.motion.FieldSlope;
@@ -29,20 +28,8 @@ class SpinOfKickTest {
         Optional.of(FlatModel.typical()), Optional.of(ChipModel.typical()), List.of(effects), 0);
   }
 
-  private static KickResiduals along(BallTrajectory path, KickKind kind) {
-    KickResiduals any = SampleDiagnosis.adequate(1).kicks().get(0);
-    return new KickResiduals(
-        any.kick(),
-        kind,
-        path,
-        path,
-        any.xBefore(),
-        any.yBefore(),
-        any.xAfter(),
-        any.yAfter(),
-        any.used(),
-        any.rmsBeforeMm(),
-        any.rmsAfterMm());
+  private static FittedPath along(BallTrajectory path, KickKind kind) {
+    return new FittedPath(SampleDiagnosis.adequate(1).kicks().get(0).kick(), kind, path);
   }
 
   /** The mean of the model is another than the kick's. */
@@ -62,7 +49,7 @@ class SpinOfKickTest {
   @Test
   void kicksWithoutSpinHaveNone() {
     ExtendedModel sloping = model(new FieldSlope(0.3, 1));
-    KickResiduals kick = along(sloping.flatPath(0, 0, 0, 4, 1), KickKind.FLAT);
+    FittedPath kick = along(sloping.flatPath(0, 0, 0, 4, 1), KickKind.FLAT);
     assertThat(new SpinOfKick(sloping).of(kick)).isEmpty();
   }
 }
