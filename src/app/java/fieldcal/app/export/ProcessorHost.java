@@ -151,6 +151,7 @@ public final class ProcessorHost {
   }
 
   private byte[] write(Edit edit) throws IOException {
+    byte[] untouched = null;
     for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
       JsonNode answer = read();
       ObjectNode document = document(answer);
@@ -165,11 +166,13 @@ public final class ProcessorHost {
       if (put.isEmpty()) {
         continue;
       }
+      // Where somebody edits between writing and saving, what is read again are the new values.
+      untouched = untouched == null ? before : untouched;
       ObjectNode save = MAPPER.createObjectNode();
       save.set("revision", put.get().path("revision"));
       save.put("force", false);
       if (unlessStale("POST", "/api/config/save", save).isPresent()) {
-        return before;
+        return untouched;
       }
     }
     throw new InputException(

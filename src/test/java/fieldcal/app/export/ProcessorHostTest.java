@@ -46,6 +46,9 @@ class ProcessorHostTest {
     /** How often somebody else edits between a read and the write that follows. */
     private int interruptions;
 
+    /** How often somebody else edits between a write and the saving that follows. */
+    private int editsBeforeSaving;
+
     private boolean diskChanged;
 
     StandIn(JsonNode document) throws IOException {
@@ -88,6 +91,10 @@ class ProcessorHostTest {
       } else {
         working = request.path("document").deepCopy();
         answer(exchange, 200, "{\"revision\":" + ++revision + "}");
+        if (editsBeforeSaving > 0) {
+          editsBeforeSaving--;
+          working.put("touched", revision++);
+        }
       }
     }
 
@@ -205,6 +212,18 @@ class ProcessorHostTest {
         .extracting(HistoryEntry::action)
         .containsExactly(Action.APPLIED, Action.ROLLED_BACK);
     assertThat(run("--rollback").err()).contains("nothing to put back");
+  }
+
+  /** What is read again then are the new values, which are nothing to put back. */
+  @Test
+  void rollbackPutsBackWhatWasThereAlsoWhenSomebodyEditedBeforeItWasSaved() throws IOException {
+    JsonNode before = host.disk.get("models").deepCopy();
+    host.editsBeforeSaving = 1;
+    assertThat(run().exit()).isZero();
+    assertThat(host.disk.get("models")).isNotEqualTo(before);
+    assertThat(run("--rollback").exit()).isZero();
+    assertThat(host.disk.get("models")).isEqualTo(before);
+    assertThat(host.disk.path("touched").asInt()).as("the other's edit stays").isEqualTo(8);
   }
 
   @Test
