@@ -133,7 +133,12 @@ public record Average(double mean, double standardError, double scatter, int n) 
    * @return their average
    */
   public static Average judged(List<Sample> samples) {
-    return of(samples).robust(samples).widened(spread(samples));
+    Average mean = of(samples);
+    List<Sample> spread = spread(samples);
+    // Where an error covers two readings, what it covers does not scatter.
+    return agreement(samples).isPresent()
+        ? mean.widened(spread).robust(samples)
+        : mean.robust(samples).widened(spread);
   }
 
   /** The samples that are used and those that were excluded for their value; not those of kicks that are not trusted. */

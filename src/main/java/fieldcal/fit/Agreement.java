@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
  * @param value on which they agree, in the unit of the samples
  * @param share of the samples that agree, 0 to 1
  * @param others their mean
- * @param othersAgree whether the others are a group of their own, far from the first and not much smaller, so that nothing tells which of the two is meant
+ * @param othersAgree whether the others are a group of their own, far from the first, neither much smaller nor determined much worse, so that nothing tells which of the two is meant
  */
 public record Agreement(double value, double share, double others, boolean othersAgree) {
   /** Two samples that agree may do so by chance, however small their errors are. */
@@ -30,6 +30,9 @@ public record Agreement(double value, double share, double others, boolean other
 
   /** A group that has a smaller share of the samples is one of outliers, chosen: the 2σ rule excludes a group of less than a fifth, and mostly one of a quarter. */
   private static final double LEAST_SIDE = 0.3;
+
+  /** Others whose errors are that many times as large are drawn to one side by what the model lacks rather than a second side, chosen: slow kicks hardly determine a sliding deceleration. */
+  private static final double WORSE_DETERMINED = 3;
 
   /** Steps of expectation and maximisation, chosen: one that has not ended has too small a likelihood, so that fewer agreements are found, never more. */
   private static final int STEPS = 50;
@@ -209,7 +212,19 @@ public record Agreement(double value, double share, double others, boolean other
     Agreement agreement() {
       boolean several = 1 - share > LEAST_SIDE && (1 - share) * values.length > FEWEST_AGREEING;
       boolean apart = APART * scatter < Math.abs(mean - agreed);
-      return new Agreement(agreed, share, mean, several && apart);
+      boolean alike = medianError(false) < WORSE_DETERMINED * medianError(true);
+      return new Agreement(agreed, share, mean, several && apart && alike);
+    }
+
+    /** Of the samples that rather agree, or of the others; infinite without any. */
+    private double medianError(boolean agreeing) {
+      double[] sorted =
+          IntStream.range(0, errors.length)
+              .filter(i -> agrees[i] > 0.5 == agreeing)
+              .mapToDouble(i -> errors[i])
+              .sorted()
+              .toArray();
+      return sorted.length == 0 ? Double.POSITIVE_INFINITY : sorted[sorted.length / 2];
     }
 
     /** Each of the others deviates from their mean by what is left when its own error is taken into account. */
