@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
  * @param othersAgree whether the others are a group of their own, far from the first, neither much smaller nor determined much worse, so that nothing tells which of the two is meant
  */
 public record Agreement(double value, double share, double others, boolean othersAgree) {
-  /** Two samples that agree may do so by chance, however small their errors are. */
+  /** As expected from their probabilities, so half a sample less than three: two that agree may do so by chance, however small their errors are. */
   private static final double FEWEST_AGREEING = 2.5;
 
   /** Fewer samples do not show two sides. */

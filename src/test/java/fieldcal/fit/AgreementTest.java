@@ -109,6 +109,24 @@ class AgreementTest {
     assertThat(agreement.value() + agreement.others()).isEqualTo(0.711 + 0.667, within(0.001));
   }
 
+  /** Sliding decelerations of ER-Force's ball: slow kicks, whose errors are five times as large, lie to one side by what the model lacks. */
+  @Test
+  void othersThatAreDeterminedMuchWorseAreNoGroup() {
+    double[] values = new double[24];
+    double[] errors = new double[24];
+    for (int i = 0; i < 24; i++) {
+      boolean slow = i < 10;
+      errors[i] = slow ? 0.1 : 0.02;
+      values[i] = (slow ? -4.33 : -3.92) + errors[i] * (i % 3 - 1) / 2;
+    }
+    Agreement agreement = Agreement.of(values, errors).orElseThrow();
+    assertThat(agreement.value()).isEqualTo(-3.92, within(0.01));
+    assertThat(agreement.others()).isEqualTo(-4.33, within(0.05));
+    assertThat(agreement.othersAgree()).isFalse();
+    Arrays.fill(errors, 0.05);
+    assertThat(Agreement.of(values, errors).orElseThrow().othersAgree()).isTrue();
+  }
+
   @Test
   void twoSamplesThatAgreeAreChance() {
     double[] values = {1, 1, 3, -4, 7, 12, -9, 5};
