@@ -102,7 +102,7 @@ public record FittedField(
             .fit(FitProblem.of(kick, noise.cameras(), state.flat(), state.chip()), kind);
     boolean[] kept = new boolean[kick.observations().size()];
     Arrays.fill(kept, true);
-    return new KickRecord(fit, kept, noise.cameras(), noise.stampNoise());
+    return new KickRecord(fit, kept, noise);
   }
 
   /** The simple model, fitted to other records of the field's kicks. */

@@ -200,7 +200,7 @@ public final class EffectKick implements KickTerm<ModelState> {
         s1 += record.w11[i] * rx;
         s2 += record.w21[i] * rx + record.w22[i] * ry;
       }
-      double root = Math.sqrt(block.length);
+      double root = record.rootOfSum(block.length);
       out[2 * b] = s1 / root;
       out[2 * b + 1] = s2 / root;
     }

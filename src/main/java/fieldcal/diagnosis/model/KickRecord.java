@@ -5,7 +5,6 @@ import fieldcal.ball.BallTrajectory;
 import fieldcal.camera.Camera;
 import fieldcal.effect.Sightings;
 import fieldcal.fit.CameraView;
-import fieldcal.fit.CameraViews;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.Whitening;
 import fieldcal.kick.Kick;
@@ -68,6 +67,8 @@ public final class KickRecord {
   final double[] block21;
   final double[] block22;
 
+  private final MovingNoise noise;
+
   /** Whether detections of the resting ball pin where the kick begins. */
   final boolean fromRest;
 
@@ -79,11 +80,11 @@ public final class KickRecord {
    *
    * @param fit the kick's own fit, not a failed one
    * @param kept which detections are the ball
-   * @param views cameras with their noise
-   * @param stampNoise standard deviation of time stamps, s
+   * @param noise of the cameras and their time stamps
    */
-  public KickRecord(KickFit fit, boolean[] kept, CameraViews views, double stampNoise) {
+  public KickRecord(KickFit fit, boolean[] kept, MovingNoise noise) {
     whole = this;
+    this.noise = noise;
     kick = fit.kick();
     kind = fit.kind();
     int own = ownSize(kind);
@@ -110,11 +111,12 @@ public final class KickRecord {
       y[i] = seen.y(i);
       row[i] = seen.pixelY(i);
       camera[i] = seen.camera(i);
-      CameraView view = views.get(camera[i]);
+      CameraView view = noise.cameras().get(camera[i]);
       // Without geometry: infinitely high, so that a ball is reported where it is.
       cameraHeight[i] = view.camera().map(Camera::heightAboveBallPlane).orElse(1e9);
       BallState state = path.stateAt(time[i]);
-      whitening.at(view, x[i], y[i], stampNoise * state.vx(), stampNoise * state.vy());
+      double late = noise.stampNoise();
+      whitening.at(view, x[i], y[i], late * state.vx(), late * state.vy());
       w11[i] = whitening.w11();
       w21[i] = whitening.w21();
       w22[i] = whitening.w22();
@@ -135,6 +137,7 @@ public final class KickRecord {
   /** The same with other detections. */
   private KickRecord(KickRecord of, boolean[] kept) {
     whole = of.whole;
+    noise = of.noise;
     kick = of.kick;
     kind = of.kind;
     start = of.start;
@@ -256,7 +259,7 @@ public final class KickRecord {
     for (int b = 0; b < blocks.length; b++) {
       int[] block = blocks[b];
       cameras[b] = camera[block[0]];
-      double root = Math.sqrt(block.length);
+      double root = rootOfSum(block.length);
       for (int i : block) {
         blockTime[b] += time[i] / block.length;
         rows[b] += row[i] / block.length;
@@ -267,6 +270,16 @@ public final class KickRecord {
       }
     }
     return new Sightings(cameras, blockTime, rows);
+  }
+
+  /**
+   * Standard deviation of the sum of whitened residuals of successive detections of a camera, where these are noise.
+   *
+   * @param count how many
+   * @return their root where the noise of each is its own
+   */
+  public double rootOfSum(int count) {
+    return Math.sqrt(count * noise.inflation(count));
   }
 
   /**

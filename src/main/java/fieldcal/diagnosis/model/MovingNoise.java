@@ -10,15 +10,17 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /**
  * The noise of a moving ball, from how much each residual differs from its two neighbours in the same camera: second differences feel noise, not what a wrong model does slowly. Across the path they give the camera's noise,
- * along it they also feel the noise of the time stamps, which grows with speed.
+ * along it they also feel the noise of the time stamps, which grows with speed. A vision that smooths, or finds a ball in the picture before, makes successive errors alike: their differences are then less than those of detections that are farther apart.
  *
  * @param cameras with their noise
  * @param stampNoise standard deviation of time stamps, s
+ * @param correlation of the errors of successive detections of a camera, from 0 = independent to below 1; later ones have none
  */
-public record MovingNoise(CameraViews cameras, double stampNoise) {
+public record MovingNoise(CameraViews cameras, double stampNoise, double correlation) {
   /** Fewer differences leave a camera's noise as it was at rest. */
   private static final int FEWEST = 80;
 
@@ -34,10 +36,23 @@ public record MovingNoise(CameraViews cameras, double stampNoise) {
   /** A second difference of independent noise has six times its variance. */
   private static final double SECOND_DIFFERENCE = 6;
 
+  /** Correlation of neighbours at which their second differences have no variance left. */
+  private static final double LOST = 0.75;
+
   /** The median of squared standard normal numbers. */
   private static final double MEDIAN_OF_SQUARES = 0.4549;
 
-  private record Samples(List<Double> across, List<double[]> along) {}
+  /** Detections between those of a second difference, for the correlation. */
+  private static final int[] STRIDES = {2, 3};
+
+  /** A second difference over so many detections of what a wrong model does slowly is as many times that of neighbours: it grows with the fourth power of the stride. */
+  private static final double[] GROWTH = {16, 81};
+
+  /** Less correlation than that is none: models that are wrong by centimetres make as much. */
+  private static final double LEAST_CORRELATION = 0.15;
+
+  /** Squared second differences across the path by stride, and along it of neighbours, with the speed. */
+  private record Samples(List<Double> across, List<List<Double>> apart, List<double[]> along) {}
 
   /**
    * Measures.
@@ -59,8 +74,44 @@ public record MovingNoise(CameraViews cameras, double stampNoise) {
             scale.put(camera, Math.sqrt(median(s.across) / MEDIAN_OF_SQUARES));
           }
         });
-    CameraViews scaled = views.map(v -> v.withNoise(v.noise() * scale.getOrDefault(v.id(), 1.0)));
-    return new MovingNoise(scaled, stampNoise(samples, scale, views));
+    double correlation = correlation(samples, scale);
+    double whole = 1 / Math.sqrt(1 - correlation / LOST);
+    CameraViews scaled =
+        views.map(
+            v ->
+                v.withNoise(
+                    v.noise() * (scale.containsKey(v.id()) ? whole * scale.get(v.id()) : 1)));
+    return new MovingNoise(scaled, stampNoise(samples, scale, views), correlation);
+  }
+
+  /**
+   * By how much the variance of a mean of successive detections of a camera is larger than if their errors were independent.
+   *
+   * @param count how many, 1 or more
+   * @return 1 or more
+   */
+  public double inflation(int count) {
+    return 1 + 2 * correlation * (count - 1) / count;
+  }
+
+  /** Second differences of neighbours have 6 − 8ρ variances, and of others 6. */
+  private static double correlation(Map<Integer, Samples> samples, Map<Integer, Double> scale) {
+    double[] ratio = new double[STRIDES.length];
+    for (int s = 0; s < STRIDES.length; s++) {
+      List<Double> all = new ArrayList<>();
+      int stride = s;
+      scale.forEach(
+          (camera, own) ->
+              samples.get(camera).apart.get(stride).forEach(v -> all.add(v / (own * own))));
+      if (all.size() < FEWEST) {
+        return 0;
+      }
+      ratio[s] = median(all) / MEDIAN_OF_SQUARES;
+    }
+    double slow = Math.max(0, (ratio[1] - ratio[0]) / (GROWTH[1] - GROWTH[0]));
+    double noise = ratio[0] - GROWTH[0] * slow;
+    double correlation = LOST * (1 - 1 / noise);
+    return noise > 0 && correlation > LEAST_CORRELATION ? correlation : 0;
   }
 
   private static double stampNoise(
@@ -86,29 +137,55 @@ public record MovingNoise(CameraViews cameras, double stampNoise) {
     Observations seen = fit.kick().observations();
     Whitening whitening = new Whitening();
     for (int id : seen.cameras()) {
-      int a = -1;
-      int b = -1;
+      int[] own =
+          IntStream.range(0, seen.size()).filter(i -> kept[i] && seen.camera(i) == id).toArray();
       Samples s =
-          samples.computeIfAbsent(id, c -> new Samples(new ArrayList<>(), new ArrayList<>()));
-      for (int i = 0; i < seen.size(); i++) {
-        if (!kept[i] || seen.camera(i) != id) {
-          continue;
+          samples.computeIfAbsent(
+              id,
+              c ->
+                  new Samples(
+                      new ArrayList<>(),
+                      List.of(new ArrayList<>(), new ArrayList<>()),
+                      new ArrayList<>()));
+      for (int n = 1; n + 1 < own.length; n++) {
+        whitening.at(views.get(id), seen.x(own[n]), seen.y(own[n]));
+        if (isRegular(seen, own, n, 1)) {
+          add(fit, whitening, own[n - 1], own[n], own[n + 1], s);
         }
-        if (a >= 0 && isRegular(seen.time(a), seen.time(b), seen.time(i))) {
-          whitening.at(views.get(id), seen.x(b), seen.y(b));
-          add(fit, whitening, a, b, i, s);
+        for (int k = 0; k < STRIDES.length; k++) {
+          int stride = STRIDES[k];
+          if (isRegular(seen, own, n, stride)) {
+            double[] difference =
+                difference(fit, whitening, own[n - stride], own[n], own[n + stride]);
+            s.apart.get(k).add(difference[1]);
+          }
         }
-        a = b;
-        b = i;
       }
     }
   }
 
-  private static boolean isRegular(double t0, double t1, double t2) {
-    return t2 - t0 < LONGEST_SPAN && t1 > t0 && Math.abs((t2 - t1) / (t1 - t0) - 1) < REGULAR;
+  private static boolean isRegular(Observations seen, int[] own, int n, int stride) {
+    if (n < stride || n + stride >= own.length) {
+      return false;
+    }
+    double t1 = seen.time(own[n]);
+    double before = t1 - seen.time(own[n - stride]);
+    double after = seen.time(own[n + stride]) - t1;
+    return before + after < stride * LONGEST_SPAN
+        && before > 0
+        && Math.abs(after / before - 1) < REGULAR;
   }
 
   private static void add(KickFit fit, Whitening whitening, int a, int b, int c, Samples to) {
+    double[] difference = difference(fit, whitening, a, b, c);
+    to.across.add(difference[1]);
+    if (difference[2] > FAST) {
+      to.along.add(new double[] {difference[0], difference[2]});
+    }
+  }
+
+  /** Squared second difference along and across the path, in variances of the noise at rest, and the speed. */
+  private static double[] difference(KickFit fit, Whitening whitening, int a, int b, int c) {
     double dx = fit.residualX(a) - 2 * fit.residualX(b) + fit.residualX(c);
     double dy = fit.residualY(a) - 2 * fit.residualY(b) + fit.residualY(c);
     BallState state = fit.trajectory().stateAt(fit.kick().observations().time(b));
@@ -118,10 +195,7 @@ public record MovingNoise(CameraViews cameras, double stampNoise) {
     double perNoise = whitening.w11() * whitening.w22() / SECOND_DIFFERENCE;
     double along = dx * ux + dy * uy;
     double across = dy * ux - dx * uy;
-    to.across.add(across * across * perNoise);
-    if (speed > FAST) {
-      to.along.add(new double[] {along * along * perNoise, speed});
-    }
+    return new double[] {along * along * perNoise, across * across * perNoise, speed};
   }
 
   private static double median(List<Double> values) {

@@ -87,7 +87,7 @@ public final class KickScreen {
    */
   public static KickRecord record(KickFit fit, MovingNoise noise) {
     boolean[] kept = Screening.kept(fit, noise.cameras());
-    return new KickRecord(fit, kept, noise.cameras(), noise.stampNoise());
+    return new KickRecord(fit, kept, noise);
   }
 
   /**

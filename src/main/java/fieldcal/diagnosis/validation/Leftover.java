@@ -92,7 +92,8 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
           record.whiten(i, 0, CameraNoise.FLOOR, r);
           floor += r[0] * r[0] + r[1] * r[1];
         }
-        sum += (s1 * s1 + s2 * s2) / block.length - 2;
+        double root = record.rootOfSum(block.length);
+        sum += (s1 * s1 + s2 * s2) / (root * root) - 2;
         blocks += 2;
         residuals += 2 * block.length;
       }

@@ -7,6 +7,7 @@ import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.MovingNoise;
 import fieldcal.effect.ObservedCamera;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.fit.CameraView;
@@ -192,7 +193,7 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
                 f -> {
                   boolean[] all = new boolean[f.kick().observations().size()];
                   Arrays.fill(all, true);
-                  return new KickRecord(f, all, views, 0);
+                  return new KickRecord(f, all, new MovingNoise(views, 0, 0));
                 })
             .toList();
     List<ObservedCamera> observers =

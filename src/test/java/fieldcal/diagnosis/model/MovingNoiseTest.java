@@ -1,0 +1,105 @@
+package fieldcal.diagnosis.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import fieldcal.diagnosis.DiagnosisProblem;
+import fieldcal.diagnosis.FittedField;
+import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.fit.CameraView;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
+import fieldcal.kick.Kick;
+import fieldcal.kick.KickKind;
+import fieldcal.kick.Observations;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Noise of a ball that moves, also where errors of successive detections are alike. */
+class MovingNoiseTest {
+  /** Standard deviation of what is added to each coordinate, m; well above the simulated cameras' own noise. */
+  private static final double ADDED = 0.004;
+
+  /** A part of each error is that of the detection before. */
+  private static final double SHARED = 0.6;
+
+  private static final double CORRELATION = SHARED / (1 + SHARED * SHARED);
+
+  private final FittedField plain = FittedField.flats();
+
+  /** The kicks with noise that a camera's successive detections share a part of. */
+  private FittedField noisy(double shared) {
+    SplittableRandom random = new SplittableRandom(20261125);
+    DiagnosisProblem problem = plain.problem();
+    ModelState state = plain.simple().solution().state();
+    KickFitter fitter = new KickFitter(FitSettings.defaults());
+    List<KickFit> fits =
+        problem.fits().stream()
+            .map(f -> noisy(f.kick(), shared, random))
+            .map(k -> FitProblem.of(k, problem.cameras(), state.flat(), state.chip()))
+            .map(p -> fitter.fit(p, KickKind.FLAT))
+            .toList();
+    return FittedField.of(
+        new DiagnosisProblem(
+            fits,
+            problem.cameras(),
+            problem.observers(),
+            problem.sessionStart(),
+            problem.commands(),
+            problem.maxCauses(),
+            problem.seed()));
+  }
+
+  private static Kick noisy(Kick kick, double shared, SplittableRandom random) {
+    Observations seen = kick.observations();
+    Observations.Builder moved = new Observations.Builder();
+    Map<Integer, double[]> before = new HashMap<>();
+    double scale = ADDED / Math.sqrt(1 + shared * shared);
+    for (int i = 0; i < seen.size(); i++) {
+      double[] now = {random.nextGaussian(), random.nextGaussian()};
+      double[] last = before.getOrDefault(seen.camera(i), new double[2]);
+      moved.add(
+          seen.time(i),
+          seen.camera(i),
+          seen.x(i) + scale * (now[0] + shared * last[0]),
+          seen.y(i) + scale * (now[1] + shared * last[1]),
+          seen.pixelX(i),
+          seen.pixelY(i));
+      before.put(seen.camera(i), now);
+    }
+    return kick.withObservations(moved.build());
+  }
+
+  private static double noise(MovingNoise of, int camera) {
+    CameraView view = of.cameras().get(camera);
+    return view.noise();
+  }
+
+  @Test
+  void independentErrorsAreNotCorrelated() {
+    assertThat(plain.noise().correlation()).isZero();
+    assertThat(plain.noise().inflation(4)).isEqualTo(1);
+    assertThat(noisy(0).noise().correlation()).isZero();
+  }
+
+  @Test
+  void whatSuccessiveErrorsShareIsNoiseAndNoStructure() {
+    FittedField field = noisy(SHARED);
+    double expected = 0;
+    for (int camera : new int[] {0, 1}) {
+      double both = Math.hypot(ADDED, noise(plain.noise(), camera));
+      expected += 0.5 * CORRELATION * Math.pow(ADDED / both, 2);
+      assertThat(noise(field.noise(), camera)).isCloseTo(both, within(0.08 * both));
+    }
+    double rho = field.noise().correlation();
+    assertThat(rho).isCloseTo(expected, within(0.06));
+    assertThat(field.noise().inflation(4)).isEqualTo(1 + 1.5 * rho);
+    assertThat(field.simple().solution().reducedChiSquare()).isCloseTo(1, within(0.1));
+    assertThat(Leftover.of(field.simple()).isSignificant()).isFalse();
+  }
+}
