@@ -283,6 +283,15 @@ public final class KickRecord {
   }
 
   /**
+   * Variance of the difference of whitened residuals of two successive detections of a camera, where these are noise.
+   *
+   * @return 2 where the noise of each is its own
+   */
+  public double varianceOfDifference() {
+    return 2 * (1 - noise.correlation());
+  }
+
+  /**
    * What the kick's own fit leaves, with a ball of its own.
    *
    * @return chi-square for each residual

@@ -11,7 +11,7 @@ import java.util.List;
 
 /**
  * How much of the residuals is no noise. Noise differs from one detection to the next, what a wrong model makes of them does not: so the sums over blocks of successive detections of one camera are compared with what independent
- * residuals would give. Needs no model of what is wrong.
+ * residuals would give that differ as much from one to the next. Needs no model of what is wrong, nor of the noise, which may have heavier tails than a normal one.
  *
  * @param systematic mean square of the systematic part, in variances of the noise; may be negative by chance
  * @param deviation the same in standard deviations of what noise alone gives
@@ -60,9 +60,10 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       fast.add(record, rx, ry);
     }
     // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
-    double all = Math.max(0, model.solution().reducedChiSquare() - 1 + TOLERANCE);
-    Leftover ofBlocks = slow.leftover(unknowns, all);
-    Leftover ofPairs = fast.leftover(unknowns, all);
+    double noise = fast.noise();
+    double all = Math.max(0, model.solution().reducedChiSquare() - noise + TOLERANCE);
+    Leftover ofBlocks = slow.leftover(unknowns, noise, all);
+    Leftover ofPairs = fast.leftover(unknowns, noise, all);
     return ofPairs.deviation > ofBlocks.deviation ? ofPairs : ofBlocks;
   }
 
@@ -72,6 +73,11 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
     private final double[] r = new double[2];
     private double sum;
     private double floor;
+
+    /** Of the differences of successive residuals, each in standard deviations of its own. */
+    private double differences;
+
+    private int differing;
     private int blocks;
     private int residuals;
 
@@ -83,27 +89,42 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       for (int[] block : blocks(record, length)) {
         double s1 = 0;
         double s2 = 0;
+        double last1 = Double.NaN;
+        double last2 = Double.NaN;
         for (int i : block) {
           record.whiten(i, rx[i], ry[i], r);
           s1 += r[0];
           s2 += r[1];
+          if (!Double.isNaN(last1)) {
+            double d1 = r[0] - last1;
+            double d2 = r[1] - last2;
+            differences += (d1 * d1 + d2 * d2) / record.varianceOfDifference();
+            differing += 2;
+          }
+          last1 = r[0];
+          last2 = r[1];
           record.whiten(i, CameraNoise.FLOOR, 0, r);
           floor += r[0] * r[0] + r[1] * r[1];
           record.whiten(i, 0, CameraNoise.FLOOR, r);
           floor += r[0] * r[0] + r[1] * r[1];
         }
         double root = record.rootOfSum(block.length);
-        sum += (s1 * s1 + s2 * s2) / (root * root) - 2;
+        sum += (s1 * s1 + s2 * s2) / (root * root);
         blocks += 2;
         residuals += 2 * block.length;
       }
     }
 
-    /** What they say when so many numbers were fitted; the systematic part is at most a given one, in variances of the noise. */
-    Leftover leftover(double unknowns, double most) {
+    /** The variance of the noise, in units of what it is taken for; that is a robust estimate, which tails do not enter. */
+    double noise() {
+      return Math.max(1, differences / Math.max(1, differing));
+    }
+
+    /** What they say when so many numbers were fitted and noise has a variance; the systematic part is at most a given one, in variances of the noise. */
+    Leftover leftover(double unknowns, double noise, double most) {
       double lost = Math.min(unknowns, 0.5 * blocks);
-      double excess = sum + lost;
-      double spread = Math.sqrt(2 * Math.max(1, blocks - lost));
+      double excess = sum - noise * (blocks - lost);
+      double spread = noise * Math.sqrt(2 * Math.max(1, blocks - lost));
       double share = Math.min(excess / Math.max(1, residuals), most);
       double negligible = Math.max(MATTERS, floor / Math.max(1, residuals));
       return new Leftover(share, excess / spread, share * residuals, negligible);
