@@ -70,25 +70,18 @@ class MeasurementEffectsTest {
 
     @Test
     void reportsAllSightingsAtOnceAsOneByOne() {
-      int[] cameras = new int[80];
-      double[] stamps = new double[80];
-      double[] rows = new double[80];
-      for (int i = 0; i < 80; i++) {
-        cameras[i] = i % 2;
-        stamps[i] = 100.05 + 0.0203 * i;
-        rows[i] = 10 + 20 * i;
-      }
-      ExtendedTrajectory path =
-          ExtendedTrajectory.chip(
-              ChipModel.typical(), MotionEffects.of(List.of()), 0, 100, -1, -0.5, 2, 1, 3);
+      ExtendedTrajectory path = chip(2);
       double[] atOnce = new double[160];
       MeasurementEffects effects =
           MeasurementEffects.of(cameras(), List.of((MeasurementEffect) effect));
-      Sightings seen = new Sightings(cameras, stamps, rows);
+      Sightings seen = sightings();
       effects.report(seen, path, 0, atOnce);
       double last = Double.NEGATIVE_INFINITY;
       for (int i = 0; i < 80; i++) {
-        last = Math.max(last, effects.ballTime(cameras[i], stamps[i], rows[i], Double.NaN));
+        last =
+            Math.max(
+                last,
+                effects.ballTime(seen.camera[i], seen.stamp[i], seen.pixelRow[i], Double.NaN));
       }
       assertThat(effects.lastBallTime(seen, 0)).isEqualTo(last);
       assertThat(atOnce).containsExactly(predict(effect), within(1e-9));
@@ -103,17 +96,9 @@ class MeasurementEffectsTest {
 
     @Test
     void pathsCloseByAreReportedToFirstOrder() {
-      int[] cameras = new int[80];
-      double[] stamps = new double[80];
-      double[] rows = new double[80];
-      for (int i = 0; i < 80; i++) {
-        cameras[i] = i % 2;
-        stamps[i] = 100.05 + 0.0203 * i;
-        rows[i] = 10 + 20 * i;
-      }
       MeasurementEffects effects =
           MeasurementEffects.of(cameras(), List.of((MeasurementEffect) effect));
-      Sightings seen = new Sightings(cameras, stamps, rows);
+      Sightings seen = sightings();
       double[] plain = new double[160];
       double[] moved = new double[160];
       double[] firstOrder = new double[160];
@@ -125,6 +110,19 @@ class MeasurementEffectsTest {
         double change = Math.max(1e-5, Math.abs(moved[i] - plain[i]));
         assertThat(firstOrder[i]).isCloseTo(moved[i], within(2e-4 * change));
       }
+    }
+
+    /** Two cameras in turn, at times and in rows that all effects ask for. */
+    private static Sightings sightings() {
+      int[] cameras = new int[80];
+      double[] stamps = new double[80];
+      double[] rows = new double[80];
+      for (int i = 0; i < 80; i++) {
+        cameras[i] = i % 2;
+        stamps[i] = 100.05 + 0.0203 * i;
+        rows[i] = 10 + 20 * i;
+      }
+      return new Sightings(cameras, stamps, rows);
     }
 
     private static ExtendedTrajectory chip(double vx) {
