@@ -203,20 +203,25 @@ public final class Diagnoser {
 
     /** Searches among the named effects; kicks that stand out are then screened again with what was found. */
     private FittedModel searchNamed(List<KickRecord> kicks) {
-      FittedModel best = flatsFirst(kicks);
+      FittedModel best = easierFirst(kicks);
       for (int round = 0; round < SCREENINGS; round++) {
         progress.stage(round == 0 ? "searching for causes" : "searching for causes again");
-        best = fitter.withLowHops(named(best), solver);
+        FittedModel found = named(best);
+        best = fitter.withLowHops(search.alike(fitter, found), solver);
+        // One kick that is no free ball leads a fit in which it weighs like the others away from
+        // them.
+        FittedModel seen =
+            screen.explainsMost(best) ? best : screen.explainsMost(found) ? found : best;
         List<KickRecord> before = fitter.kicks();
-        List<KickRecord> revised = screen.revise(best, true);
+        List<KickRecord> revised = screen.revise(seen, true);
         if (revised.equals(before)) {
-          revised = screen.withoutStrays(best);
+          revised = screen.withoutStrays(seen);
         }
         if (revised.size() == before.size() && revised.equals(before)) {
           break;
         }
         progress.stage("looking again at kicks that stand out");
-        best = refit(best, revised);
+        best = refit(seen, revised);
       }
       return best;
     }
@@ -229,8 +234,7 @@ public final class Diagnoser {
     private FittedModel refit(FittedModel best, List<KickRecord> kicks) {
       fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
       arena = arena(kicks);
-      EffectModel start =
-          best.model().startingAt(best.solution().values(), best.solution().scatters()).in(arena);
+      EffectModel start = started(best).in(arena);
       FittedModel again = fitter.fit(start, matching(best, kicks), Weighing.ALIKE, solver);
       base = fitter.fit(simple(problem.fits(), kicks), solver);
       return again;
@@ -241,34 +245,52 @@ public final class Diagnoser {
       return best.kickCount() == kicks.size() ? best : best.restrictedTo(kicks);
     }
 
-    /** Chips mask much while their bounces are not understood: where there are enough flat kicks, their causes are searched for first. */
-    private FittedModel flatsFirst(List<KickRecord> kicks) {
-      List<KickRecord> flats = kicks.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
-      if (!arena.chips() || flats.size() < FEWEST_FLATS) {
-        return base;
+    /**
+     * Where a search among all kicks begins: at what was found among those that are easier. Chips mask much while their bounces are not understood, and a kick that was touched may leave more than all others; both are looked at again with what the
+     * others showed.
+     */
+    private FittedModel easierFirst(List<KickRecord> kicks) {
+      List<KickRecord> quiet = KickScreen.withoutLoud(base);
+      List<KickRecord> flats = quiet.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
+      FittedModel start = base;
+      if (arena.chips() && flats.size() >= FEWEST_FLATS) {
+        progress.stage("searching for causes in the flat kicks");
+        start = foundAmong(flats, start);
       }
+      if (quiet.size() < kicks.size()) {
+        progress.stage("searching for causes without the kicks that stand out most");
+        start = foundAmong(quiet, start);
+      }
+      return start;
+    }
+
+    /** What is found among some kicks, fitted to all; as it was where that does not explain them. */
+    private FittedModel foundAmong(List<KickRecord> some, FittedModel start) {
       ModelFitter all = fitter;
       Arena whole = arena;
-      fitter = new ModelFitter(flats, problem.sessionStart(), progress::fitted);
-      arena = arena(flats);
+      fitter = new ModelFitter(some, problem.sessionStart(), progress::fitted);
+      arena = arena(some);
       FittedModel found;
       try {
-        FittedModel alone = fitter.fit(base.model().forKinds(true, false), solver);
-        progress.stage("searching for causes in the flat kicks");
-        found = named(alone);
+        EffectModel model = start.model().in(arena);
+        found =
+            named(
+                start == base
+                    ? fitter.fit(model, solver)
+                    : fitter.fit(
+                        model, start.restrictedTo(some), Weighing.EXPLAINED_FIRST, solver));
       } finally {
         fitter = all;
         arena = whole;
       }
-      if (found.solution().reducedChiSquare() > EXPLAINED) {
-        return base;
+      if (found.solution().reducedChiSquare() > EXPLAINED && !screen.explainsMost(found)) {
+        return start;
       }
-      EffectModel start =
-          found
-              .model()
-              .startingAt(found.solution().values(), found.solution().scatters())
-              .in(arena);
-      return fitter.fit(start, base, Weighing.EXPLAINED_FIRST, solver);
+      return fitter.fit(started(found).in(arena), base, Weighing.EXPLAINED_FIRST, solver);
+    }
+
+    private static EffectModel started(FittedModel from) {
+      return from.model().startingAt(from.solution().values(), from.solution().scatters());
     }
 
     private Answer decide(FittedModel found) {

@@ -54,21 +54,22 @@ final class SampledSearch {
    * @param dictionary what may be proposed
    * @param most components
    * @param revises whether other pursuits begin again while something is left
-   * @return the model that was found, fitted to all kicks, which weigh alike: decisions give all the same
+   * @return the model that was found, fitted to all kicks, of which those weigh less that it does not explain
    */
   FittedModel search(
       ModelFitter fitter, FittedModel start, Dictionary dictionary, int most, boolean revises) {
     int n = start.kickCount();
     if (n <= SEARCHED_KICKS) {
-      FittedModel found = found(fitter, start, dictionary, most, revises);
-      return fitter.fit(startingAt(found), found, Weighing.ALIKE, solver);
+      return found(fitter, start, dictionary, most, revises);
     }
     List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
     ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
     FittedModel begin =
         few.fit(startingAt(start), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = found(few, begin, dictionary, most, revises);
-    return fitter.fit(startingAt(found), start, Weighing.ALIKE, solver);
+    FittedModel all = fitter.fit(startingAt(found), start, Weighing.EXPLAINED_FIRST, solver);
+    // The weights were those of the other model.
+    return fitter.fit(startingAt(all), all, Weighing.EXPLAINED_FIRST, solver);
   }
 
   /** Which of so many kicks a search looks at: all, or some that are spread over the session. */
@@ -84,6 +85,17 @@ final class SampledSearch {
     FittedModel found = search.search(start, revises);
     trace.addAll(search.trace());
     return found;
+  }
+
+  /**
+   * The same model with all kicks weighing alike, as decisions need it: a search hardly hears kicks that are far from explained.
+   *
+   * @param fitter of the kicks
+   * @param found by a search of the same kicks
+   * @return the fit
+   */
+  FittedModel alike(ModelFitter fitter, FittedModel found) {
+    return fitter.fit(startingAt(found), found, Weighing.ALIKE, solver);
   }
 
   private static EffectModel startingAt(FittedModel from) {

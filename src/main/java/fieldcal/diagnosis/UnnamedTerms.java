@@ -352,6 +352,7 @@ final class UnnamedTerms {
     if (effects.isEmpty()) {
       return start;
     }
-    return search.search(fitter, start, new Dictionary(effects, arena), most, false);
+    FittedModel found = search.search(fitter, start, new Dictionary(effects, arena), most, false);
+    return search.alike(fitter, found);
   }
 }

@@ -17,10 +17,12 @@ import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 
 /** Looks again at kicks that a fitted model explains much worse than their fellows. Thread-safe; fits a kick as the other kind once, however often it is asked. */
@@ -235,12 +237,65 @@ public final class KickScreen {
   }
 
   /**
+   * Whether a model explains most kicks: those that it does not may be none of a free ball.
+   *
+   * @param at the model, fitted to the kicks
+   * @return whether the median kick is explained
+   */
+  public boolean explainsMost(FittedModel at) {
+    return median(at) < EXPLAINED;
+  }
+
+  /**
    * The kicks without the few that stand out while all others are explained: another ball, or one that hit something.
    *
    * @param at the model, fitted to the kicks
    * @return the same list when all stay
    */
   public List<KickRecord> withoutStrays(FittedModel at) {
+    List<KickRecord> good = good(at);
+    boolean few = at.kickCount() - good.size() <= mostLeftOut(at);
+    return few && explainsMost(at) ? good : at.records();
+  }
+
+  /**
+   * The kicks without the few that leave more than all others together.
+   *
+   * @param at the simple model, fitted to the kicks
+   * @return the same list where there are none, or more than a few
+   */
+  public static List<KickRecord> withoutLoud(FittedModel at) {
+    List<Integer> byLeft =
+        IntStream.range(0, at.kickCount())
+            .boxed()
+            .sorted(Comparator.comparingDouble(k -> -left(at, k)))
+            .toList();
+    double rest = byLeft.stream().mapToDouble(k -> left(at, k)).sum();
+    double all = rest;
+    int loud = 0;
+    while (loud < mostLeftOut(at) && rest > all / 2) {
+      rest -= left(at, byLeft.get(loud));
+      loud++;
+    }
+    if (rest > all / 2) {
+      return at.records();
+    }
+    Set<Integer> out = Set.copyOf(byLeft.subList(0, loud));
+    return IntStream.range(0, at.kickCount())
+        .filter(k -> !out.contains(k))
+        .mapToObj(k -> at.kick(k).record())
+        .toList();
+  }
+
+  private static double left(FittedModel at, int k) {
+    return at.solution().kicks().get(k).rows() * Math.max(0, at.reduced(k) - 1);
+  }
+
+  private static int mostLeftOut(FittedModel at) {
+    return (int) Math.max(1, MOST_LEFT_OUT * at.kickCount());
+  }
+
+  private static List<KickRecord> good(FittedModel at) {
     double median = median(at);
     List<KickRecord> good = new ArrayList<>();
     for (int k = 0; k < at.kickCount(); k++) {
@@ -248,8 +303,6 @@ public final class KickScreen {
         good.add(at.kick(k).record());
       }
     }
-    int out = at.kickCount() - good.size();
-    boolean few = out > 0 && out <= Math.max(1, MOST_LEFT_OUT * at.kickCount());
-    return few && median < EXPLAINED ? good : at.records();
+    return good;
   }
 }
