@@ -203,27 +203,33 @@ public final class Diagnoser {
 
     /** Searches among the named effects; kicks that stand out are then screened again with what was found. */
     private FittedModel searchNamed(List<KickRecord> kicks) {
-      FittedModel best = easierFirst(kicks);
+      FittedModel start = easierFirst(kicks);
       for (int round = 0; round < SCREENINGS; round++) {
         progress.stage(round == 0 ? "searching for causes" : "searching for causes again");
-        FittedModel found = named(best);
-        best = fitter.withLowHops(search.alike(fitter, found), solver);
-        // One kick that is no free ball leads a fit in which it weighs like the others away from
-        // them.
-        FittedModel seen =
-            screen.explainsMost(best) ? best : screen.explainsMost(found) ? found : best;
+        FittedModel found = named(start);
+        FittedModel best = fitter.withLowHops(search.alike(fitter, found), solver);
+        FittedModel seen = explaining(best, found);
         List<KickRecord> before = fitter.kicks();
         List<KickRecord> revised = screen.revise(seen, true);
         if (revised.equals(before)) {
           revised = screen.withoutStrays(seen);
         }
         if (revised.size() == before.size() && revised.equals(before)) {
-          break;
+          return best;
         }
         progress.stage("looking again at kicks that stand out");
-        best = refit(seen, revised);
+        start = refit(seen, revised);
       }
-      return best;
+      return search.alike(fitter, start);
+    }
+
+    /** The fit that says which kicks stand out. One that is no free ball leads a fit in which all weigh alike away from the others. */
+    private FittedModel explaining(FittedModel alike, FittedModel found) {
+      if (!KickScreen.hasStandingOut(alike)) {
+        return alike;
+      }
+      FittedModel deaf = fitter.fit(started(found), found, Weighing.EXPLAINED_ONLY, solver);
+      return screen.explainsMost(deaf) ? deaf : alike;
     }
 
     private FittedModel named(FittedModel start) {
@@ -235,7 +241,8 @@ public final class Diagnoser {
       fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
       arena = arena(kicks);
       EffectModel start = started(best).in(arena);
-      FittedModel again = fitter.fit(start, matching(best, kicks), Weighing.ALIKE, solver);
+      FittedModel again =
+          fitter.fit(start, matching(best, kicks), Weighing.EXPLAINED_FIRST, solver);
       base = fitter.fit(simple(problem.fits(), kicks), solver);
       return again;
     }

@@ -86,14 +86,15 @@ final class DependenceSearch {
     for (int i = 0; i < n; i++) {
       Kick k = kicks.get(i);
       roots[i] = Math.sqrt(k.reliability());
-      sum += k.value();
+      // A value is drawn to the mean by its reliability r; the value that its detections alone give
+      // varies by 1/r. Times the root of r, all vary alike, and may be dealt out in any order.
+      values[i] = (k.value() - all.mean()) / roots[i];
+      sum += values[i] * roots[i];
       total += k.reliability();
     }
     weight = total;
     for (int i = 0; i < n; i++) {
-      // A value is drawn to the mean by its reliability r; the value that its detections alone give
-      // varies by 1/r. Times the root of r, all vary alike, and may be dealt out in any order.
-      values[i] = kicks.get(i).value() / roots[i] - roots[i] * sum / total;
+      values[i] -= roots[i] * sum / total;
     }
     kinds = new double[][] {values, scores(values)};
     kinds[1] = centred(kinds[1]);

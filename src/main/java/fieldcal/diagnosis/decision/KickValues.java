@@ -12,9 +12,10 @@ import java.util.List;
 /**
  * A value that differs from kick to kick, beside what is recorded of each kick. Immutable.
  *
+ * @param mean of all kicks, to which values are drawn
  * @param kicks in the order of time
  */
-record KickValues(List<Kick> kicks) {
+record KickValues(double mean, List<Kick> kicks) {
   /** A kick whose detections tell less than that share of its value has only what the other kicks lead one to expect. */
   private static final double LEAST_RELIABILITY = 0.1;
 
@@ -69,6 +70,6 @@ record KickValues(List<Kick> kicks) {
               own[0],
               own[1]));
     }
-    return new KickValues(all);
+    return new KickValues(model.solution().values()[model.model().offset(component)], all);
   }
 }

@@ -11,6 +11,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.QRDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
 
 /**
  * The noise of a moving ball, from how much each residual differs from its two neighbours in the same camera: second differences feel noise, not what a wrong model does slowly. Across the path they give the camera's noise,
@@ -18,9 +23,11 @@ import java.util.stream.IntStream;
  *
  * @param cameras with their noise
  * @param stampNoise standard deviation of time stamps, s
- * @param correlation of the errors of successive detections of a camera, from 0 = independent to below 1; later ones have none
+ * @param correlation of the errors of successive detections of a camera, from 0 = independent to below 1
+ * @param decay of the correlation with each detection that lies between, from 0 = only neighbours are alike to below 1, as in an ARMA(1,1) process (Box and Jenkins 1970)
  */
-public record MovingNoise(CameraViews cameras, double stampNoise, double correlation) {
+public record MovingNoise(
+    CameraViews cameras, double stampNoise, double correlation, double decay) {
   /** Fewer differences leave a camera's noise as it was at rest. */
   private static final int FEWEST = 80;
 
@@ -36,23 +43,52 @@ public record MovingNoise(CameraViews cameras, double stampNoise, double correla
   /** A second difference of independent noise has six times its variance. */
   private static final double SECOND_DIFFERENCE = 6;
 
-  /** Correlation of neighbours at which their second differences have no variance left. */
-  private static final double LOST = 0.75;
-
   /** The median of squared standard normal numbers. */
   private static final double MEDIAN_OF_SQUARES = 0.4549;
 
-  /** Detections between those of a second difference, for the correlation. */
-  private static final int[] STRIDES = {2, 3};
+  /** Detections from one to the next of a second difference, for the correlation: the far ones have next to none. */
+  private static final int[] STRIDES = {1, 2, 3, 4, 5};
 
-  /** A second difference over so many detections of what a wrong model does slowly is as many times that of neighbours: it grows with the fourth power of the stride. */
-  private static final double[] GROWTH = {16, 81};
+  /** A second difference of what a wrong model does slowly grows with the square of the stride, and its square with that power. */
+  private static final int SLOW_POWER = 4;
+
+  /** Decays of the correlation that are tried. */
+  private static final double[] DECAYS = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
+
+  /** Errors of which each keeps a part of the one before have a correlation that decays with its own powers, and those of a moving average one that ends. What decays more slowly than that, by a step of the decays, is what a wrong model does, beside noise. */
+  private static final double SLOWER = 0.1;
+
+  /** Column of what a wrong model does slowly. */
+  private static final int SLOW = 2;
 
   /** Less correlation than that is none: models that are wrong by centimetres make as much. */
   private static final double LEAST_CORRELATION = 0.15;
 
   /** Squared second differences across the path by stride, and along it of neighbours, with the speed. */
-  private record Samples(List<Double> across, List<List<Double>> apart, List<double[]> along) {}
+  private record Samples(List<List<Double>> across, List<double[]> along) {
+    static Samples none() {
+      List<List<Double>> across = new ArrayList<>();
+      for (int k = 0; k < STRIDES.length; k++) {
+        across.add(new ArrayList<>());
+      }
+      return new Samples(across, new ArrayList<>());
+    }
+
+    List<Double> ofNeighbours() {
+      return across.get(0);
+    }
+  }
+
+  /**
+   * How errors of successive detections are alike.
+   *
+   * @param variance of an error, in a sixth of the variance of a second difference of neighbours: 1 where they are independent
+   * @param correlation of neighbours
+   * @param decay with each detection between
+   */
+  private record Likeness(double variance, double correlation, double decay) {
+    static final Likeness NONE = new Likeness(1, 0, 0);
+  }
 
   /**
    * Measures.
@@ -70,18 +106,19 @@ public record MovingNoise(CameraViews cameras, double stampNoise, double correla
     Map<Integer, Double> scale = new HashMap<>();
     samples.forEach(
         (camera, s) -> {
-          if (s.across.size() >= FEWEST) {
-            scale.put(camera, Math.sqrt(median(s.across) / MEDIAN_OF_SQUARES));
+          if (s.ofNeighbours().size() >= FEWEST) {
+            scale.put(camera, Math.sqrt(median(s.ofNeighbours()) / MEDIAN_OF_SQUARES));
           }
         });
-    double correlation = correlation(samples, scale);
-    double whole = 1 / Math.sqrt(1 - correlation / LOST);
+    Likeness alike = likeness(samples, scale);
+    double whole = Math.sqrt(alike.variance);
     CameraViews scaled =
         views.map(
             v ->
                 v.withNoise(
                     v.noise() * (scale.containsKey(v.id()) ? whole * scale.get(v.id()) : 1)));
-    return new MovingNoise(scaled, stampNoise(samples, scale, views), correlation);
+    return new MovingNoise(
+        scaled, stampNoise(samples, scale, views), alike.correlation, alike.decay);
   }
 
   /**
@@ -91,27 +128,68 @@ public record MovingNoise(CameraViews cameras, double stampNoise, double correla
    * @return 1 or more
    */
   public double inflation(int count) {
-    return 1 + 2 * correlation * (count - 1) / count;
+    double inflation = 1;
+    double alike = correlation;
+    for (int apart = 1; apart < count; apart++) {
+      inflation += 2 * alike * (count - apart) / count;
+      alike *= decay;
+    }
+    return inflation;
   }
 
-  /** Second differences of neighbours have 6 − 8ρ variances, and of others 6. */
-  private static double correlation(Map<Integer, Samples> samples, Map<Integer, Double> scale) {
-    double[] ratio = new double[STRIDES.length];
+  /** Second differences over a stride s have 6 − 8 ρ(s) + 2 ρ(2s) variances of the noise, and what a wrong model does slowly; least squares of all strides, for each decay. */
+  private static Likeness likeness(Map<Integer, Samples> samples, Map<Integer, Double> scale) {
+    double[] seen = new double[STRIDES.length];
     for (int s = 0; s < STRIDES.length; s++) {
       List<Double> all = new ArrayList<>();
       int stride = s;
       scale.forEach(
           (camera, own) ->
-              samples.get(camera).apart.get(stride).forEach(v -> all.add(v / (own * own))));
+              samples.get(camera).across.get(stride).forEach(v -> all.add(v / (own * own))));
       if (all.size() < FEWEST) {
-        return 0;
+        return Likeness.NONE;
       }
-      ratio[s] = median(all) / MEDIAN_OF_SQUARES;
+      seen[s] = median(all) / MEDIAN_OF_SQUARES;
     }
-    double slow = Math.max(0, (ratio[1] - ratio[0]) / (GROWTH[1] - GROWTH[0]));
-    double noise = ratio[0] - GROWTH[0] * slow;
-    double correlation = LOST * (1 - 1 / noise);
-    return noise > 0 && correlation > LEAST_CORRELATION ? correlation : 0;
+    Likeness best = Likeness.NONE;
+    double least = Double.POSITIVE_INFINITY;
+    for (double decay : DECAYS) {
+      RealMatrix slow = columns(seen, decay, true);
+      RealVector ones = new ArrayRealVector(seen.length, 1);
+      RealVector fitted = solved(slow, ones);
+      if (fitted.getEntry(SLOW) < 0) {
+        slow = columns(seen, decay, false);
+        fitted = solved(slow, ones);
+      }
+      double left = slow.operate(fitted).subtract(ones).getNorm();
+      double correlation = fitted.getEntry(1) / fitted.getEntry(0);
+      if (left < least && decay <= Math.max(0, correlation + SLOWER)) {
+        least = left;
+        best = new Likeness(fitted.getEntry(0), correlation, decay);
+      }
+    }
+    boolean sound = best.variance > 0 && best.correlation > LEAST_CORRELATION;
+    return sound ? best : Likeness.NONE;
+  }
+
+  private static RealVector solved(RealMatrix columns, RealVector right) {
+    return new QRDecomposition(columns).getSolver().solve(right);
+  }
+
+  /** What each stride's second difference has of the variance, of the covariance of neighbours, and of what is slow; each row in what was seen, since larger ones are as much less certain. */
+  private static RealMatrix columns(double[] seen, double decay, boolean slow) {
+    RealMatrix columns = new Array2DRowRealMatrix(seen.length, slow ? 3 : 2);
+    for (int s = 0; s < seen.length; s++) {
+      int stride = STRIDES[s];
+      double near = Math.pow(decay, stride - 1);
+      double far = Math.pow(decay, 2 * stride - 1);
+      columns.setEntry(s, 0, 1 / seen[s]);
+      columns.setEntry(s, 1, (-8 * near + 2 * far) / SECOND_DIFFERENCE / seen[s]);
+      if (slow) {
+        columns.setEntry(s, SLOW, Math.pow(stride, SLOW_POWER) / seen[s]);
+      }
+    }
+    return columns;
   }
 
   private static double stampNoise(
@@ -139,25 +217,18 @@ public record MovingNoise(CameraViews cameras, double stampNoise, double correla
     for (int id : seen.cameras()) {
       int[] own =
           IntStream.range(0, seen.size()).filter(i -> kept[i] && seen.camera(i) == id).toArray();
-      Samples s =
-          samples.computeIfAbsent(
-              id,
-              c ->
-                  new Samples(
-                      new ArrayList<>(),
-                      List.of(new ArrayList<>(), new ArrayList<>()),
-                      new ArrayList<>()));
+      Samples s = samples.computeIfAbsent(id, c -> Samples.none());
       for (int n = 1; n + 1 < own.length; n++) {
         whitening.at(views.get(id), seen.x(own[n]), seen.y(own[n]));
-        if (isRegular(seen, own, n, 1)) {
-          add(fit, whitening, own[n - 1], own[n], own[n + 1], s);
-        }
         for (int k = 0; k < STRIDES.length; k++) {
           int stride = STRIDES[k];
           if (isRegular(seen, own, n, stride)) {
             double[] difference =
                 difference(fit, whitening, own[n - stride], own[n], own[n + stride]);
-            s.apart.get(k).add(difference[1]);
+            s.across.get(k).add(difference[1]);
+            if (stride == 1 && difference[2] > FAST) {
+              s.along.add(new double[] {difference[0], difference[2]});
+            }
           }
         }
       }
@@ -174,14 +245,6 @@ public record MovingNoise(CameraViews cameras, double stampNoise, double correla
     return before + after < stride * LONGEST_SPAN
         && before > 0
         && Math.abs(after / before - 1) < REGULAR;
-  }
-
-  private static void add(KickFit fit, Whitening whitening, int a, int b, int c, Samples to) {
-    double[] difference = difference(fit, whitening, a, b, c);
-    to.across.add(difference[1]);
-    if (difference[2] > FAST) {
-      to.along.add(new double[] {difference[0], difference[2]});
-    }
   }
 
   /** Squared second difference along and across the path, in variances of the noise at rest, and the speed. */

@@ -237,6 +237,17 @@ public final class KickScreen {
   }
 
   /**
+   * Whether any kick is explained much worse than its fellows.
+   *
+   * @param at the model, fitted to the kicks
+   * @return whether one is to be looked at
+   */
+  public static boolean hasStandingOut(FittedModel at) {
+    double most = STANDS_OUT * Math.max(1, median(at));
+    return IntStream.range(0, at.kickCount()).anyMatch(k -> at.reduced(k) > most);
+  }
+
+  /**
    * Whether a model explains most kicks: those that it does not may be none of a free ball.
    *
    * @param at the model, fitted to the kicks

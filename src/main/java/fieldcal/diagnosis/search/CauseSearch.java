@@ -35,7 +35,9 @@ public final class CauseSearch {
   private static final List<Manner> MANNERS =
       Stream.of(Pursuit.Order.BEST, Pursuit.Order.SHARED)
           .flatMap(
-              order -> Stream.of(Weighing.values()).map(weighing -> new Manner(weighing, order)))
+              order ->
+                  Stream.of(Weighing.EXPLAINED_FIRST, Weighing.BETWEEN, Weighing.ALIKE)
+                      .map(weighing -> new Manner(weighing, order)))
           .toList();
 
   /** When not all is searched: what differs at random may be all there is, and curves would take up much of it. */

@@ -22,6 +22,9 @@ class DependenceSearchTest {
   private static final double LIMIT = 1e-4;
   private static final double SCATTER = 0.1;
 
+  /** Of values that scatter by one: a mean that all kickers share is no law. */
+  private static final double MEAN = 20;
+
   /** Kicks in all directions over a field, at times that are as irregular as a session's. */
   private static List<Kick> kicks(int n, Random random) {
     List<Kick> all = new ArrayList<>();
@@ -41,6 +44,7 @@ class DependenceSearchTest {
 
   private static KickValues with(List<Kick> kicks, ToDoubleFunction<Kick> value) {
     return new KickValues(
+        0,
         kicks.stream()
             .map(
                 k ->
@@ -167,10 +171,10 @@ class DependenceSearchTest {
         List<Kick> drawn = new ArrayList<>();
         for (Kick k : kicks) {
           double r = Math.min(1, 0.03 * k.speed() * k.speed());
-          double value = r * random.nextGaussian() / Math.sqrt(r);
+          double value = MEAN + r * random.nextGaussian() / Math.sqrt(r);
           drawn.add(new Kick(value, r, k.time(), k.speed(), k.heading(), k.x(), k.y()));
         }
-        return new KickValues(drawn);
+        return new KickValues(MEAN, drawn);
       }
       return with(
           kicks,
@@ -226,7 +230,7 @@ class DependenceSearchTest {
       kicks.add(new Kick(1e-3 * k.time(), 1, k.time(), k.speed(), k.heading(), k.x(), k.y()));
       kicks.add(new Kick(0, 0.01, k.time() + 1, k.speed(), k.heading(), k.x(), k.y()));
     }
-    Dependence found = DependenceSearch.of(new KickValues(kicks), LIMIT, 1).orElseThrow();
+    Dependence found = DependenceSearch.of(new KickValues(0, kicks), LIMIT, 1).orElseThrow();
     assertThat(found.form()).isEqualTo(Form.LINE);
     assertThat(found.explained()).isGreaterThan(0.999);
   }

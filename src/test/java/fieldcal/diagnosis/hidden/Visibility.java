@@ -193,7 +193,7 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
                 f -> {
                   boolean[] all = new boolean[f.kick().observations().size()];
                   Arrays.fill(all, true);
-                  return new KickRecord(f, all, new MovingNoise(views, 0, 0));
+                  return new KickRecord(f, all, new MovingNoise(views, 0, 0, 0));
                 })
             .toList();
     List<ObservedCamera> observers =

@@ -97,7 +97,7 @@ class EffectKickTest extends KickTermContract<ModelState> {
         new KickFitter(FitSettings.defaults()).fit(FitProblem.of(kick, views(), FLAT, CHIP), kind);
     boolean[] kept = new boolean[all.size()];
     Arrays.fill(kept, true);
-    return new KickRecord(fit, kept, new MovingNoise(views(), 0, 0));
+    return new KickRecord(fit, kept, new MovingNoise(views(), 0, 0, 0));
   }
 
   @Override

@@ -14,6 +14,7 @@ import fieldcal.fit.KickFitter;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
+import fieldcal.simulation.ScenarioKind;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,23 +33,57 @@ class MovingNoiseTest {
   /** Scale of heavy-tailed noise, in units of what is added else: the cameras' own noise has no such tails. */
   private static final double TAILS = 5;
 
-  private static final double CORRELATION = SHARED / (1 + SHARED * SHARED);
+  /** A part of each error that the next one keeps. */
+  private static final double KEPT = 0.4;
 
-  private final FittedField plain = FittedField.flats();
+  private final FittedField plain =
+      FittedField.of(FittedField.SOUND.withScenario(ScenarioKind.FLAT, 60));
 
-  /** The kicks with noise that a camera's successive detections share a part of. */
-  private FittedField noisy(double shared) {
-    SplittableRandom random = new SplittableRandom(20261125);
-    return noisy(shared, random::nextGaussian);
+  /** What the errors of a camera's detections have in common. */
+  private enum Memory {
+    /** Each has a part of what was new in the one before. */
+    OF_WHAT_WAS_NEW {
+      @Override
+      double deviation(double shared) {
+        return Math.sqrt(1 + shared * shared);
+      }
+
+      @Override
+      double kept(double fresh, double error) {
+        return fresh;
+      }
+    },
+    /** Each has a part of the one before. */
+    OF_ALL {
+      @Override
+      double deviation(double shared) {
+        return 1 / Math.sqrt(1 - shared * shared);
+      }
+
+      @Override
+      double kept(double fresh, double error) {
+        return error;
+      }
+    };
+
+    abstract double deviation(double shared);
+
+    abstract double kept(double fresh, double error);
   }
 
-  private FittedField noisy(double shared, DoubleSupplier random) {
+  /** The kicks with noise that a camera's successive detections share a part of. */
+  private FittedField noisy(Memory memory, double shared) {
+    SplittableRandom random = new SplittableRandom(20261125);
+    return noisy(memory, shared, random::nextGaussian);
+  }
+
+  private FittedField noisy(Memory memory, double shared, DoubleSupplier random) {
     DiagnosisProblem problem = plain.problem();
     ModelState state = plain.simple().solution().state();
     KickFitter fitter = new KickFitter(FitSettings.defaults());
     List<KickFit> fits =
         problem.fits().stream()
-            .map(f -> noisy(f.kick(), shared, random))
+            .map(f -> noisy(f.kick(), memory, shared, random))
             .map(k -> FitProblem.of(k, problem.cameras(), state.flat(), state.chip()))
             .map(p -> fitter.fit(p, KickKind.FLAT))
             .toList();
@@ -63,22 +98,25 @@ class MovingNoiseTest {
             problem.seed()));
   }
 
-  private static Kick noisy(Kick kick, double shared, DoubleSupplier random) {
+  private static Kick noisy(Kick kick, Memory memory, double shared, DoubleSupplier random) {
     Observations seen = kick.observations();
     Observations.Builder moved = new Observations.Builder();
     Map<Integer, double[]> before = new HashMap<>();
-    double scale = ADDED / Math.sqrt(1 + shared * shared);
+    double scale = ADDED / memory.deviation(shared);
     for (int i = 0; i < seen.size(); i++) {
-      double[] now = {random.getAsDouble(), random.getAsDouble()};
+      double[] fresh = {random.getAsDouble(), random.getAsDouble()};
       double[] last = before.getOrDefault(seen.camera(i), new double[2]);
+      double[] error = {fresh[0] + shared * last[0], fresh[1] + shared * last[1]};
       moved.add(
           seen.time(i),
           seen.camera(i),
-          seen.x(i) + scale * (now[0] + shared * last[0]),
-          seen.y(i) + scale * (now[1] + shared * last[1]),
+          seen.x(i) + scale * error[0],
+          seen.y(i) + scale * error[1],
           seen.pixelX(i),
           seen.pixelY(i));
-      before.put(seen.camera(i), now);
+      before.put(
+          seen.camera(i),
+          new double[] {memory.kept(fresh[0], error[0]), memory.kept(fresh[1], error[1])});
     }
     return kick.withObservations(moved.build());
   }
@@ -92,21 +130,31 @@ class MovingNoiseTest {
   void independentErrorsAreNotCorrelated() {
     assertThat(plain.noise().correlation()).isZero();
     assertThat(plain.noise().inflation(4)).isEqualTo(1);
-    assertThat(noisy(0).noise().correlation()).isZero();
+    assertThat(noisy(Memory.OF_ALL, 0).noise().correlation()).isZero();
   }
 
   @Test
   void whatSuccessiveErrorsShareIsNoiseAndNoStructure() {
-    FittedField field = noisy(SHARED);
+    assertNoise(noisy(Memory.OF_WHAT_WAS_NEW, SHARED), SHARED / (1 + SHARED * SHARED), 0);
+  }
+
+  @Test
+  void soIsWhatErrorsKeepOfAllBefore() {
+    assertNoise(noisy(Memory.OF_ALL, KEPT), KEPT, KEPT);
+  }
+
+  private void assertNoise(FittedField field, double correlation, double decay) {
     double expected = 0;
     for (int camera : new int[] {0, 1}) {
       double both = Math.hypot(ADDED, noise(plain.noise(), camera));
-      expected += 0.5 * CORRELATION * Math.pow(ADDED / both, 2);
+      expected += 0.5 * correlation * Math.pow(ADDED / both, 2);
       assertThat(noise(field.noise(), camera)).isCloseTo(both, within(0.08 * both));
     }
     double rho = field.noise().correlation();
     assertThat(rho).isCloseTo(expected, within(0.06));
-    assertThat(field.noise().inflation(4)).isEqualTo(1 + 1.5 * rho);
+    assertThat(field.noise().decay()).isCloseTo(decay, within(0.2));
+    assertThat(field.noise().inflation(4))
+        .isCloseTo(1 + rho * (1.5 + decay * (1 + 0.5 * decay)), within(0.2));
     assertThat(field.simple().solution().reducedChiSquare()).isCloseTo(1, within(0.1));
     assertThat(Leftover.of(field.simple()).isSignificant()).isFalse();
   }
@@ -117,6 +165,7 @@ class MovingNoiseTest {
     SplittableRandom random = new SplittableRandom(20261126);
     FittedField field =
         noisy(
+            Memory.OF_ALL,
             0,
             () -> {
               double squares = 0;
@@ -128,7 +177,7 @@ class MovingNoiseTest {
     assertThat(field.noise().correlation()).isZero();
     assertThat(field.simple().solution().reducedChiSquare())
         .as("they are there")
-        .isGreaterThan(1.1);
+        .isGreaterThan(1.05);
     Leftover left = Leftover.of(field.simple());
     assertThat(left.isSignificant()).isFalse();
     assertThat(left.deviation()).isLessThan(3);
