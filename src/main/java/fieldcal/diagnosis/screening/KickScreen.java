@@ -51,6 +51,9 @@ public final class KickScreen {
   /** Share of the kicks that may be left out: more would be a finding. */
   private static final double MOST_LEFT_OUT = 0.1;
 
+  /** Kicks that leave so many times what all others leave together would drown any cause: an order of magnitude, since one of a dozen kicks may well leave as much as the others by chance. */
+  private static final double LOUD = 10;
+
   /** The others count as explained below that reduced chi-square. */
   private static final double EXPLAINED = 1.6;
 
@@ -270,7 +273,7 @@ public final class KickScreen {
   }
 
   /**
-   * The kicks without the few that leave more than all others together.
+   * The kicks without the few that leave far more than all others together.
    *
    * @param at the simple model, fitted to the kicks
    * @return the same list where there are none, or more than a few
@@ -284,11 +287,11 @@ public final class KickScreen {
     double rest = byLeft.stream().mapToDouble(k -> left(at, k)).sum();
     double all = rest;
     int loud = 0;
-    while (loud < mostLeftOut(at) && rest > all / 2) {
+    while (loud < mostLeftOut(at) && rest * LOUD > all - rest) {
       rest -= left(at, byLeft.get(loud));
       loud++;
     }
-    if (rest > all / 2) {
+    if (rest * LOUD > all - rest) {
       return at.records();
     }
     Set<Integer> out = Set.copyOf(byLeft.subList(0, loud));
