@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Two robots collect kicks. Told the world each tick, it answers what both robots are to do.
+ * Two robots collect kicks. It is given the world each tick and returns what both robots are to do.
  *
  * <p>Call {@link #tick} at 30 Hz or more, always from one thread, and send the answered orders at once. Tell {@link #judge} how each kick turned out: one that does not count is made again. Nothing
  * is thrown once it runs: what goes wrong is waited out, or ends the play with a reason in {@link #state}. Not thread-safe.
