@@ -52,9 +52,12 @@ final class AccelerationLimit {
   private static final double LEANING = 0.3;
 
   /**
-   * What a coefficient is off by beside noise: pieces of constant acceleration over one that falls with speed, cells of the table. Up to 0.01 in simulated matches of ten minutes.
+   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by beside noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
    */
-  private static final double SYSTEMATIC_COEFFICIENT = 0.01;
+  private static final double SYSTEMATIC_TORQUE = 0.013;
+
+  /** The same of {@link MovementEffect#DIRECTIONAL}: 60 of acceleration and 60 of braking were off by 0.0023 and 0.0043, with errors by noise below 0.001. */
+  private static final double SYSTEMATIC_DIRECTIONAL = 0.004;
 
   private static final double[] COEFFICIENTS = {0, 0.3, 0.6};
   private static final double[] NARROWING = {0.3, 0.15, 0.07};
@@ -249,7 +252,11 @@ final class AccelerationLimit {
   }
 
   private double coefficientError(int effect) {
-    return Math.hypot(mode.errors()[effect + 1] / mode.beta()[0], SYSTEMATIC_COEFFICIENT);
+    double systematic =
+        named.get(effect) == MovementEffect.DIRECTIONAL
+            ? SYSTEMATIC_DIRECTIONAL
+            : SYSTEMATIC_TORQUE;
+    return Math.hypot(mode.errors()[effect + 1] / mode.beta()[0], systematic);
   }
 
   /** The limit in a direction, from standstill, as the named effects have it. */
