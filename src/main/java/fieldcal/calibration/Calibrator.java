@@ -73,7 +73,7 @@ public final class Calibrator {
     List<KickFit> covered = fits;
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
-    // Chips that roll otherwise than the flat kicks, far beyond what the others leave.
+    // Chips that roll differently from the flat kicks, and whose residuals are far above those of the others.
     Set<Kick> rollFreely = ConcurrentHashMap.newKeySet();
     for (int round = 0; round < MAX_ROUNDS; round++) {
       if (round > 0) {

@@ -255,7 +255,7 @@ public final class CalibrationPlay {
   }
 
   /**
-   * Both robots stand while there is a reason, as long as the play's patience lasts: whoever drives them is not heard, for example. A ball that rolls is watched all the same.
+   * Both robots stand while there is a reason, for example that the program that drives them does not answer; after the play's patience the play ends. A ball that rolls is watched all the same.
    *
    * @param reason for the operator; empty to go on
    */
@@ -283,7 +283,7 @@ public final class CalibrationPlay {
    *
    * @param number of the {@link PlayedKick}
    * @param good false to make it again
-   * @param reason why it does not count, for the operator; empty when it counts, or when nobody knows
+   * @param reason why it does not count, for the operator; empty when it counts, or when the reason is not known
    */
   public void judge(int number, boolean good, String reason) {
     ledger.judge(number, good, Objects.requireNonNull(reason, "reason"));

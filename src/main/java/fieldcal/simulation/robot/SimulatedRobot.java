@@ -106,7 +106,7 @@ public final class SimulatedRobot {
   }
 
   /**
-   * Puts it somewhere at rest, as a hand does.
+   * Puts it somewhere at rest, as a person does by hand.
    *
    * @param newX m
    * @param newY m
