@@ -73,7 +73,8 @@ public final class Calibrator {
     List<KickFit> covered = fits;
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
-    // Chips that roll differently from the flat kicks, and whose residuals are far above those of the others.
+    // Chips that roll differently from the flat kicks, and whose residuals are far above those of
+    // the others.
     Set<Kick> rollFreely = ConcurrentHashMap.newKeySet();
     for (int round = 0; round < MAX_ROUNDS; round++) {
       if (round > 0) {
