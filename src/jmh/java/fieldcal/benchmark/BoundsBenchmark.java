@@ -31,13 +31,15 @@ final class BoundsBenchmark {
       RobotLimits yellow = drawn(random);
       RobotLimits blue = drawn(random);
       double noise = 0.001 * Math.exp(random.uniform(Math.log(0.8), Math.log(4)));
+      long seed = 1000 * settings.seed() + i;
       SimulationSettings s =
           SimulationSettings.DEFAULT
-              .withSeed(1000 * settings.seed() + i)
+              .withSeed(seed)
               .withScenario(
                   ScenarioSettings.of(ScenarioKind.MATCH, 0)
                       .withMatch(SIZES[i % SIZES.length], settings.minutes())
-                      .withLimits(yellow, blue));
+                      .withLimits(yellow, blue)
+                      .withManner(LimitMatch.drawnManner(seed)));
       double apart = random.uniform(0, 0.025);
       s = s.withCameras(s.cameras().withNoise(0.002, noise).withRegistration(0.0215, apart));
       LimitMatch match = LimitMatch.play(LimitMatch.enlarging(s), MovementObserver::accept);

@@ -6,6 +6,7 @@ import fieldcal.movement.TeamLimits;
 import fieldcal.simulation.RandomStream;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.TeamManner;
 import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.simulation.truth.RefereePhase;
 import fieldcal.vision.Team;
@@ -25,7 +26,21 @@ final class LimitMatch {
   /** What calibrations and lenses enlarge by, in parts, at most: a camera of 5 m that hangs 5 mm elsewhere than published. */
   private static final double ENLARGED = 0.001;
 
+  /** Robots of one team differ by one per cent (standard deviation), as those of the independent generator of docs/benchmarks.md do … */
+  private static final double DIFFERENCE = 0.01;
+
+  /** … and their acceleration changes within up to that time, s, as there. */
+  private static final double LONGEST_SETTLING = 0.08;
+
   private LimitMatch() {}
+
+  /** Robots as they are built: not all alike, and with corners of any roundness. */
+  static TeamManner drawnManner(long seed) {
+    RandomStream random = RandomStream.of(seed, "manner");
+    return TeamManner.USUAL
+        .withDifference(DIFFERENCE)
+        .withSettling(random.uniform(0, LONGEST_SETTLING));
+  }
 
   /** Cameras that each enlarge what they see a little, or make it smaller: an error of the estimates covers that, too. */
   static SimulationSettings enlarging(SimulationSettings settings) {

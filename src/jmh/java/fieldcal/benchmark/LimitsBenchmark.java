@@ -21,7 +21,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Movement limits of simulated matches against the truth, the league's estimator beside ours: 6 against 6 and 11 against 11, 1.3 and 3.5 mm of noise, cameras that disagree by 23 mm and enlarge by up to 0.1 %, over the range of
+ * Movement limits of simulated matches against the truth, the league's estimator beside ours: 6 against 6 and 11 against 11, 1.3 and 3.5 mm of noise, cameras that disagree by 23 mm and enlarge by up to 0.1 %, robots that differ by 1 % and change their acceleration within up to 80 ms, over the range of
  * limits that robots have; teams with and without torque limit and direction dependence; and what a frame costs.
  */
 final class LimitsBenchmark {
@@ -91,13 +91,15 @@ final class LimitsBenchmark {
   }
 
   private void match(double noise, int size, RobotLimits yellow, RobotLimits blue, int number) {
+    long seed = 1000 * settings.seed() + number;
     SimulationSettings s =
         SimulationSettings.DEFAULT
-            .withSeed(1000 * settings.seed() + number)
+            .withSeed(seed)
             .withScenario(
                 ScenarioSettings.of(ScenarioKind.MATCH, 0)
                     .withMatch(size, settings.minutes())
-                    .withLimits(yellow, blue));
+                    .withLimits(yellow, blue)
+                    .withManner(LimitMatch.drawnManner(seed)));
     s = s.withCameras(s.cameras().withNoise(0.002, noise).withRegistration(0.0215, 0.023));
     LimitMatch match = LimitMatch.play(LimitMatch.enlarging(s), costs::accept);
     judge(match.limits(Team.YELLOW), yellow, match.driven(Team.YELLOW));

@@ -76,10 +76,9 @@ final class ShapesBenchmark {
       boolean turns = i % 2 == 0;
       boolean hasWeak = i % 3 == 0;
       TeamManner manner =
-          new TeamManner(
-              turns ? TeamManner.Facing.TARGET : TeamManner.Facing.BALL,
-              hasWeak ? 1 + i % 5 : -1,
-              hasWeak ? random.uniform(0.6, 0.88) : 1);
+          TeamManner.USUAL
+              .withFacing(turns ? TeamManner.Facing.TARGET : TeamManner.Facing.BALL)
+              .withWeakRobot(hasWeak ? 1 + i % 5 : -1, hasWeak ? random.uniform(0.6, 0.88) : 1);
       match(i, yellow, blue, manner);
     }
     summary();

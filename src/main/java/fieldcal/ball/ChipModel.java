@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 
 /**
  * How a chipped ball flies, bounces and rolls out: parabolas under gravity without drag; at each impact the horizontal velocity
- * shrinks to a fraction of itself and the vertical one is reversed and shrinks; a hop whose apex would stay under
+ * shrinks to a fraction of itself and the vertical one is reversed and shrinks; a hop that would stay below
  * the lowest one does not take place: the ball rolls instead.
  *
  * <p>The model of the league's geometry message ({@code SSL_BallModelChipFixedLoss}).

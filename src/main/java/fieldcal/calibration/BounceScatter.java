@@ -7,7 +7,7 @@ import fieldcal.kick.KickKind;
 import java.util.List;
 
 /**
- * By how much the bounces of each chip may differ from each other, from how the chips differ: what makes one kick bounce otherwise than the others, as spin does, fades from bounce to bounce, and so differs by as much within the kick. A kick that bounces as the
+ * By how much the bounces of each chip may differ from each other, from how the chips differ: what makes one kick bounce differently from the others, as spin does, fades from bounce to bounce, and so differs by as much within the kick. A kick that bounces as the
  * others do has even bounces.
  */
 final class BounceScatter {

@@ -32,7 +32,7 @@ import java.util.function.Consumer;
  * Calibrates the ball: camera noise and offsets, each kick, selection, average, joint fit.
  *
  * <p>Order matters. Offsets between cameras come before any kick is judged, since they are far above the noise; flat kicks come
- * before chips, which roll with the accRoll of the flat ones; errors of chips that bounce otherwise than the others cover bounces that differ from each other; and when the joint fit has refined the offsets, every kick is fitted
+ * before chips, which roll with the accRoll of the flat ones; for chips that bounce differently from the others, the errors allow for bounces that differ from each other; and when the joint fit has refined the offsets, every kick is fitted
  * once more with them. Immutable and thread-safe; kicks are fitted in parallel, with the same result as one by one.
  */
 public final class Calibrator {
@@ -73,7 +73,8 @@ public final class Calibrator {
     List<KickFit> covered = fits;
     OptionalDouble roll = OptionalDouble.empty();
     Optional<JointFit> together = Optional.empty();
-    // Chips that roll otherwise than the flat kicks, far beyond what the others leave.
+    // Chips that roll differently from the flat kicks, and whose residuals are far above those of
+    // the others.
     Set<Kick> rollFreely = ConcurrentHashMap.newKeySet();
     for (int round = 0; round < MAX_ROUNDS; round++) {
       if (round > 0) {

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Where a recording comes from. A recording of a simulated field carries a filler message that says so, which other programs ignore; so it is known for what it is under
- * any name and in any folder.
+ * Where a recording comes from. A recording of a simulated field carries a filler message that says so, which other programs ignore; so it is recognised whatever its
+ * name and folder.
  */
 public enum RecordingOrigin {
   /** A real field, or a recording without a mark. */

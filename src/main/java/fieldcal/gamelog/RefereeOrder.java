@@ -1,7 +1,7 @@
 package fieldcal.gamelog;
 
 /**
- * Tells present messages of a referee from old ones: packets overtake each other on the network, and some controllers send the old state once more beside the new one. Mutable, for the messages of one referee and for one thread.
+ * Distinguishes current messages of a referee from outdated ones: packets overtake each other on the network, and some controllers send the old state once more beside the new one. Mutable, for the messages of one referee and for one thread.
  */
 public final class RefereeOrder {
   /**

@@ -9,7 +9,7 @@ import java.util.Optional;
  *
  * @param source what the tracker calls itself; empty when it does not say
  * @param uuid distinguishes trackers of the same name
- * @param time of which the frame is, s
+ * @param time the instant that the frame shows, s
  * @param ball the ball in play; empty when the tracker sees none
  * @param kick the kick that is under way; empty without one
  * @param robots how many it tracks

@@ -50,7 +50,7 @@ final class TrackMatcher {
     return !compared && continues(kick, track);
   }
 
-  /** Whether the detections of a track are where another camera sees its ball: the newest, and some of the last quarter of a second, or a ball that passes something white would be taken for it. */
+  /** Whether the detections of a track are where another camera sees its ball: the newest, and some of the last quarter of a second, otherwise a ball that passes something white would be confused with it. */
   boolean meets(BallTrack member, BallTrack track, double kicked) {
     for (int age = 0; age < track.size(); age += age < COMPARED - 1 ? 1 : STRIDE) {
       double t = track.time(age);

@@ -26,7 +26,7 @@ import java.util.OptionalDouble;
  *
  * <p>Frames, geometry and phases come from one thread and take microseconds; {@link #poll} fits on another, some 10 to 100 ms a kick. What waits between them is bounded. {@link #snapshot} and {@link #samples}
  * may be called from any thread. Partial kicks count for what they determine. After dribbling the ball may spin;
- * of such kicks what spin changes counts only where it agrees with the other kicks ({@link BallParameter#spinSensitive}).
+ * then a parameter that spin changes counts only where it agrees with the other kicks ({@link BallParameter#spinSensitive}).
  */
 public final class BallMonitor {
   /** From so many samples on, flat kicks know accRoll better than a chip that hardly rolls. */

@@ -7,7 +7,7 @@ import fieldcal.vision.VisionFrame;
 
 /**
  * Noise of one camera's ball, from three detections in a row: how far the middle one lies from the line between the others. A ball that rests, slides or rolls hardly bends its path within 30 ms (a sliding ball by 0.3 mm at
- * 75 Hz, a chip by 0.9 mm), and the median does not mind kicks and bounces. So it is known within seconds, also where no ball rests before a kick. Constant memory.
+ * 75 Hz, a chip by 0.9 mm), and kicks and bounces hardly change the median. So it is known within seconds, also where no ball rests before a kick. Constant memory.
  */
 final class BallNoise {
   /** Detections in a row that are further apart may lack one between them, s: two and a half frames at 75 Hz. */

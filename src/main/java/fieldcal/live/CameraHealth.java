@@ -3,7 +3,7 @@ package fieldcal.live;
 import java.util.OptionalInt;
 
 /**
- * How well one camera does.
+ * How well one camera works.
  *
  * @param id camera id
  * @param frames received, repeated ones not counted

@@ -14,7 +14,7 @@ public interface LiveListener {
   LiveListener NONE = new LiveListener() {};
 
   /**
-   * A parameter of the ball has moved too far from the published model. Told once, until it is cleared.
+   * A parameter of the ball has moved too far from the published model. Called once, until the warning is cleared.
    *
    * @param warning what is off and by how much
    */
@@ -50,7 +50,7 @@ public interface LiveListener {
   default void limits(Team team, TeamLimits limits) {}
 
   /**
-   * Robots move otherwise than they are configured to ({@link LiveMonitor#configured}). Told once, until it is cleared. Nothing is changed; whether to do so is the host's.
+   * Robots do not move as they are configured to ({@link LiveMonitor#configured}). Called once, until the warning is cleared. Nothing is changed; whether to do so is the host's.
    *
    * @param warning which limit and by how much
    */

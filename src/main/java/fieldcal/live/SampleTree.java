@@ -7,10 +7,10 @@ import java.util.List;
 /**
  * The newest samples of one parameter, sorted by value, with their median. Above the capacity the oldest leaves. Equal values all count.
  *
- * <p>The league's teams let the smallest and the largest leave instead. That keeps old carpets alive: a new carpet's samples lie all on one side, so every other of them leaves at once. Measured on series of
+ * <p>The league's teams remove the smallest and the largest sample instead. Then the samples of an old carpet stay too long: those of a new one all lie on one side, so every other one is removed at once. Measured on series of
  * samples that scatter by 12 % from kick to kick, one in twenty wrong, on a carpet whose rolling deceleration grows by 30 % (300 series each; samples until the median is 20 % off): smallest and largest leave
  * 64 (in 5 % more than 96), the same and none older than 45 samples 29 (40), none older than 62 samples 37 (57), a ring of 61 samples 40 (49), of 31 samples 21 (27). None of them was ever 20 % off
- * without a change, where the published model was up to 8 % off. So the ring of 31 has it; outliers need not be taken out, a median does not mind them. {@code ./gradlew benchmark
+ * without a change, where the published model was up to 8 % off. So the ring of 31 is used. Outliers need not be removed, since they hardly move a median. {@code ./gradlew benchmark
  * -PbenchmarkArgs=sample-tree} prints the table.
  *
  * <p>The order of adding does not matter: samples of several matches that are pooled give the same tree as one long match. Mutable; for one thread.

@@ -1,5 +1,5 @@
 /**
- * Watches a match frame by frame: a ball model from the medians of its last kicks, the movement limits of both teams, how well the cameras do, and warnings when the ball no longer does what is
+ * Watches a match frame by frame: a ball model from the medians of its last kicks, the movement limits of both teams, how well the cameras work, and warnings when the ball no longer does what is
  * published.
  *
  * <p>{@link fieldcal.live.LiveMonitor} is the whole of it for a team's AI or a tool: it is given frames and the referee's phase on one thread, does what takes long on an {@link

@@ -52,17 +52,12 @@ final class AccelerationLimit {
   private static final double LEANING = 0.3;
 
   /**
-   * The same for an edge, where it is more than {@link #SYSTEMATIC}. In simulated matches with 3.5 mm of noise, limits of braking whose manoeuvres had errors of 2 to 3 % were 1.2 % off (rms), nearly always too small; with errors of 1.2 % they were 0.3 % off.
+   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by beside noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
    */
-  private static final double LEANING_OF_EDGE = 0.4;
+  private static final double SYSTEMATIC_TORQUE = 0.013;
 
-  /**
-   * What a coefficient is off by beside noise: pieces of constant acceleration over one that falls with speed, cells of the table. Up to 0.01 in simulated matches of ten minutes.
-   */
-  private static final double SYSTEMATIC_COEFFICIENT = 0.01;
-
-  /** A robot that is torque limited still accelerates a little at its highest speed. */
-  private static final double LEAST_TORQUE = 0.05;
+  /** The same of {@link MovementEffect#DIRECTIONAL}: 60 of acceleration and 60 of braking were off by 0.0023 and 0.0043, with errors by noise below 0.001. */
+  private static final double SYSTEMATIC_DIRECTIONAL = 0.004;
 
   private static final double[] COEFFICIENTS = {0, 0.3, 0.6};
   private static final double[] NARROWING = {0.3, 0.15, 0.07};
@@ -72,7 +67,10 @@ final class AccelerationLimit {
   private final Kind kind;
   private final int robots;
   private final double velocity;
-  private final boolean uniformSoFar;
+
+  /** What is known to reduce the limit from elsewhere, and was taken out of the data. */
+  private final Reduction shared;
+
   private final List<MovementEffect> named = new ArrayList<>();
   private SaturationFit.Mode uniform;
   private SaturationFit.Mode mode;
@@ -109,7 +107,7 @@ final class AccelerationLimit {
    * @param robots how many were seen to manoeuvre
    */
   AccelerationLimit(ManoeuvreTable table, Kind kind, double velocity, int robots) {
-    this(table.columns(), table.samples(), kind, velocity, robots, true);
+    this(table.columns(), table.samples(), kind, velocity, robots, Reduction.NONE);
   }
 
   private AccelerationLimit(
@@ -118,11 +116,11 @@ final class AccelerationLimit {
       Kind kind,
       double velocity,
       int robots,
-      boolean uniformSoFar) {
+      Reduction shared) {
     data = columns;
     this.robots = robots;
     this.velocity = velocity;
-    this.uniformSoFar = uniformSoFar;
+    this.shared = shared;
     this.samples = samples;
     this.kind = kind;
     if (samples < FEWEST) {
@@ -134,7 +132,7 @@ final class AccelerationLimit {
       return;
     }
     select(candidates());
-    if (uniformSoFar && kind.hasDirection()) {
+    if (shared == Reduction.NONE && kind.hasDirection()) {
       boolean fast = named.contains(MovementEffect.TORQUE_LIMITED);
       EnvelopeFit byDirection = envelopeFit(coefficient(MovementEffect.TORQUE_LIMITED));
       EnvelopeFit alone = fast ? envelopeFit(0) : null;
@@ -185,15 +183,17 @@ final class AccelerationLimit {
     if (known < 0 || !own.named.isEmpty() || own.shaped()) {
       return own;
     }
-    ManoeuvreTable.Columns columns = table.columns();
-    double coefficient = acceleration.coefficient(known);
-    double[] factor = columns.sine2();
-    for (int i = 0; i < factor.length; i++) {
-      factor[i] = 1 - coefficient * factor[i];
-    }
+    Reduction byDirection =
+        new Reduction(
+            0, 0, acceleration.coefficient(known), acceleration.coefficientError(known), velocity);
     AccelerationLimit shared =
         new AccelerationLimit(
-            columns.without(factor), table.samples(), Kind.BRAKING, velocity, robots, false);
+            byDirection.takenOut(table.columns()),
+            table.samples(),
+            Kind.BRAKING,
+            velocity,
+            robots,
+            byDirection);
     if (shared.mode == null) {
       return own;
     }
@@ -235,22 +235,33 @@ final class AccelerationLimit {
 
   /** The limit by direction, with a loss by speed taken out. */
   private EnvelopeFit envelopeFit(double torque) {
-    double[] factor = data.speed().clone();
-    for (int i = 0; i < factor.length; i++) {
-      factor[i] = slowed(torque, factor[i]);
-    }
-    return EnvelopeFit.of(data.without(factor), this::named);
+    Reduction bySpeed = new Reduction(torque, 0, 0, 0, velocity);
+    return EnvelopeFit.of(bySpeed.takenOut(data), this::named);
   }
 
-  /** The part of the limit that is left at a speed. */
-  private double slowed(double torque, double speed) {
-    return torque == 0 ? 1 : Math.max(LEAST_TORQUE, 1 - torque * speed / velocity);
+  /** What the named effects take from the limit. */
+  private Reduction named() {
+    int torque = named.indexOf(MovementEffect.TORQUE_LIMITED);
+    int directional = named.indexOf(MovementEffect.DIRECTIONAL);
+    return new Reduction(
+        torque < 0 ? 0 : coefficient(torque),
+        torque < 0 ? 0 : coefficientError(torque),
+        directional < 0 ? 0 : coefficient(directional),
+        directional < 0 ? 0 : coefficientError(directional),
+        velocity);
+  }
+
+  private double coefficientError(int effect) {
+    double systematic =
+        named.get(effect) == MovementEffect.DIRECTIONAL
+            ? SYSTEMATIC_DIRECTIONAL
+            : SYSTEMATIC_TORQUE;
+    return Math.hypot(mode.errors()[effect + 1] / mode.beta()[0], systematic);
   }
 
   /** The limit in a direction, from standstill, as the named effects have it. */
   private double named(double phi) {
-    double sine = Math.sin(phi);
-    return mode.beta()[0] * (1 - coefficient(MovementEffect.DIRECTIONAL) * sine * sine);
+    return mode.beta()[0] * named().directed(phi);
   }
 
   private Envelope envelope(EnvelopeFit fit) {
@@ -315,12 +326,9 @@ final class AccelerationLimit {
       Envelope.Point most = envelope.strongest().orElseThrow();
       return estimate(most.value(), most.standardError(), envelope.shareWith());
     }
-    // Where it depends on speed or direction, these are known to cells only, which would blur the
-    // edge.
-    UpperEdge edge =
-        named.isEmpty() && uniformSoFar
-            ? UpperEdge.of(data.acceleration(), data.error(), data.count())
-            : null;
+    Reduction effects = named();
+    ManoeuvreTable.Columns reduced = effects.takenOut(data);
+    UpperEdge edge = UpperEdge.of(reduced.acceleration(), reduced.error(), reduced.count());
     if (edge == null) {
       double systematic = Math.hypot(SYSTEMATIC * mode.beta()[0], LEANING * mode.noise());
       double error = Math.hypot(mode.errors()[0], systematic);
@@ -328,8 +336,10 @@ final class AccelerationLimit {
     }
     double differ = edge.scatter() / Math.sqrt(Math.max(1, robots));
     double part = edge.share() < REACHED ? SYSTEMATIC_OF_FEW : SYSTEMATIC;
-    double systematic = Math.max(part * edge.value(), LEANING_OF_EDGE * edge.noise());
-    double error = Math.hypot(Math.hypot(edge.error(), differ), systematic);
+    double coefficients = Math.hypot(effects.errorOf(edge, reduced), shared.errorOf(edge, reduced));
+    double systematic = Math.hypot(part, coefficients) * edge.value();
+    double random = Math.hypot(edge.error(), differ);
+    double error = Math.hypot(Math.hypot(random, systematic), edge.hidden());
     return estimate(edge.value(), error, edge.share());
   }
 
@@ -352,7 +362,7 @@ final class AccelerationLimit {
 
   /** The factors by which speed and direction reduce the limit of each row of a table of the same kind; 1 where nothing is known to. */
   double[] reduction(ManoeuvreTable.Columns rows) {
-    double torque = coefficient(MovementEffect.TORQUE_LIMITED);
+    Reduction effects = named();
     double[] factor = new double[rows.count().length];
     for (int i = 0; i < factor.length; i++) {
       double phi = rows.direction()[i];
@@ -361,10 +371,9 @@ final class AccelerationLimit {
         double largest = envelope.strongest().orElseThrow().value();
         there = Double.isNaN(phi) ? phi : envelope.at(phi).orElse(Double.NaN) / largest;
       } else {
-        boolean anywhere = coefficient(MovementEffect.DIRECTIONAL) == 0;
-        there = anywhere ? 1 : named(phi) / mode.beta()[0];
+        there = effects.directed(phi);
       }
-      factor[i] = there * slowed(torque, rows.speed()[i]);
+      factor[i] = there * effects.slowed(rows.speed()[i]);
     }
     return factor;
   }
@@ -376,7 +385,7 @@ final class AccelerationLimit {
           new LimitDeviation(
               named.get(k),
               coefficient(k),
-              Math.hypot(mode.errors()[k + 1] / mode.beta()[0], SYSTEMATIC_COEFFICIENT),
+              coefficientError(k),
               kind.label,
               uniform.share(),
               mode.share()));

@@ -8,7 +8,7 @@ import java.util.OptionalDouble;
 
 /**
  * A limit of acceleration or braking by direction in the robot's own frame, of whatever shape: a closed polygon over {@link #DIRECTIONS} directions, from standstill, with a standard error at each. Directions in which robots hardly ever
- * used all they have are not known; nothing is drawn through them.
+ * used all they have are left out.
  *
  * @param seenIn {@code acceleration} or {@code braking}
  * @param points what is known, by angle; empty when no direction is

@@ -31,6 +31,9 @@ final class ManoeuvreTable {
 
   private static final double DIRECTION_STEP = 2 * Math.PI / DIRECTIONS;
 
+  /** Standard error of a direction that is known to its class, rad: values are spread evenly over it. */
+  static final double DIRECTION_ERROR = DIRECTION_STEP / Math.sqrt(12);
+
   private final Scale scale;
   private final TreeMap<Integer, Integer> cells = new TreeMap<>();
   private long samples;
@@ -48,6 +51,11 @@ final class ManoeuvreTable {
 
     /** Of turning, rad/s² and rad/s. */
     static final Scale TURNING = new Scale(3, 500, 1);
+
+    /** Standard error of a speed that is known to its class. */
+    double speedError() {
+      return speedStep / Math.sqrt(12);
+    }
 
     private int classes() {
       return 1 + (int) (Math.log(strongest / weakest) / LOG_STEP);
@@ -76,6 +84,16 @@ final class ManoeuvreTable {
         e[i] /= factor[i];
       }
       return new Columns(a, e, speed, direction, count);
+    }
+
+    /** The same where a factor is known only to a relative standard error, which adds to that of each manoeuvre. */
+    Columns without(double[] factor, double[] blur) {
+      Columns sharp = without(factor);
+      double[] e = sharp.error.clone();
+      for (int i = 0; i < e.length; i++) {
+        e[i] = Math.hypot(e[i], blur[i] * sharp.acceleration[i]);
+      }
+      return new Columns(sharp.acceleration, e, speed, direction, count);
     }
   }
 

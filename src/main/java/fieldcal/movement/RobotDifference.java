@@ -3,7 +3,7 @@ package fieldcal.movement;
 import java.util.Objects;
 
 /**
- * A robot that accelerates or brakes clearly otherwise than its team mates, for example with a weak motor.
+ * A robot that accelerates or brakes clearly differently from its team mates, for example with a weak motor.
  *
  * @param robot number
  * @param quantity {@code acceleration} or {@code braking}

@@ -18,7 +18,7 @@ import java.util.Objects;
  * @param speedCaps robots with a lower limit of their own
  * @param turning how fast they turn
  * @param envelopes the limits of acceleration and of braking by direction in the robot's own frame; empty with too few manoeuvres
- * @param robots that accelerate or brake clearly otherwise than their team mates
+ * @param robots that accelerate or brake clearly differently from their team mates
  * @param manoeuvres pieces of constant acceleration that were fitted
  */
 public record TeamLimits(

@@ -37,7 +37,7 @@ public record TurnLimits(
         turns);
   }
 
-  /** A lower bound where robots have the highest rate that they were seen to have within less time than a piece of constant acceleration must last to be told from noise: the corners at both ends then take some of it away. */
+  /** A lower bound where robots have the highest rate that they were seen to have within less time than a piece of constant acceleration must last to be distinguished from noise: the corners at both ends then take some of it away. */
   static LimitEstimate unlessTooShort(LimitEstimate change, LimitEstimate velocity) {
     boolean known = change.known() && velocity.known();
     if (!known || velocity.value() >= Pieces.SHORTEST_TOLD * change.value()) {

@@ -12,20 +12,20 @@ import java.util.Arrays;
  * @param value the mean of what lies there, in the unit of the values
  * @param error its standard error from the errors of the manoeuvres
  * @param scatter how much the manoeuvres there differ beyond their errors, for example since robots do
- * @param noise the mean error of the manoeuvres there
+ * @param hidden how far above the value the limit may lie unnoticed (rms): where the errors of the manoeuvres are larger than the distance of two heaps, both look like one between them
  * @param mass how many manoeuvres lie there
  * @param share of all that were well measured
  */
 record UpperEdge(
-    double value, double error, double scatter, double noise, double mass, double share) {
+    double value, double error, double scatter, double hidden, double mass, double share) {
   /** Distance of the grid's values, in parts: a quarter of the error of a well measured manoeuvre. */
   private static final double STEP = 0.004;
 
   /** Robots of one team, and one robot at different times, differ by this fraction. */
-  private static final double HALF_WIDTH = 0.012;
+  static final double HALF_WIDTH = 0.012;
 
   /** Manoeuvres with a larger error cannot show how values that are some per cent apart are distributed, in parts. */
-  private static final double WORST = 0.03;
+  static final double WORST = 0.03;
 
   /** A window holds the limit from so many manoeuvres on … */
   private static final double FEWEST = 8;
@@ -52,6 +52,12 @@ record UpperEdge(
 
   /** Then the heaps no longer move by a tenth of a step. */
   private static final int ITERATIONS = 200;
+
+  /** From one level above the heap to the next, the distribution of the rest hardly changes: so few iterations adapt it. */
+  private static final int ADAPTING = 25;
+
+  /** A level whose likelihood is smaller by this factor, as a logarithm, and all above it do not matter: a thousandth. */
+  private static final double UNLIKELY = Math.log(1000);
 
   /** Rounding of values and errors to cells, in parts. */
   private static final double CELL = 0.002;
@@ -93,7 +99,7 @@ record UpperEdge(
   /** The same where it is not known whether a higher value is the limit: the error covers both. */
   private UpperEdge orUpTo(double higher) {
     double open = 0.5 * Math.max(0, higher - value);
-    return new UpperEdge(value, Math.hypot(error, open), scatter, noise, mass, share);
+    return new UpperEdge(value, Math.hypot(error, open), scatter, hidden, mass, share);
   }
 
   /** The distribution, and the edge of it. */
@@ -128,10 +134,14 @@ record UpperEdge(
         likelihood[i] = new double[last - first[i] + 1];
         for (int j = 0; j < likelihood[i].length; j++) {
           double z = (value[i] - grid(first[i] + j)) / error[i];
-          likelihood[i][j] = Math.pow(1 + z * z / FREEDOM, -0.5 * (FREEDOM + 1));
+          likelihood[i][j] = likelihood(z);
         }
       }
       Arrays.fill(mass, total / mass.length);
+    }
+
+    private static double likelihood(double z) {
+      return Math.pow(1 + z * z / FREEDOM, -0.5 * (FREEDOM + 1));
     }
 
     private double grid(int j) {
@@ -140,17 +150,21 @@ record UpperEdge(
 
     /** How many manoeuvres each value of the grid has. */
     private void deconvolve() {
-      double[] next = new double[mass.length];
       for (int k = 0; k < ITERATIONS; k++) {
-        Arrays.fill(next, 0);
-        for (int i = 0; i < value.length; i++) {
-          double share = count[i] / expected(i);
-          for (int j = 0; j < likelihood[i].length; j++) {
-            next[first[i] + j] += share * likelihood[i][j] * mass[first[i] + j];
-          }
-        }
-        System.arraycopy(next, 0, mass, 0, mass.length);
+        expect(new double[value.length]);
       }
+    }
+
+    /** One iteration: how many manoeuvres each value of the grid has, if values are found elsewhere with the given likelihoods. */
+    private void expect(double[] elsewhere) {
+      double[] next = new double[mass.length];
+      for (int i = 0; i < value.length; i++) {
+        double share = count[i] / (expected(i) + elsewhere[i]);
+        for (int j = 0; j < likelihood[i].length; j++) {
+          next[first[i] + j] += share * likelihood[i][j] * mass[first[i] + j];
+        }
+      }
+      System.arraycopy(next, 0, mass, 0, mass.length);
     }
 
     private double expected(int i) {
@@ -230,6 +244,60 @@ record UpperEdge(
       return centre;
     }
 
+    /**
+     * How far above a heap the limit may lie without being noticed, rms. The limit is a heap of at least {@link #CLEAR} of the largest one, so the question is how high a part of this heap of that size can lie. For each
+     * level, the likelihood is that of the manoeuvres if so many of them have this value, and all others the distribution that then fits best. The levels are weighted with their likelihoods.
+     */
+    private double hidden(double centre, double there) {
+      double part = CLEAR / (1 + CLEAR) * there;
+      double[] kept = mass.clone();
+      scale(1 - part / total);
+      double likeliest = Double.NEGATIVE_INFINITY;
+      double weights = 0;
+      double squares = 0;
+      for (int level = 0; level * STEP <= APART; level++) {
+        double above = centre * Math.expm1(level * STEP);
+        double log = logLikelihood(centre + above, part);
+        if (log > likeliest) {
+          double smaller = Math.exp(likeliest - log);
+          weights *= smaller;
+          squares *= smaller;
+          likeliest = log;
+        }
+        if (log < likeliest - UNLIKELY) {
+          break;
+        }
+        double weight = Math.exp(log - likeliest);
+        weights += weight;
+        squares += weight * above * above;
+      }
+      System.arraycopy(kept, 0, mass, 0, mass.length);
+      return Math.sqrt(squares / weights);
+    }
+
+    /** Of all values, if that many of them are one value and the others distributed as fits them best; adapts the latter. */
+    private double logLikelihood(double level, double part) {
+      double[] there = new double[value.length];
+      for (int i = 0; i < there.length; i++) {
+        there[i] = part * likelihood((value[i] - level) / error[i]);
+      }
+      for (int k = 0; k < ADAPTING; k++) {
+        expect(there);
+        scale((total - part) / Arrays.stream(mass).sum());
+      }
+      double log = 0;
+      for (int i = 0; i < there.length; i++) {
+        log += count[i] * Math.log(expected(i) + there[i]);
+      }
+      return log;
+    }
+
+    private void scale(double factor) {
+      for (int j = 0; j < mass.length; j++) {
+        mass[j] *= factor;
+      }
+    }
+
     private UpperEdge describe(int centre, int half) {
       int from = Math.max(0, centre - half);
       int to = Math.min(mass.length - 1, centre + half);
@@ -244,8 +312,6 @@ record UpperEdge(
       }
       double weights = 0;
       double squares = 0;
-      double inWindow = 0;
-      double errors = 0;
       for (int i = 0; i < value.length; i++) {
         double inside = 0;
         for (int j = Math.max(from, first[i]);
@@ -254,8 +320,6 @@ record UpperEdge(
           inside += likelihood[i][j - first[i]] * mass[j];
         }
         double probability = inside / expected(i);
-        inWindow += count[i] * probability;
-        errors += count[i] * probability * error[i];
         double weight = probability / (error[i] * error[i] + variance);
         double off = value[i] - mean;
         weights += count[i] * weight;
@@ -265,7 +329,7 @@ record UpperEdge(
           mean,
           Math.sqrt(squares) / weights,
           Math.sqrt(variance),
-          errors / inWindow,
+          hidden(mean, there),
           there,
           there / total);
     }

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * Two robots collect kicks. Told the world each tick, it answers what both robots are to do.
+ * Two robots collect kicks. It is given the world each tick and returns what both robots are to do.
  *
  * <p>Call {@link #tick} at 30 Hz or more, always from one thread, and send the answered orders at once. Tell {@link #judge} how each kick turned out: one that does not count is made again. Nothing
  * is thrown once it runs: what goes wrong is waited out, or ends the play with a reason in {@link #state}. Not thread-safe.
@@ -255,7 +255,7 @@ public final class CalibrationPlay {
   }
 
   /**
-   * Both robots stand while there is a reason, as long as the play's patience lasts: whoever drives them is not heard, for example. A ball that rolls is watched all the same.
+   * Both robots stand while there is a reason, for example that the program that drives them does not answer; after the play's patience the play ends. A ball that rolls is watched all the same.
    *
    * @param reason for the operator; empty to go on
    */
@@ -283,7 +283,7 @@ public final class CalibrationPlay {
    *
    * @param number of the {@link PlayedKick}
    * @param good false to make it again
-   * @param reason why it does not count, for the operator; empty when it counts, or when nobody knows
+   * @param reason why it does not count, for the operator; empty when it counts, or when the reason is not known
    */
   public void judge(int number, boolean good, String reason) {
     ledger.judge(number, good, Objects.requireNonNull(reason, "reason"));

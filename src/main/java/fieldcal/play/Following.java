@@ -11,7 +11,7 @@ final class Following {
   /** What the gains of {@link Driver} are made for, s: robots that hear after 20 ms measure 0.05 to 0.13, of which vision's filter is half. */
   static final double USUAL = 0.13;
 
-  /** What a robot is taken for until it has slowed down, s: those of a slow radio and weak brakes. */
+  /** What is assumed of a robot until it has slowed down, s: the delays of a slow radio and weak brakes. */
   private static final double FEARED = 0.25;
 
   /** What that counts as, in speed lost, m/s: a quarter of a drive across the field. */

@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 
 /** Counts the kicks, and asks for the next one when the last has been made. */
 final class Ledger {
-  /** After a kick in vain the kicker may have to charge, s; after several, for longer. What else went wrong needs no pause. */
+  /** After a failed kick the kicker may have to charge, s; after several, for longer. What else went wrong needs no pause. */
   private static final double CHARGE = 1;
 
   private static final int MOST_CHARGES = 4;
@@ -178,8 +178,7 @@ final class Ledger {
   /** Why it makes no sense to go on, if so. */
   Optional<String> hopeless() {
     if (failures >= maxAttempts) {
-      return Optional.of(
-          failures + " kicks in vain, one after the other; the last: " + lastFailure);
+      return Optional.of(failures + " failed kicks in a row; the last: " + lastFailure);
     }
     if (bad > 2 * wanted + maxAttempts) {
       return Optional.of(

@@ -138,7 +138,7 @@ final class PlaceStep extends TaskStep {
     return off < 0.04 && Math.abs(turn) < 0.06 && r.speed() < 0.1;
   }
 
-  /** A ball that cannot be seen is hidden by the robot that has it, as long as it is seen again at the end. */
+  /** A ball that is not seen counts as hidden by the robot that has it, if it is seen again at the end. */
   private boolean isLost(Situation s, int i) {
     boolean held = s.fromDribbler(i) < HELD + SEEN_LATE * s.robot(i).speed();
     had = held && s.ballUnseen() < LOSS ? s.time() : had;

@@ -7,7 +7,7 @@ import java.util.Optional;
  * The play's answer to one tick.
  *
  * @param orders what the two robots are to do, in the order of the plan
- * @param request asks for a hand, when the robots cannot get at the ball
+ * @param request what somebody is asked to do, when the robots cannot get at the ball
  */
 public record PlayAnswer(List<RobotOrder> orders, Optional<BallRequest> request) {
 

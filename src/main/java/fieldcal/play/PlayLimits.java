@@ -6,14 +6,14 @@ package fieldcal.play;
  * @param driveSpeed fastest drive, m/s
  * @param carrySpeed fastest drive with the ball at the dribbler, m/s
  * @param creepSpeed up to the ball, m/s
- * @param braking deceleration that is counted on, m/s²; less than what the robots can
+ * @param braking deceleration to plan with, m/s²; less than what the robots can reach
  * @param clearance between our robots and any other, edge to edge, m
  * @param receiverDistance farthest that the receiver stands from the ball, m; infinite = at its end of the line
  * @param settle how long the ball lies still before it is kicked, s: its resting place pins the kick
  * @param flightTimeout longest that a ball is left alone, s
  * @param patience longest wait for something to get better (robot gone, no vision, ball out of reach), s
  * @param stall longest time without any kick, waits left out, s
- * @param maxAttempts most kicks in vain, one after the other
+ * @param maxAttempts most failed kicks in a row
  */
 public record PlayLimits(
     double driveSpeed,

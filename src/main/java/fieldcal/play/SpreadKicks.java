@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.Predicate;
 
-/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. Kicks that were not good are made again, nearer to a speed that was good: what is not determined by a slow or fast kick is so again when it is repeated as it was. Which speeds are good depends on the field: where the ball slides for a tenth of a second only, the fast ones. While none was, the middle of the range is taken for good. Not thread-safe. */
+/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. A kick that was not good is made again, nearer to a speed that was good: repeated at the same speed, it would again determine too little. Which speeds are good depends on the field; where the ball slides for only a tenth of a second, it is the fast ones. As long as no kick was good, the middle of the range counts as good. Not thread-safe. */
 public final class SpreadKicks implements KickChooser {
   /** How far towards the middle of the range a kick goes when it is made again, while none was good. */
   private static final double INWARDS = 0.3;

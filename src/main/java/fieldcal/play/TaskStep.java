@@ -50,7 +50,7 @@ abstract class TaskStep implements Step {
     return lookAgain();
   }
 
-  /** The kicker was fired in vain: looks again what to do. */
+  /** The kicker was fired and the ball did not move: decides again what to do. */
   final Step misfired(Situation s, String reason) {
     ledger.misfired(reason, s.time());
     return lookAgain();

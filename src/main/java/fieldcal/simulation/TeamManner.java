@@ -8,10 +8,13 @@ import java.util.Objects;
  * @param facing where robots look that are not at the ball
  * @param weakRobot number of a robot in each team that accelerates and brakes less than the others; −1 for none
  * @param strength of that robot in parts of the others', above 0
+ * @param difference standard deviation of the robots' acceleration and braking about their team's, in parts
+ * @param settling time in which a robot's acceleration changes evenly from one value to another, s; 0: it changes at once
  */
-public record TeamManner(Facing facing, int weakRobot, double strength) {
-  /** All look at the ball, all are alike. */
-  public static final TeamManner USUAL = new TeamManner(Facing.BALL, -1, 1);
+public record TeamManner(
+    Facing facing, int weakRobot, double strength, double difference, double settling) {
+  /** All look at the ball, all are alike, and their acceleration changes at once. */
+  public static final TeamManner USUAL = new TeamManner(Facing.BALL, -1, 1, 0, 0);
 
   /** Where a robot looks. */
   public enum Facing {
@@ -24,13 +27,20 @@ public record TeamManner(Facing facing, int weakRobot, double strength) {
   /**
    * Checks the ranges. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when the number is below −1 or the strength not in (0, 2] (or NaN)
+   * @throws IllegalArgumentException when the number is below −1, the strength not in (0, 2], the difference not in [0, 0.1] or the settling time not in [0, 1] (or NaN)
    */
   public TeamManner {
     Objects.requireNonNull(facing, "facing");
     if (weakRobot < -1 || !(strength > 0 && strength <= 2)) {
       throw new IllegalArgumentException(
           "robot and strength must lie in [-1, …] and (0, 2]: " + weakRobot + ", " + strength);
+    }
+    if (!(difference >= 0 && difference <= 0.1 && settling >= 0 && settling <= 1)) {
+      throw new IllegalArgumentException(
+          "difference and settling time must lie in [0, 0.1] and [0, 1]: "
+              + difference
+              + ", "
+              + settling);
     }
   }
 
@@ -41,7 +51,7 @@ public record TeamManner(Facing facing, int weakRobot, double strength) {
    * @return the changed manner
    */
   public TeamManner withFacing(Facing next) {
-    return new TeamManner(next, weakRobot, strength);
+    return new TeamManner(next, weakRobot, strength, difference, settling);
   }
 
   /**
@@ -52,6 +62,26 @@ public record TeamManner(Facing facing, int weakRobot, double strength) {
    * @return the changed manner
    */
   public TeamManner withWeakRobot(int robot, double part) {
-    return new TeamManner(facing, robot, part);
+    return new TeamManner(facing, robot, part, difference, settling);
+  }
+
+  /**
+   * Robots that are not all alike.
+   *
+   * @param deviation standard deviation of their acceleration and braking, in parts
+   * @return the changed manner
+   */
+  public TeamManner withDifference(double deviation) {
+    return new TeamManner(facing, weakRobot, strength, deviation, settling);
+  }
+
+  /**
+   * Robots whose acceleration does not change at once, as with a limited jerk.
+   *
+   * @param seconds that a change takes
+   * @return the changed manner
+   */
+  public TeamManner withSettling(double seconds) {
+    return new TeamManner(facing, weakRobot, strength, difference, seconds);
   }
 }

@@ -18,10 +18,10 @@ import java.util.Optional;
  * same object. What some sources split over several messages is put together, see {@link FieldGeometry#updated}. Not thread-safe.
  */
 public final class VisionDecoder {
-  /** The largest camera number taken for one: the league uses 0 … 7, and a damaged packet must not make room for millions. */
+  /** The largest number that counts as a camera's: the league uses 0 … 7, and a damaged packet must not make room for millions. */
   public static final int MAX_CAMERA_ID = 255;
 
-  /** The largest robot number taken for one: the league uses 0 … 15. */
+  /** The largest number that counts as a robot's: the league uses 0 … 15. */
   public static final int MAX_ROBOT_NUMBER = 255;
 
   /** Coordinates beyond this are no place on a field, m: eight times the largest field of the rules. */

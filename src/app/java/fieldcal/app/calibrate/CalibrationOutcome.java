@@ -34,7 +34,7 @@ import java.util.Optional;
  * @param calibration the result
  * @param extended how it came about when it was made under an extended model
  * @param surroundings where the recordings come from
- * @param forced the kind that all kicks were taken to be of; empty when each was told by its path
+ * @param forced the kind that all kicks were taken to be of; empty when each kick's path decided
  * @param finding of a diagnosis of these kicks; empty when there is none that still holds
  */
 public record CalibrationOutcome(

@@ -53,7 +53,7 @@ public final class CalibrationSession {
     this.opener = opener;
   }
 
-  /** Told how far the work is. */
+  /** Is called with how far the work is. */
   public interface Progress extends KickCollector.Progress {
     /** Nobody looks. */
     Progress UNSEEN = (log, bytesRead, totalBytes) -> {};
@@ -73,7 +73,7 @@ public final class CalibrationSession {
    * Reads and calibrates.
    *
    * @param request what is wanted
-   * @param progress told how far it is
+   * @param progress is called with how far it is
    * @return the outcome
    * @throws IOException when a recording cannot be read; one line for the operator
    */
@@ -87,7 +87,7 @@ public final class CalibrationSession {
    *
    * @param data the kicks of the recordings
    * @param request what is wanted of them
-   * @param progress told how far it is
+   * @param progress is called with how far it is
    * @return the outcome
    */
   public CalibrationOutcome calibrate(

@@ -27,7 +27,7 @@ public final class CommandFile {
    * One command.
    *
    * @param unixTime s
-   * @param robot who was told
+   * @param robot who was commanded
    * @param kind "flat" or "chip"
    * @param speed absolute speed, m/s
    * @param direction in the plane, rad
@@ -99,7 +99,7 @@ public final class CommandFile {
         return value;
       }
     } catch (NumberFormatException e) {
-      // Told below, with the column's name.
+      // Reported below, with the column's name.
     }
     throw new InputException(place + ": " + column + " must be a number, not \"" + text + "\"");
   }

@@ -41,7 +41,7 @@ public final class ProcessorHost {
   private final String url;
   private final HttpClient client;
 
-  /** Told what would change, before it is written. */
+  /** Is called with what would change, before it is written. */
   public interface Preview {
     /**
      * Shows the difference.
@@ -74,7 +74,7 @@ public final class ProcessorHost {
    * Writes values and saves them. When somebody else changes the configuration meanwhile, it is read again.
    *
    * @param settings the values; their paths begin with {@code models}
-   * @param preview told what changes, before it is written
+   * @param preview is called with what changes, before it is written
    * @return the models as they were, JSON; "null" when there were none
    * @throws IOException when the host cannot be reached or refuses; one line
    */

@@ -23,7 +23,7 @@ import java.util.concurrent.Future;
 /** Recordings in, limits and their files out. */
 public final class LimitsSession {
 
-  /** Told how far the reading is; called from several threads, one after the other. */
+  /** Is called with how far the reading is, from several threads, one after the other. */
   public interface Progress {
     /**
      * Some more was read.
@@ -56,7 +56,7 @@ public final class LimitsSession {
    * Reads recordings and estimates the limits from all of them together.
    *
    * @param logs at least one; one that is named twice is read once
-   * @param progress told how far it is
+   * @param progress is called with how far it is
    * @return the outcome
    * @throws IOException when a recording cannot be read; one line for the operator
    */
@@ -64,7 +64,7 @@ public final class LimitsSession {
     List<DataProblem> problems = new ArrayList<>();
     List<Path> different = different(logs, problems);
     for (Path log : different) {
-      // What cannot be read at all is told at once, not after minutes of reading the others.
+      // What cannot be read at all is reported at once, not after minutes of reading the others.
       opener.recording(log).close();
     }
     List<RecordedMovement> read = readAll(different, progress);

@@ -36,7 +36,7 @@ record RecordedMovement(
     Map<Team, String> names,
     List<DataProblem> problems) {
 
-  /** Reads a recording to its end; {@code bytesRead} is told how far it is. */
+  /** Reads a recording to its end; {@code bytesRead} is called with how far it is. */
   static RecordedMovement read(Path log, LogOpener opener, LongConsumer bytesRead)
       throws IOException {
     MovementObserver observer = new MovementObserver();

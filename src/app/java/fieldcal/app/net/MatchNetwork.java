@@ -16,10 +16,10 @@ public final class MatchNetwork implements AutoCloseable {
   /** After a silence of that many seconds the group is joined again; vision sends 70 times a second, the referee 10 times. */
   private static final double PATIENCE = 2;
 
-  /** A sender that was silent for longer than the others is no longer told of, s. */
+  /** A sender that was silent for longer than the others is no longer named, s. */
   private static final double REMEMBERED = 60;
 
-  /** Is told what came. */
+  /** Receives what came. */
   public interface Sink extends VisionSource.Sink {
     /**
      * The referee's message.
@@ -29,7 +29,7 @@ public final class MatchNetwork implements AutoCloseable {
     void referee(RefereeState state);
 
     /**
-     * The bytes of the message that {@link #referee} is told next, for whoever records it.
+     * The bytes of the message that {@link #referee} receives next, for whoever records it.
      *
      * @param message not to be changed
      */
@@ -51,7 +51,7 @@ public final class MatchNetwork implements AutoCloseable {
    * @param vision where vision sends to
    * @param referee where the referee sends to, if there is one
    * @param epoch that times count from
-   * @param sink told what came, by the thread that calls {@link #receive}
+   * @param sink receives what came, from the thread that calls {@link #receive}
    * @throws IOException when a port cannot be opened; one line for the operator
    */
   public MatchNetwork(NetworkPlace vision, Optional<NetworkPlace> referee, Epoch epoch, Sink sink)
@@ -125,7 +125,7 @@ public final class MatchNetwork implements AutoCloseable {
   }
 
   /**
-   * When the frame came that the sink is being told.
+   * When the frame came that the sink is receiving.
    *
    * @return on the clock of {@link System#nanoTime}, ns
    */

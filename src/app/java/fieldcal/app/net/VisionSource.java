@@ -11,13 +11,13 @@ import java.util.Optional;
 /**
  * From packets of vision to frames and geometry.
  *
- * <p>Senders are told apart, since a second field's vision or a simulator is often on the same group: of each camera's number only the first sender's frames are taken, and only the first sender's geometry, as
+ * <p>Senders are distinguished, since a second field's vision or a simulator is often on the same group: of each camera's number only the first sender's frames are taken, and only the first sender's geometry, as
  * long as it does not fall silent. So several computers that each send cameras of their own work together, and two that send the same do not get mixed up.
  */
 public final class VisionSource {
   private static final String GEOMETRY = "geometry";
 
-  /** Is told what came. */
+  /** Receives what came. */
   public interface Sink {
     /**
      * A frame.
@@ -34,7 +34,7 @@ public final class VisionSource {
     void geometry(FieldGeometry geometry);
 
     /**
-     * The bytes of a packet whose frame or geometry is told next, for whoever records it.
+     * The bytes of a packet whose frame or geometry is given next, for whoever records it.
      *
      * @param message not to be changed
      * @param arrivedNanos when it came, on the clock of {@link System#nanoTime}, ns
@@ -51,7 +51,7 @@ public final class VisionSource {
    * A source.
    *
    * @param epoch that frames' times count from
-   * @param sink told what came
+   * @param sink receives what came
    */
   public VisionSource(Epoch epoch, Sink sink) {
     sources = new Sources<>(address -> new VisionDecoder(epoch));
@@ -86,7 +86,7 @@ public final class VisionSource {
   }
 
   /**
-   * How many frames the sink was told; from any thread.
+   * How many frames the sink received; from any thread.
    *
    * @return those of senders that are listened to
    */

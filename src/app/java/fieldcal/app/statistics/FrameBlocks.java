@@ -32,7 +32,7 @@ final class FrameBlocks {
    * @param interval mean time between two frames that follow each other, s
    * @param scatter standard deviation of that, s
    * @param lost share of frames that are missing by their numbers
-   * @param delay mean time from capture to sending, s; NaN when not told
+   * @param delay mean time from capture to sending, s; NaN when not reported
    */
   record Block(
       int camera, long number, double interval, double scatter, double lost, double delay) {}

@@ -19,7 +19,7 @@ final class LearnedTables {
   /** Points of a surface along each axis: 0.2 m apart on a field of 12 m, a fifth of the way between two knots of stripes. */
   private static final int GRID = 65;
 
-  /** Impacts that are told apart; later hops are below 10 mm. */
+  /** Impacts that are distinguished; later hops are below 10 mm. */
   private static final int HOPS = 8;
 
   /** How far tables over a speed and over the time since the kick reach, m/s and s: a learned curve is constant beyond its last knot, which lies before. */

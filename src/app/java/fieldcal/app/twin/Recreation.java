@@ -36,7 +36,7 @@ final class Recreation {
   /** Places of robots are averaged over that time, s: five frames, in which a robot of 3 m/s goes 0.2 m. */
   private static final double BIN = 0.07;
 
-  /** Height of a robot's pattern where it is not told, m: between the league's limit and usual ones. */
+  /** Height of a robot's pattern where it is not reported, m: between the league's limit and usual ones. */
   private static final double USUAL_HEIGHT = 0.14;
 
   private final FieldRecording field;

@@ -234,7 +234,7 @@ final class TwinBuilder {
         };
   }
 
-  /** The simulator has the same causes under the same names; one whose strength it does not allow is left out and told. */
+  /** The simulator has the same causes under the same names; one whose strength it does not allow is left out and named. */
   private void add(Effect effect, List<EffectSetting> effects) {
     Map<String, String> values = new LinkedHashMap<>();
     EffectFields.of(effect).forEach((name, value) -> values.put(name, String.valueOf(value)));

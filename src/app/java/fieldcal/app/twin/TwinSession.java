@@ -47,7 +47,7 @@ public final class TwinSession {
    * @param logs at least one
    * @param commands what the robots were commanded; may be empty
    * @param directory for {@code twin.json}, {@code twin_check.json}, {@code twin.html} and the twin's recordings; made if needed
-   * @param progress told how far it is
+   * @param progress is called with how far it is
    * @return the twin and its check
    * @throws IOException when a recording cannot be read or a file not be written; one line for the operator
    */

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
  *
  * @param name a few words in lower case, for example "offset of camera 1"
  * @param what what is wrong, one sentence with numbers
- * @param consequence what it does to the game, one sentence; empty when that cannot be told
+ * @param consequence what it does to the game, one sentence; empty when that is not known
  * @param advice what to do about it, one sentence or two; empty where nothing can be done
  * @param strength the fitted numbers with standard errors
  */

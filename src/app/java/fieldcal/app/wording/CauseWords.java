@@ -109,7 +109,7 @@ public final class CauseWords {
   }
 
   /**
-   * What could not be told apart, in a sentence or two.
+   * What could not be distinguished, in a sentence or two.
    *
    * @param cause of the diagnosis
    * @return empty when nothing else explains the same

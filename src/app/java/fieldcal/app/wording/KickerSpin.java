@@ -8,7 +8,7 @@ import java.util.Map;
 /**
  * Spin from the kicker in words.
  *
- * @param flat mean spin of flat kicks, or of all where the kinds were not told apart, in units of rolling spin
+ * @param flat mean spin of flat kicks, or of all where the kinds were not distinguished, in units of rolling spin
  * @param chips mean spin of chips
  * @param error standard error of either; NaN when unknown
  */

@@ -59,7 +59,7 @@ public final class LearnedWords {
   }
 
   /**
-   * A fitted term. Of one that kicks that were held out do not gain by, only the name is told: what its curve shows may be the shape of anything else that is left.
+   * A fitted term. If held-out kicks gain nothing by it, only its name is given: its curve may be the shape of anything else that is left.
    *
    * @param term which
    * @param curves its curves, one of each component

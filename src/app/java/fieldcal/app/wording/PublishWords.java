@@ -215,7 +215,7 @@ public record PublishWords(
     return alike.stream().map(type::cast).map(words).collect(Collectors.joining(", "));
   }
 
-  /** Parameters with as many kicks are told together. */
+  /** Parameters with as many kicks are named together. */
   private static String used(List<Reason> alike) {
     Map<String, List<String>> parameters = new LinkedHashMap<>();
     for (Reason reason : alike) {

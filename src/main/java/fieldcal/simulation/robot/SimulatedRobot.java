@@ -4,6 +4,7 @@ import fieldcal.simulation.imaging.RobotView;
 import fieldcal.simulation.robot.RobotCommand.Target;
 import fieldcal.simulation.robot.RobotCommand.Velocity;
 import fieldcal.vision.RobotId;
+import java.util.Arrays;
 
 /** A robot that moves in the plane within its limits. Mutable, for one thread. */
 public final class SimulatedRobot {
@@ -21,8 +22,40 @@ public final class SimulatedRobot {
   private double orientation;
   private double vx;
   private double vy;
+
+  // What it would have if its acceleration changed at once.
+  private double planX;
+  private double planY;
   private double angular;
   private RobotCommand command = RobotCommand.HALT;
+  private double settling;
+  private Settling settled;
+
+  /** The mean velocity over the last steps: where the velocity's slope changes at once, that of its mean changes evenly over these steps. */
+  private static final class Settling {
+    private final double[] x;
+    private final double[] y;
+    private double sumX;
+    private double sumY;
+    private int next;
+
+    Settling(int steps, double vx, double vy) {
+      x = new double[steps];
+      y = new double[steps];
+      Arrays.fill(x, vx);
+      Arrays.fill(y, vy);
+      sumX = steps * vx;
+      sumY = steps * vy;
+    }
+
+    void add(double vx, double vy) {
+      sumX += vx - x[next];
+      sumY += vy - y[next];
+      x[next] = vx;
+      y[next] = vy;
+      next = (next + 1) % x.length;
+    }
+  }
 
   /**
    * A robot at rest.
@@ -54,6 +87,16 @@ public final class SimulatedRobot {
   }
 
   /**
+   * Lets its acceleration change evenly from one value to another instead of at once, as with a limited jerk. It then comes to a target a little later than it plans.
+   *
+   * @param seconds that a change takes, not negative; 0: it changes at once
+   */
+  public void settles(double seconds) {
+    settling = seconds;
+    settled = null;
+  }
+
+  /**
    * The last command.
    *
    * @return the command
@@ -63,7 +106,7 @@ public final class SimulatedRobot {
   }
 
   /**
-   * Puts it somewhere at rest, as a hand does.
+   * Puts it somewhere at rest, as a person does by hand.
    *
    * @param newX m
    * @param newY m
@@ -75,6 +118,9 @@ public final class SimulatedRobot {
     orientation = newOrientation;
     vx = 0;
     vy = 0;
+    planX = 0;
+    planY = 0;
+    settled = null;
     angular = 0;
   }
 
@@ -115,29 +161,45 @@ public final class SimulatedRobot {
       wantedAngular = Math.copySign(rate, turn);
     }
     accelerate(wantedX, wantedY, wantedAngular, step);
+    settle(step);
     x += step * vx;
     y += step * vy;
     orientation += step * angular;
   }
 
+  private void settle(double step) {
+    int steps = (int) Math.round(settling / step);
+    if (steps < 2) {
+      vx = planX;
+      vy = planY;
+      return;
+    }
+    if (settled == null) {
+      settled = new Settling(steps, vx, vy);
+    }
+    settled.add(planX, planY);
+    vx = settled.sumX / steps;
+    vy = settled.sumY / steps;
+  }
+
   private void accelerate(double wantedX, double wantedY, double wantedAngular, double step) {
     double wanted = Math.hypot(wantedX, wantedY);
     double cap = wanted > limits.velocity() ? limits.velocity() / wanted : 1;
-    double changeX = cap * wantedX - vx;
-    double changeY = cap * wantedY - vy;
+    double changeX = cap * wantedX - planX;
+    double changeY = cap * wantedY - planY;
     double change = Math.hypot(changeX, changeY);
     if (change > 0) {
       double direction = limits.directionFactor(Math.atan2(changeY, changeX) - orientation);
-      boolean brakes = changeX * vx + changeY * vy < 0;
+      boolean brakes = changeX * planX + changeY * planY < 0;
       double most =
           brakes
               ? limits.braking()
               : limits.acceleration()
                   * Math.max(
-                      0.05, 1 - limits.torqueLoss() * Math.hypot(vx, vy) / limits.velocity());
+                      0.05, 1 - limits.torqueLoss() * Math.hypot(planX, planY) / limits.velocity());
       double share = Math.min(1, most * direction * step / change);
-      vx += share * changeX;
-      vy += share * changeY;
+      planX += share * changeX;
+      planY += share * changeY;
     }
     double turn =
         Math.max(-limits.angularVelocity(), Math.min(limits.angularVelocity(), wantedAngular));

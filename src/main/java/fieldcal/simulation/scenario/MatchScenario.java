@@ -5,6 +5,7 @@ import fieldcal.simulation.RandomStream;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulatedWorld;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.TeamManner;
 import fieldcal.simulation.robot.RobotCommand.Kick;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.robot.SimulatedRobot;
@@ -37,8 +38,9 @@ public final class MatchScenario implements Scenario {
     duration = 60 * settings.minutes() + MatchReferee.BREAK;
     referee = new MatchReferee(field, settings, RandomStream.of(all.seed(), "match referee"));
     RandomStream random = RandomStream.of(all.seed(), "match teams");
-    yellow = team(Team.YELLOW, settings, settings.yellow(), field, random);
-    blue = team(Team.BLUE, settings, settings.blue(), field, random);
+    RandomStream strengths = RandomStream.of(all.seed(), "match strengths");
+    yellow = team(Team.YELLOW, settings, settings.yellow(), field, random, strengths);
+    blue = team(Team.BLUE, settings, settings.blue(), field, random, strengths);
     List<SimulatedRobot> both = new ArrayList<>(yellow.robots());
     both.addAll(blue.robots());
     robots = List.copyOf(both);
@@ -49,7 +51,8 @@ public final class MatchScenario implements Scenario {
       ScenarioSettings settings,
       RobotLimits given,
       FieldSize field,
-      RandomStream random) {
+      RandomStream random,
+      RandomStream strengths) {
     double velocity = random.uniform(1.8, 3.6);
     double acceleration = random.uniform(2, 4.5);
     double braking = random.uniform(2.8, 6);
@@ -75,16 +78,18 @@ public final class MatchScenario implements Scenario {
     for (int i = 0; i < settings.teamSize(); i++) {
       double x = i == 0 ? 0.47 : random.uniform(0.05, 0.4);
       double y = i == 0 ? 0 : (double) i / settings.teamSize() - 0.5;
-      robots.add(
+      TeamManner manner = settings.manner();
+      double strength = i == manner.weakRobot() ? manner.strength() : 1;
+      SimulatedRobot robot =
           new SimulatedRobot(
               new RobotId(team, i),
-              i == settings.manner().weakRobot()
-                  ? limits.times(settings.manner().strength())
-                  : limits,
+              limits.times(strength * (1 + strengths.gaussian(manner.difference()))),
               height,
               side * x * field.length(),
               y * 0.9 * field.width(),
-              side > 0 ? Math.PI : 0));
+              side > 0 ? Math.PI : 0);
+      robot.settles(manner.settling());
+      robots.add(robot);
     }
     return new TeamPlay(field, List.copyOf(robots), settings.manner().facing(), random);
   }

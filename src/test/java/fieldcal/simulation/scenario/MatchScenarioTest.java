@@ -8,6 +8,7 @@ import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulatedWorld;
 import fieldcal.simulation.Simulation;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.TeamManner;
 import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.robot.RobotLimits;
 import fieldcal.simulation.robot.SimulatedRobot;
@@ -31,6 +32,29 @@ class MatchScenarioTest {
         .withScenario(ScenarioSettings.of(ScenarioKind.MATCH, 0).withMatch(size, minutes))
         .withCameras(CameraSettings.DEFAULT.withCount(2))
         .withSeed(seed);
+  }
+
+  /** Robots of a team differ only where they are to, and by as much as they are to. */
+  @Test
+  void robotsMayDiffer() {
+    SimulationSettings alike = match(11, 1, 5);
+    SimulationSettings unlike =
+        alike.withScenario(alike.scenario().withManner(TeamManner.USUAL.withDifference(0.01)));
+    double[] same = brakings(alike);
+    double[] different = brakings(unlike);
+    double squares = 0;
+    for (int i = 0; i < same.length; i++) {
+      assertThat(same[i]).isEqualTo(same[0]);
+      squares += Math.pow(different[i] / same[0] - 1, 2);
+    }
+    assertThat(Math.sqrt(squares / same.length)).isEqualTo(0.01, within(0.005));
+  }
+
+  private static double[] brakings(SimulationSettings settings) {
+    return Simulation.of(settings).world().robots().stream()
+        .filter(r -> r.id().team() == Team.YELLOW)
+        .mapToDouble(r -> r.limits().braking())
+        .toArray();
   }
 
   @ParameterizedTest
