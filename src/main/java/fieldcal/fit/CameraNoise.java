@@ -79,6 +79,31 @@ public final class CameraNoise {
    * @return m, by camera id
    */
   public static Map<Integer, Double> least(List<Kick> kicks) {
+    Map<Integer, Double> least = new TreeMap<>();
+    grids(kicks)
+        .forEach((camera, grid) -> least.put(camera, Math.hypot(FLOOR, grid.step() / ROUNDING)));
+    return least;
+  }
+
+  /**
+   * Cameras all of whose coordinates are multiples of a step, where rounding to it adds more than {@link #FLOOR}.
+   *
+   * @param kicks any kind
+   * @return the step by camera id, m; cameras without a grid, or with a finer one, are missing
+   */
+  public static Map<Integer, Double> coarseGrids(List<Kick> kicks) {
+    Map<Integer, Double> steps = new TreeMap<>();
+    grids(kicks)
+        .forEach(
+            (camera, grid) -> {
+              if (grid.step() / ROUNDING > FLOOR) {
+                steps.put(camera, grid.step());
+              }
+            });
+    return steps;
+  }
+
+  private static Map<Integer, Grid> grids(List<Kick> kicks) {
     Map<Integer, Grid> grids = new TreeMap<>();
     for (Kick kick : kicks) {
       Observations seen = kick.observations();
@@ -86,9 +111,7 @@ public final class CameraNoise {
         grids.computeIfAbsent(seen.camera(i), c -> new Grid()).add(seen.x(i), seen.y(i));
       }
     }
-    Map<Integer, Double> least = new TreeMap<>();
-    grids.forEach((camera, grid) -> least.put(camera, Math.hypot(FLOOR, grid.step() / ROUNDING)));
-    return least;
+    return grids;
   }
 
   /** A uniform distribution's width is that many standard deviations. */

@@ -247,6 +247,23 @@ public sealed interface Reason {
     }
   }
 
+  /**
+   * The cameras are not what the fit takes them for.
+   *
+   * @param fault what the recording shows
+   */
+  record FaultyVision(VisionFault fault) implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return fault instanceof VisionFault.ClockRate ? "clock_rate" : "mixed_up_cameras";
+    }
+  }
+
   /** Between two recordings every camera has another calibration: another field of the same size, or vision was calibrated again. */
   record OtherCameras() implements Reason {
     @Override

@@ -26,8 +26,34 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
    *
    * @param simulated whether the field was simulated
    * @param geometry of the field; empty when the recording has none
+   * @param faults what it shows of its cameras; empty also when nobody looked
    */
-  public record Recorded(boolean simulated, Optional<FieldGeometry> geometry) {}
+  public record Recorded(
+      boolean simulated, Optional<FieldGeometry> geometry, List<VisionFault> faults) {
+    /** Copies the list. {@inheritDoc} */
+    public Recorded {
+      faults = List.copyOf(faults);
+    }
+
+    /**
+     * Where a recording comes from, without faults.
+     *
+     * @param simulated whether the field was simulated
+     * @param geometry of the field; empty when the recording has none
+     */
+    public Recorded(boolean simulated, Optional<FieldGeometry> geometry) {
+      this(simulated, geometry, List.of());
+    }
+  }
+
+  /**
+   * What the recordings show of their cameras.
+   *
+   * @return each fault once
+   */
+  public List<VisionFault> faults() {
+    return recordings.stream().flatMap(r -> r.faults().stream()).distinct().toList();
+  }
 
   /**
    * The fields, vision's included.

@@ -94,6 +94,8 @@ public final class VerdictRule {
   }
 
   private PublishVerdict judge() {
+    // First, since what else is wrong may come from them.
+    evidence.surroundings().faults().forEach(f -> reasons.add(new Reason.FaultyVision(f)));
     boolean enough = false;
     for (KickKind kind : KickKind.values()) {
       if (calibration.tells(kind)) {

@@ -227,6 +227,20 @@ class VerdictRuleTest {
     assertThat(rehearsal.reasons()).contains(new Reason.SimulatedField(1, 1));
   }
 
+  @Test
+  void camerasThatAreNotWhatTheyAreTakenForAreCheckedFirst() {
+    VisionFault clock = new VisionFault.ClockRate(List.of(0, 1), 0.99);
+    VisionFault turned = new VisionFault.MixedUp(List.of(1), false);
+    for (VisionFault fault : List.of(clock, turned)) {
+      Surroundings faulty =
+          new Surroundings(
+              List.of(new Surroundings.Recorded(false, Optional.empty(), List.of(fault))),
+              Optional.empty());
+      assertThat(judged(faulty).decision()).isEqualTo(PublishDecision.CHECK_FIRST);
+      assertThat(judged(faulty).reasons().get(0)).isEqualTo(new Reason.FaultyVision(fault));
+    }
+  }
+
   private static Surroundings.Recorded recorded(boolean simulated) {
     return new Surroundings.Recorded(simulated, Optional.empty());
   }

@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.wording.Harmless;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
 import fieldcal.ball.Parameter;
@@ -31,7 +32,7 @@ final class InfoText {
   }
 
   void print(RecordingInfo info) {
-    line("%s", info.file());
+    line("%s", Harmless.line(info.file().toString()));
     printRecording(info.summary());
     info.summary()
         .geometry()

@@ -1,6 +1,7 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.files.FileFailure;
+import fieldcal.app.wording.Harmless;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.FileSystemException;
@@ -144,9 +145,9 @@ public final class Main {
   private static int explain(Exception exception, CommandLine command, ParseResult parsed) {
     PrintWriter err = command.getErr();
     if (exception instanceof FileSystemException failure) {
-      err.println("fieldcal: " + FileFailure.words(failure));
+      err.println("fieldcal: " + Harmless.line(FileFailure.words(failure)));
     } else if (exception instanceof IOException) {
-      err.println("fieldcal: " + exception.getMessage());
+      err.println("fieldcal: " + Harmless.line(String.valueOf(exception.getMessage())));
     } else {
       err.println("fieldcal: this is a defect, please report it: " + exception);
       StackTraceElement[] trace = exception.getStackTrace();

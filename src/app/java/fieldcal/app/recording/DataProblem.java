@@ -1,5 +1,6 @@
 package fieldcal.app.recording;
 
+import fieldcal.app.wording.Harmless;
 import fieldcal.app.wording.WordList;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.ProblemAccount;
@@ -9,7 +10,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -25,13 +25,13 @@ public record DataProblem(String where, String what, long count, String advice) 
   private static final Pattern ONE_CAMERA = Pattern.compile(", camera (\\d+)$");
 
   /**
-   * Checks that the texts are there. {@inheritDoc}
+   * Makes the texts one line. {@inheritDoc}
    *
    * @throws IllegalArgumentException when there is no advice: a problem of which nobody says what it means helps nobody
    */
   public DataProblem {
-    Objects.requireNonNull(where, "where");
-    Objects.requireNonNull(what, "what");
+    where = Harmless.line(where);
+    what = Harmless.line(what);
     if (advice.isBlank()) {
       throw new IllegalArgumentException("nothing says what it means that " + what);
     }

@@ -3,6 +3,7 @@ package fieldcal.app.recording;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.fit.CameraNoise;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
 import fieldcal.fit.LensCheck;
@@ -18,6 +19,7 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.KickFinder;
 import fieldcal.kick.KickFinderCounts;
 import fieldcal.kick.KickFinderSettings;
+import fieldcal.verdict.VisionFault;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
@@ -26,6 +28,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -34,6 +37,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
@@ -131,7 +135,7 @@ public final class KickCollector {
                 "counting the same kicks twice would only make the errors too small"));
         continue;
       }
-      recordings.add(RecordingFacts.of(log, opener));
+      RecordingFacts facts = RecordingFacts.of(log, opener);
       try (RecordingReader recording =
           epoch == null ? opener.recording(log) : opener.recording(log, epoch)) {
         epoch = recording.epoch();
@@ -140,6 +144,7 @@ public final class KickCollector {
         one.finish();
         duration += Double.isFinite(summary.duration()) ? summary.duration() : 0;
         account(log, summary, one);
+        recordings.add(facts.showing(one.faults(facts.isSimulated())));
       }
     }
     List<CameraView> views = new ArrayList<>();
@@ -147,6 +152,7 @@ public final class KickCollector {
         .keySet()
         .forEach(id -> views.add(CameraView.of(id, Optional.ofNullable(cameras.get(id)))));
     leaveUnusableLensesOut(logs, views);
+    CameraNoise.coarseGrids(kicks).forEach((id, step) -> addGrid(logs.get(0), id, step));
     return new CollectedKicks(
         epoch,
         kicks,
@@ -184,6 +190,16 @@ public final class KickCollector {
                         100 * share),
                     1,
                     "only its position is used; calibrate it")));
+  }
+
+  private void addGrid(Path log, int camera, double step) {
+    problems.add(
+        new DataProblem(
+            log + ", camera " + camera,
+            String.format(
+                Locale.ROOT, "the coordinates of its balls are multiples of %.3g mm", 1000 * step),
+            1,
+            "rounding makes all errors larger; send them as vision measured them"));
   }
 
   private ObservedCamera observer(int number) {
@@ -311,6 +327,29 @@ public final class KickCollector {
     OneRecording(Path log) {
       this.log = log;
       streams.forEach((id, s) -> ballsBefore.put(id, s.balls()));
+    }
+
+    /** What makes numbers wrong; a simulator's time may run at any pace, and only its own counts there. */
+    List<VisionFault> faults(boolean simulated) {
+      List<VisionFault> all = new ArrayList<>();
+      List<Integer> off =
+          clocks.keySet().stream().filter(c -> clocks.get(c).ratesDiffer()).toList();
+      if (!off.isEmpty() && !simulated) {
+        double farthest =
+            off.stream()
+                .map(c -> clocks.get(c).rate())
+                .max(Comparator.comparingDouble(r -> Math.abs(r - 1)))
+                .orElseThrow();
+        all.add(new VisionFault.ClockRate(off, farthest));
+      }
+      layout
+          .findings(published())
+          .forEach(
+              f ->
+                  all.add(
+                      new VisionFault.MixedUp(
+                          List.copyOf(new TreeSet<>(f.cameras())), f.swapped())));
+      return all;
     }
 
     private void found(Kick kick) {

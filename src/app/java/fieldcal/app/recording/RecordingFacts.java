@@ -6,6 +6,7 @@ import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.gamelog.RefereeDecoder;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.verdict.Surroundings;
+import fieldcal.verdict.VisionFault;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionDecoder;
@@ -24,13 +25,15 @@ import java.util.Optional;
  * @param playing how long the referee let a match run, s
  * @param geometry the first one; empty when the recording has none
  * @param startUnixNanos when the first message was received, Unix time, ns; 0 without messages
+ * @param faults what its frames show of its cameras; empty until somebody looked at them
  */
 public record RecordingFacts(
     Path log,
     RecordingOrigin origin,
     double playing,
     Optional<FieldGeometry> geometry,
-    long startUnixNanos) {
+    long startUnixNanos,
+    List<VisionFault> faults) {
   /** A shorter start is somebody who tries out the game controller, s. */
   private static final double MATCH_FROM = 10;
 
@@ -78,8 +81,20 @@ public record RecordingFacts(
    */
   public static Surroundings surroundings(List<RecordingFacts> all) {
     return new Surroundings(
-        all.stream().map(f -> new Surroundings.Recorded(f.isSimulated(), f.geometry())).toList(),
+        all.stream()
+            .map(f -> new Surroundings.Recorded(f.isSimulated(), f.geometry(), f.faults()))
+            .toList(),
         Optional.empty());
+  }
+
+  /**
+   * The same recording after its frames were looked at.
+   *
+   * @param found what they show of its cameras
+   * @return the changed copy
+   */
+  RecordingFacts showing(List<VisionFault> found) {
+    return new RecordingFacts(log, origin, playing, geometry, startUnixNanos, found);
   }
 
   /**
@@ -144,7 +159,7 @@ public record RecordingFacts(
         }
       }
       RecordingOrigin origin = simulated ? RecordingOrigin.SIMULATION : RecordingOrigin.FIELD;
-      return new RecordingFacts(log, origin, playing, geometry, start);
+      return new RecordingFacts(log, origin, playing, geometry, start, List.of());
     }
 
     private void referee(RefereeDecoder decoder, double time) {

@@ -45,6 +45,18 @@ public final class Harmless {
     return shown.toString();
   }
 
+  /**
+   * Makes a text harmless that is a part of a line, such as a name: a line end in it could begin a line that this program did not write.
+   *
+   * @param text any
+   * @return the same as by {@link #text}, with line ends made visible, too
+   */
+  public static String line(CharSequence text) {
+    return text(text)
+        .replace('\r', (char) (PICTURES + '\r'))
+        .replace('\n', (char) (PICTURES + '\n'));
+  }
+
   private static char shown(CharSequence text, int i) {
     char c = text.charAt(i);
     boolean lineEnd = c == '\r' && i + 1 < text.length() && text.charAt(i + 1) == '\n';

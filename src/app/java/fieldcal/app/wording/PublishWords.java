@@ -279,6 +279,9 @@ public record PublishWords(
               .collect(Collectors.joining(", "))
           + ". A ball model holds for one carpet.";
     }
+    if (reason instanceof Reason.FaultyVision f) {
+      return VisionFaultWords.sentence(f.fault());
+    }
     if (reason instanceof Reason.OtherCameras) {
       return "Every camera was calibrated again between the recordings, or they are from different"
           + " fields of the same size.";
@@ -408,6 +411,9 @@ public record PublishWords(
     }
     if (reason instanceof Reason.NoChips) {
       return "Calibrate without --kind chip.";
+    }
+    if (reason instanceof Reason.FaultyVision f) {
+      return VisionFaultWords.advice(f.fault());
     }
     if (reason instanceof Reason.SeveralFields || reason instanceof Reason.OtherCameras) {
       return "Calibrate each field on its own.";

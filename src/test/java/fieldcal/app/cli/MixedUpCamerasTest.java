@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.app.recording.RecordingFacts;
+import fieldcal.verdict.VisionFault;
 import fieldcal.vision.BallDetection;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.VisionFrame;
@@ -98,6 +100,70 @@ class MixedUpCamerasTest {
         .singleElement()
         .asString()
         .contains("cameras 0 and 1: one of them is rotated by 180°");
+  }
+
+  @Test
+  void theVerdictIsToldOfThem() throws IOException {
+    Path log = changed(f -> f.cameraId() == 2 ? rotated(f, 0, 0) : f);
+    assertThat(faults(log)).containsExactly(new VisionFault.MixedUp(List.of(2), false));
+    assertThat(faults(sound)).isEmpty();
+  }
+
+  /** grSim's frames came a thirtieth slower than their time stamps say. */
+  @Test
+  void theVerdictIsToldOfAClockThatRunsAtAnotherRate() throws IOException {
+    assertThat(faults(DATA.resolve("grsim-flat.log.gz")))
+        .singleElement()
+        .isInstanceOfSatisfying(
+            VisionFault.ClockRate.class,
+            clock -> {
+              assertThat(clock.cameras()).containsExactly(0, 1, 2, 3);
+              assertThat(clock.rate()).isBetween(1.03, 1.04);
+            });
+  }
+
+  @Test
+  void coordinatesOnAGridAreNamed() throws IOException {
+    Path log = changed(f -> f.cameraId() == 1 ? onGrid(f, 0.01) : f);
+    assertThat(onGrid(sound)).isEmpty();
+    assertThat(onGrid(log))
+        .singleElement()
+        .asString()
+        .contains(", camera 1: the coordinates of its balls are multiples of 10.0 mm");
+  }
+
+  private static List<String> onGrid(Path log) throws IOException {
+    CollectedKicks data = new KickCollector((file, read, total) -> {}).collect(List.of(log));
+    return all(data).filter(p -> p.contains("multiples")).toList();
+  }
+
+  private static VisionFrame onGrid(VisionFrame f, double step) {
+    List<BallDetection> balls =
+        f.balls().stream()
+            .map(
+                b ->
+                    new BallDetection(
+                        Math.rint(b.x() / step) * step,
+                        Math.rint(b.y() / step) * step,
+                        b.z(),
+                        b.confidence(),
+                        b.area(),
+                        b.pixelX(),
+                        b.pixelY()))
+            .toList();
+    return new VisionFrame(
+        f.cameraId(),
+        f.frameNumber(),
+        f.captureTime(),
+        f.sentTime(),
+        f.cameraClockTime(),
+        balls,
+        f.robots());
+  }
+
+  private static List<VisionFault> faults(Path log) throws IOException {
+    CollectedKicks data = new KickCollector((file, read, total) -> {}).collect(List.of(log));
+    return RecordingFacts.surroundings(data.recordings()).faults();
   }
 
   private static Path changed(Function<VisionFrame, VisionFrame> change) throws IOException {

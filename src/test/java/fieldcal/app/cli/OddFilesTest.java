@@ -85,6 +85,17 @@ class OddFilesTest {
   }
 
   @Test
+  void aNameWithALineEndPrintsNoLineOfItsOwn() throws Exception {
+    String name = "a\nfieldcal: all is well.log.gz";
+    Ended missing = run("info", folder.resolve(name).toString());
+    assertThat(missing.err().lines()).hasSize(1);
+    Path log = Files.copy(LOG.resolveSibling("grsim-flat.log.gz"), folder.resolve(name));
+    assertThat(run("info", log.toString()).out().lines()).noneMatch(l -> l.startsWith("fieldcal"));
+    assertThat(run("calibrate", log.toString(), "--out", folder.resolve("o").toString()).out())
+        .doesNotContain("\nfieldcal");
+  }
+
+  @Test
   void theLanguageOfTheMachineChangesNoNumber() throws Exception {
     // Its first frames come before the geometry, which is told with numbers.
     String log = LOG.resolveSibling("grsim-flat.log.gz").toString();

@@ -137,6 +137,7 @@ public final class ParserFuzz implements AutoCloseable {
         "referee",
         new Target(
             b -> new RefereeDecoder(EPOCH).decode(b, 0, b.length), List.of(refereeMessage())));
+    targets.put("tracker", new Target(b -> TrackerFuzz.read(b, scratch), TrackerFuzz.messages()));
     add("models", corpus, InitialModels::read, "calibration.json", "geometry_models.txt");
     add("selection", corpus, SelectionFile::read, "selection.json");
     add("extended-model", corpus, f -> ExtendedModelFile.read(f, EPOCH), "extended_model.json");

@@ -85,6 +85,6 @@ class RecordingChoiceTest {
             0, 500, 390, 290, 0.1, 1, 0, 0, 0, 0, 0, 1000 * height, 0, 0, height, 780, 580);
     FieldGeometry field = FieldGeometry.of(length, 9, 1.8, 0.18, 0.3, List.of(camera));
     return new RecordingFacts(
-        Path.of(name), origin, playing, Optional.of(field), s * 1_000_000_000L);
+        Path.of(name), origin, playing, Optional.of(field), s * 1_000_000_000L, List.of());
   }
 }

@@ -25,6 +25,12 @@ class HarmlessTest {
   }
 
   @Test
+  void aNameEndsNoLine() {
+    assertThat(Harmless.line("a\r\nfieldcal: all is well")).isEqualTo("a␍␊fieldcal: all is well");
+    assertThat(Harmless.line("a\u001b[2Jb\tc")).isEqualTo("a␛[2Jb\tc");
+  }
+
+  @Test
   void linesTabsColoursAndLettersStay() {
     String text = "Größe\t3 m/s²\n\u001b[1;31mred\u001b[0m …\r\n日本";
     assertThat(Harmless.text(text)).isEqualTo(text);

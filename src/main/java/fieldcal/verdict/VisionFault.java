@@ -1,0 +1,33 @@
+package fieldcal.verdict;
+
+import java.util.List;
+
+/** What a recording shows of its cameras that makes numbers wrong without raising a residual. */
+public sealed interface VisionFault {
+
+  /**
+   * Time stamps run at another rate than the recorder's clock: accelerations are wrong by twice the difference where vision's clock is wrong.
+   *
+   * @param cameras ids, ascending
+   * @param rate seconds of the recorder's clock per second of theirs; where they differ, the one that is farthest off
+   */
+  record ClockRate(List<Integer> cameras, double rate) implements VisionFault {
+    /** Copies the list. {@inheritDoc} */
+    public ClockRate {
+      cameras = List.copyOf(cameras);
+    }
+  }
+
+  /**
+   * Cameras that report one another's coordinates, or point-mirrored ones.
+   *
+   * @param cameras ids, ascending
+   * @param swapped whether two cameras have each other's number; otherwise one of them is rotated by 180°
+   */
+  record MixedUp(List<Integer> cameras, boolean swapped) implements VisionFault {
+    /** Copies the list. {@inheritDoc} */
+    public MixedUp {
+      cameras = List.copyOf(cameras);
+    }
+  }
+}
