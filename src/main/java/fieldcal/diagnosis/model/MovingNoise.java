@@ -58,6 +58,9 @@ public record MovingNoise(
   /** Errors of which each keeps a part of the one before have a correlation that decays with its own powers, and those of a moving average one that ends. What decays more slowly than that, by a step of the decays, is what a wrong model does, beside noise. */
   private static final double SLOWER = 0.1;
 
+  /** What the strides may differ by from the best decay, root of the sum of squares, relative: their medians are known to two per cent each, which makes half of it (0.05 at most in recordings with a memory). A camera that vibrates, at 7 to 13 hertz with a fifth of the variance, leaves 0.15 and more. */
+  private static final double MISFIT = 0.1;
+
   /** Column of what a wrong model does slowly. */
   private static final int SLOW = 2;
 
@@ -168,7 +171,7 @@ public record MovingNoise(
         best = new Likeness(fitted.getEntry(0), correlation, decay);
       }
     }
-    boolean sound = best.variance > 0 && best.correlation > LEAST_CORRELATION;
+    boolean sound = best.variance > 0 && best.correlation > LEAST_CORRELATION && least < MISFIT;
     return sound ? best : Likeness.NONE;
   }
 
