@@ -94,17 +94,20 @@ final class Engine implements AutoCloseable {
     Watch watch = new Watch(order, play, progress);
     context.sc().addSparkListener(watch);
     try {
-      return collect(
-          () ->
-              context
-                  .parallelize(order, order.size())
-                  .map(
-                      log -> {
-                        LogTask.Done done = LogTask.run(log, folder, opener, attempt(log));
-                        play.add(done.play());
-                        return done.log();
-                      })
-                  .collect());
+      List<LogFile> read =
+          collect(
+              () ->
+                  context
+                      .parallelize(order, order.size())
+                      .map(
+                          log -> {
+                            LogTask.Done done = LogTask.run(log, folder, opener, attempt(log));
+                            play.add(done.play());
+                            return done.log();
+                          })
+                      .collect());
+      watch.allDone();
+      return read;
     } finally {
       context.sc().removeSparkListener(watch);
     }
@@ -181,12 +184,25 @@ final class Engine implements AutoCloseable {
     }
 
     @Override
-    public void onTaskEnd(SparkListenerTaskEnd end) {
-      if (end.taskInfo().successful()) {
+    public synchronized void onTaskEnd(SparkListenerTaskEnd end) {
+      if (end.taskInfo().successful() && done < order.size()) {
         done++;
         bytesDone += order.get(end.taskInfo().index()).bytes();
-        progress.at(new ArchiveProgress(order.size(), done, bytes, bytesDone, play.value()));
+        tell();
       }
+    }
+
+    /** Spark tells the ends of tasks from a thread of its own, of the last ones possibly too late. */
+    synchronized void allDone() {
+      if (done < order.size()) {
+        done = order.size();
+        bytesDone = bytes;
+        tell();
+      }
+    }
+
+    private void tell() {
+      progress.at(new ArchiveProgress(order.size(), done, bytes, bytesDone, play.value()));
     }
   }
 }
