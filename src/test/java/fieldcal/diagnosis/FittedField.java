@@ -94,15 +94,30 @@ public record FittedField(
     return kicks.stream().anyMatch(k -> k.kind() == kind);
   }
 
+  /** The field's problem with its kicks seen or fitted otherwise. */
+  public DiagnosisProblem problem(List<KickFit> fits) {
+    return new DiagnosisProblem(
+        fits,
+        problem.cameras(),
+        problem.observers(),
+        problem.sessionStart(),
+        problem.commands(),
+        problem.maxCauses(),
+        problem.seed());
+  }
+
+  /** A kick's own fit, begun at the simple model. */
+  public KickFit fit(Kick kick, KickKind kind) {
+    ModelState state = simple.solution().state();
+    return new KickFitter(FitSettings.defaults())
+        .fit(FitProblem.of(kick, noise.cameras(), state.flat(), state.chip()), kind);
+  }
+
   /** A kick fitted again, all of its detections taken for the ball. */
   public KickRecord again(Kick kick, KickKind kind) {
-    ModelState state = simple.solution().state();
-    KickFit fit =
-        new KickFitter(FitSettings.defaults())
-            .fit(FitProblem.of(kick, noise.cameras(), state.flat(), state.chip()), kind);
     boolean[] kept = new boolean[kick.observations().size()];
     Arrays.fill(kept, true);
-    return new KickRecord(fit, kept, noise);
+    return new KickRecord(fit(kick, kind), kept, noise);
   }
 
   /** The simple model, fitted to other records of the field's kicks. */

@@ -151,14 +151,7 @@ class MixedUpCamerasTest {
                         b.pixelX(),
                         b.pixelY()))
             .toList();
-    return new VisionFrame(
-        f.cameraId(),
-        f.frameNumber(),
-        f.captureTime(),
-        f.sentTime(),
-        f.cameraClockTime(),
-        balls,
-        f.robots());
+    return EditedLog.withBalls(VisionPacket.of(f), balls).frame().orElseThrow();
   }
 
   private static List<VisionFault> faults(Path log) throws IOException {

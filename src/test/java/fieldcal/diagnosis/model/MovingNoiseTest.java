@@ -3,14 +3,10 @@ package fieldcal.diagnosis.model;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import fieldcal.diagnosis.DiagnosisProblem;
 import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.fit.CameraView;
-import fieldcal.fit.FitProblem;
-import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
-import fieldcal.fit.KickFitter;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.kick.Observations;
@@ -78,24 +74,11 @@ class MovingNoiseTest {
   }
 
   private FittedField noisy(Memory memory, double shared, DoubleSupplier random) {
-    DiagnosisProblem problem = plain.problem();
-    ModelState state = plain.simple().solution().state();
-    KickFitter fitter = new KickFitter(FitSettings.defaults());
     List<KickFit> fits =
-        problem.fits().stream()
-            .map(f -> noisy(f.kick(), memory, shared, random))
-            .map(k -> FitProblem.of(k, problem.cameras(), state.flat(), state.chip()))
-            .map(p -> fitter.fit(p, KickKind.FLAT))
+        plain.problem().fits().stream()
+            .map(f -> plain.fit(noisy(f.kick(), memory, shared, random), KickKind.FLAT))
             .toList();
-    return FittedField.of(
-        new DiagnosisProblem(
-            fits,
-            problem.cameras(),
-            problem.observers(),
-            problem.sessionStart(),
-            problem.commands(),
-            problem.maxCauses(),
-            problem.seed()));
+    return FittedField.of(plain.problem(fits));
   }
 
   private static Kick noisy(Kick kick, Memory memory, double shared, DoubleSupplier random) {
