@@ -228,7 +228,7 @@ public final class Diagnoser {
       if (!KickScreen.hasStandingOut(alike)) {
         return alike;
       }
-      FittedModel deaf = fitter.fit(started(found), found, Weighing.EXPLAINED_ONLY, solver);
+      FittedModel deaf = fitter.fit(found.resumed(), found, Weighing.EXPLAINED_ONLY, solver);
       return screen.explainsMost(deaf) ? deaf : alike;
     }
 
@@ -240,7 +240,7 @@ public final class Diagnoser {
     private FittedModel refit(FittedModel best, List<KickRecord> kicks) {
       fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
       arena = arena(kicks);
-      EffectModel start = started(best).in(arena);
+      EffectModel start = best.resumed().in(arena);
       FittedModel again =
           fitter.fit(start, matching(best, kicks), Weighing.EXPLAINED_FIRST, solver);
       base = fitter.fit(simple(problem.fits(), kicks), solver);
@@ -293,11 +293,7 @@ public final class Diagnoser {
       if (found.solution().reducedChiSquare() > EXPLAINED && !screen.explainsMost(found)) {
         return start;
       }
-      return fitter.fit(started(found).in(arena), base, Weighing.EXPLAINED_FIRST, solver);
-    }
-
-    private static EffectModel started(FittedModel from) {
-      return from.model().startingAt(from.solution().values(), from.solution().scatters());
+      return fitter.fit(found.resumed().in(arena), base, Weighing.EXPLAINED_FIRST, solver);
     }
 
     private Answer decide(FittedModel found) {

@@ -4,7 +4,6 @@ import fieldcal.diagnosis.decision.Decision;
 import fieldcal.diagnosis.decision.Dependence;
 import fieldcal.diagnosis.decision.Dependence.Form;
 import fieldcal.diagnosis.model.Component;
-import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
@@ -177,8 +176,7 @@ final class LawForValues {
   }
 
   private FittedModel fit(FittedModel from, List<Component> components) {
-    EffectModel start = from.model().startingAt(from.solution().values(), new double[0]);
-    return fitter.fit(start.with(components), from, Weighing.ALIKE, solver);
+    return fitter.fit(from.resumedWith(components), from, Weighing.ALIKE, solver);
   }
 
   private Optional<FittedModel> best(List<FittedModel> fits) {

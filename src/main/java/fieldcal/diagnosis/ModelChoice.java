@@ -85,8 +85,7 @@ final class ModelChoice {
         kept.add(c.startingAt(effects.get(i)));
       }
     }
-    EffectModel start = found.model().startingAt(found.solution().values(), new double[0]);
-    return fitter.fit(start.with(kept), found, Weighing.ALIKE, solver);
+    return fitter.fit(found.resumedWith(kept), found, Weighing.ALIKE, solver);
   }
 
   /** A model all of whose components stand up to the decision. */
@@ -155,7 +154,7 @@ final class ModelChoice {
         return best(way);
       }
       trace.addAll(search.trace());
-      at = fitter.fit(startingAt(simpler), simpler, Weighing.ALIKE, solver);
+      at = fitter.fit(simpler.resumed(), simpler, Weighing.ALIKE, solver);
     }
   }
 
@@ -190,7 +189,7 @@ final class ModelChoice {
         kept.add(j.component().startingAt(j.effect()));
       }
     }
-    EffectModel start = at.model().startingAt(at.solution().values(), new double[0]).with(kept);
+    EffectModel start = at.resumedWith(kept);
     FittedModel next = fitter.fit(start, at, Weighing.ALIKE, solver);
     return going.stream().anyMatch(j -> j.component().isLaw()) ? fresh.orBetter(next) : next;
   }
@@ -264,9 +263,5 @@ final class ModelChoice {
       case FORM -> j.component().isLaw();
       default -> false;
     };
-  }
-
-  private static EffectModel startingAt(FittedModel from) {
-    return from.model().startingAt(from.solution().values(), from.solution().scatters());
   }
 }

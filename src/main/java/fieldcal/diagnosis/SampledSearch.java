@@ -1,6 +1,5 @@
 package fieldcal.diagnosis;
 
-import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
@@ -64,12 +63,11 @@ final class SampledSearch {
     }
     List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
     ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
-    FittedModel begin =
-        few.fit(startingAt(start), start.restrictedTo(some), Weighing.ALIKE, solver);
+    FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = found(few, begin, dictionary, most, revises);
-    FittedModel all = fitter.fit(startingAt(found), start, Weighing.EXPLAINED_FIRST, solver);
+    FittedModel all = fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);
     // The weights were those of the other model.
-    return fitter.fit(startingAt(all), all, Weighing.EXPLAINED_FIRST, solver);
+    return fitter.fit(all.resumed(), all, Weighing.EXPLAINED_FIRST, solver);
   }
 
   /** Which of so many kicks a search looks at: all, or some that are spread over the session. */
@@ -95,10 +93,6 @@ final class SampledSearch {
    * @return the fit
    */
   FittedModel alike(ModelFitter fitter, FittedModel found) {
-    return fitter.fit(startingAt(found), found, Weighing.ALIKE, solver);
-  }
-
-  private static EffectModel startingAt(FittedModel from) {
-    return from.model().startingAt(from.solution().values(), from.solution().scatters());
+    return fitter.fit(found.resumed(), found, Weighing.ALIKE, solver);
   }
 }

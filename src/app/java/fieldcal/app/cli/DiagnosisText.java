@@ -1,6 +1,7 @@
 package fieldcal.app.cli;
 
 import fieldcal.app.diagnose.DiagnosisOutcome;
+import fieldcal.app.diagnose.LeftOutKick;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.CauseText;
@@ -22,7 +23,9 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -30,6 +33,9 @@ import java.util.stream.Collectors;
 final class DiagnosisText {
   private static final int WIDTH = 98;
   private static final int MOST_PROBLEMS = 3;
+
+  /** Kicks that are named for each reason why they were left out. */
+  private static final int MOST_LEFT_OUT = 8;
 
   /** Of more causes only what is wrong is said; what it does and what to do about it is in the report. */
   private static final int MOST_IN_FULL = 3;
@@ -215,11 +221,12 @@ final class DiagnosisText {
     line("");
     line(
         "%d of %d %s used%s, seed %d",
-        outcome.problem().fits().size(),
+        outcome.diagnosis().kicks().size(),
         outcome.calibration().data().kicks().size(),
         outcome.calibration().data().kicks().size() == 1 ? "kick" : "kicks",
         commands(outcome),
         outcome.diagnosis().seed());
+    leftOut(outcome);
     List<DataProblem> problems = DataProblem.folded(outcome.calibration().data().problems());
     if (!problems.isEmpty()) {
       line("In the data:");
@@ -233,6 +240,30 @@ final class DiagnosisText {
     if (directory != null) {
       line("report: %s", directory.resolve("diagnosis.html"));
     }
+  }
+
+  private void leftOut(DiagnosisOutcome outcome) {
+    Map<String, List<LeftOutKick>> byReason =
+        LeftOutKick.of(outcome).stream()
+            .collect(Collectors.groupingBy(LeftOutKick::reason, TreeMap::new, Collectors.toList()));
+    byReason.forEach(
+        (reason, kicks) -> {
+          String ids =
+              kicks.stream()
+                  .limit(MOST_LEFT_OUT)
+                  .map(k -> Integer.toString(k.kick().id()))
+                  .collect(Collectors.joining(", "));
+          String more =
+              kicks.size() > MOST_LEFT_OUT
+                  ? " and " + (kicks.size() - MOST_LEFT_OUT) + " more"
+                  : "";
+          wrapped(
+              "  ",
+              "    ",
+              String.format(
+                  "Left out: %s %s%s: %s.",
+                  kicks.size() == 1 ? "kick" : "kicks", ids, more, reason));
+        });
   }
 
   private static String commands(DiagnosisOutcome outcome) {

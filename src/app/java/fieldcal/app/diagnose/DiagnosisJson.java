@@ -248,7 +248,7 @@ final class DiagnosisJson {
   private ObjectNode kicks() {
     ObjectNode node = nodes.objectNode();
     node.put("found", outcome.calibration().data().kicks().size());
-    node.put("used", outcome.problem().fits().size());
+    node.put("used", diagnosis.kicks().size());
     ArrayNode each = node.putArray("each");
     for (KickResiduals kick : diagnosis.kicks()) {
       ObjectNode one = each.addObject().put("id", kick.kick().id()).put("kind", kick.kind().id());
@@ -256,6 +256,12 @@ final class DiagnosisJson {
       one.put("source", outcome.calibration().data().sources().get(kick.kick().id()));
       put(one, "rms_before_mm", kick.rmsBeforeMm());
       put(one, "rms_after_mm", kick.rmsAfterMm());
+    }
+    ArrayNode leftOut = node.putArray("left_out");
+    for (LeftOutKick kick : LeftOutKick.of(outcome)) {
+      ObjectNode one = leftOut.addObject().put("id", kick.kick().id());
+      one.put("t", outcome.calibration().data().epoch().unixSeconds(kick.kick().time()));
+      one.put("source", kick.source()).put("reason", kick.reason());
     }
     return node;
   }

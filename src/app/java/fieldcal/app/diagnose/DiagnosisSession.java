@@ -209,7 +209,8 @@ public final class DiagnosisSession {
         new DiagnosisReportBuilder(
                 outcome.diagnosis(),
                 calibration.data(),
-                calibration.logs().stream().map(Path::toString).toList())
+                calibration.logs().stream().map(Path::toString).toList(),
+                LeftOutKick.of(outcome).stream().map(LeftOutKick::remark).toList())
             .build();
     new DiagnosisReportWriter().write(report, directory.resolve("diagnosis.html"));
   }

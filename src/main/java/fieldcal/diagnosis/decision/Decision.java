@@ -215,8 +215,7 @@ public final class Decision {
         rest.add(model.model().components().get(j).startingAt(now.get(j)));
       }
     }
-    EffectModel start =
-        model.model().startingAt(model.solution().values(), new double[0]).with(rest);
+    EffectModel start = model.resumedWith(rest);
     FittedModel fitted = fitter.fit(start, model, Weighing.ALIKE, solver);
     boolean law = out.stream().anyMatch(i -> model.model().components().get(i).isLaw());
     return law || fitted.evenCost() > fresh.simple().evenCost() ? refound(fitted) : fitted;

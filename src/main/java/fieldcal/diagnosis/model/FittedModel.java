@@ -121,6 +121,25 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
+   * The model with values to start from that were found: where the next fit of the same begins.
+   *
+   * @return the same model, with the scatters as well
+   */
+  public EffectModel resumed() {
+    return model.startingAt(solution.values(), solution.scatters());
+  }
+
+  /**
+   * The model with other components, where its own numbers were found: where the fit of a neighbouring model begins. Scatters begin anew.
+   *
+   * @param components of the other model, with their values
+   * @return the other model
+   */
+  public EffectModel resumedWith(List<Component> components) {
+    return model.startingAt(solution.values(), new double[0]).with(components);
+  }
+
+  /**
    * The components from the numbers that were found.
    *
    * @return in the model's order

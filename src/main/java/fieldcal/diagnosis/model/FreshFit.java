@@ -21,8 +21,7 @@ public record FreshFit(ModelFitter fitter, FittedModel simple, SharedSolver solv
    */
   public FittedModel of(List<Component> components) {
     SharedSolver settling = solver.settlingVariants();
-    EffectModel start =
-        simple.model().startingAt(simple.solution().values(), new double[0]).with(components);
+    EffectModel start = simple.resumedWith(components);
     FittedModel fitted = fitter.fit(start, simple, Weighing.ALIKE, settling);
     return fitter.fitPlaces(fitted, Weighing.ALIKE, settling);
   }

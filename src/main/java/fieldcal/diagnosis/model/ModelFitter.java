@@ -73,10 +73,7 @@ public final class ModelFitter {
     if (!canHopLower(from)) {
       return from;
     }
-    EffectModel start =
-        from.model()
-            .startingAt(from.solution().values(), from.solution().scatters())
-            .withLowestHop(ChipModel.ENGINE_MIN_HOP_HEIGHT);
+    EffectModel start = from.resumed().withLowestHop(ChipModel.ENGINE_MIN_HOP_HEIGHT);
     return better(fit(start, from, Weighing.ALIKE, solver.startingByRule()), from);
   }
 
@@ -146,16 +143,12 @@ public final class ModelFitter {
       Component c = from.model().components().get(i).startingAt(now.get(i));
       freed.add(c.hasPlace() ? c.withPlaceFree() : c);
     }
-    FittedModel moved = fit(start(from).with(freed), from, weighing, solver);
+    FittedModel moved = fit(from.resumedWith(freed), from, weighing, solver);
     List<Component> held = new ArrayList<>();
     for (int i = 0; i < freed.size(); i++) {
       held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
     }
-    return fit(start(from).with(held), moved, weighing, solver);
-  }
-
-  private static EffectModel start(FittedModel from) {
-    return from.model().startingAt(from.solution().values(), new double[0]);
+    return fit(from.resumedWith(held), moved, weighing, solver);
   }
 
   /** A kick's own parameters for another model: the values of random effects that both have stay, others start at their mean. */

@@ -291,7 +291,10 @@ public final class KickScreen {
       rest -= left(at, byLeft.get(loud));
       loud++;
     }
-    if (rest * LOUD > all - rest) {
+    // Beside kicks that leave nothing, even noise leaves much.
+    double most = STANDS_OUT * Math.max(1, median(at));
+    boolean stand = byLeft.subList(0, loud).stream().allMatch(k -> at.reduced(k) > most);
+    if (rest * LOUD > all - rest || !stand) {
       return at.records();
     }
     Set<Integer> out = Set.copyOf(byLeft.subList(0, loud));

@@ -148,8 +148,7 @@ public final class Alternatives {
     for (int j = 0; j < now.size(); j++) {
       all.add(j == i ? c : model.model().components().get(j).startingAt(now.get(j)));
     }
-    EffectModel start =
-        model.model().startingAt(model.solution().values(), new double[0]).with(all);
+    EffectModel start = model.resumedWith(all);
     return fitter.fit(start, model, Weighing.ALIKE, solver);
   }
 

@@ -1,7 +1,6 @@
 package fieldcal.diagnosis.search;
 
 import fieldcal.diagnosis.model.Component;
-import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
@@ -58,16 +57,12 @@ final class Refits {
       }
       started.add(start);
     }
-    return fitter.fit(start(from).with(started), from, weighing, solver);
+    return fitter.fit(from.resumedWith(started), from, weighing, solver);
   }
 
   /** The same components with their places fitted together with everything else, and held there again. */
   FittedModel fitPlaces(FittedModel from) {
     count++;
     return fitter.fitPlaces(from, weighing, solver);
-  }
-
-  private static EffectModel start(FittedModel from) {
-    return from.model().startingAt(from.solution().values(), new double[0]);
   }
 }

@@ -2,6 +2,7 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.SampleOutcome;
 import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.diagnosis.Cause;
@@ -21,9 +22,12 @@ import org.junit.jupiter.api.Test;
 class DiagnosisTextTest {
 
   private static List<String> printed(Diagnosis diagnosis, int problems) {
+    return printed(SampleOutcome.of(diagnosis, problems));
+  }
+
+  private static List<String> printed(DiagnosisOutcome outcome) {
     StringWriter text = new StringWriter();
-    new DiagnosisText(new PrintWriter(text))
-        .print(SampleOutcome.of(diagnosis, problems), Path.of("out"));
+    new DiagnosisText(new PrintWriter(text)).print(outcome, Path.of("out"));
     List<String> lines = text.toString().lines().toList();
     assertThat(lines).hasSizeLessThanOrEqualTo(45);
     assertThat(lines).allSatisfy(line -> assertThat(line.length()).isLessThanOrEqualTo(100));
@@ -40,6 +44,20 @@ class DiagnosisTextTest {
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
     assertThat(String.join(" ", lines)).doesNotContain("So few kicks");
     assertThat(String.join(" ", printed(SampleDiagnosis.adequate(6), 0))).contains("So few kicks");
+  }
+
+  @Test
+  void kicksThatWereNotUsedAreNamed() {
+    Diagnosis whole = SampleDiagnosis.explained(6);
+    String all = String.join("\n", printed(whole, 0));
+    assertThat(all).contains("6 of 6 kicks used").doesNotContain("Left out");
+    String some =
+        String.join(
+            " ", printed(SampleOutcome.without(whole, whole.kicks().get(2), whole.kicks().get(5))));
+    assertThat(some)
+        .contains("4 of 6 kicks used")
+        .contains("Left out: kick 3: the model that explains the others")
+        .contains("Left out: kick 6: it could not be fitted.");
   }
 
   @Test

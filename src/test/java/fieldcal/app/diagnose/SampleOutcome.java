@@ -12,6 +12,10 @@ import fieldcal.diagnosis.DiagnosisProblem;
 import fieldcal.diagnosis.KickResiduals;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
+import fieldcal.fit.FitProblem;
+import fieldcal.fit.FitSettings;
+import fieldcal.fit.KickFit;
+import fieldcal.fit.KickFitter;
 import fieldcal.kick.Kick;
 import fieldcal.verdict.Surroundings;
 import fieldcal.vision.BallModels;
@@ -71,5 +75,34 @@ public final class SampleOutcome {
         new DiagnosisProblem(
             List.of(), cameras, SampleDiagnosis.observers(), 0.5, Map.of(), 8, diagnosis.seed());
     return new DiagnosisOutcome(calibration, problem, diagnosis);
+  }
+
+  /** One whose diagnosis did not use two of its kicks: one was given to it, the other had no fit. */
+  public static DiagnosisOutcome without(
+      Diagnosis whole, KickResiduals given, KickResiduals unfitted) {
+    DiagnosisOutcome all = of(whole, 0);
+    DiagnosisProblem p = all.problem();
+    KickFit fit =
+        new KickFitter(FitSettings.defaults())
+            .fit(
+                FitProblem.of(
+                    given.kick(),
+                    p.cameras(),
+                    whole.model().flat().orElseThrow(),
+                    whole.model().chip().orElseThrow()),
+                given.kind());
+    List<KickResiduals> used =
+        whole.kicks().stream().filter(k -> k != given && k != unfitted).toList();
+    return new DiagnosisOutcome(
+        all.calibration(),
+        new DiagnosisProblem(
+            List.of(fit),
+            p.cameras(),
+            p.observers(),
+            p.sessionStart(),
+            p.commands(),
+            p.maxCauses(),
+            p.seed()),
+        SampleDiagnosis.of(whole, used));
   }
 }

@@ -44,6 +44,7 @@ import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /** Turns a diagnosis into what the report shows. Immutable. */
 public final class DiagnosisReportBuilder {
@@ -56,6 +57,7 @@ public final class DiagnosisReportBuilder {
   private final Diagnosis diagnosis;
   private final CollectedKicks data;
   private final List<String> sources;
+  private final List<DataProblem> remarks;
   private final CauseWords words;
 
   /**
@@ -64,9 +66,12 @@ public final class DiagnosisReportBuilder {
    * @param diagnosis what to show
    * @param data the kicks it was made from: times, recordings, cameras, field, problems
    * @param sources the recordings, as the operator named them
+   * @param remarks on the kicks, beside the problems in the data
    */
-  public DiagnosisReportBuilder(Diagnosis diagnosis, CollectedKicks data, List<String> sources) {
+  public DiagnosisReportBuilder(
+      Diagnosis diagnosis, CollectedKicks data, List<String> sources, List<DataProblem> remarks) {
     this.diagnosis = diagnosis;
+    this.remarks = List.copyOf(remarks);
     this.data = data;
     this.sources = List.copyOf(sources);
     words = new CauseWords(diagnosis, data.observers());
@@ -102,7 +107,9 @@ public final class DiagnosisReportBuilder {
         cameras(),
         diagnosis.kicks().stream().map(kicks::of).toList(),
         parameters(),
-        DataProblem.folded(data.problems()).stream().map(Problem::of).toList());
+        Stream.concat(remarks.stream(), DataProblem.folded(data.problems()).stream())
+            .map(Problem::of)
+            .toList());
   }
 
   private CauseRow cause(Cause cause) {

@@ -202,7 +202,7 @@ class DiagnosisReportTest {
             0.25,
             List.of(),
             347.2);
-    return new DiagnosisReportBuilder(diagnosis, data, List.of(source)).build();
+    return new DiagnosisReportBuilder(diagnosis, data, List.of(source), List.of()).build();
   }
 
   private String write(DiagnosisReport report) throws IOException {
