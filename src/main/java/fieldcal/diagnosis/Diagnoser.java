@@ -12,18 +12,22 @@ import fieldcal.diagnosis.screening.KickScreen;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.FitSettings;
 import fieldcal.fit.KickFit;
 import fieldcal.fit.Screening;
 import fieldcal.fit.TypicalBall;
 import fieldcal.fit.joint.SharedSolver;
+import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -114,7 +118,9 @@ public final class Diagnoser {
         found = failed.guarded("the search for causes", base, () -> searchNamed(kicks));
       }
       progress.stage("weighing the explanations");
-      return decide(found).diagnosis(trace, failed.problems());
+      Decided first = decide(found);
+      Decided last = failed.guarded("the selection by prediction", first, () -> selected(first));
+      return answer(last).diagnosis(trace, failed.problems());
     }
 
     private List<KickRecord> screenAndFit() {
@@ -296,9 +302,39 @@ public final class Diagnoser {
       return fitter.fit(found.resumed().in(arena), base, Weighing.EXPLAINED_FIRST, solver);
     }
 
-    private Answer decide(FittedModel found) {
-      DiagnosisCase screened =
-          new DiagnosisCase(problem, catalogue, settings, fitter, arena, base, solver);
+    /**
+     * What was decided for some kicks.
+     *
+     * @param screened these kicks and what may explain them
+     * @param heldBase how the simple model does on kicks that were held out
+     * @param best the model that was chosen
+     */
+    private record Decided(DiagnosisCase screened, HoldOut heldBase, Weighed best) {
+      /** Whether this follows a usual kick more closely than another decision, and predicts none worse, of the kicks that both know. */
+      boolean isCloserThan(Decided other) {
+        List<Kick> mine = kicks();
+        List<Kick> theirs = other.kicks();
+        List<Kick> both = mine.stream().filter(theirs::contains).toList();
+        HoldOut now = best.held().restrictedTo(both.stream().mapToInt(mine::indexOf).toArray());
+        HoldOut before =
+            other.best.held().restrictedTo(both.stream().mapToInt(theirs::indexOf).toArray());
+        long seed = screened.seed();
+        return now.followsMostBetterThan(before, seed)
+            && !now.predictsMostWorseThan(before, seed)
+            && !now.predictsWorseThan(before, seed);
+      }
+
+      private List<Kick> kicks() {
+        return best.model().records().stream().map(KickRecord::kick).toList();
+      }
+    }
+
+    private DiagnosisCase screened() {
+      return new DiagnosisCase(problem, catalogue, settings, fitter, arena, base, solver);
+    }
+
+    private Decided decide(FittedModel found) {
+      DiagnosisCase screened = screened();
       HoldOut heldBase = HoldOut.of(base, true, problem.seed());
       ModelChoice choice = new ModelChoice(screened, heldBase, trace, progress::part);
       Weighed named = new Weighed(base, List.of(), heldBase);
@@ -311,13 +347,63 @@ public final class Diagnoser {
       if (nothing || !(best.held().rmsMm() <= heldBase.rmsMm())) {
         best = new Weighed(base, List.of(), heldBase);
       }
+      return new Decided(screened, heldBase, best);
+    }
+
+    /** Where something is left, with what is selected by prediction alone, if it follows a usual kick more closely and predicts no worse. */
+    private Decided selected(Decided first) {
+      if (problem.maxCauses() == 0 || !Leftover.of(first.best.model()).isSignificant()) {
+        return first;
+      }
+      progress.stage("selecting by prediction");
+      List<Effect> effects = new ArrayList<>(catalogue);
+      effects.addAll(LearnedLibrary.of(arena));
+      effects.addAll(LearnedLibrary.maps(arena));
+      PredictiveSelection selection =
+          new PredictiveSelection(
+              fitter, new Dictionary(effects, arena), solver, problem.seed(), trace);
+      Decided best = first;
+      for (FittedModel start : new LinkedHashSet<>(List.of(base, first.best.model()))) {
+        FittedModel with = selection.from(start);
+        if (with != start) {
+          Decided next = decided(with, first);
+          best = next.isCloserThan(best) ? next : best;
+        }
+      }
+      return best;
+    }
+
+    /** What is decided with a selected model: for all kicks, or without those that stand out while it explains all others. */
+    private Decided decided(FittedModel selected, Decided first) {
+      List<KickRecord> kept = screen.withoutStrays(selected);
+      if (kept.size() == selected.kickCount()) {
+        ModelChoice choice = new ModelChoice(screened(), first.heldBase, trace, progress::part);
+        return new Decided(
+            first.screened, first.heldBase, choice.judged(search.alike(fitter, selected)));
+      }
+      ModelFitter all = fitter;
+      Arena whole = arena;
+      FittedModel simple = base;
+      try {
+        FittedModel again = refit(selected, kept);
+        return decide(search.alike(fitter, again));
+      } finally {
+        fitter = all;
+        arena = whole;
+        base = simple;
+      }
+    }
+
+    private Answer answer(Decided decided) {
+      Weighed best = decided.best;
       FittedModel extended = best.model();
       List<Cause> kickers =
           extended.solution().reducedChiSquare() < EXPLAINED
               ? new KickerBias(extended, problem.commands(), problem.seed())
-                  .causes(catalogue, arena)
+                  .causes(catalogue, decided.screened.arena())
               : List.of();
-      return new Answer(screened, extended, best.judged(), kickers, best.held(), heldBase);
+      return new Answer(
+          decided.screened, extended, best.judged(), kickers, best.held(), decided.heldBase);
     }
   }
 }

@@ -1,6 +1,5 @@
 package fieldcal.diagnosis;
 
-import fieldcal.diagnosis.model.FittedModel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -13,11 +12,12 @@ final class FailedStages {
    * Runs a stage.
    *
    * @param what the stage, as a noun
-   * @param otherwise the model to go on with when it fails
+   * @param otherwise what to go on with when it fails
    * @param stage what it finds
-   * @return the model that it found
+   * @param <T> a model, or what was decided about one
+   * @return what it found
    */
-  FittedModel guarded(String what, FittedModel otherwise, Supplier<FittedModel> stage) {
+  <T> T guarded(String what, T otherwise, Supplier<T> stage) {
     try {
       return stage.get();
     } catch (RuntimeException e) {

@@ -7,9 +7,7 @@ import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.effect.Effect;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -24,9 +22,6 @@ final class Pursuit {
 
   /** How many come at once: beyond that, columns at the old point do not describe the new one. */
   private static final int MOST_AT_ONCE = 3;
-
-  /** Places of a family that take part in a round. */
-  private static final int PLACES_KEPT = 2;
 
   /** Joint refits after which early choices are not questioned any more: a recording whose physics the dictionary does not have would keep the search busy. */
   private static final int MOST_FITS = 60;
@@ -257,13 +252,13 @@ final class Pursuit {
     if (model.components().size() >= maxComponents) {
       return false;
     }
-    List<Proposal> proposals = new ArrayList<>(dictionary.everywhere(model));
-    proposals.addAll(bestPlaces(model));
-    proposals.removeIf(p -> rejected.contains(p.toString()) || !allowed.test(p));
+    List<Proposal> proposals =
+        new Shortlist(best, dictionary, refits.weighing())
+            .all(p -> !rejected.contains(p.toString()) && allowed.test(p));
     if (proposals.isEmpty()) {
       return false;
     }
-    Scorer scorer = new Scorer(best, components(proposals), refits.weighing());
+    Scorer scorer = new Scorer(best, Shortlist.components(proposals), refits.weighing());
     Sweep sweep = scorer.sweep();
     List<Component> chosen = new ArrayList<>();
     List<Proposal> from = new ArrayList<>();
@@ -283,7 +278,8 @@ final class Pursuit {
         if (gain - Price.of(p) <= topNet || gain < leastShare(p) * left) {
           continue;
         }
-        double net = gain - Price.of(p.group() ? members(p, scorer, sweep) : p.components());
+        double net =
+            gain - Price.of(p.group() ? Shortlist.members(p, scorer, sweep) : p.components());
         if (net > topNet) {
           topNet = net;
           topGain = gain;
@@ -296,7 +292,8 @@ final class Pursuit {
       first = Math.max(first, topNet);
       expected += topGain;
       from.add(top);
-      List<Component> members = top.group() ? members(top, scorer, sweep) : top.components();
+      List<Component> members =
+          top.group() ? Shortlist.members(top, scorer, sweep) : top.components();
       for (Component c : members) {
         chosen.add(c);
         for (int column : scorer.columns(c)) {
@@ -335,33 +332,6 @@ final class Pursuit {
         rejected.clear();
       }
     }
-  }
-
-  /** The components of a group that are needed, best first, until what the others would add is not worth it. */
-  private List<Component> members(Proposal group, Scorer scorer, Sweep at) {
-    Sweep sweep = at.copy();
-    List<Component> members = new ArrayList<>();
-    List<Component> left = new ArrayList<>(group.components());
-    while (!left.isEmpty()) {
-      Component top = null;
-      double most = 0;
-      for (Component c : left) {
-        double gain = sweep.gain(scorer.columns(c));
-        if (gain > most) {
-          most = gain;
-          top = c;
-        }
-      }
-      if (top == null || !members.isEmpty() && most < Price.of(List.of(top))) {
-        break;
-      }
-      members.add(top);
-      left.remove(top);
-      for (int column : scorer.columns(top)) {
-        sweep.toggle(column);
-      }
-    }
-    return members;
   }
 
   private boolean tryAdding(List<Component> chosen, List<Proposal> from, double expected) {
@@ -403,39 +373,8 @@ final class Pursuit {
     return p.components().stream().anyMatch(c -> chosen.stream().anyMatch(c::isSameCause));
   }
 
-  static Set<Component> components(List<Proposal> proposals) {
-    Set<Component> all = new LinkedHashSet<>();
-    proposals.forEach(p -> all.addAll(p.components()));
-    return all;
-  }
-
-  /** Of each family that has a place the best few places. */
-  private List<Proposal> bestPlaces(EffectModel model) {
-    List<List<Proposal>> families = dictionary.placed(model);
-    if (families.isEmpty()) {
-      return List.of();
-    }
-    List<Proposal> all = families.stream().flatMap(List::stream).toList();
-    Scorer scorer = new Scorer(best, components(all), refits.weighing());
-    Sweep sweep = scorer.sweep();
-    List<Proposal> kept = new ArrayList<>();
-    for (List<Proposal> family : families) {
-      family.stream()
-          .sorted(Comparator.comparingDouble((Proposal p) -> -scorer.gain(p, sweep)))
-          .limit(PLACES_KEPT)
-          .forEach(kept::add);
-    }
-    return kept;
-  }
-
   private List<Component> placed(List<Component> chosen) {
-    List<Component> better = new ArrayList<>();
-    for (Component c : chosen) {
-      boolean known = best.model().components().stream().anyMatch(c::isSameCause);
-      boolean moves = c.hasPlace() && !known;
-      better.add(moves ? new PlaceSearch(best, refits.weighing()).improve(c) : c);
-    }
-    return better;
+    return Shortlist.placed(best, chosen, refits.weighing());
   }
 
   /** Fits the places of what is in the model together with everything else, and looks for the instants of what was not there before. */

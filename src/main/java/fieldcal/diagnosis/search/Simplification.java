@@ -103,7 +103,7 @@ final class Simplification {
     List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
     proposals =
         proposals.stream().filter(p -> !p.group() && !p.components().get(0).isPerKick()).toList();
-    Scorer scorer = new Scorer(best, Pursuit.components(proposals), refits.weighing());
+    Scorer scorer = new Scorer(best, Shortlist.components(proposals), refits.weighing());
     for (List<Integer> set : sets(had)) {
       List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
       Sweep sweep = scorer.without(set);

@@ -246,6 +246,26 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
+   * The same for some of the kicks.
+   *
+   * @param kicks their indices
+   * @return what is known of these
+   */
+  public HoldOut restrictedTo(int[] kicks) {
+    Map<Double, Ahead> some = new TreeMap<>();
+    ahead.forEach((h, at) -> some.put(h, new Ahead(at(at.squares, kicks), at(at.counts, kicks))));
+    return new HoldOut(at(squares, kicks), at(counts, kicks), some);
+  }
+
+  private static double[] at(double[] all, int[] indices) {
+    return Arrays.stream(indices).mapToDouble(i -> all[i]).toArray();
+  }
+
+  private static int[] at(int[] all, int[] indices) {
+    return Arrays.stream(indices).map(i -> all[i]).toArray();
+  }
+
+  /**
    * Residual of all kicks.
    *
    * @return root mean square per axis, mm; NaN without kicks
@@ -352,6 +372,45 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
       }
     }
     return false;
+  }
+
+  /**
+   * Residual of a usual kick: each counts alike, and none decides alone.
+   *
+   * @return geometric mean over the kicks of their root mean squares per axis, mm
+   */
+  public double usualMm() {
+    return 1000
+        * Math.exp(
+            IntStream.range(0, squares.length)
+                .mapToDouble(this::level)
+                .average()
+                .orElse(Double.NaN));
+  }
+
+  /** Logarithm of a kick's residual, m. */
+  private double level(int kick) {
+    return 0.5 * Math.log(Math.max(LEAST, squares[kick] / Math.max(1, counts[kick])));
+  }
+
+  /**
+   * Whether this follows a usual kick more closely than another model of the same kicks, by more than the choice of the kicks can do.
+   *
+   * @param other the other model's
+   * @param seed of the bootstrap
+   * @return true when it does
+   */
+  public boolean followsMostBetterThan(HoldOut other, long seed) {
+    Random random = new Random(seed);
+    double[] gains = new double[BOOTSTRAPS];
+    for (int b = 0; b < BOOTSTRAPS; b++) {
+      for (int i = 0; i < squares.length; i++) {
+        int k = random.nextInt(squares.length);
+        gains[b] += other.level(k) - level(k);
+      }
+    }
+    Arrays.sort(gains);
+    return gains[(int) (LOW * BOOTSTRAPS)] > 0;
   }
 
   /**

@@ -11,6 +11,7 @@ import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.validation.HoldOut.Ahead;
 import fieldcal.effect.motion.AirDrag;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -159,5 +160,28 @@ class HoldOutTest {
   void theSameSeedDealsTheSameKicks() {
     assertThat(HoldOut.of(drag, false, SEED).squares())
         .isEqualTo(HoldOut.of(drag, false, SEED).squares());
+  }
+
+  /** Twenty kicks, of which one is lost whatever the model: of the others one model leaves half. */
+  @Test
+  void oneLostKickDoesNotDecideWhichModelFollowsAUsualOne() {
+    int[] counts = new int[20];
+    Arrays.fill(counts, 100);
+    double[] far = new double[20];
+    Arrays.fill(far, 100 * 4e-3 * 4e-3);
+    double[] near = new double[20];
+    Arrays.fill(near, 100 * 2e-3 * 2e-3);
+    far[7] = 100 * 0.1 * 0.1;
+    near[7] = 100 * 0.11 * 0.11;
+    HoldOut before = new HoldOut(far, counts, Map.of());
+    HoldOut after = new HoldOut(near, counts, Map.of());
+    assertThat(after.rmsMm()).isGreaterThan(before.rmsMm());
+    assertThat(after.usualMm()).isLessThan(0.6 * before.usualMm());
+    assertThat(after.followsMostBetterThan(before, 1)).isTrue();
+    assertThat(before.followsMostBetterThan(after, 1)).isFalse();
+    assertThat(before.followsMostBetterThan(before, 1)).isFalse();
+    HoldOut two = after.restrictedTo(new int[] {7, 3});
+    assertThat(two.rmsMm(0)).isCloseTo(110, within(1e-9));
+    assertThat(two.rmsMm(1)).isCloseTo(2, within(1e-9));
   }
 }
