@@ -90,7 +90,8 @@ public final class SparkArchive implements ArchiveEngine {
       if (before == null) {
         logs.add(file);
       } else {
-        findings.add(file.path() + ": has the same content as " + before.path() + "; it is read once");
+        findings.add(
+            file.path() + ": has the same content as " + before.path() + "; it is read once");
       }
     }
     return logs;

@@ -24,11 +24,11 @@ public record Average(double mean, double standardError, double scatter, int n) 
   private static final double FARTHEST = 4;
 
   /**
-   * Averages.
+   * Averages: weights 1/(error² + τ²), with the scatter τ from the samples themselves (DerSimonian and Laird 1986).
    *
-   * @param values the samples
-   * @param errors their standard errors, positive; same length
-   * @return the average; NaN when empty
+   * @param values the samples, all in one unit
+   * @param errors their standard errors in that unit, positive; same length
+   * @return mean, error and scatter in that unit; all NaN when empty, and a scatter of 0 of a single sample
    */
   public static Average of(double[] values, double[] errors) {
     int n = values.length;

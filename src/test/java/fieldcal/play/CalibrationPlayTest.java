@@ -261,8 +261,7 @@ class CalibrationPlayTest {
     field.ball(2, 4.85);
     field.run(play, 100);
     assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
-    assertThat(play.state().waiting().orElseThrow())
-        .contains("where no robot can reach it");
+    assertThat(play.state().waiting().orElseThrow()).contains("where no robot can reach it");
     assertThat(field.time).isLessThan(70);
   }
 

@@ -106,8 +106,8 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--adaptive",
       description =
-          "chooses each kick so that it determines the least certain parameter best; with --out also"
-              + " kicks that distinguish causes. Without it, the speeds are spread evenly")
+          "chooses each kick so that it determines the least certain parameter best; with --out"
+              + " also kicks that distinguish causes. Without it, the speeds are spread evenly")
   private boolean adaptive;
 
   @Option(

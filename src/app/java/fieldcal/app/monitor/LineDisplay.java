@@ -72,7 +72,10 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void warningCleared(LiveWarning warning) {
-    line(text.clock(warning.time()) + "  warning ended: " + ParameterWords.spelledOut(warning.text()));
+    line(
+        text.clock(warning.time())
+            + "  warning ended: "
+            + ParameterWords.spelledOut(warning.text()));
   }
 
   @Override

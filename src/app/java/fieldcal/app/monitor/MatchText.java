@@ -175,7 +175,8 @@ final class MatchText {
     }
     if (ball.parameters().stream().anyMatch(ParameterEstimate::maybeSpun)) {
       String spin =
-          "  * may have spin: kicked after dribbling or catching; too few other kicks to compare with";
+          "  * may have spin: kicked after dribbling or catching; too few other kicks to compare"
+              + " with";
       sentence(lines, spin, width);
     }
   }
