@@ -15,8 +15,8 @@ import java.util.Optional;
  * speed, would be a poor estimate.
  *
  * @param mean in the parameter's unit; NaN without samples
- * @param standardError of the mean; NaN without samples
- * @param scatter τ, what differs from kick to kick beyond the fits' errors
+ * @param standardError of the mean, in the parameter's unit; NaN without samples
+ * @param scatter τ, standard deviation from kick to kick beyond the fits' errors, in the parameter's unit; NaN without samples
  * @param n how many samples
  */
 public record Average(double mean, double standardError, double scatter, int n) {
