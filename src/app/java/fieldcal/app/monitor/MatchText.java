@@ -351,7 +351,7 @@ final class MatchText {
     if (s.strayFrames() > 0 || s.clockJumps() > 0) {
       add(
           lines,
-          "  %d frames left out: their times fit no other camera; the clock restarted %d times",
+          "  %d frames left out for their time stamps; the clock restarted %d times",
           s.strayFrames(),
           s.clockJumps());
     }
