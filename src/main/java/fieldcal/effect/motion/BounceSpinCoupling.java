@@ -47,7 +47,7 @@ public record BounceSpinCoupling(double coefficient) implements Bounce {
             -1,
             1,
             true,
-            "chosen: 0 to 2/7 for a ball that grips"));
+            "chosen: −2/7 to 0 for a ball that grips"));
   }
 
   @Override
