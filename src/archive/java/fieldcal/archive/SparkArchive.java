@@ -90,7 +90,8 @@ public final class SparkArchive implements ArchiveEngine {
       if (before == null) {
         logs.add(file);
       } else {
-        findings.add(file.path() + ": is the same as " + before.path() + "; read once");
+        findings.add(
+            file.path() + ": has the same content as " + before.path() + "; it is read once");
       }
     }
     return logs;
@@ -105,7 +106,7 @@ public final class SparkArchive implements ArchiveEngine {
     if (!others.isEmpty()) {
       throw new InputException(
           out
-              + ": holds "
+              + ": contains "
               + (others.size() == 1 ? "1 log that is" : others.size() + " logs that are")
               + " not among those named, the first with the content "
               + others.get(0)

@@ -116,7 +116,7 @@ class ArchiveRunTest {
     assertThat(outcome.logs()).isEqualTo(7);
     assertThat(outcome.broken()).isEqualTo(2);
     assertThat(outcome.findings())
-        .anyMatch(line -> line.contains("the-same.log.gz: is the same as"));
+        .anyMatch(line -> line.contains("the-same.log.gz: has the same content as"));
     assertThat(rows(Tables.MATCHES))
         .extracting(row -> row.text("file"))
         .containsExactly(
@@ -208,7 +208,7 @@ class ArchiveRunTest {
     assertSame(resumed);
 
     assertThatThrownBy(() -> run(resumed, "local[2,4]", true, logs.resolve("cup")))
-        .hasMessageContaining("holds 4 logs that are not among those named");
+        .hasMessageContaining("contains 4 logs that are not among those named");
     assertSame(resumed);
   }
 

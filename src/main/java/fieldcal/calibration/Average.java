@@ -15,8 +15,8 @@ import java.util.Optional;
  * speed, would be a poor estimate.
  *
  * @param mean in the parameter's unit; NaN without samples
- * @param standardError of the mean; NaN without samples
- * @param scatter τ, what differs from kick to kick beyond the fits' errors
+ * @param standardError of the mean, in the parameter's unit; NaN without samples
+ * @param scatter τ, standard deviation from kick to kick beyond the fits' errors, in the parameter's unit; NaN without samples
  * @param n how many samples
  */
 public record Average(double mean, double standardError, double scatter, int n) {
@@ -24,11 +24,11 @@ public record Average(double mean, double standardError, double scatter, int n) 
   private static final double FARTHEST = 4;
 
   /**
-   * Averages.
+   * Averages: weights 1/(error² + τ²), with the scatter τ from the samples themselves (DerSimonian and Laird 1986).
    *
-   * @param values the samples
-   * @param errors their standard errors, positive; same length
-   * @return the average; NaN when empty
+   * @param values the samples, all in one unit
+   * @param errors their standard errors in that unit, positive; same length
+   * @return mean, error and scatter in that unit; all NaN when empty, and a scatter of 0 of a single sample
    */
   public static Average of(double[] values, double[] errors) {
     int n = values.length;

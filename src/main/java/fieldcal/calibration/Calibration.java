@@ -81,9 +81,9 @@ public record Calibration(
   }
 
   /**
-   * The averaged flat model.
+   * The averaged flat model: for each parameter the weighted mean of the kicks that determine it.
    *
-   * @return empty unless every parameter was determined by a kick
+   * @return accelerations in m/s², negative; empty unless every parameter was determined by a kick
    */
   public Optional<FlatModel> flatModel() {
     double[] v = means(flat, "accSlide", "accRoll", "kSwitch");
@@ -91,9 +91,9 @@ public record Calibration(
   }
 
   /**
-   * The averaged chip model.
+   * The averaged chip model: for each damping the weighted mean of the chips that determine it.
    *
-   * @param accRoll to go with it, m/s²
+   * @param accRoll rolling deceleration to go with it, m/s², negative, usually that of the flat kicks
    * @return empty unless every damping was determined by a kick
    */
   public Optional<ChipModel> chipModel(double accRoll) {

@@ -49,9 +49,9 @@ public final class Calibrator {
   private final JointFitter joint;
 
   /**
-   * A calibrator.
+   * A calibrator; one is enough for all threads.
    *
-   * @param settings of the fits, with the seed
+   * @param settings of the fits, with the seed: the same seed and data give the same calibration
    */
   public Calibrator(FitSettings settings) {
     this.settings = Objects.requireNonNull(settings, "settings");
@@ -60,7 +60,7 @@ public final class Calibrator {
   }
 
   /**
-   * Calibrates.
+   * Calibrates: fits each kick, estimates the offsets of the cameras, fits again until these settle, selects, averages, and fits all trusted kicks jointly. Kicks are fitted on all processors.
    *
    * @param problem kicks, cameras, start
    * @param progress called for every kick when it is first fitted, from any thread

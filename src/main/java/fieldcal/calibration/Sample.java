@@ -10,7 +10,7 @@ import java.util.Optional;
  * @param kickId running number of the kick
  * @param parameter name as in the model's record
  * @param value in the parameter's unit
- * @param standardError of the value
+ * @param standardError of the value, in the same unit
  * @param dropped why it is not averaged; empty when it is
  */
 public record Sample(

@@ -261,7 +261,7 @@ public final class Camera {
    * @param ballX position, m
    * @param ballY position, m
    * @param ballZ height, 0 at rest, m
-   * @param ground gets x and y, m; NaN if the ball is not below the camera
+   * @param ground gets x and y, m, so at least two elements; NaN if the ball is not below the camera
    */
   public void projectToGround(double ballX, double ballY, double ballZ, double[] ground) {
     double below = z - BALL_RADIUS - ballZ;
@@ -276,7 +276,7 @@ public final class Camera {
    * @param ballX position, m
    * @param ballY position, m
    * @param ballZ height, 0 at rest, m
-   * @param jacobian gets by rows d(ground x)/d(x, y, z), d(ground y)/d(x, y, z); NaN if the ball is not below the camera
+   * @param jacobian gets by rows d(ground x)/d(x, y, z), d(ground y)/d(x, y, z) (–), so six elements; NaN if the ball is not below the camera
    */
   public void groundJacobian(double ballX, double ballY, double ballZ, double[] jacobian) {
     double below = z - BALL_RADIUS - ballZ;
@@ -295,7 +295,7 @@ public final class Camera {
    * @param ballX position, m
    * @param ballY position, m
    * @param ballZ height, 0 at rest, m; for any other world point its height minus {@link #BALL_RADIUS}
-   * @param pixel gets the image coordinates, also outside of the image's frame; NaN if the point is behind the camera or beyond the fold of the lens
+   * @param pixel gets the image coordinates, column and row, pixels, so two elements; also outside of the image's frame; NaN if the point is behind the camera or beyond the fold of the lens
    * @throws IllegalStateException if only the camera's position is known
    */
   public void worldToPixel(double ballX, double ballY, double ballZ, double[] pixel) {
@@ -309,7 +309,7 @@ public final class Camera {
    * @param u image coordinate, pixels
    * @param v image coordinate, pixels
    * @param ballZ height of the ball, 0 at rest, m; for any other world point its height minus {@link #BALL_RADIUS}
-   * @param plane gets x and y, m; NaN if the ray does not meet the plane or the pixel is beyond the fold of the lens
+   * @param plane gets x and y, m, so two elements; NaN if the ray does not meet the plane or the pixel is beyond the fold of the lens
    * @throws IllegalStateException if only the camera's position is known
    */
   public void pixelToPlane(double u, double v, double ballZ, double[] plane) {
@@ -321,7 +321,7 @@ public final class Camera {
    *
    * @param groundX a reported position, m
    * @param groundY a reported position, m
-   * @param jacobian gets by rows d(ground x)/d(u, v), d(ground y)/d(u, v), m/pixel; NaN if the camera cannot see the point
+   * @param jacobian gets by rows d(ground x)/d(u, v), d(ground y)/d(u, v), m/pixel, so four elements; NaN if the camera cannot see the point
    * @throws IllegalStateException if only the camera's position is known
    */
   public void groundPerPixel(double groundX, double groundY, double[] jacobian) {

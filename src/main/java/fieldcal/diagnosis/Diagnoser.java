@@ -75,11 +75,11 @@ public final class Diagnoser {
   }
 
   /**
-   * Diagnoses.
+   * Diagnoses. Takes seconds to minutes.
    *
-   * @param problem kicks and cameras
+   * @param problem kicks with their fits, cameras, the begin of the session, commands
    * @param progress told in words what is being done, from the calling thread
-   * @return the diagnosis
+   * @return the diagnosis; what broke on the way is in {@link Diagnosis#problems}
    * @throws IllegalArgumentException when no kick has enough detections
    */
   public Diagnosis diagnose(DiagnosisProblem problem, Consumer<String> progress) {

@@ -13,7 +13,7 @@ import java.util.Objects;
  * @param fits the kicks, each fitted on its own by the calibration: kind, start, number of flights
  * @param cameras noise of each camera, and the offsets that those fits were made with
  * @param observers what the measurement effects know of each camera, as published; one for every camera that saw a kick
- * @param sessionStart begin of the first recording, on the clock of the kicks, s
+ * @param sessionStart begin of the session on the clock of the kicks, s: the time stamp of the first frame of the first recording
  * @param commands what the robots were commanded, by number of the kick; kicks without one are missing
  * @param maxCauses how many causes may be named, 0 or more
  * @param seed of the bootstrap and the choice of kicks that are held out

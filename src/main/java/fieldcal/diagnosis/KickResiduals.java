@@ -12,9 +12,9 @@ import fieldcal.kick.KickKind;
  * @param before path by the simple model
  * @param after path by the extended model
  * @param xBefore seen minus predicted x of each observation in the ground plane, simple model, m
- * @param yBefore the same for y
- * @param xAfter the same with the extended model
- * @param yAfter the same for y
+ * @param yBefore the same for y, m
+ * @param xAfter as {@code xBefore}, extended model, m
+ * @param yAfter the same for y, m
  * @param used whether each observation took part
  * @param rmsBeforeMm residual per axis of the kick when it is held out, simple model, mm
  * @param rmsAfterMm the same with the extended model, mm

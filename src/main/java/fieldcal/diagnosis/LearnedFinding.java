@@ -17,7 +17,7 @@ import java.util.OptionalInt;
  * @param dependsOn the variables
  * @param camera the camera whose reports it changes; empty for all else
  * @param curves one for each component, over the range of the data; empty for all but a learned curve
- * @param scatter standard deviation from kick to kick, in the unit of the effect's magnitude; NaN for what all kicks share
+ * @param scatter standard deviation from kick to kick, in the unit of the effect's magnitude; 0 for what all kicks share
  * @param follows what the values of the kicks follow; empty where they differ by chance, and of all that kicks share
  * @param gain on kicks that were held out
  */

@@ -11,7 +11,7 @@ import java.util.Optional;
  * @param flat how the ball slides and rolls; absent when no flat kick was seen
  * @param chip how it bounces; absent when no chip was seen
  * @param effects all causes with their numbers, of the motion and of the cameras
- * @param sessionStart begin of the session on the AI's clock, s; matters for effects that change with time only
+ * @param sessionStart begin of the session on the AI's clock, s: the time stamp of the first frame of the first recording that was diagnosed; matters for effects that change with time only
  */
 public record ExtendedModel(
     Optional<FlatModel> flat, Optional<ChipModel> chip, List<Effect> effects, double sessionStart) {
@@ -52,7 +52,7 @@ public record ExtendedModel(
   /**
    * What the cameras do.
    *
-   * @return the effects on what cameras report
+   * @return the effects on what cameras report, for {@link MeasurementEffects#of}
    */
   public List<MeasurementEffect> measurement() {
     return effects.stream()
@@ -62,9 +62,9 @@ public record ExtendedModel(
   }
 
   /**
-   * The path of a flat kick.
+   * The path of a flat kick in the field frame. Kicks spin with the mean of {@code kick_spin} and {@code side_spin}, if there are such effects. What cameras do is not in it, see {@link #measurement}.
    *
-   * @param t0 time of the kick, s
+   * @param t0 time of the kick on the clock of {@link #sessionStart}, s
    * @param x place of the kick, m
    * @param y place of the kick, m
    * @param vx velocity right after the kick, m/s
@@ -78,9 +78,9 @@ public record ExtendedModel(
   }
 
   /**
-   * The path of a chip.
+   * The path of a chip in the field frame, as {@link #flatPath}.
    *
-   * @param t0 time of the kick, s
+   * @param t0 time of the kick on the clock of {@link #sessionStart}, s
    * @param x place of the kick, m
    * @param y place of the kick, m
    * @param vx velocity right after the kick, m/s

@@ -42,9 +42,9 @@ public final class MeasurementEffects {
   }
 
   /**
-   * Effects on cameras.
+   * Effects on cameras. An effect that needs more than is known of a camera (see {@link MeasurementEffect#isApplicable}) is left out for it.
    *
-   * @param cameras one each
+   * @param cameras one each, as published; of two with one id the later one counts
    * @param effects in any order; several of one id add up
    * @return the bundle
    */
@@ -100,7 +100,7 @@ public final class MeasurementEffects {
    * @param seen cameras and times
    * @param path of the ball
    * @param sessionStart when the session began, on the clock of the path, s
-   * @param ground receives x and y of each, m; NaN where the ball is not below the camera or the stamp is no number
+   * @param ground receives x and y of each sighting in turn, m, so twice {@link Sightings#size} elements; NaN where the ball is not below the camera or the stamp is no number
    */
   public void report(
       Sightings seen, ExtendedTrajectory path, double sessionStart, double[] ground) {

@@ -18,8 +18,8 @@ public final class CameraViews {
   /**
    * These cameras.
    *
-   * @param views one each
-   * @return the collection
+   * @param views one each, in any order; of two with one id the later one counts
+   * @return the collection, a copy
    */
   public static CameraViews of(Collection<CameraView> views) {
     Map<Integer, CameraView> byId = new TreeMap<>();
@@ -31,7 +31,7 @@ public final class CameraViews {
    * One camera.
    *
    * @param id camera id
-   * @return the view; one without geometry when the camera is unknown
+   * @return the view; of an unknown camera one without geometry and offset: its balls are taken to lie on the carpet where they are reported
    */
   public CameraView get(int id) {
     CameraView view = views.get(id);

@@ -27,16 +27,16 @@ public record Estimate(
   /**
    * The parameter's name.
    *
-   * @return as in the model's record
+   * @return as in the model's record (accSlide), or x, y, vx, vy, vz, t0
    */
   public String name() {
     return parameter.name();
   }
 
   /**
-   * The estimate.
+   * The estimate; not a measurement unless {@link #usable}.
    *
-   * @return in the parameter's unit
+   * @return in the parameter's unit; where it was fixed or not determined, the value that it started from or nearly so
    */
   public double value() {
     return parameter.value();

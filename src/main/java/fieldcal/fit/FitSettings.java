@@ -6,8 +6,8 @@ package fieldcal.fit;
  * @param seed of the random search; the same seed and data give the same fit
  * @param searchEvaluations how often CMA-ES may evaluate a kick's objective
  * @param searchObservations how many observations CMA-ES looks at: it only has to come near the right minimum
- * @param outlierDistance an observation that many robust standard deviations away is left out of the last fit
- * @param lossScale scale of Cauchy's loss before that, in standard deviations
+ * @param outlierDistance an observation that many robust standard deviations away in the plane is left out of the last fit, positive
+ * @param lossScale scale of Cauchy's loss before that, in standard deviations, positive
  */
 public record FitSettings(
     long seed,
@@ -46,7 +46,7 @@ public record FitSettings(
   }
 
   /**
-   * The same with another seed.
+   * The same with another seed, for fits that differ in their random search only.
    *
    * @param newSeed any number
    * @return the changed copy

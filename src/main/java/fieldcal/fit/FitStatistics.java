@@ -9,10 +9,10 @@ import java.util.Locale;
  * @param used how many took part in the last fit
  * @param lackOfFit how many of those the model does not explain, see {@link Screening.Verdict#LACK_OF_FIT}
  * @param rmsMm residual per axis in the ground plane over those, mm
- * @param chiSquare sum of their squared whitened residuals
+ * @param chiSquare sum of their squared whitened residuals (–), about {@code degreesOfFreedom} where model and noise are right
  * @param degreesOfFreedom twice the used observations minus the free unknowns
  * @param varianceFactor by how much the variances of the estimates are larger than the cameras' noise alone makes them: the reduced chi-square, but no less than {@link CameraNoise#FLOOR} leaves
- * @param robustScale how many times larger than the cameras' noise a typical residual is
+ * @param robustScale how many times larger than the cameras' noise a typical residual is (–), from the median
  * @param flights number of flights of a chip, 0 for a flat kick
  * @param evaluations how often the objective was evaluated, derivatives counted once
  * @param iterations steps of the last Levenberg–Marquardt run

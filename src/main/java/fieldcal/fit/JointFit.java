@@ -7,12 +7,12 @@ import java.util.Optional;
 /**
  * The answer to a {@link JointProblem}.
  *
- * @param flat accSlide, accRoll, kSwitch; empty without flat kicks
- * @param chip dampingXyFirstHop, dampingXyOtherHops, dampingZ, accRoll; empty without chips
+ * @param flat accSlide and accRoll (m/s², negative), kSwitch (–); empty without flat kicks
+ * @param chip dampingXyFirstHop, dampingXyOtherHops, dampingZ (–), accRoll (m/s², negative); empty without chips
  * @param offsets offset of each camera that saw a kick, by id, in total (those taken out before included)
  * @param rmsMm residual per axis over all used observations, mm
- * @param rmsFlatMm the same over flat kicks; NaN without any
- * @param rmsChipMm the same over chips; NaN without any
+ * @param rmsFlatMm the same over flat kicks, mm; NaN without any
+ * @param rmsChipMm the same over chips, mm; NaN without any
  * @param used observations in the fit
  * @param rejected outliers left out
  * @param reducedChiSquare chi-square per degree of freedom against the cameras' noise

@@ -64,19 +64,19 @@ public final class JointFitter {
   private final FitSettings settings;
 
   /**
-   * A fitter.
+   * A fitter; one is enough for all threads.
    *
-   * @param settings loss and outlier limits
+   * @param settings loss and outlier limits, in standard deviations
    */
   public JointFitter(FitSettings settings) {
     this.settings = Objects.requireNonNull(settings, "settings");
   }
 
   /**
-   * Fits.
+   * Fits until nothing changes any more.
    *
    * @param problem at least one fitted kick
-   * @return the joint model
+   * @return the joint model, with standard errors that cover the scatter from kick to kick; {@link JointFit#converged} says whether the solver settled
    * @throws IllegalArgumentException when there is no fitted kick
    */
   public JointFit fit(JointProblem problem) {

@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
  * @param cameras geometry, noise and the offsets already taken out; must be those of the fits
  * @param flat start of the flat model
  * @param chip start of the chip model
- * @param chipRoll accRoll that chips roll with; free when absent
+ * @param chipRoll accRoll that chips roll with, m/s², negative; free when absent
  * @param offsets whether the cameras' offsets are estimated, too
  */
 public record JointProblem(

@@ -142,9 +142,9 @@ public final class KickFit {
   }
 
   /**
-   * Which model was fitted.
+   * Which model was fitted; of a fit that failed, the one that was tried.
    *
-   * @return flat or chip
+   * @return flat or chip, never null
    */
   public KickKind kind() {
     return kind;
@@ -160,9 +160,9 @@ public final class KickFit {
   }
 
   /**
-   * All unknowns in the order of the trajectory's sensitivities: position, velocity and time of the kick, then the model.
+   * All unknowns in the order of the trajectory's sensitivities: x, y (m), vx, vy, of chips also vz (m/s), and t0 (s since the recording's epoch) of the kick in the field frame, then the model's parameters.
    *
-   * @return unmodifiable
+   * @return unmodifiable; flat kicks have 8, chips 10; empty when the fit failed
    */
   public List<Estimate> estimates() {
     return estimates;
@@ -182,9 +182,9 @@ public final class KickFit {
   /**
    * One unknown.
    *
-   * @param name as in the model's record, or x, y, vx, vy, vz, t0
-   * @return the estimate
-   * @throws IllegalArgumentException when there is none of that name
+   * @param name as in the model's record (accSlide, not acc_slide), or x, y, vx, vy, vz, t0
+   * @return the estimate, its value and error in SI units
+   * @throws IllegalArgumentException when there is none of that name: always when the fit failed, and for vz of a flat kick
    */
   public Estimate estimate(String name) {
     for (Estimate e : estimates) {
@@ -199,25 +199,26 @@ public final class KickFit {
   /**
    * Values of all unknowns.
    *
-   * @return a new array in the order of {@link #estimates()}
+   * @return a new array in the order and the units of {@link #estimates()}; empty when the fit failed
    */
   public double[] values() {
     return estimates.stream().mapToDouble(Estimate::value).toArray();
   }
 
   /**
-   * Covariance of two unknowns.
+   * Covariance of two unknowns; symmetric, the variance where i = j.
    *
    * @param i index into {@link #estimates()}
    * @param j index into {@link #estimates()}
-   * @return product of their units; 0 when one was fixed
+   * @return in the product of their units; 0 when one of the two was fixed
+   * @throws ArrayIndexOutOfBoundsException when there is no such unknown, as when the fit failed
    */
   public double covariance(int i, int j) {
     return covariance[i][j];
   }
 
   /**
-   * The fitted path.
+   * The fitted path in the field frame, on the clock of the observations; of the ball itself, not as a camera reports it.
    *
    * @return the trajectory
    * @throws IllegalStateException when the fit failed
@@ -271,7 +272,7 @@ public final class KickFit {
   /**
    * Counts, stop reason and quality.
    *
-   * @return the statistics
+   * @return the statistics; never null, with counts of 0 when the fit failed
    */
   public FitStatistics statistics() {
     return statistics;

@@ -37,19 +37,20 @@ public final class KickFitter {
   private final FitSettings settings;
 
   /**
-   * A fitter.
+   * A fitter; one is enough for all threads.
    *
    * @param settings seed and effort
+   * @throws NullPointerException when there are none
    */
   public KickFitter(FitSettings settings) {
     this.settings = Objects.requireNonNull(settings, "settings");
   }
 
   /**
-   * Decides between flat and chip and fits.
+   * Fits a flat kick and, where that does not explain the detections, a chip, and decides between the two. Takes some 10 to 100 ms. Never throws on what a recording holds.
    *
    * @param problem kick, cameras and models
-   * @return the better fit; when both fail, the flat one's reason
+   * @return the better fit; when both fail, the flat one with its {@link KickFit#failure}. Without the geometry of a camera a kick that is no simple flat one fails, since no chip can be fitted
    */
   public KickFit fit(FitProblem problem) {
     KickFit flat = fit(problem, KickKind.FLAT);
@@ -130,11 +131,11 @@ public final class KickFitter {
   }
 
   /**
-   * Fits one model.
+   * Fits one model, whatever the other would explain. Never throws on what a recording holds.
    *
    * @param problem kick, cameras and models
    * @param kind which model
-   * @return the fit, or why there is none
+   * @return the fit; one that failed says why in {@link KickFit#failure}. The same seed and data give the same fit
    */
   public KickFit fit(FitProblem problem, KickKind kind) {
     long seed = settings.seed() + 7919L * problem.kick().id();

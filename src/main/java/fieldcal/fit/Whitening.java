@@ -15,7 +15,7 @@ public final class Whitening {
   private double w22;
   private boolean seen;
 
-  /** Starts empty. */
+  /** Starts empty: the factors are 0 until a place was looked up. */
   public Whitening() {}
 
   /**
@@ -76,27 +76,27 @@ public final class Whitening {
   }
 
   /**
-   * First factor.
+   * Factor of the residual along x in the first component, of the place that was looked up last.
    *
-   * @return 1/m
+   * @return 1/m, positive: 1 over the standard deviation along x
    */
   public double w11() {
     return w11;
   }
 
   /**
-   * Second factor.
+   * Factor of the residual along x in the second component, of the place that was looked up last.
    *
-   * @return 1/m
+   * @return 1/m, of either sign; 0 where the noise is the same in all directions
    */
   public double w21() {
     return w21;
   }
 
   /**
-   * Third factor.
+   * Factor of the residual along y in the second component, of the place that was looked up last.
    *
-   * @return 1/m
+   * @return 1/m, positive
    */
   public double w22() {
     return w22;

@@ -54,7 +54,7 @@ public final class KickFinder {
   private double gapEnd = Double.NEGATIVE_INFINITY;
 
   /**
-   * Starts with nothing seen.
+   * Starts with nothing seen; without {@link #geometry} it takes the field to have no end.
    *
    * @param settings thresholds
    * @param sink receives each kick once its ball has stopped, left, been touched or been lost; numbered from 1 in that order
@@ -69,7 +69,7 @@ public final class KickFinder {
    * Learns the field's lines and where the cameras hang.
    *
    * @param geometry as published; may come again and may change
-   * @param cameraModels the cameras by id
+   * @param cameraModels the cameras by id; those that are missing are used without their position
    */
   public void geometry(FieldGeometry geometry, Map<Integer, Camera> cameraModels) {
     area.update(geometry);
@@ -86,9 +86,10 @@ public final class KickFinder {
   }
 
   /**
-   * Takes the next frame.
+   * Takes the next frame. The sink is called from here. A frame that is up to a second older than the last one of its camera is skipped and counted; after a longer step back the clock is taken to have
+   * restarted, and what is being followed ends. Never throws on bad detections.
    *
-   * @param frame of any camera
+   * @param frame of any camera; times in s since the recording's epoch, places in m in the field frame
    */
   public void accept(VisionFrame frame) {
     double t = frame.captureTime();

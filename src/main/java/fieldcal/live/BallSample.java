@@ -7,7 +7,7 @@ import java.util.Comparator;
  *
  * @param time when the ball was kicked, Unix time, s: samples of several matches are pooled
  * @param value in the parameter's unit
- * @param standardError of the value, positive
+ * @param standardError of the value, in the same unit, positive
  * @param possiblySpinning whether spin from a dribbler may have changed it, see {@link BallParameter#spinSensitive}
  * @param speed how fast the ball was on average while it showed that, m/s; NaN where it is not known, or where it is not expected to matter ({@link BallParameter#speedSensitive})
  */

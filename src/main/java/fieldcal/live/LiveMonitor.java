@@ -119,9 +119,10 @@ public final class LiveMonitor {
   }
 
   /**
-   * Takes a frame.
+   * Takes a frame, within microseconds unless the executor works in the calling thread. A frame whose time is far off from the others' is left out and counted; when the clock has restarted, what was followed ends. Without {@link #geometry} chips are not fitted, since nothing is known of
+   * where the cameras are.
    *
-   * @param frame of any camera, as it comes
+   * @param frame of any camera, as it comes; times in s since the epoch
    */
   public void accept(VisionFrame frame) {
     FrameGuard.Verdict verdict;

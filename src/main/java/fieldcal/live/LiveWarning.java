@@ -8,8 +8,8 @@ import java.util.Objects;
  *
  * @param parameter which parameter is off
  * @param time of the kick that showed it, Unix time, s
- * @param median what the last kicks say
- * @param published what is published; NaN when a warning ends because nothing is any more
+ * @param median of the newest samples, in the parameter's unit
+ * @param published value, in the parameter's unit; NaN when a warning ends because none is published any more
  * @param samples how many kicks the median is from
  */
 public record LiveWarning(

@@ -9,11 +9,11 @@ import java.util.Optional;
  *
  * @param parameter which
  * @param median of the newest samples, in the parameter's unit; NaN without any; an estimate only when {@link #enough}
- * @param lowerQuartile a quarter of the samples lies below; NaN without any
- * @param upperQuartile a quarter of the samples lies above; NaN without any
+ * @param lowerQuartile a quarter of the samples lies below, in the parameter's unit; NaN without any
+ * @param upperQuartile a quarter of the samples lies above, in the parameter's unit; NaN without any
  * @param samples how many count
  * @param maybeSpun whether most of them are of kicks after dribbling, with too few others to find out whether their balls spun; then a warning begins only where they are larger than published, which backspin does not explain
- * @param published the value it is compared with
+ * @param published the value it is compared with, in the parameter's unit; empty when none is known
  * @param warning whether a warning is on
  * @param history medians after earlier kicks, oldest first; thinned out when there are many
  */
@@ -38,7 +38,7 @@ public record ParameterEstimate(
   /**
    * Whether the median is an estimate.
    *
-   * @return true from {@link SampleTree#ENOUGH} samples on
+   * @return true from {@link SampleTree#ENOUGH} samples on; with fewer it is shown, and not to be used
    */
   public boolean enough() {
     return samples >= SampleTree.ENOUGH;
@@ -47,7 +47,7 @@ public record ParameterEstimate(
   /**
    * How far the median is from the published value.
    *
-   * @return as a part of the published value, positive when the median has the larger magnitude; NaN when one of them is not known
+   * @return median/published − 1 (–), so 0.2 is 20 % more; positive when the median has the larger magnitude; NaN when one of them is not known
    */
   public double deviation() {
     return published.map(p -> median / p - 1).orElse(Double.NaN);

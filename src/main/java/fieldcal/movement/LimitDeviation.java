@@ -6,7 +6,7 @@ import java.util.Objects;
  * A named departure from the model of one limit for all speeds and directions.
  *
  * @param effect what it is
- * @param coefficient its size, as in {@link MovementEffect}
+ * @param coefficient its size, as in {@link MovementEffect} (–)
  * @param standardError of the coefficient, from noise and number of manoeuvres, and what the method itself is off by
  * @param seenIn {@code acceleration} or {@code braking}
  * @param shareBefore share of the manoeuvres that lie at a uniform limit

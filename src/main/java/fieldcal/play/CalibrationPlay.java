@@ -62,10 +62,10 @@ public final class CalibrationPlay {
   }
 
   /**
-   * One tick.
+   * One tick; call it with every world frame, at least some ten times per second. Never throws on what a world holds.
    *
-   * @param world what is known of the field
-   * @return what both robots are to do until the next tick
+   * @param world what is known of the field now: m, m/s, rad and s in the field frame
+   * @return one order for each of the two robots, valid until the next tick, and where a ball is to be placed, if somebody must do so
    */
   public PlayAnswer tick(PlayWorld world) {
     // A host that paused for long has not been idle.
@@ -271,7 +271,7 @@ public final class CalibrationPlay {
   /**
    * Whether a kick counts. Kicks that are not judged are waited for at the end. A kick may be judged again when later ones have changed the judgement.
    *
-   * @param number of the {@link PlayedKick}
+   * @param number of the {@link PlayedKick}; of an unknown one nothing happens
    * @param good false to make it again
    */
   public void judge(int number, boolean good) {
@@ -292,7 +292,7 @@ public final class CalibrationPlay {
   /**
    * How far it is.
    *
-   * @return a snapshot
+   * @return a snapshot: phase, kicks that counted, and what is waited for
    */
   public PlayState state() {
     boolean stopped = step instanceof EndStep end && end.phase() == PlayPhase.STOPPED;

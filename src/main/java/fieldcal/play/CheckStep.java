@@ -102,7 +102,7 @@ final class CheckStep implements Step {
     }
     Optional<Robot> third = s.others().stream().filter(r -> near(s, r)).findFirst();
     s.waitFor(
-        third.map(r -> r.id() + " is in the way").orElse("no robot can get at the ball"),
+        third.map(r -> r.id() + " is in the way").orElse("no robot can reach the ball"),
         third.map(r -> WaitingFor.robot(r.id())).orElse(s.theBall()));
     if (s.time() - since > POLITE) {
       third.ifPresent(r -> giveWay(s, r, s.plan().lineOf(kick)));
@@ -131,6 +131,6 @@ final class CheckStep implements Step {
   private static String where(Situation s) {
     BallMemory ball = s.ball();
     boolean goal = s.area().inGoal(ball.x(), ball.y(), 0.12);
-    return goal ? "the ball is in the goal" : "the ball is outside of what the robots can reach";
+    return goal ? "the ball is in the goal" : "the ball is where no robot can reach it";
   }
 }

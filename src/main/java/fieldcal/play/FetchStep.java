@@ -123,7 +123,7 @@ final class FetchStep extends TaskStep {
 
   private Step approach(Situation s, int i) {
     if (s.ball().distance(ballX, ballY) > 0.08) {
-      return movedAway("the ball moved before " + s.plan().robot(i) + " was at it");
+      return movedAway("the ball moved before " + s.plan().robot(i) + " reached it");
     }
     Pose behind = Task.behind(ballX, ballY, facing, Task.BEHIND);
     boolean hasWay = s.drive(i, behind, s.limits().driveSpeed(), Task.AROUND);

@@ -50,7 +50,7 @@ final class HelpStep implements Step {
       return new CheckStep(ledger, -1);
     }
     if (s.time() - since > s.limits().patience()) {
-      return new EndStep(PlayPhase.STOPPED, reason + "; nobody laid it down");
+      return new EndStep(PlayPhase.STOPPED, reason + "; nobody placed the ball");
     }
     s.request(x, y, reason);
     return this;

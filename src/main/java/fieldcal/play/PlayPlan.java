@@ -66,7 +66,7 @@ public record PlayPlan(
    * @param geometry the field
    * @param half which part of the field
    * @param kicks how many good kicks
-   * @return the plan
+   * @return the plan, with the usual limits
    */
   public static PlayPlan flat(
       RobotId first, RobotId second, FieldGeometry geometry, PlayLine.Half half, int kicks) {

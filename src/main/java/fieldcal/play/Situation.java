@@ -170,7 +170,7 @@ final class Situation {
     targets[index] = target;
     if (driven.isEmpty()) {
       waitFor(
-          plan.robot(index) + " finds no way to where it is to go",
+          plan.robot(index) + " finds no way to its target",
           WaitingFor.robot(plan.robot(index)).at(target.x(), target.y()));
     }
     return driven.isPresent();

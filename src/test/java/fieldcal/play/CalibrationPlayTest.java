@@ -250,7 +250,7 @@ class CalibrationPlayTest {
     until(PlayPhase.POSITION);
     field.ball(5.4, 4.8);
     field.run(play, 1);
-    assertThat(play.state().waiting()).contains("the ball is outside of what the robots can reach");
+    assertThat(play.state().waiting()).contains("the ball is where no robot can reach it");
     assertThat(field.request).isPresent();
   }
 
@@ -261,8 +261,7 @@ class CalibrationPlayTest {
     field.ball(2, 4.85);
     field.run(play, 100);
     assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
-    assertThat(play.state().waiting().orElseThrow())
-        .contains("outside of what the robots can reach");
+    assertThat(play.state().waiting().orElseThrow()).contains("where no robot can reach it");
     assertThat(field.time).isLessThan(70);
   }
 

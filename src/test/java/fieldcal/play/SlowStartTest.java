@@ -95,7 +95,7 @@ class SlowStartTest {
     for (int i = 0; i < 200; i++) {
       tick();
     }
-    assertThat(reasons).anyMatch(r -> r.contains("finds no way to where it is to go"));
+    assertThat(reasons).anyMatch(r -> r.contains("finds no way to its target"));
   }
 
   /** Robots that stand around each of ours. */

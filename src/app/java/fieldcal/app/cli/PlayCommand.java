@@ -86,7 +86,7 @@ final class PlayCommand implements Callable<Integer> {
       paramLabel = "HOST:PORT",
       description =
           "plays with real robots: sends the simulation protocol's robot commands to a bridge that"
-              + " the team writes (docs/bridge.py), vision comes by multicast")
+              + " the team writes (docs/bridge.py); receives vision by multicast")
   private String robotsAt;
 
   @Option(
@@ -100,15 +100,14 @@ final class PlayCommand implements Callable<Integer> {
       names = "--kicks",
       required = true,
       paramLabel = "N",
-      description = "how many good kicks; kicks that determine too little are repeated")
+      description = "number of good kicks; kicks that determine too little are repeated")
   private int kicks;
 
   @Option(
       names = "--adaptive",
       description =
-          "chooses each kick to be most informative about the least certain parameter or, with"
-              + " --out, about causes that cannot be distinguished yet, instead of spreading the"
-              + " speeds evenly")
+          "chooses each kick so that it determines the least certain parameter best; with --out"
+              + " also kicks that distinguish causes. Without it, the speeds are spread evenly")
   private boolean adaptive;
 
   @Option(
@@ -200,7 +199,7 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--troubles",
       paramLabel = "N",
-      description = "simulated field: how many things go wrong during the play (default: 0)")
+      description = "simulated field: number of things that go wrong during the play (default: 0)")
   private int troubles;
 
   @Option(

@@ -34,7 +34,7 @@ final class SecondLook {
             .collect(Collectors.toSet());
     List<? extends Effect> few =
         EffectCatalogue.all().stream().filter(e -> named.contains(e.id())).toList();
-    progress.accept("looking again with the causes of both sides");
+    progress.accept("diagnosing again with the causes of both sides");
     Diagnosis second = new Diagnoser(few).diagnose(own.problem(), progress);
     double allowed = first.extended().holdoutRmsMm() / (1 - CLEARLY_BETTER);
     return second.extended().holdoutRmsMm() <= allowed

@@ -72,7 +72,10 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void warningCleared(LiveWarning warning) {
-    line(text.clock(warning.time()) + "  over: " + ParameterWords.spelledOut(warning.text()));
+    line(
+        text.clock(warning.time())
+            + "  warning ended: "
+            + ParameterWords.spelledOut(warning.text()));
   }
 
   @Override
@@ -82,7 +85,7 @@ public final class LineDisplay implements MatchDisplay {
 
   @Override
   public void limitWarningCleared(LimitWarning warning) {
-    line(text.clock(warning.time()) + "  over: " + warning.text());
+    line(text.clock(warning.time()) + "  warning ended: " + warning.text());
   }
 
   @Override

@@ -175,7 +175,8 @@ final class MatchText {
     }
     if (ball.parameters().stream().anyMatch(ParameterEstimate::maybeSpun)) {
       String spin =
-          "  * may have spin: after dribbling or catching, and too few other kicks to compare with";
+          "  * may have spin: kicked after dribbling or catching; too few other kicks to compare"
+              + " with";
       sentence(lines, spin, width);
     }
   }
@@ -235,7 +236,7 @@ final class MatchText {
       TeamLimits shown = now != null && now.acceleration().known() || before == null ? now : before;
       String since = shown != null && shown == before ? "before the break" : "";
       if (shown == null) {
-        add(lines, "  %-7s nothing yet", team.label());
+        add(lines, "  %-7s not measured yet", team.label());
         continue;
       }
       add(
@@ -350,7 +351,7 @@ final class MatchText {
     if (s.strayFrames() > 0 || s.clockJumps() > 0) {
       add(
           lines,
-          "  %d frames with times that fit no other; the clock restarted %d times",
+          "  %d frames left out for their time stamps; the clock restarted %d times",
           s.strayFrames(),
           s.clockJumps());
     }

@@ -300,7 +300,7 @@ final class LiveFits {
       if (e.atBound() && e.undetermined().isEmpty()) {
         return String.format(
             Locale.ROOT,
-            "its %s is at the end of what is searched (%.3g%s)",
+            "its %s is at a bound of the search (%.3g%s)",
             ParameterWords.of(e.name()),
             e.value(),
             e.parameter().unit().isEmpty() ? "" : " " + e.parameter().unit());

@@ -158,7 +158,8 @@ final class CameraStudy {
     double latency = sent(frames);
     if (Double.isNaN(latency)) {
       latency = USUAL_LATENCY;
-      notes.add("Camera " + id + " does not show its delay; " + MM * latency + " ms are assumed.");
+      notes.add(
+          "The delay of camera " + id + " is not known; " + MM * latency + " ms are assumed.");
     }
     double spread = sentSpread(frames);
     double first = frames.isEmpty() ? 0 : frames.get(0).captureTime();
@@ -307,7 +308,10 @@ final class CameraStudy {
       // Not the mean: before a few kicks the ball is not quite at rest.
       return StatUtils.percentile(below, 50);
     }
-    notes.add("Camera " + id + " saw no resting ball; its noise is that of its residuals.");
+    notes.add(
+        "Camera "
+            + id
+            + " saw no resting ball; its noise is estimated from the residuals of the kicks.");
     return field.calibration().calibration().cameras().get(id).noise();
   }
 

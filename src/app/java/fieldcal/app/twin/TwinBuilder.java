@@ -129,10 +129,10 @@ final class TwinBuilder {
     double roll = flat.accRoll();
     if (model.flat().isEmpty()) {
       roll = chip.accRoll();
-      notes.add("No flat kick was recorded: sliding and the switch to rolling are usual values.");
+      notes.add("No flat kick was recorded: sliding and the switch to rolling have usual values.");
     }
     if (model.chip().isEmpty()) {
-      notes.add("No chip was recorded: bounces are usual values.");
+      notes.add("No chip was recorded: bounces have usual values.");
     }
     return BallPhysics.ideal(
             flat.accSlide(),

@@ -16,7 +16,7 @@
       el('p', {}, el('b', {}, words)),
       el('p', {}, report.found + ' of ' + report.kicks + ' kicks were found again.'));
     content('differences').replaceChildren(report.sentences.length === 0
-      ? el('p', {class: 'empty'}, 'Nothing that these kicks can show.') : list(report.sentences));
+      ? el('p', {class: 'empty'}, 'These kicks show no difference.') : list(report.sentences));
   }
 
   function table(id, head, rows, note) {

@@ -380,7 +380,7 @@ public final class KickRecord {
   /**
    * Where its own fit ended.
    *
-   * @return position, velocity, time; a copy
+   * @return x, y (m), vx, vy, of chips also vz (m/s), t0 (s) in the field frame; a copy
    */
   public double[] start() {
     return start.clone();

@@ -8,9 +8,9 @@ import fieldcal.effect.Sight;
 import java.util.List;
 
 /**
- * Vision cuts the ray with a plane that is that much too high, so it reports balls too near to the camera.
+ * Vision, in all cameras, intersects its ray through the ball's centre with a plane that is that much too high, so with a positive error it reports balls too near to the point below the camera.
  *
- * @param mm assumed minus true height of a resting ball's centre, mm
+ * @param mm assumed minus true height of a resting ball's centre, mm; the true height is 21.5 mm
  */
 public record BallHeightError(double mm) implements MeasurementEffect {
   private static final String ID = "ball_height_error";

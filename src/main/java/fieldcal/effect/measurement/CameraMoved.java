@@ -10,11 +10,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * One camera was knocked: from some time on it reports everything shifted.
+ * One camera was knocked: everything with a time stamp from some instant on is reported shifted. The other cameras do not change.
  *
- * @param xMm shift, mm
- * @param yMm shift, mm
- * @param at from when on, s since the beginning of the session
+ * @param xMm shift along x of the field, mm
+ * @param yMm shift along y of the field, mm
+ * @param at from when on, s since the beginning of the session, by the time stamp
  * @param camera which camera, by id
  */
 public record CameraMoved(double xMm, double yMm, double at, int camera) implements Displacement {

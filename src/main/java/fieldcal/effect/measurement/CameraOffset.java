@@ -11,8 +11,8 @@ import java.util.List;
 /**
  * One camera's reports are shifted relative to the mean of all cameras: it by d, each of the n − 1 others by −d/(n − 1). A sole camera is shifted by d.
  *
- * @param xMm shift, mm
- * @param yMm shift, mm
+ * @param xMm shift along x of the field, mm
+ * @param yMm shift along y of the field, mm
  * @param camera which camera, by id
  */
 public record CameraOffset(double xMm, double yMm, int camera) implements MeasurementEffect {

@@ -11,11 +11,11 @@ import java.util.List;
  * Published minus true pose of one camera. The true ray goes from the true position to the ball; the published camera draws it, turned by the tilt, from the
  * published position. Neither needs the lens, so it applies to cameras of which only the position is known, too.
  *
- * @param tiltMrad angle by which the published camera is turned against the true one, mrad
- * @param axis direction of the horizontal axis of that turn in the field, rad
- * @param heightMm published minus true height, mm
- * @param shiftXMm published minus true position, mm
- * @param shiftYMm published minus true position, mm
+ * @param tiltMrad angle by which the published camera is turned against the true one, by the right-hand rule about the axis, mrad; positive shifts what is reported below the camera by tilt × height towards axis + π/2
+ * @param axis direction of the horizontal axis of that turn, through the camera, in the field frame, rad, 0 = along x, counter-clockwise
+ * @param heightMm published minus true height, mm; positive moves reports away from the point below the camera
+ * @param shiftXMm published minus true position along x, mm
+ * @param shiftYMm published minus true position along y, mm
  * @param camera which camera, by id
  */
 public record CameraPoseError(

@@ -12,11 +12,11 @@ import java.util.List;
 
 /**
  * Published minus true position of one camera, or the same of all, where vision itself is right about the carpet: the image of the field fits, so balls on the ground are reported where they are, but a wrong focal length goes with a
- * wrong distance. A ball at height h is reported at {@code P + (P − C)·h/(H − h)}, with P below the ball and C at height H the <em>true</em> camera; a program that uses the published one takes a flight from one place for
+ * wrong distance. A ball at height h above a resting one is reported at {@code P + (P − C)·h/(H − h)}, with P below the ball and the <em>true</em> camera above C, H higher than the centre of a resting ball; a program that uses the published one takes a flight from one place for
  * a flight from another. So it shows in chips only.
  *
- * @param xMm published minus true position, mm
- * @param yMm published minus true position, mm
+ * @param xMm published minus true position along x, mm
+ * @param yMm published minus true position along y, mm
  * @param heightMm published minus true height, mm
  * @param camera which camera, by id; {@link EffectParameters#ALL_CAMERAS} = the same of all cameras
  */

@@ -8,9 +8,9 @@ import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
 /**
- * Time stamps are late (+) by a constant.
+ * One camera's time stamps are late (+) by a constant: stamp = true time + ms. Those of the other cameras are taken to be right, so it is relative to them and not to a mean.
  *
- * @param ms lateness of the time stamps, ms
+ * @param ms lateness of the time stamps, ms; negative = early
  * @param camera which camera, by id
  */
 public record CameraTimeOffset(double ms, int camera) implements Timing {

@@ -8,9 +8,9 @@ import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
 /**
- * A clock that gains: stamp = time·(1 + ppm·10⁻⁶), times since the beginning of the session.
+ * A clock that gains: stamp = time·(1 + ppm·10⁻⁶), times since the beginning of the session, when the clock is right. The clocks of the other cameras are taken to be right all the time.
  *
- * @param ppm gain of the clock, 1e-6
+ * @param ppm gain of the clock, 1e-6 (µs per s); positive = fast
  * @param camera which camera, by id
  */
 public record ClockSkew(double ppm, int camera) implements Timing {

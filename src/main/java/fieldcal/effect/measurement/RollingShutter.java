@@ -7,9 +7,10 @@ import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
 /**
- * Exposure moves from the first to the last image row in that time; time stamps are the first row's.
+ * Exposure moves from the first to the last image row in that time, in all cameras; time stamps are the first row's. So the ball was where it is reported at stamp + ms·row/rows, with the detection's row (0 = first, at the top of the image) and the
+ * height of the image. A detection without pixels counts as first row.
  *
- * @param ms time from the first to the last row, ms
+ * @param ms time from the first to the last row, ms; negative = exposed from the last row on, stamps still the first row's
  */
 public record RollingShutter(double ms) implements Timing {
   private static final String ID = "rolling_shutter";

@@ -8,7 +8,7 @@ import fieldcal.effect.MotionEffect.ExternalForce;
 import java.util.List;
 
 /**
- * Air drag, a = −½ρ·cd·πr²·|v|·v/m (Rayleigh's drag equation), v relative to the air.
+ * Air drag, f = −½ρ·cd·πr²·|v|·v/m (Rayleigh's drag equation), v relative to the air. A sliding or flying ball is braked by all of it, a rolling one by f/(1 + β) = 5/7·f, since it must be turned, too.
  *
  * @param cd drag coefficient (–), 0 = no air
  */

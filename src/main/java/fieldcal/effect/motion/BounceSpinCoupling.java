@@ -8,7 +8,9 @@ import fieldcal.effect.MotionEffect.Bounce;
 import java.util.List;
 
 /**
- * Tangential restitution e_xy − coefficient·spin fraction at the impact (1 = rolls).
+ * Tangential restitution e_xy − coefficient·φ, at least 0, with the spin fraction φ = (s·v)/|v|² right before the impact ({@link BallMotion#spinFraction}): 1 = rolls, negative = backspin. So with a positive coefficient
+ * topspin loses more speed and backspin less; a ball that grips shows a negative one. It comes on top of what the spin of the kick does at impacts anyway ({@link fieldcal.effect.ExtendedTrajectory}), and does
+ * nothing beside {@link ContactImpacts}, which uses no e_xy.
  *
  * @param coefficient loss of tangential restitution per unit of spin fraction (–), 0 = none
  */
@@ -45,7 +47,7 @@ public record BounceSpinCoupling(double coefficient) implements Bounce {
             -1,
             1,
             true,
-            "chosen: 0 to 2/7 for a ball that grips"));
+            "chosen: −2/7 to 0 for a ball that grips"));
   }
 
   @Override

@@ -7,10 +7,10 @@ import fieldcal.effect.MotionEffect.RollingResistance;
 import java.util.List;
 
 /**
- * Nap of the carpet: rolling deceleration × (1 + amplitude·cos(θ − direction)), θ = direction of travel.
+ * Nap of the carpet: rolling deceleration × (1 + amplitude·cos(θ − direction)), θ = direction of travel in the field frame. Sliding does not change.
  *
  * @param amplitude relative change of the rolling deceleration (–), 0 = none
- * @param direction direction of travel in which rolling brakes most, rad
+ * @param direction direction of travel in which rolling brakes most (with a positive amplitude), rad, 0 = along x, counter-clockwise
  */
 public record CarpetNap(double amplitude, double direction) implements RollingResistance {
   private static final String ID = "carpet_nap";

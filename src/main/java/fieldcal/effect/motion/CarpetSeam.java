@@ -9,12 +9,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A straight seam of the carpet. A ball that rolls or slides over it loses a part of its speed across the seam, and its path turns; a ball in flight does not touch it.
+ * A straight seam of the carpet, the points with x·cos(normal) + y·sin(normal) = distance. A ball that rolls or slides over it, either way, first loses a part of its speed across the seam, and then its velocity turns; a ball in flight does not touch
+ * it. A turn that would throw the ball back leaves it moving along the seam. A rolling ball goes on rolling, a sliding one keeps its spin. Field frame.
  *
  * @param loss part of the speed across the seam that is lost (–), 0 = none
- * @param turn by how much the path turns to the left, whichever way it crosses, rad
- * @param normal direction across the seam, rad
- * @param distance of the seam from the field's centre along the normal, m
+ * @param turn by how much the path turns to the left (counter-clockwise), whichever way it crosses, rad
+ * @param normal direction across the seam, rad, 0 = along x, counter-clockwise; which of the two senses it has does not matter
+ * @param distance of the seam from the field's centre along the normal, m; negative = on the other side of the centre
  */
 public record CarpetSeam(double loss, double turn, double normal, double distance) implements Line {
   private static final String ID = "carpet_seam";

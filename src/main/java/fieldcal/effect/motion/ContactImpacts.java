@@ -10,11 +10,17 @@ import fieldcal.effect.MotionEffect.ImpactLaw;
 import java.util.List;
 
 /**
- * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the slip of the contact
- * point u = v − s, s the spin as a velocity: the impulse along the ground undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, but is at most friction times the normal impulse, |Δv| ≤ friction·(1 + e_z)·|v_z|; its torque turns the
- * ball, Δs = −Δv/β. The spin stays until the next impact, so that later impacts take less. What the carpet takes beside that is a part of the motion along the ground, of speed and spin alike; and a resistance of the part of the normal impulse during which the ball grips and rolls,
- * rolling·(1 + e_z)·|v_z|·(1 − |Δv|/(friction·(1 + e_z)·|v_z|)): while the contact point slides, an impact takes speed and gives spin as sliding on the carpet does, whose kSwitch knows what resistance there is. A rolling ball shows |accRoll|/g, about 0.03 (physics engines that let their
- * rolling friction act in impacts, ODE and Bullet, lose that).
+ * Impacts that follow the contact law instead of the two horizontal dampings (R. L. Garwin, Am. J. Phys. 37, 1969; R. Cross, Am. J. Phys. 70, 2002). With the spin s as a velocity, the slip of the contact point u = v − s, and the normal impulse over the mass J = (1 + e_z)·|v_z|, an
+ * impact does, in this order:
+ *
+ * <ol>
+ *   <li>it undoes the part 1 + reversed of the slip, Δv = −(1 + reversed)·β/(1+β)·u, at most |Δv| = friction·J; its torque turns the ball, Δs = −Δv/β;
+ *   <li>it takes the part {@code loss} of v and of s;
+ *   <li>during the part of the impulse in which the contact point no longer slips, rolling resistance takes rolling·J·(1 − |Δv|/(friction·J)) of v and of s, along s, at most all of s.
+ * </ol>
+ *
+ * <p>The spin stays until the next impact, so that later impacts take less. While the contact point slides, an impact takes speed and gives spin as sliding on the carpet does, whose kSwitch knows what resistance there is. A rolling ball shows a resistance of |accRoll|/g, about 0.03
+ * (physics engines that let their rolling friction act in impacts, ODE and Bullet, lose that). e_z is the model's, with what other effects make of it.
  *
  * @param reversed part of the slip that an impact reverses (–): 0 = the contact point comes to rest, −1 = no grip, 1 = ideally elastic
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold

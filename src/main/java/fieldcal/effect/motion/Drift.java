@@ -8,9 +8,9 @@ import fieldcal.effect.MotionEffect.RollingResistance;
 import java.util.List;
 
 /**
- * Rolling deceleration × (1 + percent/100 · session time/600 s).
+ * Rolling deceleration × (1 + percent/100 · session time/600 s), at every instant of the path: accRoll is the value at the beginning of the session, not at its middle.
  *
- * @param percentPer10Min change of the rolling deceleration, % per 10 minutes of session; 0 = none
+ * @param percentPer10Min change of the rolling deceleration, % of its first value per 10 minutes of session; positive = brakes more and more, 0 = none
  */
 public record Drift(double percentPer10Min) implements RollingResistance {
   private static final String ID = "drift";

@@ -10,10 +10,10 @@ import fieldcal.effect.MotionEffect.SpinAtKick;
 import java.util.List;
 
 /**
- * Spin right after the kick about the rolling axis. Where both kinds of kicks were recorded, chips have a mean of their own: another device kicks them, from below.
+ * Spin right after the kick about the rolling axis, r·ω = fraction·v with the horizontal velocity v, of chips too. Where both kinds of kicks were recorded, chips have a mean of their own: another device kicks them, from below.
  *
- * @param fraction spin about the rolling axis in units of rolling spin v/r (–): 1 rolls, negative = backspin
- * @param chips what chips have beyond that, in the same unit
+ * @param fraction spin about the rolling axis in units of rolling spin v/r (–): 1 rolls, negative = backspin; the mean where it differs from kick to kick
+ * @param chips what chips, kicks with a vertical speed above zero, have beyond that, in the same unit; the same in all chips
  * @param apart whether the recording distinguishes chips from flat kicks; otherwise {@code chips} is not estimated
  */
 public record KickSpin(double fraction, double chips, boolean apart) implements SpinAtKick {

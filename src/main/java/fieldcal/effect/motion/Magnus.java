@@ -9,9 +9,9 @@ import java.util.List;
 
 /**
  * Lift of a spinning ball, ½ρπr²·C_L·|v|²/m along ω×v with C_L = cl·r|ω|/|v| for ω across v; so a = ½ρπr²·cl·(rω×v)/m, which is also right where it is
- * not. On the carpet it presses the ball down (topspin) or relieves it.
+ * not. v is relative to the field, not to the air; ω is constant in flight. On the carpet it presses the ball down (topspin) or relieves it.
  *
- * @param cl lift coefficient per unit of r|ω|/|v| (–), 0 = no lift
+ * @param cl lift coefficient per unit of r|ω|/|v| (–), positive = backspin lifts, 0 = no lift
  */
 public record Magnus(double cl) implements ExternalForce {
   private static final String ID = "magnus";

@@ -10,10 +10,10 @@ import fieldcal.vision.Team;
 import java.util.List;
 
 /**
- * Bias of one robot's kicker: speed × (1 + percent/100), direction + yaw, elevation as commanded.
+ * Bias of one robot's kicker: measured speed = commanded speed × (1 + percent/100), the vertical part included; measured direction = commanded direction + yaw; elevation as commanded.
  *
  * @param percent excess of speed, %
- * @param yaw how far to the left of the command, rad
+ * @param yaw how far to the left of the command (counter-clockwise), rad
  * @param team whose robot
  * @param robot which
  */

@@ -6,9 +6,9 @@ import fieldcal.effect.MotionEffect.SpinAtKick;
 import java.util.List;
 
 /**
- * Spin right after the kick about the direction of travel.
+ * Spin right after the kick about the horizontal direction of travel, not about the vertical: ω = fraction·v/r with the horizontal velocity v of the kick, of chips too. Friction uses it up while the ball slides. Field frame.
  *
- * @param fraction spin about the direction of travel in units of v/r (–); positive = right-handed about it, curves to the right
+ * @param fraction spin about the direction of travel in units of v/r (–), the mean where it differs from kick to kick; positive = right-handed about it, which curves the path to the right
  */
 public record SideSpin(double fraction) implements SpinAtKick {
   private static final String ID = "side_spin";

@@ -8,7 +8,7 @@ import fieldcal.effect.MotionEffect.SlidingResistance;
 import java.util.List;
 
 /**
- * Sliding friction × (1 + slope·(slip − 2 m/s)), slip = speed of the ball's lowest point over the carpet.
+ * Sliding friction × (1 + slope·(slip − 2 m/s)), at least × 0.05, slip = speed |v − s| of the ball's lowest point over the carpet: accSlide is the value at a slip of 2 m/s.
  *
  * @param slope growth of the sliding friction with the slip, s/m; 0 = none
  */

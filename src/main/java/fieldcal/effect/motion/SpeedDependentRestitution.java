@@ -8,9 +8,9 @@ import fieldcal.effect.MotionEffect.Bounce;
 import java.util.List;
 
 /**
- * Vertical restitution e_z·(1 − slope·(|v_z| − 1.5 m/s)).
+ * Vertical restitution e_z·(1 − slope·(|v_z| − 1.5 m/s)) of every impact, v_z right before it; kept between 0 and 0.99. So e_z is the value at 1.5 m/s.
  *
- * @param slope loss of e_z per speed of the impact, s/m; 0 = none
+ * @param slope relative loss of e_z per speed of the impact, s/m; negative = hard bounces lose less, 0 = none
  */
 public record SpeedDependentRestitution(double slope) implements Bounce {
   private static final String ID = "speed_dependent_restitution";

@@ -7,7 +7,7 @@ import fieldcal.effect.MotionEffect.RollingResistance;
 import java.util.List;
 
 /**
- * Rolling deceleration −accRoll + slope·v.
+ * Rolling deceleration −accRoll + slope·v: accRoll is the value in the limit of a ball at rest. Sliding does not change.
  *
  * @param slope growth of the rolling deceleration with speed, 1/s; 0 = none
  */

@@ -10,7 +10,7 @@ import java.util.List;
  * Air that moves over the field: drag acts on the velocity relative to it, so without {@link AirDrag} it does nothing.
  *
  * @param speed of the air, m/s; 0 = still
- * @param direction towards which the air moves, rad
+ * @param direction towards which the air moves in the field frame, rad, 0 = along x, counter-clockwise
  */
 public record Wind(double speed, double direction) implements AirFlow {
   private static final String ID = "wind";

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A rectangle in which all friction, sliding and rolling, is multiplied by 1 + change. Files write its bounds as one value, {@code region}: [x0,x1,y0,y1].
+ * A rectangle of the field in which all friction, sliding and rolling, is multiplied by 1 + change while the ball's centre is within. Impacts and drag do not change. Files write its bounds as one value, {@code region}: [x0,x1,y0,y1].
  *
  * @param change relative change of all friction within (–), 0 = none
  * @param x0 smallest x, m

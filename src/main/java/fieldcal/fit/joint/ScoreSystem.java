@@ -76,7 +76,7 @@ public final class ScoreSystem {
   /**
    * How many columns there are.
    *
-   * @return those of the solution and the probes
+   * @return the number of those of the solution and of the probes together, at least {@link #base}
    */
   public int size() {
     return gradient.length;
@@ -85,28 +85,28 @@ public final class ScoreSystem {
   /**
    * How many kicks there are.
    *
-   * @return their number
+   * @return their number; kicks are counted from 0
    */
   public int kicks() {
     return perKick.length;
   }
 
   /**
-   * Curvature of half the cost.
+   * Curvature of half the cost: the second derivative by two columns, to first order in the residuals; symmetric.
    *
-   * @param i column
-   * @param j column
-   * @return sum over the kicks
+   * @param i column, from 0
+   * @param j column, from 0
+   * @return sum over the kicks, 1 over the product of the columns' units
    */
   public double curvature(int i, int j) {
     return total[i][j];
   }
 
   /**
-   * Downhill slope of half the cost.
+   * Downhill slope of half the cost: minus its first derivative by a column.
    *
-   * @param i column
-   * @return sum over the kicks
+   * @param i column, from 0
+   * @return sum over the kicks, 1 over the column's unit; positive where a larger value explains more
    */
   public double slope(int i) {
     return gradient[i];

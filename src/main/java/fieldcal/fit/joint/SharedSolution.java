@@ -141,8 +141,8 @@ public final class SharedSolution<S> {
   /**
    * Own parameters of a kick.
    *
-   * @param kick which
-   * @return a copy
+   * @param kick index of the kick, from 0
+   * @return a copy, in the order and the units of its {@link KickTerm}; the values of random effects come last
    */
   public double[] own(int kick) {
     return own.get(kick).clone();
@@ -151,25 +151,25 @@ public final class SharedSolution<S> {
   /**
    * Own parameters of all kicks.
    *
-   * @return in the problem's order; not to be changed
+   * @return one array for each kick as {@link #own(int)}, in the problem's order; not to be changed
    */
   public List<double[]> own() {
     return own;
   }
 
   /**
-   * Values of all global parameters.
+   * Values of all global parameters, held ones included.
    *
-   * @return a copy, in the problem's order
+   * @return a copy, in the problem's order, each in its parameter's unit
    */
   public double[] values() {
     return values.clone();
   }
 
   /**
-   * The global parameters with their values.
+   * The global parameters with their values; their standard errors are in {@link #covariance}.
    *
-   * @return in the problem's order
+   * @return in the problem's order, held ones included
    */
   public List<Parameter> globals() {
     List<Parameter> all = new ArrayList<>();
@@ -180,9 +180,9 @@ public final class SharedSolution<S> {
   }
 
   /**
-   * Scatters of the random effects.
+   * Scatters of the random effects: standard deviations from kick to kick.
    *
-   * @return a copy, in the problem's order
+   * @return a copy, in the problem's order, each in the unit of its mean; empty without random effects
    */
   public double[] scatters() {
     return scatters.clone();
@@ -200,8 +200,8 @@ public final class SharedSolution<S> {
   /**
    * Sum of squared whitened residuals of a kick, whatever its weight.
    *
-   * @param kick which
-   * @return chi-square
+   * @param kick index of the kick, from 0
+   * @return chi-square (–), about the number of its residuals where the model is right
    */
   public double chiSquare(int kick) {
     return chiSquares[kick];
@@ -219,16 +219,16 @@ public final class SharedSolution<S> {
   /**
    * How many residuals there are.
    *
-   * @return of all kicks
+   * @return the number for all kicks together
    */
   public int rows() {
     return kicks.stream().mapToInt(KickTerm::rows).sum();
   }
 
   /**
-   * Chi-square over degrees of freedom.
+   * Chi-square over degrees of freedom: the residuals minus the free global parameters and the kicks' own, values of random effects not counted; at least 1.
    *
-   * @return about 1 where the model is right
+   * @return (–) about 1 where the model is right
    */
   public double reducedChiSquare() {
     return chiSquare() / degreesOfFreedom();
@@ -277,7 +277,7 @@ public final class SharedSolution<S> {
   /**
    * How many steps were tried.
    *
-   * @return accepted or not
+   * @return their number, those included that were not accepted
    */
   public int iterations() {
     return iterations;
@@ -293,9 +293,9 @@ public final class SharedSolution<S> {
   }
 
   /**
-   * Estimated parameters that ended on one of their bounds.
+   * Estimated parameters that ended on one of their bounds; their values are no measurements.
    *
-   * @return names
+   * @return names, in the problem's order; empty in a good fit
    */
   public List<String> boundsHit() {
     List<String> hit = new ArrayList<>();
@@ -311,7 +311,7 @@ public final class SharedSolution<S> {
   /**
    * Covariance of all global parameters, see above; rows and columns of held ones are zero.
    *
-   * @return empty when the equations are singular
+   * @return square, as many rows as global parameters, in the product of their units; empty when the equations are singular
    */
   public Optional<double[][]> covariance() {
     int n = free.length;
@@ -422,8 +422,8 @@ public final class SharedSolution<S> {
    * The global parameters as they would be without some kicks: one Newton step from the solution, exact where the model is linear. Where it leads beyond where the equations hold (a law with a limit, as of friction, that the kicks are short of), the other kicks are explained worse than before,
    * by more than the one unit of chi-square that a standard error is: they are then solved again, the scatters held.
    *
-   * @param without whether to leave out each kick
-   * @return values of all global parameters, within their bounds
+   * @param without whether to leave out each kick, one for each
+   * @return values of all global parameters, within their bounds, in the problem's order
    */
   public double[] valuesWithout(boolean[] without) {
     int n = free.length;

@@ -64,9 +64,9 @@ public final class SharedSolver {
   }
 
   /**
-   * The same with another limit.
+   * The same with another limit of steps.
    *
-   * @param iterations most steps, accepted or not
+   * @param iterations most steps, accepted or not, at least 1
    * @return the changed copy
    */
   public SharedSolver withMaxIterations(int iterations) {
@@ -76,7 +76,7 @@ public final class SharedSolver {
   /**
    * The same with another end.
    *
-   * @param gain of chi-square, in units of the reduced one, below which a step is the last
+   * @param gain of chi-square, in units of the reduced one (–), below which a step is the last; positive, 0.01 by default
    * @return the changed copy
    */
   public SharedSolver withTolerance(double gain) {
@@ -111,9 +111,9 @@ public final class SharedSolver {
   }
 
   /**
-   * Solves.
+   * Solves. The same problem gives the same solution, bit by bit.
    *
-   * @param problem to be solved
+   * @param problem to be solved, with the values to start from
    * @param <S> what its global parameters amount to
    * @return the solution, with the reason why it stopped
    */

@@ -45,7 +45,6 @@ public record ImpactLaw(
   /**
    * Ideal: v_xy' = e·v_xy of a ball that was kicked without spin; the lost momentum turns the ball, at most until it rolls; a ball that stays down rolls at once. What spin given with the kick changes, a velocity u and a surface velocity w at the contact point, obeys
    * the contact law with the share that gives e_xy1 to a ball without spin: u' = u − (1 − e_xy1)·(u − w) and w' = w + (1 − e_xy1)·(u − w)/β, as far as Coulomb friction of the impact, μ·(1+e_z)·|v_z| with the carpet's μ, allows.
-   * at the contact point, adds (1 − e_xy1)·w as far as Coulomb friction of the impact, μ·(1+e_z)·|v_z| with the carpet's μ, allows, and loses (1 − e_xy1)/β of itself: the share of a contact whose damping of a ball without spin is e_xy1.
    *
    * @param firstHop e at the first impact after a kick (–)
    * @param otherHops e at later impacts (–)

@@ -137,7 +137,7 @@ class MatchTextTest {
     assertThat(text.lines(spun, 79))
         .allSatisfy(line -> assertThat(line.length()).isLessThan(80))
         .anyMatch(line -> line.matches(" +switch to rolling +0.660 .* 31 \\*"))
-        .anyMatch(line -> line.startsWith("  * may have spin: after dribbling or catching"));
+        .anyMatch(line -> line.startsWith("  * may have spin: kicked after dribbling or catching"));
   }
 
   @ParameterizedTest
