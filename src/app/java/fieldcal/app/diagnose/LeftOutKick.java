@@ -20,8 +20,8 @@ import java.util.stream.Collectors;
 public record LeftOutKick(Kick kick, String source, String reason) {
   /** Of a kick that takes part in a diagnosis until the others are explained. */
   private static final String STANDS_OUT =
-      "the model that explains the others does not explain this kick; the ball may have been"
-          + " touched, or it is another ball";
+      "what explains the other kicks does not explain it; the ball may have been touched, "
+          + "it may be another one, or something acts where no other kick passed";
 
   /**
    * All that were left out.

@@ -27,7 +27,7 @@ class LeftOutKickTest {
     assertThat(left)
         .extracting(k -> k.kick().id())
         .containsExactly(third, whole.kicks().get(5).kick().id());
-    assertThat(left.get(0).reason()).contains("does not explain this kick");
+    assertThat(left.get(0).reason()).contains("does not explain it");
     assertThat(left.get(1).reason()).isEqualTo("it could not be fitted");
     assertThat(left.get(0).remark().toString())
         .contains("friday.log.gz", "kick " + third + " was left out");
