@@ -40,7 +40,7 @@ record Answer(
 
   /** The diagnosis, with what was tried and what failed. */
   Diagnosis diagnosis(List<SearchStep> trace, List<String> problems) {
-    Leftover after = Leftover.of(extended);
+    Leftover after = Leftover.ofSeen(extended);
     List<Cause> causes = new ArrayList<>();
     List<LearnedFinding> learned = new ArrayList<>();
     for (int i = 0; i < judged.size(); i++) {

@@ -373,19 +373,23 @@ public final class Diagnoser {
       return best;
     }
 
-    /** What is decided with a selected model: for all kicks, or without those that stand out while it explains all others. */
+    /** What is decided with a selected model: without the kicks that stand out while it explains all others; where these are many, with what it leaves of each kick taken for noise, beside the same simple model. */
     private Decided decided(FittedModel selected, Decided first) {
       List<KickRecord> kept = screen.withoutStrays(selected);
-      if (kept.size() == selected.kickCount()) {
-        ModelChoice choice = new ModelChoice(screened(), first.heldBase, trace, progress::part);
-        return new Decided(
-            first.screened, first.heldBase, choice.judged(search.alike(fitter, selected)));
+      if (kept.size() < selected.kickCount()) {
+        return decidedFor(kept, selected);
       }
+      Decided loud = decidedFor(KickScreen.louder(selected), selected);
+      DiagnosisCase screened = loud.screened.comparedWith(first.screened.base());
+      return new Decided(screened, first.heldBase, loud.best);
+    }
+
+    private Decided decidedFor(List<KickRecord> kicks, FittedModel found) {
       ModelFitter all = fitter;
       Arena whole = arena;
       FittedModel simple = base;
       try {
-        FittedModel again = refit(selected, kept);
+        FittedModel again = refit(found, kicks);
         return decide(search.alike(fitter, again));
       } finally {
         fitter = all;

@@ -244,12 +244,6 @@ final class ModelChoice {
     return all.stream().anyMatch(k -> k.component().isSameCause(j.component()));
   }
 
-  /** A model with the judgement of each of its components, all of which stay. */
-  Weighed judged(FittedModel model) {
-    HoldOut held = HoldOut.of(model, true, seed);
-    return new Weighed(model, decision.judge(model, held), held);
-  }
-
   private Weighed reweighed(Weighed from, List<Judgement> going) {
     FittedModel model = without(from.model, from.judged, going);
     HoldOut held = HoldOut.of(model, true, seed);

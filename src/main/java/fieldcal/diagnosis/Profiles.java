@@ -46,7 +46,7 @@ final class Profiles {
     for (int k = 0; k < at.kickCount(); k++) {
       collect(at, k, state, sessionStart, samples);
     }
-    Leftover whole = Leftover.of(at);
+    Leftover whole = Leftover.ofSeen(at);
     List<StructureProfile> profiles = new ArrayList<>();
     samples.forEach(
         (variable, list) -> {

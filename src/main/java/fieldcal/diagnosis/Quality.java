@@ -49,7 +49,7 @@ public record Quality(
     int n = 0;
     for (int k = 0; k < f.kickCount(); k++) {
       EffectKick term = f.kick(k);
-      KickRecord d = term.record();
+      KickRecord d = term.record().asSeen();
       double[] rx = new double[d.size()];
       double[] ry = new double[d.size()];
       term.plainResiduals(f.solution().own(k), state, rx, ry);

@@ -39,4 +39,30 @@ class TouchedKickTest {
         .containsExactlyInAnyOrder("kick_spin", "worn_region");
     assertThat(diagnosis.verdict()).isEqualTo(Verdict.EXPLAINED);
   }
+
+  /** Gusts push four of fourteen balls aside, each at another time, 1 m/s² for up to a second: more kicks than may be left out. */
+  @Test
+  void gustsHideNoCause() {
+    FittedField field =
+        FittedField.of(
+            FittedField.SOUND
+                .withScenario(ScenarioKind.FLAT, 14)
+                .withEffects("speed_dependent_roll:slope=0.08"));
+    List<KickFit> fits = new ArrayList<>(field.problem().fits());
+    for (int k = 2; k < 14; k += 3) {
+      double from = 0.2 + 0.05 * k;
+      Kick pushed =
+          MovedBall.shifted(
+              fits.get(k).kick(), t -> 0.5 * Math.pow(Math.min(1, Math.max(0, t - from)), 2));
+      fits.set(k, field.fit(pushed, KickKind.FLAT));
+    }
+    Diagnosis diagnosis = new Diagnoser().diagnose(field.problem(fits), said -> {});
+    assertThat(diagnosis.causes())
+        .as("%s", diagnosis.trace())
+        .extracting(c -> c.effect().id())
+        .containsExactly("speed_dependent_roll");
+    assertThat(diagnosis.kicks()).hasSize(14);
+    assertThat(diagnosis.unexplained().significant()).isTrue();
+    assertThat(diagnosis.verdict()).isEqualTo(Verdict.PARTLY_EXPLAINED);
+  }
 }

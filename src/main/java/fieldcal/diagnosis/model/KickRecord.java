@@ -75,6 +75,9 @@ public final class KickRecord {
   /** The same kick with all detections that its own fit used. */
   final KickRecord whole;
 
+  /** The same kick with the noise of the cameras alone. */
+  private final KickRecord asSeen;
+
   /**
    * A kick.
    *
@@ -84,6 +87,7 @@ public final class KickRecord {
    */
   public KickRecord(KickFit fit, boolean[] kept, MovingNoise noise) {
     whole = this;
+    asSeen = this;
     this.noise = noise;
     kick = fit.kick();
     kind = fit.kind();
@@ -134,9 +138,10 @@ public final class KickRecord {
     blockSightings = meanSightings();
   }
 
-  /** The same with other detections. */
-  private KickRecord(KickRecord of, boolean[] kept) {
+  /** The same with other detections, and so many times the noise. */
+  private KickRecord(KickRecord of, boolean[] kept, double times) {
     whole = of.whole;
+    asSeen = times == 1 && of.asSeen == of ? this : of.asSeen.withUsed(kept);
     noise = of.noise;
     kick = of.kick;
     kind = of.kind;
@@ -150,9 +155,9 @@ public final class KickRecord {
     row = of.row;
     camera = of.camera;
     cameraHeight = of.cameraHeight;
-    w11 = of.w11;
-    w21 = of.w21;
-    w22 = of.w22;
+    w11 = divided(of.w11, times);
+    w21 = divided(of.w21, times);
+    w22 = divided(of.w22, times);
     sightings = of.sightings;
     used = kept;
     usedCount = count();
@@ -164,6 +169,10 @@ public final class KickRecord {
     block21 = new double[blocks.length];
     block22 = new double[blocks.length];
     blockSightings = meanSightings();
+  }
+
+  private static double[] divided(double[] values, double by) {
+    return by == 1 ? values : Arrays.stream(values).map(v -> v / by).toArray();
   }
 
   private double alone(KickFit fit) {
@@ -307,7 +316,36 @@ public final class KickRecord {
    * @return the changed copy
    */
   public KickRecord withUsed(boolean[] kept) {
-    return new KickRecord(this, kept.clone());
+    return new KickRecord(this, kept.clone(), 1);
+  }
+
+  /**
+   * The kick with more noise: what a model leaves of it beyond the cameras' noise is then not asked to be explained.
+   *
+   * @param times how many times the noise, at least 1
+   * @return the changed copy
+   */
+  public KickRecord louder(double times) {
+    return new KickRecord(this, used, times);
+  }
+
+  /**
+   * How much less noise this has than the same kick made louder.
+   *
+   * @param louder the same kick
+   * @return how many times the noise the other has
+   */
+  public double precisionOver(KickRecord louder) {
+    return size == 0 ? 1 : w11[0] / louder.w11[0];
+  }
+
+  /**
+   * The kick with the noise of the cameras alone.
+   *
+   * @return itself unless it was made louder
+   */
+  public KickRecord asSeen() {
+    return asSeen;
   }
 
   /**

@@ -304,6 +304,18 @@ public final class KickScreen {
         .toList();
   }
 
+  /**
+   * The kicks, of which each has so much noise that what a model leaves of it is none more: weights of a likelihood in which nobody knows a kick's noise.
+   *
+   * @param at the model, fitted to the kicks
+   * @return records in the model's order
+   */
+  public static List<KickRecord> louder(FittedModel at) {
+    return IntStream.range(0, at.kickCount())
+        .mapToObj(k -> at.kick(k).record().louder(Math.sqrt(Math.max(1, at.reduced(k)))))
+        .toList();
+  }
+
   private static double left(FittedModel at, int k) {
     return at.solution().kicks().get(k).rows() * Math.max(0, at.reduced(k) - 1);
   }

@@ -8,6 +8,7 @@ import fieldcal.fit.CameraNoise;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /**
  * How much of the residuals is no noise. Noise differs from one detection to the next, what a wrong model makes of them does not: so the sums over blocks of successive detections of one camera are compared with what independent
@@ -44,10 +45,26 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
    * @return what it leaves
    */
   public static Leftover of(FittedModel model) {
+    return of(model, record -> record);
+  }
+
+  /**
+   * Measures against the noise of the cameras, also where the model was fitted to kicks with more.
+   *
+   * @param model fitted to all kicks
+   * @return what it leaves
+   */
+  public static Leftover ofSeen(FittedModel model) {
+    return of(model, KickRecord::asSeen);
+  }
+
+  private static Leftover of(FittedModel model, UnaryOperator<KickRecord> noisy) {
     ModelState state = model.solution().state();
     double unknowns = model.model().globals().stream().filter(p -> p.estimated()).count();
     Sums slow = new Sums(BLOCK);
     Sums fast = new Sums(PAIR);
+    double heard = 0;
+    double seen = 0;
     for (int k = 0; k < model.kickCount(); k++) {
       EffectKick term = model.kick(k);
       KickRecord record = term.record();
@@ -56,12 +73,16 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       double[] rx = new double[record.size()];
       double[] ry = new double[record.size()];
       term.plainResiduals(own, state, rx, ry);
-      slow.add(record, rx, ry);
-      fast.add(record, rx, ry);
+      KickRecord against = noisy.apply(record);
+      slow.add(against, rx, ry);
+      fast.add(against, rx, ry);
+      heard += model.solution().chiSquare(k);
+      seen += model.solution().chiSquare(k) * Math.pow(against.precisionOver(record), 2);
     }
     // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
     double noise = fast.noise();
-    double all = Math.max(0, model.solution().reducedChiSquare() - noise + TOLERANCE);
+    double reduced = model.solution().reducedChiSquare() * (heard > 0 ? seen / heard : 1);
+    double all = Math.max(0, reduced - noise + TOLERANCE);
     Leftover ofBlocks = slow.leftover(unknowns, noise, all);
     Leftover ofPairs = fast.leftover(unknowns, noise, all);
     return ofPairs.deviation > ofBlocks.deviation ? ofPairs : ofBlocks;

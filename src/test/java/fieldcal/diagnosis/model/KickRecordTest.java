@@ -96,4 +96,27 @@ class KickRecordTest {
       assertThat(Math.sqrt(kick.variance(i))).isBetween(0.5 * noise, 4 * noise);
     }
   }
+
+  @Test
+  void aLouderKickHasLessWeightAndForgetsNothing() {
+    KickRecord kick = field.fitter().kicks().get(0);
+    KickRecord louder = kick.louder(4);
+    double[] plain = new double[2];
+    double[] loud = new double[2];
+    kick.whiten(3, 0.002, -0.001, plain);
+    louder.whiten(3, 0.002, -0.001, loud);
+    assertThat(loud[0]).isCloseTo(plain[0] / 4, within(1e-12));
+    assertThat(loud[1]).isCloseTo(plain[1] / 4, within(1e-12));
+    assertThat(louder.block11[0]).isCloseTo(kick.block11[0] / 4, within(1e-12));
+    assertThat(kick.asSeen()).isSameAs(kick);
+    assertThat(louder.asSeen().variance(3)).isEqualTo(kick.variance(3));
+    assertThat(louder.variance(3)).isCloseTo(16 * kick.variance(3), within(1e-12));
+    assertThat(kick.precisionOver(louder)).isCloseTo(4, within(1e-12));
+    boolean[] some = kick.used();
+    some[0] = false;
+    KickRecord cut = louder.louder(2).withUsed(some);
+    assertThat(cut.variance(3)).isCloseTo(64 * kick.variance(3), within(1e-12));
+    assertThat(cut.asSeen().variance(3)).isEqualTo(kick.variance(3));
+    assertThat(cut.asSeen().usedCount()).isEqualTo(cut.usedCount());
+  }
 }

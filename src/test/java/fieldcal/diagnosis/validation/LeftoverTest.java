@@ -2,9 +2,11 @@ package fieldcal.diagnosis.validation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import fieldcal.diagnosis.FittedField;
 import fieldcal.diagnosis.MovedBall;
+import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -51,5 +53,19 @@ class LeftoverTest {
   void whatTheSimpleModelLeavesOutIsSignificant() {
     assertThat(Leftover.of(FittedField.flats("air_drag:cd=0.45").simple()).isSignificant())
         .isTrue();
+  }
+
+  /** What a kick's own noise is taken for hides what the model leaves, but not from who asks for the cameras' noise. */
+  @Test
+  void louderKicksHideItFromTheFitAlone() {
+    FittedField field = FittedField.flats("air_drag:cd=0.45");
+    FittedModel plain = field.simple();
+    List<KickRecord> louder = plain.records().stream().map(k -> k.louder(20)).toList();
+    FittedModel deaf = field.simple(louder);
+    Leftover seen = Leftover.ofSeen(deaf);
+    assertThat(Leftover.of(deaf).isSignificant()).isFalse();
+    assertThat(seen.isSignificant()).isTrue();
+    assertThat(seen.systematic()).isCloseTo(Leftover.of(plain).systematic(), withinPercentage(5));
+    assertThat(Leftover.ofSeen(plain)).isEqualTo(Leftover.of(plain));
   }
 }
