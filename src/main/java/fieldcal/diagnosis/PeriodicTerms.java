@@ -67,8 +67,13 @@ final class PeriodicTerms {
       double[] sin = new double[n];
       double[] turnCos = new double[n];
       double[] turnSin = new double[n];
+      double[] residual = new double[n];
+      double[] response = new double[n];
       for (int i = 0; i < n; i++) {
-        double angle = 2 * Math.PI * step * rows.get(i)[0];
+        double[] row = rows.get(i);
+        double angle = 2 * Math.PI * step * row[0];
+        residual[i] = row[1];
+        response[i] = row[2];
         turnCos[i] = Math.cos(angle);
         turnSin[i] = Math.sin(angle);
         cos[i] = 1;
@@ -85,14 +90,13 @@ final class PeriodicTerms {
           double s = sin[i] * turnCos[i] + cos[i] * turnSin[i];
           cos[i] = c;
           sin[i] = s;
-          double[] row = rows.get(i);
-          double a = row[2] * c;
-          double b = row[2] * s;
+          double a = response[i] * c;
+          double b = response[i] * s;
           cc += a * a;
           cs += a * b;
           ss += b * b;
-          rc += row[1] * a;
-          rs += row[1] * b;
+          rc += residual[i] * a;
+          rs += residual[i] * b;
         }
         double determinant = cc * ss - cs * cs;
         powers[f] =

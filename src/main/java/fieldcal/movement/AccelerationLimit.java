@@ -331,7 +331,10 @@ final class AccelerationLimit {
     UpperEdge edge = UpperEdge.of(reduced.acceleration(), reduced.error(), reduced.count());
     if (edge == null) {
       double systematic = Math.hypot(SYSTEMATIC * mode.beta()[0], LEANING * mode.noise());
-      double error = Math.hypot(mode.errors()[0], systematic);
+      double open =
+          UpperEdge.open(
+              reduced.acceleration(), reduced.error(), reduced.count(), mode.beta()[0], REACHED);
+      double error = Math.hypot(Math.hypot(mode.errors()[0], systematic), open);
       return estimate(mode.beta()[0], error, mode.share());
     }
     double differ = edge.scatter() / Math.sqrt(Math.max(1, robots));

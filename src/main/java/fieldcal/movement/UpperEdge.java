@@ -1,6 +1,7 @@
 package fieldcal.movement;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * The highest value that many of a team's manoeuvres have: their limit, however many of them stay below it and wherever those gather.
@@ -59,6 +60,9 @@ record UpperEdge(
   /** A level whose likelihood is smaller by this factor, as a logarithm, and all above it do not matter: a thousandth. */
   private static final double UNLIKELY = Math.log(1000);
 
+  /** The grid is one of logarithms: it ends at this part of a measured value, where the worst errors that count are {@link #REACH} of them away or more. */
+  private static final double LEAST = 0.1;
+
   /** Rounding of values and errors to cells, in parts. */
   private static final double CELL = 0.002;
 
@@ -85,7 +89,36 @@ record UpperEdge(
       e[k] = Math.hypot(error[good[k]], CELL * v[k]);
       c[k] = count[good[k]];
     }
-    return new Search(v, e, c).find();
+    return new Search(v, e, c, STEP).find();
+  }
+
+  /**
+   * By what a limit that was found otherwise may be too small, as a standard error. Where the errors of the manoeuvres are as large as the distance of two heaps, both look like one between them: robots that end turns with 80 % of what they
+   * can do, and use all of it when they turn back, have their limit anywhere from 80 to 100 %. With the errors taken out, what the strongest manoeuvres have is seen even from few.
+   *
+   * @param value of manoeuvres, well measured or not; NaN does not count
+   * @param error their standard errors
+   * @param count how many have them
+   * @param limit what was found
+   * @param share the part of all manoeuvres that a limit must have or exceed
+   * @return in the unit of the values; 0 where no more than that part lie above
+   */
+  static double open(double[] value, double[] error, double[] count, double limit, double share) {
+    int[] known =
+        IntStream.range(0, value.length).filter(i -> value[i] > 0 && error[i] > 0).toArray();
+    double[] v = Arrays.stream(known).mapToDouble(i -> value[i]).toArray();
+    double[] c = Arrays.stream(known).mapToDouble(i -> count[i]).toArray();
+    // What robots of a team differ by is part of the error here: nothing finer matters.
+    double[] e =
+        Arrays.stream(known)
+            .mapToDouble(i -> Math.hypot(error[i], HALF_WIDTH * value[i]))
+            .toArray();
+    return known.length == 0 ? 0 : open(limit, new Search(v, e, c, HALF_WIDTH).strongest(share));
+  }
+
+  /** The error that covers both where it is not known whether a higher value is the limit. */
+  private static double open(double limit, double higher) {
+    return 0.5 * Math.max(0, higher - limit);
   }
 
   private static double sum(double[] count, int[] rows, int n) {
@@ -98,8 +131,8 @@ record UpperEdge(
 
   /** The same where it is not known whether a higher value is the limit: the error covers both. */
   private UpperEdge orUpTo(double higher) {
-    double open = 0.5 * Math.max(0, higher - value);
-    return new UpperEdge(value, Math.hypot(error, open), scatter, hidden, mass, share);
+    return new UpperEdge(
+        value, Math.hypot(error, open(value, higher)), scatter, hidden, mass, share);
   }
 
   /** The distribution, and the edge of it. */
@@ -107,30 +140,32 @@ record UpperEdge(
     private final double[] value;
     private final double[] error;
     private final double[] count;
+    private final double step;
     private final double lowest;
     private final double[] mass;
     private final int[] first;
     private final double[][] likelihood;
     private final double total;
 
-    Search(double[] value, double[] error, double[] count) {
+    Search(double[] value, double[] error, double[] count, double step) {
       this.value = value;
       this.error = error;
       this.count = count;
+      this.step = step;
       total = Arrays.stream(count).sum();
       double high = 0;
       double low = Double.POSITIVE_INFINITY;
       for (int i = 0; i < value.length; i++) {
         high = Math.max(high, value[i] + REACH * error[i]);
-        low = Math.min(low, value[i] - REACH * error[i]);
+        low = Math.min(low, lowest(i));
       }
       lowest = Math.log(low);
-      mass = new double[(int) Math.ceil((Math.log(high) - lowest) / STEP) + 2];
+      mass = new double[(int) Math.ceil((Math.log(high) - lowest) / step) + 2];
       first = new int[value.length];
       likelihood = new double[value.length][];
       for (int i = 0; i < value.length; i++) {
-        first[i] = (int) ((Math.log(value[i] - REACH * error[i]) - lowest) / STEP);
-        int last = (int) ((Math.log(value[i] + REACH * error[i]) - lowest) / STEP) + 1;
+        first[i] = (int) ((Math.log(lowest(i)) - lowest) / step);
+        int last = (int) ((Math.log(value[i] + REACH * error[i]) - lowest) / step) + 1;
         likelihood[i] = new double[last - first[i] + 1];
         for (int j = 0; j < likelihood[i].length; j++) {
           double z = (value[i] - grid(first[i] + j)) / error[i];
@@ -140,12 +175,16 @@ record UpperEdge(
       Arrays.fill(mass, total / mass.length);
     }
 
+    private double lowest(int i) {
+      return Math.max(value[i] - REACH * error[i], LEAST * value[i]);
+    }
+
     private static double likelihood(double z) {
       return Math.pow(1 + z * z / FREEDOM, -0.5 * (FREEDOM + 1));
     }
 
     private double grid(int j) {
-      return Math.exp(lowest + j * STEP);
+      return Math.exp(lowest + j * step);
     }
 
     /** How many manoeuvres each value of the grid has. */
@@ -191,9 +230,20 @@ record UpperEdge(
       return (tail ? main : large).orUpTo(small.value());
     }
 
+    /** The value that this share has or exceeds. */
+    double strongest(double share) {
+      deconvolve();
+      double above = 0;
+      int j = mass.length;
+      while (j > 0 && above < share * total) {
+        above += mass[--j];
+      }
+      return grid(j);
+    }
+
     /** The window that holds most. */
     private UpperEdge largest() {
-      int half = (int) Math.round(HALF_WIDTH / STEP);
+      int half = (int) Math.round(HALF_WIDTH / step);
       int best = 0;
       double most = 0;
       for (int j = 0; j < mass.length; j++) {
@@ -208,7 +258,7 @@ record UpperEdge(
 
     private UpperEdge highest(double share) {
       double needed = Math.max(FEWEST, share * total);
-      int half = (int) Math.round(HALF_WIDTH / STEP);
+      int half = (int) Math.round(HALF_WIDTH / step);
       for (int j = mass.length - 1; j >= 0; j--) {
         if (massBetween(j - half, j + half) >= needed) {
           return describe(centred(j, half), half);
@@ -255,8 +305,8 @@ record UpperEdge(
       double likeliest = Double.NEGATIVE_INFINITY;
       double weights = 0;
       double squares = 0;
-      for (int level = 0; level * STEP <= APART; level++) {
-        double above = centre * Math.expm1(level * STEP);
+      for (int level = 0; level * step <= APART; level++) {
+        double above = centre * Math.expm1(level * step);
         double log = logLikelihood(centre + above, part);
         if (log > likeliest) {
           double smaller = Math.exp(likeliest - log);

@@ -62,6 +62,42 @@ class AccelerationLimitTest {
     assertThat(covered).isBetween(85, 100);
   }
 
+  /** Robots end turns with 80 % of what they have, and use all of it when they turn back: with errors of 9 % the two heaps are one, somewhere between. */
+  @Test
+  void theErrorCoversALimitThatIsSeldomUsedAndBadlyMeasured() {
+    int covered = 0;
+    int trials = 60;
+    for (int seed = 0; seed < trials; seed++) {
+      LimitEstimate e = turns(0.15, new Random(seed));
+      covered += Math.abs(e.value() - 40) < 2.5 * e.standardError() ? 1 : 0;
+    }
+    assertThat(covered).isGreaterThan(55);
+  }
+
+  /** Where all are as strong, nothing stronger is seen however large the errors are: the error stays what the mode's is. */
+  @Test
+  void onlyWhatIsSeenAboveTheLimitIsInItsError() {
+    double sum = 0;
+    int trials = 60;
+    for (int seed = 0; seed < trials; seed++) {
+      sum += turns(1, new Random(seed)).standardError();
+    }
+    assertThat(sum / trials).isLessThan(0.6);
+  }
+
+  /** The limit of 30 turns, of which that share is as strong as can be. */
+  private static LimitEstimate turns(double share, Random random) {
+    ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.TURNING);
+    for (int i = 0; i < 30; i++) {
+      boolean strong = i < share * 30;
+      double error = (strong ? 0.035 : 0.09) * (0.8 + 0.4 * random.nextDouble()) * 40;
+      double turn = (strong ? 40 : 32) + error * random.nextGaussian();
+      table.add(turn, error, 5, Double.NaN);
+    }
+    return new AccelerationLimit(table, AccelerationLimit.Kind.TURN_BRAKING, Double.NaN, 6)
+        .estimate();
+  }
+
   /** The larger the errors of the manoeuvres and the fewer there are, the farther above may a part of them lie unnoticed. */
   @Test
   void theErrorGrowsWithThatOfTheManoeuvres() {

@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -67,9 +68,9 @@ public record ExportModel(
       Map<String, Double> effects) {
     /** Copies the collections. {@inheritDoc} */
     public RobotLimits {
-      values = Map.copyOf(values);
+      values = Collections.unmodifiableMap(new TreeMap<>(values));
       unreached = List.copyOf(unreached);
-      effects = Map.copyOf(effects);
+      effects = Collections.unmodifiableMap(new TreeMap<>(effects));
     }
   }
 

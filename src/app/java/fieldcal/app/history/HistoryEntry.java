@@ -2,8 +2,10 @@ package fieldcal.app.history;
 
 import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
 import com.fasterxml.jackson.annotation.JsonInclude;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * A model that left the session.
@@ -58,7 +60,8 @@ public record HistoryEntry(
   public HistoryEntry {
     sources = sources == null ? List.of() : List.copyOf(sources);
     kicks = kicks == null ? List.of() : List.copyOf(kicks);
-    model = model == null ? Map.of() : Map.copyOf(model);
+    // By name: each line of the file has them in the same order.
+    model = model == null ? Map.of() : Collections.unmodifiableMap(new TreeMap<>(model));
   }
 
   /**

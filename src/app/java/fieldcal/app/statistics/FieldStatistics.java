@@ -40,11 +40,24 @@ public final class FieldStatistics {
    * @return cameras first, then the ball
    */
   public static List<Statistic> of(FieldRecording field, Function<Kick, Optional<String>> names) {
+    return of(field, names, field.calibration().calibration().fitted());
+  }
+
+  /**
+   * All statistics, from other fits.
+   *
+   * @param field its recordings
+   * @param names of kicks, the same for the same kick of two recordings; empty for one that is not to count
+   * @param fits of its kicks
+   * @return cameras first, then the ball
+   */
+  public static List<Statistic> of(
+      FieldRecording field, Function<Kick, Optional<String>> names, List<KickFit> fits) {
     FieldStatistics made = new FieldStatistics(field, names);
     for (int i = 0; i < field.frames().size(); i++) {
       made.frames(i);
     }
-    field.calibration().calibration().fitted().forEach(made::fit);
+    fits.forEach(made::fit);
     return made.order.stream().map(made.all::get).toList();
   }
 

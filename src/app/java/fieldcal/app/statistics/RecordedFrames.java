@@ -14,6 +14,7 @@ import fieldcal.vision.VisionFrame;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -24,7 +25,7 @@ import java.util.TreeMap;
  * The frames of one recording, by camera, in order of their capture.
  *
  * @param log the recording
- * @param frames by camera id
+ * @param frames by camera id, in the order of the ids
  * @param cameras how well each camera works
  * @param spans stretches without a silence of all cameras, start and end, s since the epoch
  * @param duplicates frames that came twice
@@ -40,7 +41,7 @@ public record RecordedFrames(
 
   /** Copies the collections. {@inheritDoc} */
   public RecordedFrames {
-    frames = Map.copyOf(frames);
+    frames = Collections.unmodifiableMap(new TreeMap<>(frames));
     cameras = List.copyOf(cameras);
     spans = List.copyOf(spans);
   }

@@ -68,7 +68,13 @@ public record TwinCheck(
     List<Comparison> comparisons =
         Comparison.of(
             FieldStatistics.of(recorded, k -> Optional.ofNullable(names.get(k))),
-            FieldStatistics.of(twin, k -> Optional.ofNullable(again.get(k))));
+            FieldStatistics.of(
+                twin,
+                k -> Optional.ofNullable(again.get(k)),
+                AlikeFits.of(
+                    twin.calibration().calibration().fitted(),
+                    twin.calibration().calibration().cameras(),
+                    recorded.calibration().calibration().cameras())));
     return new TwinCheck(
         comparisons, parameters(recorded.calibration(), twin.calibration()), names.size(), found);
   }

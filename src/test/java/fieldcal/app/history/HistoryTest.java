@@ -8,9 +8,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -50,6 +52,33 @@ class HistoryTest {
     assertThat(new History(folder).before(two)).containsExactly(1, 2);
     assertThat(new History(folder).toUndo("x")).as("there was nothing before").isEmpty();
     assertThat(new History(folder).toUndo("y")).contains(two);
+  }
+
+  /** Two runs write the same line. */
+  @Test
+  void parametersAreWrittenInTheOrderOfTheirNames() throws IOException {
+    Map<String, Double> model = new HashMap<>();
+    List<String> names = IntStream.range(0, 12).mapToObj(i -> "p" + (char) ('a' + i)).toList();
+    names.forEach(name -> model.put(name, 1.0));
+    HistoryEntry made =
+        new HistoryEntry(
+            HistoryEntry.SCHEMA,
+            0,
+            1.5,
+            Action.EXPORTED,
+            "grsim",
+            "x",
+            null,
+            List.of(),
+            List.of(),
+            model,
+            null,
+            null,
+            null);
+    new History(folder).add(made, Optional.empty());
+    String line = Files.readString(folder.resolve("history.jsonl"));
+    List<Integer> places = names.stream().map(name -> line.indexOf('"' + name + '"')).toList();
+    assertThat(places).isSorted().allMatch(place -> place > 0);
   }
 
   @Test
