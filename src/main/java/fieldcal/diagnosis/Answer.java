@@ -24,6 +24,7 @@ import java.util.Optional;
  * What was decided, and the diagnosis that it makes. Immutable.
  *
  * @param screened the screened kicks and what may explain them
+ * @param base the simple model that the answer is compared with
  * @param extended the model to predict with
  * @param judged judgements of what is in it
  * @param kickers causes that only commands show
@@ -32,6 +33,7 @@ import java.util.Optional;
  */
 record Answer(
     DiagnosisCase screened,
+    FittedModel base,
     FittedModel extended,
     List<Judgement> judged,
     List<Cause> kickers,
@@ -57,9 +59,9 @@ record Answer(
     while (causes.size() > screened.problem().maxCauses()) {
       causes.remove(causes.size() - 1);
     }
-    List<StructureProfile> before = Profiles.of(screened.base(), screened.problem().sessionStart());
+    List<StructureProfile> before = Profiles.of(base, screened.problem().sessionStart());
     List<StructureProfile> left = Profiles.of(extended, screened.problem().sessionStart());
-    Quality quality = Quality.of(screened.base(), heldBase);
+    Quality quality = Quality.of(base, heldBase);
     Unexplained unexplained =
         new Unexplained(
             after.isSignificant(),
@@ -77,7 +79,7 @@ record Answer(
         before,
         left,
         residuals(),
-        model(screened.base(), List.of()),
+        model(base, List.of()),
         model(extended, kickers),
         trace,
         problems,
@@ -115,7 +117,7 @@ record Answer(
 
   private List<Candidate> candidates(List<Cause> causes) {
     List<Candidate> all = new ArrayList<>();
-    for (Alternatives.Scored s : screened.alternatives().scores(screened.base())) {
+    for (Alternatives.Scored s : screened.alternatives().scores(base)) {
       boolean named =
           causes.stream()
               .anyMatch(
@@ -128,15 +130,15 @@ record Answer(
   }
 
   private List<KickResiduals> residuals() {
-    ModelState stateBefore = screened.base().solution().state();
+    ModelState stateBefore = base.solution().state();
     ModelState stateAfter = extended.solution().state();
     List<KickResiduals> all = new ArrayList<>();
     for (int k = 0; k < extended.kickCount(); k++) {
-      EffectKick before = screened.base().kick(k);
+      EffectKick before = base.kick(k);
       EffectKick after = extended.kick(k);
       KickRecord d = after.record();
       double[][] r = new double[4][d.size()];
-      double[] own = screened.base().solution().own(k);
+      double[] own = base.solution().own(k);
       double[] ownAfter = extended.solution().own(k);
       before.plainResiduals(own, stateBefore, r[0], r[1]);
       after.plainResiduals(ownAfter, stateAfter, r[2], r[3]);

@@ -23,14 +23,15 @@ import fieldcal.fit.KickFit;
 import fieldcal.fit.Screening;
 import fieldcal.fit.TypicalBall;
 import fieldcal.fit.joint.SharedSolver;
-import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * Says what the simple model gets wrong, why, and what a better one gains. Stages: screening and base fit, search among the named effects, learned terms for what is left, decision about names, validation, verdict; {@code docs/diagnosis.md} derives
@@ -45,6 +46,9 @@ public final class Diagnoser {
 
   /** With fewer flat kicks the search does not begin with these alone. */
   private static final int FEWEST_FLATS = 6;
+
+  /** Nothing is selected by prediction with fewer kicks: then each is held out alone, and drawing them again says little. */
+  private static final int FEWEST_PREDICTED = 6;
 
   /** Flat kicks whose reduced chi-square stays above that are not explained by themselves. */
   private static final double EXPLAINED = 1.5;
@@ -244,12 +248,14 @@ public final class Diagnoser {
     }
 
     private FittedModel refit(FittedModel best, List<KickRecord> kicks) {
-      fitter = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
-      arena = arena(kicks);
-      EffectModel start = best.resumed().in(arena);
+      ModelFitter others = new ModelFitter(kicks, problem.sessionStart(), progress::fitted);
+      Arena reach = arena(kicks);
+      EffectModel start = best.resumed().in(reach);
       FittedModel again =
-          fitter.fit(start, matching(best, kicks), Weighing.EXPLAINED_FIRST, solver);
-      base = fitter.fit(simple(problem.fits(), kicks), solver);
+          others.fit(start, matching(best, kicks), Weighing.EXPLAINED_FIRST, solver);
+      base = others.fit(simple(problem.fits(), kicks), solver);
+      fitter = others;
+      arena = reach;
       return again;
     }
 
@@ -263,7 +269,7 @@ public final class Diagnoser {
      * others showed.
      */
     private FittedModel easierFirst(List<KickRecord> kicks) {
-      List<KickRecord> quiet = KickScreen.withoutLoud(base);
+      List<KickRecord> quiet = KickScreen.withoutDominant(base);
       List<KickRecord> flats = quiet.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
       FittedModel start = base;
       if (arena.chips() && flats.size() >= FEWEST_FLATS) {
@@ -306,26 +312,20 @@ public final class Diagnoser {
      * What was decided for some kicks.
      *
      * @param screened these kicks and what may explain them
-     * @param heldBase how the simple model does on kicks that were held out
+     * @param base the simple model that it is compared with
      * @param best the model that was chosen
      */
-    private record Decided(DiagnosisCase screened, HoldOut heldBase, Weighed best) {
-      /** Whether this follows a usual kick more closely than another decision, and predicts none worse, of the kicks that both know. */
-      boolean isCloserThan(Decided other) {
-        List<Kick> mine = kicks();
-        List<Kick> theirs = other.kicks();
-        List<Kick> both = mine.stream().filter(theirs::contains).toList();
-        HoldOut now = best.held().restrictedTo(both.stream().mapToInt(mine::indexOf).toArray());
-        HoldOut before =
-            other.best.held().restrictedTo(both.stream().mapToInt(theirs::indexOf).toArray());
-        long seed = screened.seed();
-        return now.followsMostBetterThan(before, seed)
-            && !now.predictsMostWorseThan(before, seed)
-            && !now.predictsWorseThan(before, seed);
+    private record Decided(DiagnosisCase screened, FittedModel base, Weighed best) {
+
+      boolean isNothing() {
+        return best.model().model().components().isEmpty();
       }
 
-      private List<Kick> kicks() {
-        return best.model().records().stream().map(KickRecord::kick).toList();
+      /** Whether one model follows a usual kick more closely than another one of the same kicks, and predicts none worse. */
+      static boolean isCloser(HoldOut one, HoldOut other, long seed) {
+        return one.followsMostBetterThan(other, seed)
+            && !one.predictsMostWorseThan(other, seed)
+            && !one.predictsWorseThan(other, seed);
       }
     }
 
@@ -347,50 +347,59 @@ public final class Diagnoser {
       if (nothing || !(best.held().rmsMm() <= heldBase.rmsMm())) {
         best = new Weighed(base, List.of(), heldBase);
       }
-      return new Decided(screened, heldBase, best);
+      return new Decided(screened, base, best);
     }
 
-    /** Where something is left, with what is selected by prediction alone, if it follows a usual kick more closely and predicts no worse. */
+    /** Where something is left, with what is selected by prediction alone, beside the simple model or what was found. */
     private Decided selected(Decided first) {
-      if (problem.maxCauses() == 0 || !Leftover.of(first.best.model()).isSignificant()) {
+      boolean few = fitter.kicks().size() < FEWEST_PREDICTED;
+      boolean left = Leftover.of(first.best.model()).isSignificant();
+      if (problem.maxCauses() == 0 || few || !left) {
         return first;
       }
       progress.stage("selecting by prediction");
+      return failed.guarded(
+          "the selection by prediction",
+          first,
+          () -> closest(first).flatMap(model -> decided(model, first)).orElse(first));
+    }
+
+    /** Of the models that are selected beside the simple model and beside what was found, the one that follows a usual kick most closely; empty where nothing helps. */
+    private Optional<FittedModel> closest(Decided first) {
+      Dictionary dictionary = dictionary(first);
+      return Stream.of(base, first.best.model())
+          .distinct()
+          .map(start -> search.selected(fitter, start, dictionary, problem.seed(), trace))
+          .filter(model -> model != base && model != first.best.model())
+          .min(Comparator.comparingDouble(m -> HoldOut.of(m, false, problem.seed()).usualMm()));
+    }
+
+    private Dictionary dictionary(Decided beside) {
       List<Effect> effects = new ArrayList<>(catalogue);
-      effects.addAll(LearnedLibrary.of(arena));
+      effects.addAll(UnnamedTerms.learned(arena, beside.best.judged()));
       effects.addAll(LearnedLibrary.maps(arena));
-      PredictiveSelection selection =
-          new PredictiveSelection(
-              fitter, new Dictionary(effects, arena), solver, problem.seed(), trace);
-      Decided best = first;
-      for (FittedModel start : new LinkedHashSet<>(List.of(base, first.best.model()))) {
-        FittedModel with = selection.from(start);
-        if (with != start) {
-          Decided next = decided(with, first);
-          best = next.isCloserThan(best) ? next : best;
-        }
-      }
-      return best;
+      return new Dictionary(effects, arena);
     }
 
-    /** What is decided with a selected model: without the kicks that stand out while it explains all others; where these are many, with what it leaves of each kick taken for noise, beside the same simple model. */
-    private Decided decided(FittedModel selected, Decided first) {
-      List<KickRecord> kept = screen.withoutStrays(selected);
-      if (kept.size() < selected.kickCount()) {
-        return decidedFor(kept, selected);
-      }
-      Decided loud = decidedFor(KickScreen.louder(selected), selected);
-      DiagnosisCase screened = loud.screened.comparedWith(first.screened.base());
-      return new Decided(screened, first.heldBase, loud.best);
-    }
-
-    private Decided decidedFor(List<KickRecord> kicks, FittedModel found) {
+    /**
+     * What is decided with a selected model, if it follows a usual kick more closely than what was decided first: without the kicks that stand out while it explains all others; where it does not, with what it leaves of each kick taken
+     * for noise, beside the same simple model.
+     */
+    private Optional<Decided> decided(FittedModel selected, Decided first) {
+      List<KickRecord> kept = KickScreen.withoutFew(selected);
+      boolean without = kept.size() < selected.kickCount();
+      List<KickRecord> heard = without ? kept : KickScreen.withWhatIsLeftAsNoise(selected);
       ModelFitter all = fitter;
       Arena whole = arena;
       FittedModel simple = base;
       try {
-        FittedModel again = refit(found, kicks);
-        return decide(search.alike(fitter, again));
+        FittedModel again = refit(selected, heard);
+        Decided next = decide(search.alike(fitter, again));
+        boolean closer = !next.isNothing() && isCloser(next, first, heard, without);
+        if (!closer) {
+          return Optional.empty();
+        }
+        return Optional.of(without ? next : new Decided(next.screened, first.base, next.best));
       } finally {
         fitter = all;
         arena = whole;
@@ -398,16 +407,37 @@ public final class Diagnoser {
       }
     }
 
+    /** Whether what was decided for other kicks, or for the same with other noise, is better than what was decided first: not by their weights alone, but also where the first model is fitted to them. */
+    private boolean isCloser(Decided next, Decided first, List<KickRecord> heard, boolean without) {
+      FittedModel found = first.best.model();
+      EffectModel start = found.resumed().in(arena);
+      FittedModel same = fitter.fit(start, matching(found, heard), Weighing.ALIKE, solver);
+      HoldOut before = HoldOut.of(same, true, problem.seed());
+      HoldOut now = next.best.held();
+      if (without) {
+        return Decided.isCloser(now, before, problem.seed());
+      }
+      return Decided.isCloser(now, first.best.held(), problem.seed())
+          && !now.predictsMostWorseThan(before, problem.seed())
+          && !now.predictsWorseThan(before, problem.seed());
+    }
+
     private Answer answer(Decided decided) {
       Weighed best = decided.best;
       FittedModel extended = best.model();
       List<Cause> kickers =
-          extended.solution().reducedChiSquare() < EXPLAINED
+          extended.reducedAsSeen() < EXPLAINED
               ? new KickerBias(extended, problem.commands(), problem.seed())
                   .causes(catalogue, decided.screened.arena())
               : List.of();
       return new Answer(
-          decided.screened, extended, best.judged(), kickers, best.held(), decided.heldBase);
+          decided.screened,
+          decided.base,
+          extended,
+          best.judged(),
+          kickers,
+          best.held(),
+          HoldOut.of(decided.base, true, problem.seed()));
     }
   }
 }

@@ -32,11 +32,6 @@ record DiagnosisCase(
     FittedModel base,
     SharedSolver solver) {
 
-  /** The same, to be compared with another fit of the simple model. */
-  DiagnosisCase comparedWith(FittedModel simple) {
-    return new DiagnosisCase(problem, catalogue, settings, fitter, arena, simple, solver);
-  }
-
   long seed() {
     return problem.seed();
   }

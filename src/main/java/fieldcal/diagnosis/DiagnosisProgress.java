@@ -39,7 +39,8 @@ final class DiagnosisProgress {
     models++;
     double left = 0;
     for (int k = 0; k < model.kickCount(); k++) {
-      left += model.solution().chiSquare(k);
+      double times = model.kick(k).record().timesNoise();
+      left += model.solution().chiSquare(k) * times * times;
     }
     least = Math.min(least, Math.sqrt(left / model.solution().rows()));
     told.accept(

@@ -1,11 +1,13 @@
 package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.diagnosis.search.SearchStep.Action;
 import fieldcal.diagnosis.search.Shortlist;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.fit.joint.SharedSolver;
@@ -18,7 +20,7 @@ import java.util.stream.Stream;
  * a dozen effects that together follow these kicks and predict no others. Not thread-safe.
  */
 final class PredictiveSelection {
-  /** Terms that a model may gain. */
+  /** Components that a model may gain. */
   private static final int MOST_ADDED = 6;
 
   /** Of what the score test proposes, so many are fitted in a round, for each of two weighings. */
@@ -28,26 +30,18 @@ final class PredictiveSelection {
   private final Dictionary dictionary;
   private final SharedSolver solver;
   private final long seed;
-  private final List<SearchStep> trace;
 
   /**
    * @param fitter of the kicks
    * @param dictionary what may be added
    * @param solver of the fits
    * @param seed of the parts of the kicks that are held out
-   * @param trace to which each step is added
    */
-  PredictiveSelection(
-      ModelFitter fitter,
-      Dictionary dictionary,
-      SharedSolver solver,
-      long seed,
-      List<SearchStep> trace) {
+  PredictiveSelection(ModelFitter fitter, Dictionary dictionary, SharedSolver solver, long seed) {
     this.fitter = fitter;
     this.dictionary = dictionary;
     this.solver = solver;
     this.seed = seed;
-    this.trace = trace;
   }
 
   /** A model with how it does on kicks that were held out. */
@@ -57,42 +51,51 @@ final class PredictiveSelection {
    * Adds to a model what helps.
    *
    * @param start fitted to the kicks
+   * @param trace to which each step is added
    * @return the same when nothing helps; else a fit in which kicks weigh less that it does not explain
    */
-  FittedModel from(FittedModel start) {
-    Held best = new Held(start, HoldOut.of(start, true, seed));
-    for (int i = 0; i < MOST_ADDED; i++) {
-      Held next = next(best);
+  FittedModel from(FittedModel start, List<SearchStep> trace) {
+    // With the weights of all that follow: these alone may follow a usual kick more closely.
+    Held best = held(start.resumed(), start);
+    int most = start.model().components().size() + MOST_ADDED;
+    boolean grown = false;
+    while (best.model.model().components().size() < most) {
+      Held next = next(best, trace);
       if (next == best) {
         break;
       }
       best = next;
+      grown = true;
     }
-    return best.model;
+    return grown ? best.model : start;
   }
 
-  private Held next(Held before) {
+  private Held held(EffectModel model, FittedModel from) {
+    FittedModel fitted = fitter.fit(model, from, Weighing.EXPLAINED_FIRST, solver);
+    return new Held(fitted, HoldOut.of(fitted, true, seed));
+  }
+
+  private Held next(Held before, List<SearchStep> trace) {
     Held best = before;
+    List<Component> chosen = List.of();
     for (List<Component> added : proposals(before.model)) {
       List<Component> all = new ArrayList<>(before.model.started());
       all.removeIf(c -> added.stream().anyMatch(c::isSameCause));
       all.addAll(added);
-      FittedModel tried =
-          fitter.fit(before.model.resumedWith(all), before.model, Weighing.EXPLAINED_FIRST, solver);
-      Held with = new Held(tried, HoldOut.of(tried, true, seed));
+      Held with = held(before.model.resumedWith(all), before.model);
       boolean sound =
           with.held.followsMostBetterThan(before.held, seed)
               && !with.held.predictsMostWorseThan(before.held, seed);
       if (sound && with.held.usualMm() < best.held.usualMm()) {
         best = with;
+        chosen = added;
       }
     }
     if (best != before) {
-      double gain = before.model.evenCost() - best.model.evenCost();
-      List<Component> now = best.model.model().components();
-      trace.add(
-          new SearchStep(
-              now.get(now.size() - 1).toString(), SearchStep.Action.ADDED, Double.NaN, gain));
+      double[] weights = before.model.solution().problem().weights();
+      double gain =
+          before.model.solution().costWith(weights) - best.model.solution().costWith(weights);
+      trace.add(new SearchStep(chosen.toString(), Action.ADDED, Double.NaN, gain));
     }
     return best;
   }

@@ -80,7 +80,7 @@ final class Profiles {
       double sessionStart,
       Map<StructureVariable, List<Sample>> samples) {
     EffectKick term = at.kick(k);
-    KickRecord d = term.record();
+    KickRecord d = term.record().asSeen();
     double[] own = at.solution().own(k);
     double[] rx = new double[d.size()];
     double[] ry = new double[d.size()];

@@ -70,6 +70,35 @@ final class SampledSearch {
     return fitter.fit(all.resumed(), all, Weighing.EXPLAINED_FIRST, solver);
   }
 
+  /**
+   * Selects by prediction.
+   *
+   * @param fitter of the kicks
+   * @param start model to add to, fitted to them
+   * @param dictionary what may be added
+   * @param seed of the parts of the kicks that are held out
+   * @param steps to which what was added is added
+   * @return the same when nothing helps; else a fit of all kicks, of which those weigh less that it does not explain
+   */
+  FittedModel selected(
+      ModelFitter fitter,
+      FittedModel start,
+      Dictionary dictionary,
+      long seed,
+      List<SearchStep> steps) {
+    int n = start.kickCount();
+    if (n <= SEARCHED_KICKS) {
+      return new PredictiveSelection(fitter, dictionary, solver, seed).from(start, steps);
+    }
+    List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
+    ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
+    FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
+    FittedModel found = new PredictiveSelection(few, dictionary, solver, seed).from(begin, steps);
+    return found == begin
+        ? start
+        : fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);
+  }
+
   /** Which of so many kicks a search looks at: all, or some that are spread over the session. */
   static IntStream sample(int kicks) {
     return kicks <= SEARCHED_KICKS

@@ -334,13 +334,19 @@ final class UnnamedTerms {
    * takes its place for the little that it does not explain.
    */
   private List<Effect> learnedAndLaws(List<Judgement> judged, boolean chance) {
-    boolean timed = judged.stream().anyMatch(UnnamedTerms::isTimed);
-    List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
-    all.removeIf(e -> timed && LawForValues.changesGroundWithTime(e));
+    List<Effect> all = learned(arena, judged);
     if (chance) {
       all.addAll(EffectCatalogue.unnamed());
     }
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
+    return all;
+  }
+
+  /** Learned terms that may stand beside what was judged. */
+  static List<Effect> learned(Arena arena, List<Judgement> judged) {
+    boolean timed = judged.stream().anyMatch(UnnamedTerms::isTimed);
+    List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
+    all.removeIf(e -> timed && LawForValues.changesGroundWithTime(e));
     return all;
   }
 

@@ -30,8 +30,8 @@ class PredictiveSelectionTest {
     effects.addAll(LearnedLibrary.of(arena));
     effects.addAll(LearnedLibrary.maps(arena));
     return new PredictiveSelection(
-            field.fitter(), new Dictionary(effects, arena), FittedField.SOLVER, SEED, trace)
-        .from(field.simple());
+            field.fitter(), new Dictionary(effects, arena), FittedField.SOLVER, SEED)
+        .from(field.simple(), trace);
   }
 
   @Test
@@ -41,7 +41,28 @@ class PredictiveSelectionTest {
     assertThat(trace).isEmpty();
   }
 
-  /** A gust pushes one ball aside, 1 m/s² for a second; no other kick shows it, and no model can predict it. */
+  /** The same with some balls pushed aside, 1 m/s² for a second. */
+  private static FittedField gusts(FittedField calm, int... pushed) {
+    List<KickFit> fits = new ArrayList<>(calm.problem().fits());
+    for (int k : pushed) {
+      double from = 0.2 + 0.05 * k;
+      Kick kick =
+          MovedBall.shifted(
+              fits.get(k).kick(), t -> 0.5 * Math.pow(Math.min(1, Math.max(0, t - from)), 2));
+      fits.set(k, calm.fit(kick, KickKind.FLAT));
+    }
+    return FittedField.of(calm.problem(fits));
+  }
+
+  /** What pushes a few balls is in no other kick. */
+  @Test
+  void nothingIsSelectedForAFewKicks() {
+    FittedField calm = FittedField.of(FittedField.SOUND.withScenario(ScenarioKind.FLAT, 14));
+    FittedField field = gusts(calm, 2, 5, 8, 11);
+    assertThat(selected(field)).isSameAs(field.simple());
+    assertThat(trace).isEmpty();
+  }
+
   @Test
   void aKickThatNothingExplainsHidesNoCause() {
     FittedField calm =
@@ -49,22 +70,15 @@ class PredictiveSelectionTest {
             FittedField.SOUND
                 .withScenario(ScenarioKind.FLAT, 14)
                 .withEffects("speed_dependent_roll:slope=0.08"));
-    List<KickFit> fits = new ArrayList<>(calm.problem().fits());
-    Kick kick = fits.get(5).kick();
-    Kick pushed =
-        MovedBall.shifted(kick, t -> 0.5 * Math.pow(Math.min(1, Math.max(0, t - 0.5)), 2));
-    fits.set(5, calm.fit(pushed, KickKind.FLAT));
-    FittedField field = FittedField.of(calm.problem(fits));
+    FittedField field = gusts(calm, 5);
     FittedModel found = selected(field);
     assertThat(found.effects())
         .as("%s", trace)
         .extracting(Effect::id)
-        .contains("speed_dependent_roll");
+        .startsWith("speed_dependent_roll");
     HoldOut before = HoldOut.of(field.simple(), true, SEED);
     HoldOut after = HoldOut.of(found, true, SEED);
-    System.out.printf("usual kick held out: %.2f -> %.2f mm%n", before.usualMm(), after.usualMm());
     assertThat(after.followsMostBetterThan(before, SEED)).isTrue();
     assertThat(after.usualMm()).isLessThan(0.6 * before.usualMm());
-    assertThat(trace).hasSameSizeAs(found.model().components());
   }
 }

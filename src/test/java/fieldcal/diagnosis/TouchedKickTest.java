@@ -1,6 +1,7 @@
 package fieldcal.diagnosis;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
@@ -41,13 +42,9 @@ class TouchedKickTest {
   }
 
   /** Gusts push four of fourteen balls aside, each at another time, 1 m/s² for up to a second: more kicks than may be left out. */
-  @Test
-  void gustsHideNoCause() {
+  private static FittedField gusts(String... effects) {
     FittedField field =
-        FittedField.of(
-            FittedField.SOUND
-                .withScenario(ScenarioKind.FLAT, 14)
-                .withEffects("speed_dependent_roll:slope=0.08"));
+        FittedField.of(FittedField.SOUND.withScenario(ScenarioKind.FLAT, 14).withEffects(effects));
     List<KickFit> fits = new ArrayList<>(field.problem().fits());
     for (int k = 2; k < 14; k += 3) {
       double from = 0.2 + 0.05 * k;
@@ -56,13 +53,29 @@ class TouchedKickTest {
               fits.get(k).kick(), t -> 0.5 * Math.pow(Math.min(1, Math.max(0, t - from)), 2));
       fits.set(k, field.fit(pushed, KickKind.FLAT));
     }
-    Diagnosis diagnosis = new Diagnoser().diagnose(field.problem(fits), said -> {});
+    return FittedField.of(field.problem(fits));
+  }
+
+  @Test
+  void gustsHideNoCause() {
+    FittedField field = gusts("speed_dependent_roll:slope=0.08");
+    Diagnosis diagnosis = new Diagnoser().diagnose(field.problem(), said -> {});
     assertThat(diagnosis.causes())
         .as("%s", diagnosis.trace())
         .extracting(c -> c.effect().id())
         .containsExactly("speed_dependent_roll");
     assertThat(diagnosis.kicks()).hasSize(14);
+    assertThat(diagnosis.extended().noiseMm()).isEqualTo(diagnosis.base().noiseMm(), within(1e-9));
     assertThat(diagnosis.unexplained().significant()).isTrue();
     assertThat(diagnosis.verdict()).isEqualTo(Verdict.PARTLY_EXPLAINED);
+  }
+
+  @Test
+  void gustsAloneHaveNoName() {
+    Diagnosis diagnosis = new Diagnoser().diagnose(gusts().problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    assertThat(diagnosis.unexplained().significant()).isTrue();
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThanOrEqualTo(diagnosis.base().holdoutRmsMm());
   }
 }

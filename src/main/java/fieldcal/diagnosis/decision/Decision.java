@@ -65,7 +65,7 @@ public final class Decision {
     for (int i = 0; i < scales.without.size(); i++) {
       all.add(judge(scales, i));
     }
-    return all.stream().anyMatch(j -> isUnprovenSpin(j, scales.excess > 0))
+    return all.stream().anyMatch(j -> isUnprovenSpin(j, scales.left))
         ? all.stream().map(Decision::beyondSpin).toList()
         : all;
   }
@@ -77,6 +77,7 @@ public final class Decision {
    * @param without for each component the model without it, everything else fitted again
    * @param evidence by how much chi-square rises without each, in units of what is left
    * @param excess what the model leaves, in the same units; 0 when that is noise
+   * @param left whether it leaves more than the noise of the cameras, whatever noise the kicks were given
    * @param curves what learned curves explain together beside a law
    * @param information what the kicks tell of each component beside the others
    * @param held how the model does on kicks that were held out
@@ -86,6 +87,7 @@ public final class Decision {
       List<FittedModel> without,
       double[] evidence,
       double excess,
+      boolean left,
       double curves,
       Information information,
       HoldOut held) {
@@ -136,12 +138,13 @@ public final class Decision {
       evidence[i] = (w.evenCost() - model.evenCost()) / noise;
     }
     double curves = curvesBesideLaw(model, noise);
-    return new Scales(model, without, evidence, excess, curves, Information.of(model), held);
+    boolean seen = Leftover.ofSeen(model).isSignificant();
+    return new Scales(model, without, evidence, excess, seen, curves, Information.of(model), held);
   }
 
   private Judgement judge(Scales scales, int i) {
     FittedModel model = scales.model;
-    HoldOut without = HoldOut.of(scales.without.get(i), scales.excess > 0, seed);
+    HoldOut without = HoldOut.of(scales.without.get(i), scales.left, seed);
     double[] gain = scales.held.gainOn(without, seed);
     Optional<Dependence> follows = follows(model, i);
     return new Judgement(
@@ -254,7 +257,7 @@ public final class Decision {
     boolean standsOut = proof.isMostlyMean() && scales.excess < settings.formShare() * evidence;
     boolean small =
         c.isPerKick()
-            && scales.excess > 0
+            && scales.left
             && !standsOut
             && (proof.isUneven() || proof.wald() < settings.formShare() * evidence);
     boolean law = follows && c.template().hasOwnMean();
@@ -278,7 +281,7 @@ public final class Decision {
       return Outcome.FORM;
     }
     boolean common = !c.isPerKick() && Scales.isMotion(c);
-    if (scales.excess > 0 && common && !(scales.held.errorFactor(heldWithout) < 1)) {
+    if (scales.left && common && !(scales.held.errorFactor(heldWithout) < 1)) {
       // It helps to fit kicks, not to predict most of them: what is left may be another form of it.
       return Outcome.FORM;
     }
@@ -291,7 +294,7 @@ public final class Decision {
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
     // What is left may be another form of it, which helps some kicks and harms others.
-    boolean sure = scales.excess == 0 || gain[HoldOut.LOWER] > 0;
+    boolean sure = !scales.left || gain[HoldOut.LOWER] > 0;
     if (!(gain[1] > 100 * least) || !sure) {
       return Outcome.NO_GAIN;
     }

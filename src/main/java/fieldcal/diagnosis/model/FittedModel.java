@@ -112,6 +112,22 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
+   * Chi-square for each degree of freedom, against the noise of the cameras alone.
+   *
+   * @return about 1 where the model is right, whatever noise the kicks were given
+   */
+  public double reducedAsSeen() {
+    double given = 0;
+    double seen = 0;
+    for (int k = 0; k < kickCount(); k++) {
+      double times = kick(k).record().timesNoise();
+      given += solution.chiSquare(k);
+      seen += solution.chiSquare(k) * times * times;
+    }
+    return given > 0 ? solution.reducedChiSquare() * seen / given : 0;
+  }
+
+  /**
    * Cost of the fit with all kicks weighing alike, whatever weights it was found with.
    *
    * @return chi-square and what priors and values of each kick's own cost

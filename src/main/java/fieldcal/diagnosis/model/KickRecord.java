@@ -140,7 +140,7 @@ public final class KickRecord {
 
   /** The same with other detections, and so many times the noise. */
   private KickRecord(KickRecord of, boolean[] kept, double times) {
-    whole = of.whole;
+    whole = times == 1 ? of.whole : of.whole == of ? this : of.whole.withNoise(times);
     asSeen = times == 1 && of.asSeen == of ? this : of.asSeen.withUsed(kept);
     noise = of.noise;
     kick = of.kick;
@@ -325,24 +325,23 @@ public final class KickRecord {
    * @param times how many times the noise, at least 1
    * @return the changed copy
    */
-  public KickRecord louder(double times) {
+  public KickRecord withNoise(double times) {
     return new KickRecord(this, used, times);
   }
 
   /**
-   * How much less noise this has than the same kick made louder.
+   * How many times the noise of the cameras this has.
    *
-   * @param louder the same kick
-   * @return how many times the noise the other has
+   * @return 1 unless it was given more
    */
-  public double precisionOver(KickRecord louder) {
-    return size == 0 ? 1 : w11[0] / louder.w11[0];
+  public double timesNoise() {
+    return size == 0 ? 1 : asSeen.w11[0] / w11[0];
   }
 
   /**
    * The kick with the noise of the cameras alone.
    *
-   * @return itself unless it was made louder
+   * @return itself unless it was given more
    */
   public KickRecord asSeen() {
     return asSeen;

@@ -267,9 +267,19 @@ public final class KickScreen {
    * @return the same list when all stay
    */
   public List<KickRecord> withoutStrays(FittedModel at) {
+    return explainsMost(at) ? withoutFew(at) : at.records();
+  }
+
+  /**
+   * The same where the usual kick is nearly explained: it would not stand out itself.
+   *
+   * @param at the model, fitted to the kicks
+   * @return the same list when all stay
+   */
+  public static List<KickRecord> withoutFew(FittedModel at) {
     List<KickRecord> good = good(at);
     boolean few = at.kickCount() - good.size() <= mostLeftOut(at);
-    return few && explainsMost(at) ? good : at.records();
+    return few && median(at) < STANDS_OUT ? good : at.records();
   }
 
   /**
@@ -278,7 +288,7 @@ public final class KickScreen {
    * @param at the simple model, fitted to the kicks
    * @return the same list where there are none, or more than a few
    */
-  public static List<KickRecord> withoutLoud(FittedModel at) {
+  public static List<KickRecord> withoutDominant(FittedModel at) {
     List<Integer> byLeft =
         IntStream.range(0, at.kickCount())
             .boxed()
@@ -310,9 +320,9 @@ public final class KickScreen {
    * @param at the model, fitted to the kicks
    * @return records in the model's order
    */
-  public static List<KickRecord> louder(FittedModel at) {
+  public static List<KickRecord> withWhatIsLeftAsNoise(FittedModel at) {
     return IntStream.range(0, at.kickCount())
-        .mapToObj(k -> at.kick(k).record().louder(Math.sqrt(Math.max(1, at.reduced(k)))))
+        .mapToObj(k -> at.kick(k).record().withNoise(Math.sqrt(Math.max(1, at.reduced(k)))))
         .toList();
   }
 

@@ -30,7 +30,7 @@ public final class CauseSearch {
    */
   private record Manner(Weighing weighing, Pursuit.Order order) {}
 
-  /** In the order in which they are tried; each ends some recordings that the others do not. */
+  /** In the order in which they are tried: those first that ended most recordings. */
   private static final List<Manner> MANNERS =
       List.of(
           new Manner(Weighing.EXPLAINED_FIRST, Pursuit.Order.BEST),

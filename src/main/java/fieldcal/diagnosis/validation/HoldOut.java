@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
 import java.util.function.ToDoubleBiFunction;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -117,7 +118,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   private record One(double squares, int count, Map<Double, List<Double>> prediction) {}
 
   /**
-   * Validates.
+   * Validates. All kicks count alike, whatever noise they were given.
    *
    * @param model fitted to all kicks
    * @param predicts whether predictions are made, too
@@ -246,26 +247,6 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
-   * The same for some of the kicks.
-   *
-   * @param kicks their indices
-   * @return what is known of these
-   */
-  public HoldOut restrictedTo(int[] kicks) {
-    Map<Double, Ahead> some = new TreeMap<>();
-    ahead.forEach((h, at) -> some.put(h, new Ahead(at(at.squares, kicks), at(at.counts, kicks))));
-    return new HoldOut(at(squares, kicks), at(counts, kicks), some);
-  }
-
-  private static double[] at(double[] all, int[] indices) {
-    return Arrays.stream(indices).mapToDouble(i -> all[i]).toArray();
-  }
-
-  private static int[] at(int[] all, int[] indices) {
-    return Arrays.stream(indices).map(i -> all[i]).toArray();
-  }
-
-  /**
    * Residual of all kicks.
    *
    * @return root mean square per axis, mm; NaN without kicks
@@ -273,6 +254,17 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   public double rmsMm() {
     double n = Arrays.stream(counts).sum();
     return n > 0 ? 1000 * Math.sqrt(Arrays.stream(squares).sum() / n) : Double.NaN;
+  }
+
+  /** Root mean square of kicks that may come more than once, m. */
+  private double rms(int[] kicks) {
+    double sum = 0;
+    double n = 0;
+    for (int k : kicks) {
+      sum += squares[k];
+      n += counts[k];
+    }
+    return Math.sqrt(sum / n);
   }
 
   /**
@@ -354,24 +346,37 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   private boolean isLoss(HoldOut other, ToDoubleBiFunction<Ahead, int[]> measure, long seed) {
     Random random = new Random(seed);
     for (Map.Entry<Double, Ahead> entry : ahead.entrySet()) {
+      Ahead now = entry.getValue();
       Ahead before = other.ahead.get(entry.getKey());
-      int[] drawn = new int[squares.length];
-      double[] losses = new double[BOOTSTRAPS];
-      for (int b = 0; before != null && b < BOOTSTRAPS; b++) {
-        for (int i = 0; i < drawn.length; i++) {
-          drawn[i] = random.nextInt(drawn.length);
-        }
-        double loss =
-            measure.applyAsDouble(entry.getValue(), drawn)
-                - (1 + NO_WORSE) * measure.applyAsDouble(before, drawn);
-        losses[b] = Double.isNaN(loss) ? 0 : loss;
+      if (before == null) {
+        continue;
       }
-      Arrays.sort(losses);
+      double[] losses =
+          drawn(
+              random,
+              kicks ->
+                  measure.applyAsDouble(now, kicks)
+                      - (1 + NO_WORSE) * measure.applyAsDouble(before, kicks));
       if (losses[(int) (LOW * BOOTSTRAPS)] > 0) {
         return true;
       }
     }
     return false;
+  }
+
+  /** A measure of kicks that are drawn again and again (bootstrap), ascending; 0 where it is no number. */
+  private double[] drawn(Random random, ToDoubleFunction<int[]> measure) {
+    int[] kicks = new int[squares.length];
+    double[] values = new double[BOOTSTRAPS];
+    for (int b = 0; b < BOOTSTRAPS; b++) {
+      for (int i = 0; i < kicks.length; i++) {
+        kicks[i] = random.nextInt(kicks.length);
+      }
+      double value = measure.applyAsDouble(kicks);
+      values[b] = Double.isNaN(value) ? 0 : value;
+    }
+    Arrays.sort(values);
+    return values;
   }
 
   /**
@@ -401,15 +406,10 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
    * @return true when it does
    */
   public boolean followsMostBetterThan(HoldOut other, long seed) {
-    Random random = new Random(seed);
-    double[] gains = new double[BOOTSTRAPS];
-    for (int b = 0; b < BOOTSTRAPS; b++) {
-      for (int i = 0; i < squares.length; i++) {
-        int k = random.nextInt(squares.length);
-        gains[b] += other.level(k) - level(k);
-      }
-    }
-    Arrays.sort(gains);
+    double[] gains =
+        drawn(
+            new Random(seed),
+            kicks -> Arrays.stream(kicks).mapToDouble(k -> other.level(k) - level(k)).sum());
     return gains[(int) (LOW * BOOTSTRAPS)] > 0;
   }
 
@@ -423,21 +423,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   public double[] gainOn(HoldOut without, long seed) {
     double before = without.rmsMm();
     double after = rmsMm();
-    Random random = new Random(seed);
-    double[] gains = new double[BOOTSTRAPS];
-    for (int b = 0; b < BOOTSTRAPS; b++) {
-      double s0 = 0;
-      double s1 = 0;
-      double n = 0;
-      for (int i = 0; i < squares.length; i++) {
-        int k = random.nextInt(squares.length);
-        s0 += without.squares[k];
-        s1 += squares[k];
-        n += counts[k];
-      }
-      gains[b] = n > 0 ? 1000 * (Math.sqrt(s0 / n) - Math.sqrt(s1 / n)) : 0;
-    }
-    Arrays.sort(gains);
+    double[] gains = drawn(new Random(seed), kicks -> 1000 * (without.rms(kicks) - rms(kicks)));
     return new double[] {
       before - after,
       100 * (before - after) / before,

@@ -45,26 +45,24 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
    * @return what it leaves
    */
   public static Leftover of(FittedModel model) {
-    return of(model, record -> record);
+    return of(model, model.solution().reducedChiSquare(), record -> record);
   }
 
   /**
-   * Measures against the noise of the cameras, also where the model was fitted to kicks with more.
+   * Measures against the noise of the cameras, also where the kicks were given more.
    *
    * @param model fitted to all kicks
    * @return what it leaves
    */
   public static Leftover ofSeen(FittedModel model) {
-    return of(model, KickRecord::asSeen);
+    return of(model, model.reducedAsSeen(), KickRecord::asSeen);
   }
 
-  private static Leftover of(FittedModel model, UnaryOperator<KickRecord> noisy) {
+  private static Leftover of(FittedModel model, double reduced, UnaryOperator<KickRecord> noisy) {
     ModelState state = model.solution().state();
     double unknowns = model.model().globals().stream().filter(p -> p.estimated()).count();
     Sums slow = new Sums(BLOCK);
     Sums fast = new Sums(PAIR);
-    double heard = 0;
-    double seen = 0;
     for (int k = 0; k < model.kickCount(); k++) {
       EffectKick term = model.kick(k);
       KickRecord record = term.record();
@@ -76,12 +74,9 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       KickRecord against = noisy.apply(record);
       slow.add(against, rx, ry);
       fast.add(against, rx, ry);
-      heard += model.solution().chiSquare(k);
-      seen += model.solution().chiSquare(k) * Math.pow(against.precisionOver(record), 2);
     }
     // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
     double noise = fast.noise();
-    double reduced = model.solution().reducedChiSquare() * (heard > 0 ? seen / heard : 1);
     double all = Math.max(0, reduced - noise + TOLERANCE);
     Leftover ofBlocks = slow.leftover(unknowns, noise, all);
     Leftover ofPairs = fast.leftover(unknowns, noise, all);

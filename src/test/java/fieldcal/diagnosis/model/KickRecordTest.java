@@ -98,9 +98,9 @@ class KickRecordTest {
   }
 
   @Test
-  void aLouderKickHasLessWeightAndForgetsNothing() {
+  void aKickWithMoreNoiseHasLessWeightAndForgetsNothing() {
     KickRecord kick = field.fitter().kicks().get(0);
-    KickRecord louder = kick.louder(4);
+    KickRecord louder = kick.withNoise(4);
     double[] plain = new double[2];
     double[] loud = new double[2];
     kick.whiten(3, 0.002, -0.001, plain);
@@ -111,12 +111,15 @@ class KickRecordTest {
     assertThat(kick.asSeen()).isSameAs(kick);
     assertThat(louder.asSeen().variance(3)).isEqualTo(kick.variance(3));
     assertThat(louder.variance(3)).isCloseTo(16 * kick.variance(3), within(1e-12));
-    assertThat(kick.precisionOver(louder)).isCloseTo(4, within(1e-12));
+    assertThat(louder.timesNoise()).isCloseTo(4, within(1e-12));
+    assertThat(louder.whole()).isSameAs(louder);
     boolean[] some = kick.used();
     some[0] = false;
-    KickRecord cut = louder.louder(2).withUsed(some);
+    KickRecord cut = louder.withNoise(2).withUsed(some);
     assertThat(cut.variance(3)).isCloseTo(64 * kick.variance(3), within(1e-12));
     assertThat(cut.asSeen().variance(3)).isEqualTo(kick.variance(3));
+    assertThat(cut.whole().variance(3)).isEqualTo(cut.variance(3));
+    assertThat(cut.whole().usedCount()).isEqualTo(kick.usedCount());
     assertThat(cut.asSeen().usedCount()).isEqualTo(cut.usedCount());
   }
 }

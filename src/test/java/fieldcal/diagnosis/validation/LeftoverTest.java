@@ -57,10 +57,10 @@ class LeftoverTest {
 
   /** What a kick's own noise is taken for hides what the model leaves, but not from who asks for the cameras' noise. */
   @Test
-  void louderKicksHideItFromTheFitAlone() {
+  void moreNoiseHidesItFromTheFitAlone() {
     FittedField field = FittedField.flats("air_drag:cd=0.45");
     FittedModel plain = field.simple();
-    List<KickRecord> louder = plain.records().stream().map(k -> k.louder(20)).toList();
+    List<KickRecord> louder = plain.records().stream().map(k -> k.withNoise(20)).toList();
     FittedModel deaf = field.simple(louder);
     Leftover seen = Leftover.ofSeen(deaf);
     assertThat(Leftover.of(deaf).isSignificant()).isFalse();
