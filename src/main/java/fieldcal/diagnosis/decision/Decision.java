@@ -146,6 +146,7 @@ public final class Decision {
     FittedModel model = scales.model;
     HoldOut without = HoldOut.of(scales.without.get(i), scales.left, seed);
     double[] gain = scales.held.gainOn(without, seed);
+    double[] heard = scales.held.heardBy(model).gainOn(without.heardBy(model), seed);
     Optional<Dependence> follows = follows(model, i);
     return new Judgement(
         scales.component(i),
@@ -155,7 +156,7 @@ public final class Decision {
         scales.evidence[i],
         gain,
         follows,
-        outcome(scales, i, follows.isPresent(), without, gain));
+        outcome(scales, i, follows.isPresent(), without, heard));
   }
 
   /** Whether kicks have spins of which nobody can say that they are the kickers': something is left that they may have taken a part of, or they follow from the kick. */

@@ -247,6 +247,21 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
+   * The same, each kick divided by how many times the cameras' noise it was given: what may be asked of a model that was fitted with this noise.
+   *
+   * @param model of these kicks
+   * @return this where none was given more
+   */
+  public HoldOut heardBy(FittedModel model) {
+    double[] weighed = new double[squares.length];
+    for (int k = 0; k < weighed.length; k++) {
+      double times = model.kick(k).record().timesNoise();
+      weighed[k] = squares[k] / (times * times);
+    }
+    return Arrays.equals(weighed, squares) ? this : new HoldOut(weighed, counts, ahead);
+  }
+
+  /**
    * Residual of all kicks.
    *
    * @return root mean square per axis, mm; NaN without kicks

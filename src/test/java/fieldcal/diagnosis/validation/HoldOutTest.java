@@ -181,4 +181,18 @@ class HoldOutTest {
     assertThat(before.followsMostBetterThan(after, 1)).isFalse();
     assertThat(before.followsMostBetterThan(before, 1)).isFalse();
   }
+
+  @Test
+  void kicksWithMoreNoiseCountLessWhereTheyAreHeard() {
+    FittedField field = FittedField.flats();
+    List<KickRecord> kicks = new ArrayList<>(field.fitter().kicks());
+    kicks.set(0, kicks.get(0).withNoise(5));
+    FittedModel model = field.simple(kicks);
+    HoldOut seen = HoldOut.of(model, false, SEED);
+    HoldOut heard = seen.heardBy(model);
+    assertThat(heard.rmsMm(0)).isCloseTo(seen.rmsMm(0) / 5, within(1e-9));
+    assertThat(heard.rmsMm(1)).isEqualTo(seen.rmsMm(1));
+    HoldOut plain = HoldOut.of(field.simple(), false, SEED);
+    assertThat(plain.heardBy(field.simple())).isSameAs(plain);
+  }
 }
