@@ -50,6 +50,9 @@ public final class Diagnoser {
   /** Nothing is selected by prediction with fewer kicks: then each is held out alone, and drawing them again says little. */
   private static final int FEWEST_PREDICTED = 6;
 
+  /** What is left must be as large as the noise, in variances, before everything is decided a second time. */
+  private static final double MUCH = 1;
+
   /** Flat kicks whose reduced chi-square stays above that are not explained by themselves. */
   private static final double EXPLAINED = 1.5;
 
@@ -353,7 +356,8 @@ public final class Diagnoser {
     /** Where something is left, with what is selected by prediction alone, beside the simple model or what was found. */
     private Decided selected(Decided first) {
       boolean few = fitter.kicks().size() < FEWEST_PREDICTED;
-      boolean left = Leftover.of(first.best.model()).isSignificant();
+      Leftover leftover = Leftover.of(first.best.model());
+      boolean left = leftover.isSignificant() && leftover.systematic() > MUCH;
       if (problem.maxCauses() == 0 || few || !left) {
         return first;
       }
