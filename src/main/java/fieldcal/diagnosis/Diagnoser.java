@@ -125,9 +125,7 @@ public final class Diagnoser {
         found = failed.guarded("the search for causes", base, () -> searchNamed(kicks));
       }
       progress.stage("weighing the explanations");
-      Decided first = decide(found);
-      Decided last = failed.guarded("the selection by prediction", first, () -> selected(first));
-      return answer(last).diagnosis(trace, failed.problems());
+      return answer(selected(decide(found))).diagnosis(trace, failed.problems());
     }
 
     private List<KickRecord> screenAndFit() {
@@ -316,9 +314,11 @@ public final class Diagnoser {
      *
      * @param screened these kicks and what may explain them
      * @param base the simple model that it is compared with
+     * @param heldBase how that one does on kicks that were held out
      * @param best the model that was chosen
      */
-    private record Decided(DiagnosisCase screened, FittedModel base, Weighed best) {
+    private record Decided(
+        DiagnosisCase screened, FittedModel base, HoldOut heldBase, Weighed best) {
 
       boolean isNothing() {
         return best.model().model().components().isEmpty();
@@ -332,12 +332,9 @@ public final class Diagnoser {
       }
     }
 
-    private DiagnosisCase screened() {
-      return new DiagnosisCase(problem, catalogue, settings, fitter, arena, base, solver);
-    }
-
     private Decided decide(FittedModel found) {
-      DiagnosisCase screened = screened();
+      DiagnosisCase screened =
+          new DiagnosisCase(problem, catalogue, settings, fitter, arena, base, solver);
       HoldOut heldBase = HoldOut.of(base, true, problem.seed());
       ModelChoice choice = new ModelChoice(screened, heldBase, trace, progress::part);
       Weighed named = new Weighed(base, List.of(), heldBase);
@@ -350,7 +347,7 @@ public final class Diagnoser {
       if (nothing || !(best.held().rmsMm() <= heldBase.rmsMm())) {
         best = new Weighed(base, List.of(), heldBase);
       }
-      return new Decided(screened, base, best);
+      return new Decided(screened, base, heldBase, best);
     }
 
     /** Where something is left, with what is selected by prediction alone, beside the simple model or what was found. */
@@ -403,7 +400,8 @@ public final class Diagnoser {
         if (!closer) {
           return Optional.empty();
         }
-        return Optional.of(without ? next : new Decided(next.screened, first.base, next.best));
+        return Optional.of(
+            without ? next : new Decided(next.screened, first.base, first.heldBase, next.best));
       } finally {
         fitter = all;
         arena = whole;
@@ -441,7 +439,7 @@ public final class Diagnoser {
           best.judged(),
           kickers,
           best.held(),
-          HoldOut.of(decided.base, true, problem.seed()));
+          decided.heldBase);
     }
   }
 }

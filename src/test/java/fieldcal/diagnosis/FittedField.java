@@ -24,6 +24,7 @@ import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraSettings;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.vision.RobotId;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -104,6 +105,19 @@ public record FittedField(
         problem.commands(),
         problem.maxCauses(),
         problem.seed());
+  }
+
+  /** The same field, some of whose flat balls a gust pushes aside, each at another time: 1 m/s² for up to a second. */
+  public FittedField withGusts(int... pushed) {
+    List<KickFit> fits = new ArrayList<>(problem.fits());
+    for (int k : pushed) {
+      double from = 0.2 + 0.05 * k;
+      Kick kick =
+          MovedBall.shifted(
+              fits.get(k).kick(), t -> 0.5 * Math.pow(Math.min(1, Math.max(0, t - from)), 2));
+      fits.set(k, fit(kick, KickKind.FLAT));
+    }
+    return of(problem(fits));
   }
 
   /** A kick's own fit, begun at the simple model. */

@@ -10,9 +10,6 @@ import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.learned.LearnedLibrary;
-import fieldcal.fit.KickFit;
-import fieldcal.kick.Kick;
-import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import java.util.ArrayList;
 import java.util.List;
@@ -41,24 +38,11 @@ class PredictiveSelectionTest {
     assertThat(trace).isEmpty();
   }
 
-  /** The same with some balls pushed aside, 1 m/s² for a second. */
-  private static FittedField gusts(FittedField calm, int... pushed) {
-    List<KickFit> fits = new ArrayList<>(calm.problem().fits());
-    for (int k : pushed) {
-      double from = 0.2 + 0.05 * k;
-      Kick kick =
-          MovedBall.shifted(
-              fits.get(k).kick(), t -> 0.5 * Math.pow(Math.min(1, Math.max(0, t - from)), 2));
-      fits.set(k, calm.fit(kick, KickKind.FLAT));
-    }
-    return FittedField.of(calm.problem(fits));
-  }
-
   /** What pushes a few balls is in no other kick. */
   @Test
   void nothingIsSelectedForAFewKicks() {
     FittedField calm = FittedField.of(FittedField.SOUND.withScenario(ScenarioKind.FLAT, 14));
-    FittedField field = gusts(calm, 2, 5, 8, 11);
+    FittedField field = calm.withGusts(2, 5, 8, 11);
     assertThat(selected(field)).isSameAs(field.simple());
     assertThat(trace).isEmpty();
   }
@@ -70,7 +54,7 @@ class PredictiveSelectionTest {
             FittedField.SOUND
                 .withScenario(ScenarioKind.FLAT, 14)
                 .withEffects("speed_dependent_roll:slope=0.08"));
-    FittedField field = gusts(calm, 5);
+    FittedField field = calm.withGusts(5);
     FittedModel found = selected(field);
     assertThat(found.effects())
         .as("%s", trace)

@@ -73,13 +73,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
 
     /** Root mean square of kicks that may come more than once, m; NaN when none of them was predicted so far. */
     private double rms(int[] kicks) {
-      double sum = 0;
-      double n = 0;
-      for (int k : kicks) {
-        sum += squares[k];
-        n += counts[k];
-      }
-      return Math.sqrt(sum / n);
+      return HoldOut.rms(squares, counts, kicks);
     }
 
     /** Geometric mean of the errors of kicks that may come more than once, m; NaN when none of them was predicted so far. */
@@ -271,8 +265,8 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
     return n > 0 ? 1000 * Math.sqrt(Arrays.stream(squares).sum() / n) : Double.NaN;
   }
 
-  /** Root mean square of kicks that may come more than once, m. */
-  private double rms(int[] kicks) {
+  /** Root mean square of kicks that may come more than once, m; NaN when none of them has any. */
+  private static double rms(double[] squares, int[] counts, int[] kicks) {
     double sum = 0;
     double n = 0;
     for (int k : kicks) {
@@ -280,6 +274,10 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
       n += counts[k];
     }
     return Math.sqrt(sum / n);
+  }
+
+  private double rms(int[] kicks) {
+    return rms(squares, counts, kicks);
   }
 
   /**
