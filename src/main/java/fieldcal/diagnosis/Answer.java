@@ -10,7 +10,6 @@ import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelState;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.SearchStep;
-import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
@@ -23,45 +22,37 @@ import java.util.Optional;
 /**
  * What was decided, and the diagnosis that it makes. Immutable.
  *
- * @param screened the screened kicks and what may explain them
- * @param base the simple model that the answer is compared with
- * @param extended the model to predict with
- * @param judged judgements of what is in it
+ * @param decided the model that was chosen, beside the simple one
  * @param kickers causes that only commands show
- * @param held how it does on kicks that were held out
- * @param heldBase how the simple model does on them
  */
-record Answer(
-    DiagnosisCase screened,
-    FittedModel base,
-    FittedModel extended,
-    List<Judgement> judged,
-    List<Cause> kickers,
-    HoldOut held,
-    HoldOut heldBase) {
+record Answer(Decided decided, List<Cause> kickers) {
 
   /** The diagnosis, with what was tried and what failed. */
   Diagnosis diagnosis(List<SearchStep> trace, List<String> problems) {
+    FittedModel base = decided.base();
+    FittedModel extended = decided.model();
+    List<Judgement> judged = decided.best().judged();
     Leftover after = Leftover.ofSeen(extended);
     List<Cause> causes = new ArrayList<>();
     List<LearnedFinding> learned = new ArrayList<>();
     for (int i = 0; i < judged.size(); i++) {
       Judgement j = judged.get(i);
       if (j.isName()) {
-        causes.add(cause(j, screened.decision().ties(extended, i, j)));
+        causes.add(cause(j, decided.screened().decision().ties(extended, i, j)));
       } else {
-        learned.add(LearnedFindings.of(extended, i, j, screened.arena()));
+        learned.add(LearnedFindings.of(extended, i, j, decided.screened().arena()));
       }
     }
     learned.sort((x, y) -> Double.compare(y.gain().mm(), x.gain().mm()));
     causes.addAll(kickers);
     causes.sort((x, y) -> Double.compare(y.evidence(), x.evidence()));
-    while (causes.size() > screened.problem().maxCauses()) {
+    while (causes.size() > decided.screened().problem().maxCauses()) {
       causes.remove(causes.size() - 1);
     }
-    List<StructureProfile> before = Profiles.of(base, screened.problem().sessionStart());
-    List<StructureProfile> left = Profiles.of(extended, screened.problem().sessionStart());
-    Quality quality = Quality.of(base, heldBase);
+    List<StructureProfile> before = Profiles.of(base, decided.screened().problem().sessionStart());
+    List<StructureProfile> left =
+        Profiles.of(extended, decided.screened().problem().sessionStart());
+    Quality quality = Quality.of(base, decided.heldBase());
     Unexplained unexplained =
         new Unexplained(
             after.isSignificant(),
@@ -71,7 +62,7 @@ record Answer(
     return new Diagnosis(
         verdict(causes, learned, unexplained.significant()),
         quality,
-        Quality.of(extended, held),
+        Quality.of(extended, decided.best().held()),
         causes,
         learned,
         candidates(causes),
@@ -84,7 +75,7 @@ record Answer(
         trace,
         problems,
         ballErrors(extended),
-        screened.seed());
+        decided.screened().seed());
   }
 
   private static Map<String, Double> ballErrors(FittedModel f) {
@@ -117,7 +108,7 @@ record Answer(
 
   private List<Candidate> candidates(List<Cause> causes) {
     List<Candidate> all = new ArrayList<>();
-    for (Alternatives.Scored s : screened.alternatives().scores(base)) {
+    for (Alternatives.Scored s : decided.screened().alternatives().scores(decided.base())) {
       boolean named =
           causes.stream()
               .anyMatch(
@@ -130,6 +121,8 @@ record Answer(
   }
 
   private List<KickResiduals> residuals() {
+    FittedModel base = decided.base();
+    FittedModel extended = decided.model();
     ModelState stateBefore = base.solution().state();
     ModelState stateAfter = extended.solution().state();
     List<KickResiduals> all = new ArrayList<>();
@@ -155,8 +148,8 @@ record Answer(
               r[2],
               r[3],
               d.used(),
-              heldBase.rmsMm(k),
-              held.rmsMm(k)));
+              decided.heldBase().rmsMm(k),
+              decided.best().held().rmsMm(k)));
     }
     return all;
   }
@@ -167,9 +160,9 @@ record Answer(
     effects.removeIf(e -> !e.hasOwnMean());
     kickers.forEach(c -> effects.add(c.effect()));
     return new ExtendedModel(
-        screened.arena().flats() ? Optional.of(state.flat()) : Optional.empty(),
-        screened.arena().chips() ? Optional.of(state.chip()) : Optional.empty(),
+        decided.screened().arena().flats() ? Optional.of(state.flat()) : Optional.empty(),
+        decided.screened().arena().chips() ? Optional.of(state.chip()) : Optional.empty(),
         effects,
-        screened.problem().sessionStart());
+        decided.screened().problem().sessionStart());
   }
 }

@@ -18,7 +18,6 @@ final class SampledSearch {
 
   private static final int COARSE_ITERATIONS = 15;
 
-  private final double sessionStart;
   private final SharedSolver solver;
 
   /** Of a search only the differences between models count. */
@@ -28,17 +27,11 @@ final class SampledSearch {
   private final DiagnosisProgress progress;
 
   /**
-   * @param sessionStart begin of the session on the kicks' clock, s
    * @param solver of the fits before and after a search
    * @param trace to which what was tried is added
-   * @param progress told which part of a search begins, and of every fit
+   * @param progress told which part of a search begins
    */
-  SampledSearch(
-      double sessionStart,
-      SharedSolver solver,
-      List<SearchStep> trace,
-      DiagnosisProgress progress) {
-    this.sessionStart = sessionStart;
+  SampledSearch(SharedSolver solver, List<SearchStep> trace, DiagnosisProgress progress) {
     this.solver = solver;
     this.trace = trace;
     this.progress = progress;
@@ -62,7 +55,7 @@ final class SampledSearch {
       return found(fitter, start, dictionary, most, revises);
     }
     List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
-    ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
+    ModelFitter few = fitter.among(some);
     FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = found(few, begin, dictionary, most, revises);
     FittedModel all = fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);
@@ -91,7 +84,7 @@ final class SampledSearch {
       return new PredictiveSelection(fitter, dictionary, solver, seed).from(start, steps);
     }
     List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
-    ModelFitter few = new ModelFitter(some, sessionStart, progress::fitted);
+    ModelFitter few = fitter.among(some);
     FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = new PredictiveSelection(few, dictionary, solver, seed).from(begin, steps);
     return found == begin

@@ -36,6 +36,16 @@ public final class ModelFitter {
   }
 
   /**
+   * A fitter of other kicks of the same session.
+   *
+   * @param others at least one
+   * @return told of by the same watcher
+   */
+  public ModelFitter among(List<KickRecord> others) {
+    return new ModelFitter(others, sessionStart, watcher);
+  }
+
+  /**
    * The kicks.
    *
    * @return as given

@@ -1,0 +1,45 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.ModelChoice.Weighed;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.diagnosis.validation.HoldOut;
+import java.util.List;
+
+/** The stages that decide what stays of a model that was found, and what describes the rest. Not thread-safe. */
+final class Decider {
+  private final SampledSearch search;
+  private final List<SearchStep> trace;
+  private final FailedStages failed;
+  private final DiagnosisProgress progress;
+
+  /**
+   * @param search for curves
+   * @param trace to which simplifications are added
+   * @param failed told of searches that fail
+   * @param progress told in words what is being done
+   */
+  Decider(
+      SampledSearch search,
+      List<SearchStep> trace,
+      FailedStages failed,
+      DiagnosisProgress progress) {
+    this.search = search;
+    this.trace = trace;
+    this.failed = failed;
+    this.progress = progress;
+  }
+
+  /** Decides about a model that was found for these kicks; nothing stays that does not follow held-out kicks better than the simple model. */
+  Decided decide(DiagnosisCase at, FittedModel found) {
+    HoldOut heldBase = HoldOut.of(at.base(), true, at.seed());
+    Weighed simple = new Weighed(at.base(), List.of(), heldBase);
+    ModelChoice choice = new ModelChoice(at, heldBase, trace, progress::part);
+    boolean none = found.model().components().isEmpty();
+    Weighed named = none ? simple : choice.of(found);
+    Weighed best = new UnnamedTerms(at, choice, heldBase, search, failed, progress).beside(named);
+    boolean nothing = best.model().model().components().isEmpty();
+    boolean worse = !(best.held().rmsMm() <= heldBase.rmsMm());
+    return new Decided(at, at.base(), heldBase, nothing || worse ? simple : best);
+  }
+}

@@ -1,0 +1,115 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
+import fieldcal.diagnosis.screening.KickScreen;
+import fieldcal.kick.KickKind;
+import java.util.List;
+
+/** The stage that searches among the named effects; kicks that stand out are then screened again with what was found. Not thread-safe. */
+final class NamedSearch {
+  /** How often the kicks are screened again with the model that was found. */
+  private static final int SCREENINGS = 3;
+
+  /** With fewer flat kicks the search does not begin with these alone. */
+  private static final int FEWEST_FLATS = 6;
+
+  /** Flat kicks whose reduced chi-square stays above that are not explained by themselves. */
+  private static final double EXPLAINED = 1.5;
+
+  /** Components of a model beside those that may be named: forms of others, and components that are removed later. */
+  private static final int SPARE = 5;
+
+  private final SampledSearch search;
+  private final DiagnosisProgress progress;
+
+  /**
+   * @param search for components
+   * @param progress told in words what is being done
+   */
+  NamedSearch(SampledSearch search, DiagnosisProgress progress) {
+    this.search = search;
+    this.progress = progress;
+  }
+
+  /**
+   * What was found.
+   *
+   * @param at the kicks as they were screened last
+   * @param model fitted to them, all of which weigh alike
+   */
+  record Found(DiagnosisCase at, FittedModel model) {}
+
+  Found search(DiagnosisCase given) {
+    DiagnosisCase at = given;
+    FittedModel start = easierFirst(at);
+    for (int round = 0; round < SCREENINGS; round++) {
+      progress.stage(round == 0 ? "searching for causes" : "searching for causes again");
+      FittedModel found = named(at, start);
+      ModelFitter fitter = at.fitter();
+      FittedModel best = fitter.withLowHops(search.alike(fitter, found), at.solver());
+      FittedModel seen = explaining(at, best, found);
+      List<KickRecord> before = fitter.kicks();
+      List<KickRecord> revised = at.screen().revise(seen, true);
+      if (revised.equals(before)) {
+        revised = at.screen().withoutStrays(seen);
+      }
+      if (revised.size() == before.size() && revised.equals(before)) {
+        return new Found(at, best);
+      }
+      progress.stage("looking again at kicks that stand out");
+      at = at.refitted(revised);
+      start = at.fit(seen, Weighing.EXPLAINED_FIRST);
+    }
+    return new Found(at, search.alike(at.fitter(), start));
+  }
+
+  /** The fit that says which kicks stand out. One that is no free ball leads a fit in which all weigh alike away from the others. */
+  private static FittedModel explaining(DiagnosisCase at, FittedModel alike, FittedModel found) {
+    if (!KickScreen.hasStandingOut(alike)) {
+      return alike;
+    }
+    FittedModel deaf =
+        at.fitter().fit(found.resumed(), found, Weighing.EXPLAINED_ONLY, at.solver());
+    return at.screen().explainsMost(deaf) ? deaf : alike;
+  }
+
+  private FittedModel named(DiagnosisCase at, FittedModel start) {
+    int most = at.problem().maxCauses() + SPARE;
+    return search.search(at.fitter(), start, at.dictionary(), most, true);
+  }
+
+  /**
+   * Where a search among all kicks begins: at what was found among those that are easier. Chips mask much while their bounces are not understood, and a kick that was touched may leave more than all others; both are looked at again with what the
+   * others showed.
+   */
+  private FittedModel easierFirst(DiagnosisCase at) {
+    List<KickRecord> quiet = KickScreen.withoutDominant(at.base());
+    List<KickRecord> flats = quiet.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
+    FittedModel start = at.base();
+    if (at.arena().chips() && flats.size() >= FEWEST_FLATS) {
+      progress.stage("searching for causes in the flat kicks");
+      start = foundAmong(at, flats, start);
+    }
+    if (quiet.size() < at.fitter().kicks().size()) {
+      progress.stage("searching for causes without the kicks that stand out most");
+      start = foundAmong(at, quiet, start);
+    }
+    return start;
+  }
+
+  /** What is found among some kicks, fitted to all; as it was where that does not explain them. */
+  private FittedModel foundAmong(DiagnosisCase all, List<KickRecord> kicks, FittedModel start) {
+    DiagnosisCase some = all.refitted(kicks);
+    boolean fromNothing = start == all.base();
+    FittedModel begin = fromNothing ? some.base() : some.fit(start, Weighing.EXPLAINED_FIRST);
+    FittedModel found = named(some, begin);
+    if (found.solution().reducedChiSquare() > EXPLAINED && !all.screen().explainsMost(found)) {
+      return start;
+    }
+    return all.fitter()
+        .fit(found.resumed().in(all.arena()), all.base(), Weighing.EXPLAINED_FIRST, all.solver());
+  }
+}
