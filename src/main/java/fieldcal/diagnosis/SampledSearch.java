@@ -81,12 +81,12 @@ final class SampledSearch {
       List<SearchStep> steps) {
     int n = start.kickCount();
     if (n <= SEARCHED_KICKS) {
-      return new PredictiveSelection(fitter, dictionary, solver, seed).from(start, steps);
+      return new PredictiveSelection(fitter, dictionary, coarse, seed).from(start, steps);
     }
     List<KickRecord> some = sample(n).mapToObj(fitter.kicks()::get).toList();
     ModelFitter few = fitter.among(some);
     FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
-    FittedModel found = new PredictiveSelection(few, dictionary, solver, seed).from(begin, steps);
+    FittedModel found = new PredictiveSelection(few, dictionary, coarse, seed).from(begin, steps);
     return found == begin
         ? start
         : fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);

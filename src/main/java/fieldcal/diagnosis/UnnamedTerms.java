@@ -93,7 +93,9 @@ final class UnnamedTerms {
    */
   Weighed beside(Weighed named) {
     Weighed best = named;
-    if (Leftover.of(named.model()).isSignificant()) {
+    boolean lawful =
+        named.judged().stream().anyMatch(j -> j.component().isChance() && j.follows().isPresent());
+    if (lawful || Leftover.of(named.model()).isSignificant()) {
       progress.stage("describing what has no name");
       best = described(named);
     }
@@ -213,7 +215,8 @@ final class UnnamedTerms {
   /** With chance and learned terms. Several effects may have imitated one that has no name: then curves alone leave much less, and nothing is named. */
   private Weighed withoutLaws(Weighed found) {
     Weighed best = curved(found);
-    if (best.model().model().components().isEmpty() || !Leftover.of(best.model()).isSignificant()) {
+    boolean alreadyAlone = found.model().model().components().isEmpty();
+    if (alreadyAlone || !Leftover.of(best.model()).isSignificant()) {
       return best;
     }
     Weighed alone = choice.of(withCurves(base, List.of(), true));

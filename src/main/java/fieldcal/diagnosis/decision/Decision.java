@@ -81,6 +81,7 @@ public final class Decision {
    * @param curves what learned curves explain together beside a law
    * @param information what the kicks tell of each component beside the others
    * @param held how the model does on kicks that were held out
+   * @param heldWithoutChance the same with the mean of what differs from kick to kick by chance; null where nothing does
    */
   private record Scales(
       FittedModel model,
@@ -90,7 +91,8 @@ public final class Decision {
       boolean left,
       double curves,
       Information information,
-      HoldOut held) {
+      HoldOut held,
+      HoldOut heldWithoutChance) {
 
     Component component(int i) {
       return model.model().components().get(i);
@@ -139,14 +141,28 @@ public final class Decision {
     }
     double curves = curvesBesideLaw(model, noise);
     boolean seen = Leftover.ofSeen(model).isSignificant();
-    return new Scales(model, without, evidence, excess, seen, curves, Information.of(model), held);
+    boolean chance = model.model().components().stream().anyMatch(Component::isChance);
+    return new Scales(
+        model,
+        without,
+        evidence,
+        excess,
+        seen,
+        curves,
+        Information.of(model),
+        held,
+        chance ? HoldOut.withoutChance(model, seed) : null);
   }
 
   private Judgement judge(Scales scales, int i) {
     FittedModel model = scales.model;
-    HoldOut without = HoldOut.of(scales.without.get(i), scales.left, seed);
-    double[] gain = scales.held.gainOn(without, seed);
-    double[] heard = scales.held.heardBy(model).gainOn(without.heardBy(model), seed);
+    FittedModel less = scales.without.get(i);
+    HoldOut without = HoldOut.of(less, scales.left, seed);
+    Gains gains = Gains.of(model, scales.held, without, seed);
+    if (scales.heldWithoutChance != null && !scales.component(i).isPerKick()) {
+      HoldOut byMeans = HoldOut.withoutChance(less, seed);
+      gains = gains.orMoreCertain(Gains.of(model, scales.heldWithoutChance, byMeans, seed));
+    }
     Optional<Dependence> follows = follows(model, i);
     return new Judgement(
         scales.component(i),
@@ -154,9 +170,27 @@ public final class Decision {
         model.errors(i).orElse(Map.of()),
         model.scatter(i),
         scales.evidence[i],
-        gain,
+        gains.seen,
         follows,
-        outcome(scales, i, follows.isPresent(), without, heard));
+        outcome(scales, i, follows.isPresent(), without, gains.heard));
+  }
+
+  /**
+   * What a component gains on kicks that were held out.
+   *
+   * @param seen all kicks alike
+   * @param heard with the noise that each kick was given
+   */
+  private record Gains(double[] seen, double[] heard) {
+    static Gains of(FittedModel model, HoldOut with, HoldOut without, long seed) {
+      return new Gains(
+          with.gainOn(without, seed), with.heardBy(model).gainOn(without.heardBy(model), seed));
+    }
+
+    /** Beside what differs from kick to kick by chance, what acts within a kick shows where each has its value, and what differs between kicks shows where none has. */
+    Gains orMoreCertain(Gains other) {
+      return other.heard[HoldOut.LOWER] > heard[HoldOut.LOWER] ? other : this;
+    }
   }
 
   /** Whether kicks have spins of which nobody can say that they are the kickers': something is left that they may have taken a part of, or they follow from the kick. */

@@ -74,7 +74,7 @@ public final class Component {
     // Along an axis a magnitude has either sign.
     double min = axis.isEmpty() ? p.min() : -p.max();
     coordinates.add(named(p.withBounds(min, p.max()).withValue(value).free(), axis));
-    double deviation = (perKick && !template.hasOwnMean() ? NO_MEAN : EXPECTED) * p.scale();
+    double deviation = (isChance() ? NO_MEAN : EXPECTED) * p.scale();
     // A law that replaces another has no absence to be near to: about where it starts.
     double mean = template.starts().isEmpty() ? 0 : value;
     priors.add(new Prior(mean, 1 / (deviation * deviation)));
@@ -207,6 +207,15 @@ public final class Component {
    */
   public boolean isPerKick() {
     return perKick;
+  }
+
+  /**
+   * Whether it has another value in each kick and no cause: its mean is a parameter of the ball, or zero.
+   *
+   * @return true for a random effect without a mean of its own
+   */
+  public boolean isChance() {
+    return perKick && !template.hasOwnMean();
   }
 
   /**

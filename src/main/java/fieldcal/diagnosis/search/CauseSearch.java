@@ -1,8 +1,10 @@
 package fieldcal.diagnosis.search;
 
+import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
+import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
@@ -129,7 +131,33 @@ public final class CauseSearch {
       best = pursuit(refits).settled(best);
     }
     progress.accept("looking for simpler models");
-    return simplification.simplified(best, maxComponents);
+    FittedModel simplest = simplification.simplified(best, maxComponents);
+    return chanceMayBeBehind(simplest) ? besideChance(start, simplest) : simplest;
+  }
+
+  /** Whether several things move the ball otherwise than the start's model says, which may all follow what differs by chance. */
+  private static boolean chanceMayBeBehind(FittedModel model) {
+    return model.model().components().stream()
+            .filter(c -> c.template() instanceof MotionEffect && !c.isLaw())
+            .count()
+        > 1;
+  }
+
+  /** What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. */
+  private FittedModel besideChance(FittedModel start, FittedModel found) {
+    FittedModel best = found;
+    for (Component chance : dictionary.chance(start.model())) {
+      Refits refits = refits(Weighing.EXPLAINED_FIRST);
+      List<Component> with = new ArrayList<>(start.model().components());
+      with.add(chance);
+      FittedModel grown = pursuit(refits).grown(refits.fit(start, with), Pursuit.Order.BEST, true);
+      FittedModel settled = pursuit(refits).settled(grown);
+      FittedModel needed = new Chance(refits, trace).onlyWhatIsNeeded(settled);
+      if (isExplained(needed) && Price.total(needed) < Price.total(best)) {
+        best = needed;
+      }
+    }
+    return best;
   }
 
   private Refits refits(Weighing weighing) {

@@ -4,6 +4,7 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.KickerEffect;
 import fieldcal.effect.MotionEffect;
 import java.util.ArrayList;
@@ -17,6 +18,7 @@ public final class Dictionary {
   private final Map<String, List<Proposal>> placed = new LinkedHashMap<>();
   private final List<Effect> laws = new ArrayList<>();
   private final List<Proposal> together = new ArrayList<>();
+  private final List<Component> chance;
   private final double[] kickTimes;
 
   /**
@@ -27,6 +29,11 @@ public final class Dictionary {
    */
   public Dictionary(List<? extends Effect> effects, Arena arena) {
     kickTimes = arena.kickTimes();
+    chance =
+        EffectCatalogue.unnamed().stream()
+            .filter(e -> e.canShowIn(arena))
+            .map(Component::perKick)
+            .toList();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
         // A kicker's command is compared with what the kick's own velocity came out as.
@@ -116,6 +123,13 @@ public final class Dictionary {
       there = there.with(name, had.template().value(name));
     }
     return c.startingAt(there);
+  }
+
+  /** What may differ from kick to kick by chance, whether it may be proposed or not, of which a model has none. */
+  List<Component> chance(EffectModel model) {
+    return chance.stream()
+        .filter(c -> model.components().stream().noneMatch(c::isSameCause))
+        .toList();
   }
 
   /** When the kicks were, session time, s, ascending. */

@@ -23,7 +23,7 @@ final class Pursuit {
   /** How many come at once: beyond that, columns at the old point do not describe the new one. */
   private static final int MOST_AT_ONCE = 3;
 
-  /** Joint refits after which early choices are not questioned any more: a recording whose physics the dictionary does not have would keep the search busy. */
+  /** Joint refits of one manner after which early choices are neither exchanged nor moved any more: a recording whose physics the dictionary does not have would keep the search busy. */
   private static final int MOST_FITS = 60;
 
   /** Rounds in a row that add nothing: in 500 steps of recordings that ended explained there were never more than two. Where more follow, the equations at this point do not describe the next one, and each of the many proposals would cost a joint fit. */
@@ -125,7 +125,7 @@ final class Pursuit {
     best = start;
     held = List.of();
     int i = 0;
-    while (i < best.model().components().size()) {
+    while (i < best.model().components().size() && refits.count() <= MOST_FITS) {
       FittedModel at = best;
       if (!at.model().components().get(i).hasPlace()) {
         i++;

@@ -23,6 +23,9 @@ final class Scorer {
   /** Scatters at which a random effect is tried, in scales. */
   private static final double[] SCATTERS = {0.3, 1, 3};
 
+  /** Of the squares of values that differ by chance, no proposal explains more. */
+  private static final double MOST_SHARE = 0.9;
+
   private final FittedModel model;
   private final ScoreSystem system;
   private final double[] precisions;
@@ -164,7 +167,22 @@ final class Scorer {
     } else {
       gain = at.gain(of);
     }
-    return first.isPerKick() ? gain + randomGain(columns(first)[0], first, at) : gain;
+    return first.isPerKick()
+        ? gain + randomGain(columns(first)[0], first, at)
+        : gain + gainOfScatters(gain);
+  }
+
+  /**
+   * What is gained in addition because values that differ from kick to kick differ less beside a proposal that explains a part of them: the equations hold their scatter, which then falls. A share s of the squares of n values is worth n·s while the scatter is held, and
+   * −n·ln(1 − s) once it is estimated again.
+   */
+  private double gainOfScatters(double gain) {
+    int n = system.kicks();
+    if (model.model().random().isEmpty() || !(gain > 0)) {
+      return 0;
+    }
+    double share = Math.min(MOST_SHARE, gain / n);
+    return n * (-Math.log1p(-share) - share);
   }
 
   /** What values of each kick's own gain when the mean and everything swept in have been fitted again. */

@@ -1,5 +1,6 @@
 package fieldcal.diagnosis.validation;
 
+import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
@@ -53,6 +54,9 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
 
   /** Index of the lower bound in {@link #gainOn}. */
   public static final int LOWER = 2;
+
+  /** A scatter of that share of what it is leaves a kick's value at its mean. */
+  private static final double NO_SCATTER = 1e-3;
 
   private static final int BOOTSTRAPS = 1000;
   private static final double LOW = 0.025;
@@ -120,6 +124,26 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
    * @return how well it does
    */
   public static HoldOut of(FittedModel model, boolean predicts, long seed) {
+    return of(model, predicts, model.solution().scatters(), seed);
+  }
+
+  /**
+   * Validates with the mean of whatever differs from kick to kick by chance: a kick that was held out has a value of its own otherwise, and hides there what differs between the kicks by a cause.
+   *
+   * @param model fitted to all kicks
+   * @param seed of the parts
+   * @return how well it does; without predictions
+   */
+  public static HoldOut withoutChance(FittedModel model, long seed) {
+    double[] scatters = model.solution().scatters();
+    List<Component> random = model.model().random();
+    for (int r = 0; r < scatters.length; r++) {
+      scatters[r] = random.get(r).isChance() ? NO_SCATTER * scatters[r] : scatters[r];
+    }
+    return of(model, false, scatters, seed);
+  }
+
+  private static HoldOut of(FittedModel model, boolean predicts, double[] scatters, long seed) {
     int n = model.kickCount();
     int[] part = parts(model, seed);
     ModelState[] states = new ModelState[PARTS];
@@ -139,7 +163,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
     List<One> all =
         IntStream.range(0, n)
             .parallel()
-            .mapToObj(k -> one(model, k, states[part[k]], means[part[k]], predicts))
+            .mapToObj(k -> one(model, k, states[part[k]], means[part[k]], scatters, predicts))
             .toList();
     double[] squares = all.stream().mapToDouble(One::squares).toArray();
     int[] counts = all.stream().mapToInt(One::count).toArray();
@@ -179,11 +203,15 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   private static One one(
-      FittedModel model, int k, ModelState state, double[] means, boolean predicts) {
+      FittedModel model,
+      int k,
+      ModelState state,
+      double[] means,
+      double[] scatters,
+      boolean predicts) {
     SharedSolver solver = SharedSolver.withDefaults().withMaxIterations(20);
     EffectKick term = model.kick(k);
     KickRecord record = term.record();
-    double[] scatters = model.solution().scatters();
     OwnFit<ModelState> fit = solver.fitOwn(term, model.solution().own(k), state, means, scatters);
     double[] rx = new double[record.size()];
     double[] ry = new double[record.size()];
