@@ -22,10 +22,16 @@ final class AccelerationLimit {
   private static final double GAIN = 1.1;
 
   /** An envelope, which has 36 numbers of its own, replaces the named effects when so many times more manoeuvres lie at it: by chance up to 1.05 in simulated matches of three minutes … */
-  private static final double ENVELOPE_GAIN = 1.2;
+  private static final double ENVELOPE_GAIN = 1.1;
 
   /** … or when its shape departs from theirs by so many standard errors, rms over the directions: by chance, and by what their errors do not hold, up to 1.6. */
   private static final double DEPARTS = 3;
+
+  /**
+   * From so many times more on, the shape may be another than the named one. An ellipse that is 30 to 50 % weaker sideways, or braking by 1 − 0.3·sin²φ, had 1.05 to 1.13 and limits that were 4 to 10 % too large; teams with |sin φ| had up to 1.035. So what the
+   * limit would be with the envelope goes into the error.
+   */
+  private static final double DOUBTFUL_GAIN = 1.04;
 
   /** Standard errors from zero. */
   private static final double SIGNIFICANT = 5;
@@ -224,7 +230,7 @@ final class AccelerationLimit {
 
   private double[] column(MovementEffect effect) {
     if (effect == MovementEffect.DIRECTIONAL) {
-      return data.sine2();
+      return data.sine();
     }
     double[] share = data.speed().clone();
     for (int i = 0; i < share.length; i++) {
@@ -309,6 +315,17 @@ final class AccelerationLimit {
     return difference > SMALLEST * most.value() && difference > SIGNIFICANT * error;
   }
 
+  /** How far a limit is from that of an envelope which describes the manoeuvres somewhat better than what is named; 0 where it does not. */
+  private double doubt(double limit) {
+    boolean doubtful =
+        named.contains(MovementEffect.DIRECTIONAL)
+            && envelope != null
+            && envelope.shareWith() > DOUBTFUL_GAIN * envelope.shareWithout();
+    return doubtful
+        ? envelope.strongest().map(most -> Math.abs(limit - most.value())).orElse(0.0)
+        : 0;
+  }
+
   private boolean shaped() {
     return envelope != null && envelope.shaped();
   }
@@ -341,7 +358,7 @@ final class AccelerationLimit {
     double part = edge.share() < REACHED ? SYSTEMATIC_OF_FEW : SYSTEMATIC;
     double coefficients = Math.hypot(effects.errorOf(edge, reduced), shared.errorOf(edge, reduced));
     double systematic = Math.hypot(part, coefficients) * edge.value();
-    double random = Math.hypot(edge.error(), differ);
+    double random = Math.hypot(Math.hypot(edge.error(), differ), doubt(edge.value()));
     double error = Math.hypot(Math.hypot(random, systematic), edge.hidden());
     return estimate(edge.value(), error, edge.share());
   }

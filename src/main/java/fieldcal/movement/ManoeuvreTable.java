@@ -70,9 +70,9 @@ final class ManoeuvreTable {
   record Columns(
       double[] acceleration, double[] error, double[] speed, double[] direction, double[] count) {
 
-    /** Squared sine of the direction. */
-    double[] sine2() {
-      return Arrays.stream(direction).map(phi -> Math.sin(phi) * Math.sin(phi)).toArray();
+    /** Size of the sine of the direction. */
+    double[] sine() {
+      return Arrays.stream(direction).map(phi -> Math.abs(Math.sin(phi))).toArray();
     }
 
     /** What the accelerations would be without factors that are known; NaN where a factor is. */
