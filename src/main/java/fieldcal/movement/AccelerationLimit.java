@@ -8,17 +8,17 @@ import java.util.Optional;
 /**
  * The limit of acceleration or of braking, driven or turned, and whether it depends on speed or direction.
  *
- * <p>An effect is named when, with it, clearly more manoeuvres lie at the limit than at the best uniform limit, its coefficient is clearly not zero, and large enough to matter. With a coefficient that is not
- * there, one finds some 1 % more by chance; the margins are wide enough for the eight tests that two teams need.
+ * <p>An effect is named when, with it, clearly more manoeuvres lie at the limit than at the best uniform limit, its coefficient is clearly not zero, and large enough to matter. By chance, an effect that
+ * is not there gains about 1 % of the manoeuvres. The margins are wide enough for the eight tests that two teams need.
  */
 final class AccelerationLimit {
-  /** So many manoeuvres are needed for a limit … */
+  /** Fewest manoeuvres that determine a limit. */
   static final int FEWEST = 15;
 
-  /** … and so many for telling effects. */
+  /** Fewest manoeuvres that show effects. */
   private static final int FEWEST_FOR_EFFECTS = 60;
 
-  /** With the effect so many times more manoeuvres must lie at the limit. */
+  /** An effect is named if with it so many times more manoeuvres lie at the limit. */
   private static final double GAIN = 1.1;
 
   /** An envelope, which has 36 numbers of its own, replaces the named effects when so many times more manoeuvres lie at it: by chance up to 1.05 in simulated matches of three minutes … */
@@ -39,11 +39,11 @@ final class AccelerationLimit {
   private static final double SMALLEST = 0.08;
   private static final double LARGEST = 0.97;
 
-  /** When less of the manoeuvres lie there, the limit was not reached. */
+  /** If a smaller part of the manoeuvres lies at the limit, it was not reached. */
   private static final double REACHED = 0.1;
 
   /**
-   * What the method is off by beside noise, in parts of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
+   * What the method is off by apart from noise, as a part of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
    * margin). It goes into the standard error.
    */
   static final double SYSTEMATIC = 0.006;
@@ -58,11 +58,11 @@ final class AccelerationLimit {
   private static final double LEANING = 0.3;
 
   /**
-   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by beside noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
+   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by apart from noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
    */
   private static final double SYSTEMATIC_TORQUE = 0.013;
 
-  /** The same of {@link MovementEffect#DIRECTIONAL}: 60 of acceleration and 60 of braking were off by 0.0023 and 0.0043, with errors by noise below 0.001. */
+  /** The same of {@link MovementEffect#DIRECTIONAL}: 20 of acceleration and 20 of braking were off by 0.0023 and 0.0027, and 60 and 60 of sin²φ by 0.0023 and 0.0043, with errors by noise below 0.001. */
   private static final double SYSTEMATIC_DIRECTIONAL = 0.004;
 
   private static final double[] COEFFICIENTS = {0, 0.3, 0.6};
@@ -86,7 +86,7 @@ final class AccelerationLimit {
   enum Kind {
     /** Speeding up. */
     ACCELERATION("acceleration", MovementEffect.TORQUE_LIMITED, MovementEffect.DIRECTIONAL),
-    /** Slowing down, as a size; what the motors lose by speed, brakes as well. */
+    /** Slowing down, as a positive number. It does not fall with speed: what slows the motors helps to brake. */
     BRAKING("braking", MovementEffect.DIRECTIONAL),
     /** Turning faster. */
     TURNING("turning"),
@@ -180,7 +180,7 @@ final class AccelerationLimit {
   }
 
   /**
-   * Braking of a team that accelerates less to the side: the same wheels brake, so that its braking depends on the direction as well, even where too few manoeuvres use all of it to show that by themselves.
+   * Braking of a team that accelerates less to the side. The same wheels brake, so its braking depends on the direction as well, even if too few manoeuvres brake at the limit to show it.
    */
   static AccelerationLimit braking(
       ManoeuvreTable table, double velocity, int robots, AccelerationLimit acceleration) {
@@ -265,7 +265,7 @@ final class AccelerationLimit {
     return Math.hypot(mode.errors()[effect + 1] / mode.beta()[0], systematic);
   }
 
-  /** The limit in a direction, from standstill, as the named effects have it. */
+  /** The limit in a direction, from standstill, with the named effects. */
   private double named(double phi) {
     return mode.beta()[0] * named().directed(phi);
   }
@@ -282,7 +282,7 @@ final class AccelerationLimit {
     return new Envelope(kind.label, points, without, with, better);
   }
 
-  /** Whether the shape of an envelope is clearly another than that of the named effects, somewhere by enough to matter. Those may be larger by any factor, where robots plan with less than they have; never smaller. */
+  /** Whether the shape of an envelope clearly differs from that of the named effects, in some direction by enough to matter. Only the shape counts: the named limit may be larger by any factor, because robots may plan with less than they have. It may not be smaller. */
   private boolean departs(List<Envelope.Point> points) {
     double product = 0;
     double square = 0;
