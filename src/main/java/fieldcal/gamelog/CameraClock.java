@@ -9,10 +9,10 @@ import fieldcal.vision.VisionFrame;
  * {@link #MAX_STEP} waits for the next: if that agrees with it, the clock jumped; if not, the frame's time was damaged.
  */
 final class CameraClock {
-  /** Networks and busy computers delay packets by tens of milliseconds; half a second is a clock, s. */
+  /** A larger step of the delay is one of a clock, s: networks and busy computers delay packets by tens of milliseconds. */
   static final double MAX_STEP = 0.5;
 
-  /** A duplicate follows the original closely; so many frames are remembered. */
+  /** So many frames are remembered to recognise duplicates, which follow the original closely. */
   private static final int REMEMBERED = 16;
 
   private final double[] captures = new double[REMEMBERED];
@@ -28,7 +28,7 @@ final class CameraClock {
     GOOD,
     /** The camera's frame of this time was there already. */
     DUPLICATE,
-    /** Its time fits to none before; wait for the next. */
+    /** Its time does not fit the frames before; the next one decides. */
     WAIT,
     /** The clock jumped with the frame before, which waits in {@link #takeSuspect()}. */
     JUMPED
@@ -56,7 +56,7 @@ final class CameraClock {
     return delay - (received - frame.captureTime());
   }
 
-  /** Takes a frame that was judged JUMPED, or the one that waited before it, as the new normal. */
+  /** Accepts a frame that was judged JUMPED, or the one that waited before it: later frames are compared with it. */
   void accept(VisionFrame frame, double received) {
     remember(frame.captureTime(), received - frame.captureTime());
   }

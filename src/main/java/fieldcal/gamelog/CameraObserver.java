@@ -8,7 +8,7 @@ final class CameraObserver {
   private static final double MAX_INTERVAL = 1;
   private static final int MIN_INTERVALS = 20;
 
-  /** A camera's numbers may count all cameras' frames: steps up to this are distinguished. */
+  /** Largest step of the frame numbers that is distinguished: in some systems the number counts the frames of all cameras. */
   private static final int MAX_STEP = 32;
 
   /** From the median absolute deviation to the standard deviation of a normal distribution. */
@@ -53,7 +53,7 @@ final class CameraObserver {
     noise.add(frame);
   }
 
-  /** The next interval is of two clocks. */
+  /** The clock jumped: the interval to the next frame does not count. */
   void clockJumped() {
     lastTime = Double.NaN;
     clock.jumped();

@@ -47,7 +47,7 @@ final class CaptureOrder {
     }
   }
 
-  /** Lets go of all, and forgets the time. */
+  /** Hands on all entries that wait, and forgets the time. */
   void flush() {
     while (!waiting.isEmpty()) {
       tell(waiting.poll());

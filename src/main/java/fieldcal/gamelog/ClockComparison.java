@@ -6,10 +6,10 @@ package fieldcal.gamelog;
  * <p>The difference contains the delay from capture to reception, some 10 ms. The rate is the slope of a straight line through both times, jumps of the clock left out. For one thread.
  */
 public final class ClockComparison {
-  /** Vision and networks delay frames by tens of milliseconds, simulators by some hundred; more is the difference of two clocks, s. */
+  /** Longest delay of a frame, s; more is the difference of two clocks. Vision and networks delay frames by tens of milliseconds, simulators by some hundred. */
   public static final double MAX_DELAY = 1;
 
-  /** Nothing is received before it was captured; what seems this much earlier may be rounding, s. */
+  /** Nothing is received before it was captured, but rounding may make it look so by this much, s. */
   private static final double ROUNDING = 1e-3;
 
   /** A rate that is off by more than that is reported: it makes accelerations 1 % wrong. Quartz clocks are off by less than 0.0001. */
@@ -18,7 +18,7 @@ public final class ClockComparison {
   /** Delays of single frames scatter by up to 0.05 s; over so many seconds that is a tenth of the notable rate. */
   private static final double LEAST_SPAN = 100;
 
-  /** With that many frames the scatter averages out over a tenth of that span. */
+  /** With at least this many frames a tenth of that span is enough, since the scatter averages out. */
   private static final int MANY_FRAMES = 300;
 
   private long frames;
@@ -67,7 +67,7 @@ public final class ClockComparison {
     span = x;
   }
 
-  /** One of the clocks jumped: what comes is compared on its own. */
+  /** One of the clocks jumped: later frames are compared only with each other. */
   public void jumped() {
     pastMoment += moment;
     pastCovariance += covariance;

@@ -19,7 +19,7 @@ final class LogInput implements Closeable {
   private static final int GZIP_BUFFER = 1 << 16;
   private static final int GZIP_TRAILER = 8;
 
-  /** Up to here a file does no harm, however it was packed, bytes. */
+  /** A log that unpacks to no more than this does no harm, however it was packed, bytes. */
   private static final long HARMLESS = 1L << 24;
 
   private final Path file;
@@ -71,7 +71,7 @@ final class LogInput implements Closeable {
     }
   }
 
-  /** Reads at least one byte; -1 at the end, be it the true one or the damage. */
+  /** Reads at least one byte; returns -1 at the end of the file or where it is damaged. */
   int read(byte[] into, int offset, int length, ProblemAccount problems, long logOffset)
       throws GameLogException {
     if (ended) {

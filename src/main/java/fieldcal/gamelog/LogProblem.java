@@ -22,9 +22,9 @@ public enum LogProblem implements ProblemKind {
   NO_MESSAGES("the log has a header and no message: nothing was recorded"),
   /** A message of a type that has no name. */
   UNKNOWN_MESSAGE_TYPE("a message is of an unknown type; it is skipped"),
-  /** A referee message that is none. */
+  /** A referee message that cannot be decoded. */
   MALFORMED_REFEREE("a packet is not a referee message; it is skipped"),
-  /** A message of a tracker that is none. */
+  /** A tracker's message that cannot be decoded. */
   MALFORMED_TRACKER("a packet is not a message of a tracker; it is skipped"),
   /** Detections came before the first geometry. */
   FRAME_BEFORE_GEOMETRY("a frame comes before the first geometry"),

@@ -4,7 +4,7 @@ package fieldcal.gamelog;
 public enum MessageType {
   /** Filler; to be ignored. */
   BLANK(0),
-  /** Of a kind that the recorder did not know, or that we do not. */
+  /** Of a kind that the recorder or this program does not know. */
   UNKNOWN(1),
   /** Vision with the geometry message in use until 2013. */
   SSL_VISION_2010(2),

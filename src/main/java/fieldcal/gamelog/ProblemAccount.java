@@ -16,7 +16,7 @@ import java.util.function.Supplier;
  * <p>Offsets count the bytes of the log itself; in a compressed file that is after decompression. Not thread-safe.
  */
 public final class ProblemAccount {
-  /** So many occurrences of each kind are kept; more help nobody and memory stays bounded. */
+  /** Occurrences of each kind that are kept; more would help nobody, and memory stays bounded. */
   public static final int KEPT = 3;
 
   private final Path file;

@@ -12,7 +12,7 @@ final class RecordHeader {
   /** No message is larger, bytes: UDP packets end at 64 KiB; 4 MiB leaves room for what recorders may add. An index may be larger. */
   static final int MAX_PAYLOAD = 1 << 22;
 
-  /** Larger ones are not looked for in damaged data, bytes: a false hit would swallow more than it could save. */
+  /** Largest message that is looked for in damaged data, bytes: a larger one that is found by chance would skip more than it could save. */
   static final int MAX_SEARCHED_PAYLOAD = 1 << 17;
 
   private static final int MAX_TYPE = 63;
@@ -48,7 +48,7 @@ final class RecordHeader {
     INT.set(buffer, 12, size);
   }
 
-  /** Whether these bytes, found where a header is due, are one. Zeros are not: they are what a crashed recorder leaves. */
+  /** Whether these bytes, at a place where a header must be, are a header. Zeros are not: a recorder that crashed leaves them. */
   static boolean isPlausible(byte[] buffer, int at) {
     int type = type(buffer, at);
     int size = size(buffer, at);
@@ -80,7 +80,7 @@ final class RecordHeader {
   /** The same as {@link #canFollow} asks of two times, s. */
   static final double LONGEST_STEP = HOUR * 1e-9;
 
-  /** Whether the header at one place can be followed by the one at another. */
+  /** Whether the header at one place can be followed by that at another. */
   static boolean canFollow(byte[] buffer, int at, int next) {
     return isPlausible(buffer, next) && Math.abs(nanos(buffer, next) - nanos(buffer, at)) <= HOUR;
   }

@@ -61,7 +61,7 @@ public interface RecordingListener {
   default void onClockJump(int cameraId, double jump) {}
 
   /**
-   * How far the reading is; called every now and then, and at the end.
+   * Reports how much of the file has been read; called from time to time, and at the end.
    *
    * @param bytesRead of the file, as it lies on the disk
    * @param totalBytes the file's size

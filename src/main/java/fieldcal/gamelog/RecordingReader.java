@@ -31,7 +31,7 @@ import java.util.function.Supplier;
  * }</pre>
  */
 public final class RecordingReader implements Closeable {
-  /** How much later than a younger one a frame may be received and still be put into order, s; vision computers differ by some 10 ms. */
+  /** By how much later than a younger frame a frame may be received and still be put into order, s. Vision computers differ by some 10 ms. */
   public static final double DEFAULT_TOLERANCE = 0.1;
 
   private static final long PROGRESS_STEP = 1 << 18;
@@ -56,7 +56,7 @@ public final class RecordingReader implements Closeable {
   private long frames;
   private double lastTime = Double.NaN;
 
-  /** From the first message to the last, as far as neighbours confirm their times: a damaged one would make a match of minutes one of years. */
+  /** Times of the first and the last message, of those whose neighbours confirm their times. A damaged time would turn minutes into years. */
   private double startTime = Double.NaN;
 
   private double endTime = Double.NaN;

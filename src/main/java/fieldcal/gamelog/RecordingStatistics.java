@@ -14,10 +14,10 @@ public final class RecordingStatistics implements RecordingListener {
   /** A camera that is silent for longer has a gap, s: more than thirty frames of any camera in use. */
   public static final double GAP = 0.5;
 
-  /** A match has 14 stages; a referee that plays around must not fill the memory. */
+  /** Most stages that are kept, so that memory stays bounded. A match has 14. */
   private static final int MAX_STAGES = 200;
 
-  /** A match has some four trackers; more must not fill the memory. */
+  /** Most trackers that are kept, so that memory stays bounded. A match has about four. */
   private static final int MAX_TRACKERS = 32;
 
   private final Map<Integer, CameraObserver> cameras = new TreeMap<>();

@@ -7,8 +7,7 @@ import fieldcal.vision.VisionFrame;
  * One camera's noise, from balls that lie still: the median over many short stretches of the scatter within each.
  *
  * <p>A stretch is {@value #BLOCK} detections in a row of the same ball. It counts if the mean of its second half differs from that of its
- * first by no more than noise explains; the noise in that test is taken from successive differences, which slow motion does not touch. The
- * median over the stretches shrugs off those in which the ball was covered or nudged.
+ * first by no more than noise explains; the noise in that test is taken from successive differences, which slow motion does not touch. The median over the stretches does not depend on the few in which the ball was covered or nudged.
  */
 final class RestingBallNoise {
   private static final int BLOCK = 16;

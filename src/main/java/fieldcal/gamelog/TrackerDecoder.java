@@ -13,10 +13,10 @@ import java.util.Optional;
 
 /** Decodes the bytes of trackers' messages. Immutable. */
 final class TrackerDecoder {
-  /** Names are cut off there: a tracker that counts its frames in them must not fill the memory. */
+  /** Longest name, in characters; the rest is cut off, so that a tracker that counts its frames in its name does not fill the memory. */
   private static final int LONGEST_NAME = 60;
 
-  /** Times beyond, s of Unix time, are none: the year 2262, in which nanoseconds overflow. */
+  /** Latest time, s of Unix time; a later one is invalid. In the year 2262 nanoseconds overflow. */
   private static final double LATEST = 9.2e9;
 
   private final Epoch epoch;

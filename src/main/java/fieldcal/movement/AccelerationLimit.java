@@ -8,24 +8,30 @@ import java.util.Optional;
 /**
  * The limit of acceleration or of braking, driven or turned, and whether it depends on speed or direction.
  *
- * <p>An effect is named when, with it, clearly more manoeuvres lie at the limit than at the best uniform limit, its coefficient is clearly not zero, and large enough to matter. With a coefficient that is not
- * there, one finds some 1 % more by chance; the margins are wide enough for the eight tests that two teams need.
+ * <p>An effect is named when, with it, clearly more manoeuvres lie at the limit than at the best uniform limit, its coefficient is clearly not zero, and large enough to matter. By chance, an effect that
+ * is not there gains about 1 % of the manoeuvres. The margins are wide enough for the eight tests that two teams need.
  */
 final class AccelerationLimit {
-  /** So many manoeuvres are needed for a limit … */
+  /** Fewest manoeuvres that determine a limit. */
   static final int FEWEST = 15;
 
-  /** … and so many for telling effects. */
+  /** Fewest manoeuvres that show effects. */
   private static final int FEWEST_FOR_EFFECTS = 60;
 
-  /** With the effect so many times more manoeuvres must lie at the limit. */
+  /** An effect is named if with it so many times more manoeuvres lie at the limit. */
   private static final double GAIN = 1.1;
 
   /** An envelope, which has 36 numbers of its own, replaces the named effects when so many times more manoeuvres lie at it: by chance up to 1.05 in simulated matches of three minutes … */
-  private static final double ENVELOPE_GAIN = 1.2;
+  private static final double ENVELOPE_GAIN = 1.1;
 
   /** … or when its shape departs from theirs by so many standard errors, rms over the directions: by chance, and by what their errors do not hold, up to 1.6. */
   private static final double DEPARTS = 3;
+
+  /**
+   * From so many times more on, the shape may be another than the named one. An ellipse that is 30 to 50 % weaker sideways, or braking by 1 − 0.3·sin²φ, had 1.05 to 1.13 and limits that were 4 to 10 % too large; teams with |sin φ| had up to 1.035. So what the
+   * limit would be with the envelope goes into the error.
+   */
+  private static final double DOUBTFUL_GAIN = 1.04;
 
   /** Standard errors from zero. */
   private static final double SIGNIFICANT = 5;
@@ -33,11 +39,11 @@ final class AccelerationLimit {
   private static final double SMALLEST = 0.08;
   private static final double LARGEST = 0.97;
 
-  /** When less of the manoeuvres lie there, the limit was not reached. */
+  /** If a smaller part of the manoeuvres lies at the limit, it was not reached. */
   private static final double REACHED = 0.1;
 
   /**
-   * What the method is off by beside noise, in parts of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
+   * What the method is off by apart from noise, as a part of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
    * margin). It goes into the standard error.
    */
   static final double SYSTEMATIC = 0.006;
@@ -52,11 +58,11 @@ final class AccelerationLimit {
   private static final double LEANING = 0.3;
 
   /**
-   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by beside noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
+   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by apart from noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
    */
   private static final double SYSTEMATIC_TORQUE = 0.013;
 
-  /** The same of {@link MovementEffect#DIRECTIONAL}: 60 of acceleration and 60 of braking were off by 0.0023 and 0.0043, with errors by noise below 0.001. */
+  /** The same of {@link MovementEffect#DIRECTIONAL}: 20 of acceleration and 20 of braking were off by 0.0023 and 0.0027, and 60 and 60 of sin²φ by 0.0023 and 0.0043, with errors by noise below 0.001. */
   private static final double SYSTEMATIC_DIRECTIONAL = 0.004;
 
   private static final double[] COEFFICIENTS = {0, 0.3, 0.6};
@@ -80,7 +86,7 @@ final class AccelerationLimit {
   enum Kind {
     /** Speeding up. */
     ACCELERATION("acceleration", MovementEffect.TORQUE_LIMITED, MovementEffect.DIRECTIONAL),
-    /** Slowing down, as a size; what the motors lose by speed, brakes as well. */
+    /** Slowing down, as a positive number. It does not fall with speed: what slows the motors helps to brake. */
     BRAKING("braking", MovementEffect.DIRECTIONAL),
     /** Turning faster. */
     TURNING("turning"),
@@ -174,7 +180,7 @@ final class AccelerationLimit {
   }
 
   /**
-   * Braking of a team that accelerates less to the side: the same wheels brake, so that its braking depends on the direction as well, even where too few manoeuvres use all of it to show that by themselves.
+   * Braking of a team that accelerates less to the side. The same wheels brake, so its braking depends on the direction as well, even if too few manoeuvres brake at the limit to show it.
    */
   static AccelerationLimit braking(
       ManoeuvreTable table, double velocity, int robots, AccelerationLimit acceleration) {
@@ -224,7 +230,7 @@ final class AccelerationLimit {
 
   private double[] column(MovementEffect effect) {
     if (effect == MovementEffect.DIRECTIONAL) {
-      return data.sine2();
+      return data.sine();
     }
     double[] share = data.speed().clone();
     for (int i = 0; i < share.length; i++) {
@@ -259,7 +265,7 @@ final class AccelerationLimit {
     return Math.hypot(mode.errors()[effect + 1] / mode.beta()[0], systematic);
   }
 
-  /** The limit in a direction, from standstill, as the named effects have it. */
+  /** The limit in a direction, from standstill, with the named effects. */
   private double named(double phi) {
     return mode.beta()[0] * named().directed(phi);
   }
@@ -276,7 +282,7 @@ final class AccelerationLimit {
     return new Envelope(kind.label, points, without, with, better);
   }
 
-  /** Whether the shape of an envelope is clearly another than that of the named effects, somewhere by enough to matter. Those may be larger by any factor, where robots plan with less than they have; never smaller. */
+  /** Whether the shape of an envelope clearly differs from that of the named effects, in some direction by enough to matter. Only the shape counts: the named limit may be larger by any factor, because robots may plan with less than they have. It may not be smaller. */
   private boolean departs(List<Envelope.Point> points) {
     double product = 0;
     double square = 0;
@@ -307,6 +313,17 @@ final class AccelerationLimit {
     double error = Math.hypot(most.standardError(), least.standardError());
     double difference = most.value() - least.value();
     return difference > SMALLEST * most.value() && difference > SIGNIFICANT * error;
+  }
+
+  /** How far a limit is from that of an envelope which describes the manoeuvres somewhat better than what is named; 0 where it does not. */
+  private double doubt(double limit) {
+    boolean doubtful =
+        named.contains(MovementEffect.DIRECTIONAL)
+            && envelope != null
+            && envelope.shareWith() > DOUBTFUL_GAIN * envelope.shareWithout();
+    return doubtful
+        ? envelope.strongest().map(most -> Math.abs(limit - most.value())).orElse(0.0)
+        : 0;
   }
 
   private boolean shaped() {
@@ -341,7 +358,7 @@ final class AccelerationLimit {
     double part = edge.share() < REACHED ? SYSTEMATIC_OF_FEW : SYSTEMATIC;
     double coefficients = Math.hypot(effects.errorOf(edge, reduced), shared.errorOf(edge, reduced));
     double systematic = Math.hypot(part, coefficients) * edge.value();
-    double random = Math.hypot(edge.error(), differ);
+    double random = Math.hypot(Math.hypot(edge.error(), differ), doubt(edge.value()));
     double error = Math.hypot(Math.hypot(random, systematic), edge.hidden());
     return estimate(edge.value(), error, edge.share());
   }

@@ -14,7 +14,7 @@ import java.util.OptionalDouble;
  * @param points what is known, by angle; empty when no direction is
  * @param shareWithout share of the manoeuvres of known direction that lie at the limit without this envelope
  * @param shareWith share of them that lie at it
- * @param shaped whether the envelope describes the manoeuvres clearly better than one limit, also one with {@link MovementEffect#DIRECTIONAL}: then its largest value is the team's limit
+ * @param shaped whether the envelope describes the manoeuvres clearly better than one limit does, with or without {@link MovementEffect#DIRECTIONAL}. Then its largest value is the team's limit
  */
 public record Envelope(
     String seenIn, List<Point> points, double shareWithout, double shareWith, boolean shaped) {

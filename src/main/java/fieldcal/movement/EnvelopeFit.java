@@ -12,8 +12,8 @@ import org.apache.commons.math3.linear.RealMatrix;
 /**
  * The limit by direction, of any shape: the modal regression of {@link SaturationFit} with a polygon over the directions, f(φ) = Σ vₖ·Bₖ(φ), Bₖ a hat of one direction's width to either side.
  *
- * <p>Maximizes Σ n·exp(−(a − f(φ))²/2h²) − ½ Σ (vₖ₋₁ − 2vₖ + vₖ₊₁)²/s² by iterated weighted least squares: the manoeuvres pile up at the polygon, and a corner of it is believed to be no sharper than s = {@link #BEND} of the limit
- * where there are too few manoeuvres to say (P-splines, Eilers and Marx 1996). The errors are the sandwich A⁻¹BA⁻¹ of the estimating equations.
+ * <p>Maximizes Σ n·exp(−(a − f(φ))²/2h²) − ½ Σ (vₖ₋₁ − 2vₖ + vₖ₊₁)²/s² by iterated weighted least squares: the manoeuvres pile up at the polygon, and where manoeuvres are few, its corners bend by no more than s = {@link #BEND} of the limit
+ * or so (P-splines, Eilers and Marx 1996). The errors are the sandwich A⁻¹BA⁻¹ of the estimating equations.
  */
 final class EnvelopeFit {
   private static final int KNOTS = Envelope.DIRECTIONS;
@@ -48,7 +48,7 @@ final class EnvelopeFit {
   /** … with a smaller standard error, in parts. */
   private static final double WORST = 0.08;
 
-  /** What the method is off by beside noise, in parts: the straight sides of the polygon, and 5° of the table's classes. */
+  /** What the method is off by apart from noise, as a part of the limit: the straight sides of the polygon, and 5° of the table's classes. */
   private static final double SYSTEMATIC = 0.01;
 
   private final double[] acceleration;
@@ -283,7 +283,7 @@ final class EnvelopeFit {
     return true;
   }
 
-  /** How much lies at the envelope, in manoeuvres. */
+  /** How many manoeuvres lie at the envelope. */
   double mass() {
     return mass;
   }

@@ -2,7 +2,7 @@ package fieldcal.movement;
 
 import java.util.Arrays;
 
-/** The last eleven frames of one camera as far as one robot is in them: what the league's estimator looks at. */
+/** The last eleven frames of one camera that may show one robot. The league's estimator looks at these. */
 final class FrameSteps {
   /** Frames between two positions. */
   private static final int APART = 5;

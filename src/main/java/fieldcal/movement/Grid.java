@@ -48,7 +48,7 @@ public final class Grid {
   }
 
   /**
-   * Counts a point; what lies outside is only counted as such, NaN not at all.
+   * Counts a point. All points outside of the cells are counted together; NaN is not counted.
    *
    * @param x coordinate
    * @param y coordinate
@@ -65,10 +65,10 @@ public final class Grid {
   }
 
   /**
-   * Adds all that another one has counted.
+   * Adds all that another grid has counted.
    *
    * @param other of the same cells; stays as it is
-   * @throws IllegalArgumentException when its cells are others
+   * @throws IllegalArgumentException when its cells differ
    */
   public void merge(Grid other) {
     boolean same =
@@ -87,7 +87,7 @@ public final class Grid {
     outside += other.outside;
   }
 
-  /** Tells each cell that holds something, and as last one what lay outside. */
+  /** Reports each cell that is not empty, and at last what lay outside. */
   void cells(MovementCells.Sink sink) {
     for (int i = 0; i < counts.length; i++) {
       if (counts[i] > 0) {

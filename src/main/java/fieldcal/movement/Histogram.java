@@ -51,10 +51,10 @@ public final class Histogram {
   }
 
   /**
-   * Adds all that another one has counted.
+   * Adds all that another histogram has counted.
    *
    * @param other of the same bins; stays as it is
-   * @throws IllegalArgumentException when its bins are others
+   * @throws IllegalArgumentException when its bins differ
    */
   public void merge(Histogram other) {
     if (other.width != width || other.counts.length != counts.length) {
@@ -69,7 +69,7 @@ public final class Histogram {
     samples += other.samples;
   }
 
-  /** Tells each bin that holds something, and as last one, numbered {@link #bins}, what lay beyond. */
+  /** Reports each bin that is not empty, and at last, with the number {@link #bins}, what lay beyond the last bin. */
   void cells(MovementCells.Sink sink) {
     for (int i = 0; i < counts.length; i++) {
       if (counts[i] > 0) {

@@ -9,7 +9,7 @@ public final class LimitEstimator {
   private LimitEstimator() {}
 
   /**
-   * Estimates the limits of a team. Takes 20 ms to some tenths of a second, the longer the more is named: not for the frame thread; merge the statistics into fresh ones there, and estimate from those elsewhere.
+   * Estimates the limits of a team. This takes from 20 ms to some tenths of a second, longer if more is named. So do not call it on the thread that reads frames: copy the statistics there by merging them into new ones, and estimate from the copy on another thread.
    *
    * @param team which
    * @param statistics what was counted; stays as it is

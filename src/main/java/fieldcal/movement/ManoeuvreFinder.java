@@ -7,19 +7,19 @@ import java.util.function.Consumer;
 
 /** Cuts a stretch of a robot's path into manoeuvres and measures each, and learns the noise of the detections meanwhile. */
 final class ManoeuvreFinder {
-  /** So much of a neighbour is used, s. */
+  /** Longest part of a neighbouring piece that is used, s. */
   private static final double FLANK = 0.3;
 
-  /** So much of the following piece must be there, s. */
+  /** Shortest part of the following piece that must have been seen, s. */
   private static final double SEEN_AFTER = 0.1;
 
   /** A fit much worse than the noise is no piece of constant acceleration. */
   private static final double WORST = 2.5;
 
-  /** Fits after which the noise is believed. */
+  /** Fewest fits from which the noise is measured. */
   private static final int MIN_FITS_FOR_NOISE = 20;
 
-  /** A robot that turns by more meanwhile has no one front, rad. */
+  /** A robot that turns by more than this during a manoeuvre has no direction of its front, rad. */
   private static final double DIFFERENT_FRONT = 0.3;
 
   private final PathKind kind;
@@ -125,7 +125,7 @@ final class ManoeuvreFinder {
   }
 
   /**
-   * What two pieces that meet in a peak may be above the robot's highest speed. A robot that speeds up by a, stays at that speed for a time t, and brakes by b leaves out the tip of the peak, of height h = t·g with 1/g = 1/a + 1/b. Its area
+   * By how much the peak at which two pieces meet may exceed the robot's highest speed. A robot that speeds up by a, stays at that speed for a time t, and brakes by b leaves out the tip of the peak, of height h = t·g with 1/g = 1/a + 1/b. Its area
    * ½·h·t is a distance. The stay gets a piece of its own only where this distance stands out of the noise over that time by the penalty of a piece: ½·h·t > √price·noise/√t, with the noise of a second of detections. So t is at most
    * (2·√price·noise/g)^0.4. In simulated matches with 3.9 mm of noise, peaks were up to 0.10 m/s too high, where this gives 0.12 m/s.
    */

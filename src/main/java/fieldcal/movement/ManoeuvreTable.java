@@ -5,14 +5,14 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Manoeuvres of one kind, driven or turned, counted in cells of acceleration, its relative error, speed, and direction against the robot's front. Cells are fine enough that nothing is lost for the limit, and integers, so
+ * Manoeuvres of one kind, driven or turned, counted in cells of acceleration, its relative error, speed, and direction against the robot's front. Cells are so fine that the limit loses nothing. They count in integers, so
  * that tables merge exactly and in any order. Only cells that hold something take room.
  */
 final class ManoeuvreTable {
-  /** Half a per cent: bins add 0.15 % to the scatter of a manoeuvre. */
+  /** Width of a class of accelerations, as a logarithm: half a per cent, which adds 0.15 % to the scatter of a manoeuvre. */
   private static final double LOG_STEP = 0.005;
 
-  /** Manoeuvres with larger relative errors determine nothing; … */
+  /** Manoeuvres with larger relative errors determine no limit; … */
   private static final double WORST_ERROR = 0.2;
 
   /** … those below are not distinguished. */
@@ -70,9 +70,9 @@ final class ManoeuvreTable {
   record Columns(
       double[] acceleration, double[] error, double[] speed, double[] direction, double[] count) {
 
-    /** Squared sine of the direction. */
-    double[] sine2() {
-      return Arrays.stream(direction).map(phi -> Math.sin(phi) * Math.sin(phi)).toArray();
+    /** Size of the sine of the direction. */
+    double[] sine() {
+      return Arrays.stream(direction).map(phi -> Math.abs(Math.sin(phi))).toArray();
     }
 
     /** What the accelerations would be without factors that are known; NaN where a factor is. */
@@ -127,7 +127,7 @@ final class ManoeuvreTable {
     samples += other.samples;
   }
 
-  /** Tells each cell that holds something, with its acceleration and its speed. */
+  /** Reports each cell that is not empty, with its acceleration and its speed. */
   void cells(MovementCells.Sink sink) {
     Columns columns = columns();
     int i = 0;

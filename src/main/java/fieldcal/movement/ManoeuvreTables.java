@@ -3,7 +3,7 @@ package fieldcal.movement;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** The manoeuvres of one kind of a team's robots, a {@link ManoeuvreTable} for each. Exactly mergeable. Mutable, for one thread. */
+/** The manoeuvres of one kind of a team's robots, a {@link ManoeuvreTable} for each. Two of them merge exactly. Mutable, for one thread. */
 final class ManoeuvreTables {
   private final ManoeuvreTable.Scale scale;
   private final Map<Integer, ManoeuvreTable> robots = new TreeMap<>();

@@ -6,8 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * {@link MovementStatistics} as plain cells and back, so that they can be stored, added up elsewhere, and estimated from again. Integers all the way: what was taken apart and put together
- * again, of however many matches and in whatever order, is what {@link MovementStatistics#merge} would give.
+ * {@link MovementStatistics} as plain cells and back, so that they can be stored, added up elsewhere, and estimated from again. All counts are integers. So cells of any number of matches, added in any order, give the same as {@link MovementStatistics#merge}.
  *
  * <p>Each cell is of one histogram. Of one robot are {@code accelerating} and {@code braking} (x: acceleration, m/s²; y: speed, m/s; the number of the cell also holds error and direction), {@code turning_faster} and {@code
  * turning_slower} (the same in rad/s² and rad/s), {@code cruising} (x: m/s) and {@code turning_steadily} (x: rad/s). Of a team are {@code top_speeds}, {@code sure_speeds} (x: m/s), {@code top_turn_speeds}, {@code sure_turn_speeds} (x:

@@ -4,7 +4,7 @@ package fieldcal.movement;
 public enum MovementEffect {
   /** The acceleration falls linearly with speed: × (1 − coefficient·|v|/velocity limit). */
   TORQUE_LIMITED("torque_limited", "accelerates less the faster it drives"),
-  /** Acceleration and braking depend on the direction: × (1 − coefficient·sin²φ), φ from the robot's front. */
+  /** Acceleration and braking depend on the direction: × (1 − coefficient·|sin φ|), φ from the robot's front. */
   DIRECTIONAL("directional", "accelerates less sideways than along its front");
 
   private final String id;

@@ -9,13 +9,12 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Watches the robots of both teams, frame by frame. Tell it the referee's phase when that changes, give it every frame as it comes, and read {@link #statistics} at any time; movements are
- * counted some two seconds after they happened.
+ * Watches the robots of both teams, frame by frame. Give it every frame as it comes, and the referee's phase when that changes. {@link #statistics} can be read at any time. Movements are counted some two seconds after they happened.
  *
  * <p>Memory is bounded by the number of robots and cameras; frames allocate nothing. Never throws on bad frames. For one thread.
  */
 public final class MovementObserver {
-  /** More than a team's sixteen and a few misread numbers is no robot. */
+  /** Most robots that are followed: a team's sixteen, and a few misread numbers. */
   private static final int MOST_ROBOTS = 64;
 
   private final MovementStatistics statistics = new MovementStatistics();
@@ -135,7 +134,7 @@ public final class MovementObserver {
     robots.values().forEach(Watched::forget);
   }
 
-  /** The recording is over, or a clock jumped: what is under way is counted, and nothing is concluded from what comes before to what comes after. */
+  /** Ends all paths, since the recording is over or a clock jumped: what was seen so far is counted, and no movement connects it with later frames. */
   public void finish() {
     breakOff();
     cameras.values().forEach(camera -> camera.lastTime = Double.NEGATIVE_INFINITY);

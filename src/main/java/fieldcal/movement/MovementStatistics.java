@@ -44,7 +44,7 @@ public final class MovementStatistics {
     refereeSeen |= other.refereeSeen;
   }
 
-  /** Forgets everything but whether there is a referee. */
+  /** Forgets everything except whether there is a referee. */
   public void clear() {
     yellow.clear();
     blue.clear();

@@ -4,15 +4,15 @@ import fieldcal.vision.RobotId;
 
 /** Gathers a path of one robot, and has it cut into manoeuvres block by block. No manoeuvre spans a break. */
 final class PathBlocks {
-  /** New path after which it is cut again, s; each robot a little else, so that not all of them are due with the same frame. */
+  /** Length of new path after which it is cut again, s. It differs a little from robot to robot, so that not all are cut with the same frame. */
   private static final double BLOCK = 1.5;
 
   private static final double BLOCK_STEP = 0.03;
 
-  /** A piece that has not ended after so long is driven at constant speed, or not at all, and is not waited for, s. */
+  /** Longest piece that is waited for, s: in a longer one the robot stands or drives at constant speed. */
   private static final double LONGEST = 4;
 
-  /** So much of a neighbour is enough to find the knot, s. */
+  /** Length of a neighbouring piece that is enough to find the knot, s. */
   private static final double FLANK = 0.3;
 
   private final RobotId id;

@@ -5,8 +5,7 @@ enum PathKind {
   /** Where a robot is: two coordinates, m. */
   POSITION(2, 0.0025, 1e-5, 1, 0),
   /**
-   * How it is turned: an unwrapped angle, rad. An orientation has a noise of 5 to 15 mrad: that of its five patches of colour, 3 mm each, over their distances of 80 mm. Robots that face a moving ball turn all the time; less
-   * than half a radian is none of the turns that ask for all a robot can do.
+   * How it is turned: an unwrapped angle, rad. An orientation has a noise of 5 to 15 mrad: that of its five patches of colour, 3 mm each, over their distances of 80 mm. Robots that face a moving ball turn all the time. A turn by less than half a radian does not use all that a robot can do.
    */
   ORIENTATION(1, 0.01, 1e-4, 8, 0.5);
 
@@ -29,7 +28,7 @@ enum PathKind {
     return dimensions;
   }
 
-  /** Noise of a coordinate that is believed before any is measured, m or rad. */
+  /** Noise of a coordinate that is assumed before it is measured, m or rad. */
   double usualNoise() {
     return usualNoise;
   }

@@ -6,8 +6,7 @@ import java.util.Arrays;
  * Cuts a stretch of a robot's path into pieces of constant acceleration: the cut with the least sum of squared residuals plus a penalty per piece, found exactly by dynamic programming over a
  * grid of {@link #CELL}.
  *
- * <p>Each piece is a parabola of its own, with an own constant for each camera, so that cameras may disagree about where the robot is. Sums of powers up to the cell
- * edges make a piece's residual a matter of one 2×2 system.
+ * <p>Each piece is a parabola of its own, with one constant for each camera, so that cameras may disagree about where the robot is. With the sums of powers up to each edge of a cell, a piece's residual needs only one 2×2 system.
  */
 final class Pieces {
   /** The shortest piece that can be distinguished from noise, s. */

@@ -3,14 +3,13 @@ package fieldcal.movement;
 import java.util.Arrays;
 
 /**
- * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too, and at each not at once but with a {@link Rounding} that is fitted about what is usual. What lies beyond a knot
- * so does not pull the piece's acceleration down, as it does in any window that is slid over the path.
+ * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too, and at each not at once but with a {@link Rounding} that is fitted about what is usual. So what lies beyond a knot does not lower the piece's acceleration, as it would in a window that slides over the path.
  *
  * <p>Least squares on the positions, each with its own time; a constant for each camera is projected out, so that cameras may disagree. For given knots the
  * problem is linear, so only the knots and their roundings are iterated (variable projection, Golub and Pereyra 1973, in Kaufman's form). The errors contain what their errors add.
  */
 final class RampFit {
-  /** How well the knots are known before, s: a cell of the grid they come from, and the noise in choosing it. */
+  /** How well the knots are known beforehand, s: a cell of the grid they come from, and the noise in choosing it. */
   private static final double KNOT_PRIOR = 0.05;
 
   private static final double SHORTEST = 0.05;
@@ -59,7 +58,7 @@ final class RampFit {
   private final double[][] u = new double[CURVED][LINEAR];
   private final double[] e = new double[LINEAR];
 
-  /** τ1, τ2, κ1, κ2; what is believed of them before, and how firmly, 1/variance times the noise's variance. */
+  /** τ1, τ2, κ1, κ2; what is assumed of them beforehand, and how firmly: the noise's variance over their variance. */
   private final double[] theta = new double[CURVED];
 
   private final double[] prior = new double[CURVED];

@@ -1,7 +1,7 @@
 package fieldcal.movement;
 
 /**
- * By how much speed and direction reduce a limit: to (1 − torque·v/v_max)·(1 − directional·sin²φ) of what it is from standstill along the front. Coefficients have standard errors; 0 where an effect is not named.
+ * By how much speed and direction reduce a limit: to (1 − torque·v/v_max)·(1 − directional·|sin φ|) of what it is from standstill along the front. Coefficients have standard errors; 0 where an effect is not named.
  *
  * @param velocity v_max, m/s; of no meaning without {@code torque}
  */
@@ -24,8 +24,7 @@ record Reduction(
 
   /** The part of the limit that is left in a direction, also in an unknown one (NaN) where none matters. */
   double directed(double phi) {
-    double sine = Math.sin(phi);
-    return directional == 0 ? 1 : 1 - directional * sine * sine;
+    return directional == 0 ? 1 : 1 - directional * Math.abs(Math.sin(phi));
   }
 
   /** The manoeuvres as they would be along the front from standstill. Speeds and directions are known to their classes only, which makes the errors larger by what the reduction differs within a class. */
@@ -38,7 +37,7 @@ record Reduction(
       double slowed = slowed(data.speed()[i]);
       double directed = directed(data.direction()[i]);
       double perRadian =
-          directional == 0 ? 0 : directional * Math.sin(2 * data.direction()[i]) / directed;
+          directional == 0 ? 0 : directional * Math.cos(data.direction()[i]) / directed;
       factor[i] = slowed * directed;
       blur[i] =
           Math.hypot(
@@ -58,12 +57,11 @@ record Reduction(
       boolean good = takenOut.error()[i] <= UpperEdge.WORST * limit.value();
       if (good && Math.abs(takenOut.acceleration()[i] - limit.value()) < width) {
         double speed = takenOut.speed()[i];
-        double sine = Math.sin(takenOut.direction()[i]);
+        double sine = Math.abs(Math.sin(takenOut.direction()[i]));
         double weight = takenOut.count()[i] / (width * width);
         weights += weight;
         bySpeed += torque == 0 ? 0 : weight * speed / velocity / slowed(speed);
-        byDirection +=
-            directional == 0 ? 0 : weight * sine * sine / directed(takenOut.direction()[i]);
+        byDirection += directional == 0 ? 0 : weight * sine / directed(takenOut.direction()[i]);
       }
     }
     return weights == 0

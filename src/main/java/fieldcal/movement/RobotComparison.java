@@ -6,8 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Compares the limits of a team's robots with each other. Each robot's limit is the mode of its own manoeuvres, with what the team's limit loses by speed and direction taken out. A robot differs when its limit is clearly another one than the
- * median of the others, and when it pushes against that limit all the time: one that is merely never in a hurry, as a keeper, stays below the others' without piling up anywhere.
+ * Compares the limits of a team's robots with each other. Each robot's limit is the mode of its own manoeuvres, with what the team's limit loses by speed and direction taken out. A robot differs when its limit clearly differs from the median of the others, and when many of its manoeuvres reach this limit. A robot that is merely never in a hurry, such as a keeper, stays below the others, but its manoeuvres do not cluster anywhere.
  */
 final class RobotComparison {
   /** So many manoeuvres of a robot must lie at its limit … */

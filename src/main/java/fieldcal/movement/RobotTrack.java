@@ -4,7 +4,7 @@ import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
 
 /**
- * Follows one robot: refuses what cannot be it, and has its path cut into manoeuvres a few seconds later.
+ * Follows one robot: refuses detections that cannot be this robot, and has its path cut into manoeuvres a few seconds later.
  *
  * <p>A detection that lies too far from where the robot must be is an exchanged identity or a misread pattern; if such detections agree for a while, the robot was
  * moved, and a new stretch begins. No manoeuvre spans a break.
@@ -19,7 +19,7 @@ final class RobotTrack {
   /** How far a detection may be off for other reasons: cameras that disagree by 26 mm, and noise, m. */
   private static final double TOLERANCE = 0.06;
 
-  /** Nor do they drive faster, m/s; what a robot may have done while its velocity is not known yet. */
+  /** Robots do not drive faster, m/s; used while a robot's velocity is not known yet. */
   private static final double FASTEST = 6;
 
   /** Detections after which the velocity is known. */

@@ -1,7 +1,7 @@
 package fieldcal.movement;
 
 /**
- * How round one kind of corner is in the paths of a team: no robot begins or ends to accelerate at once. Jerk limits, motors that lag, and controllers that creep up to their target all spread the change of the acceleration over
+ * How round one kind of corner is in the paths of a team, since no robot's acceleration begins or ends at once. Jerk limits, motors that lag, and controllers that creep up to their target all spread the change of the acceleration over
  * some time.
  *
  * <p>Whatever the shape of that spreading, if its variance is σ², the path beyond the corner is shifted by κ·Δa, κ = σ²/2, against that of a sharp corner (the acceleration convolved with a symmetric kernel, to second order). A fit with
@@ -11,7 +11,7 @@ package fieldcal.movement;
  * <p>A running mean in constant memory. For one thread.
  */
 final class Rounding {
-  /** Before anything is learnt, s²: an acceleration that changes evenly within 35 ms … */
+  /** What is assumed before anything is learnt, s²: an acceleration that changes evenly within 35 ms … */
   private static final double USUAL = 5e-5;
 
   /** … or within up to some 80 ms. */
@@ -23,7 +23,7 @@ final class Rounding {
   /** A corner further from the mean, in standard deviations, counts as one there (Huber 1964): pieces that were cut wrongly show any rounding, mostly too large ones. */
   private static final double CLIPPED = 1.5;
 
-  /** So many corners before their mean is believed. */
+  /** Fewest corners whose mean is used. */
   private static final int FEWEST = 30;
 
   /** Narrower corners are taken to be so wide, s: a frame and a half. */

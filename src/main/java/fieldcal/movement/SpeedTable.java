@@ -3,7 +3,7 @@ package fieldcal.movement;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** How fast the robots of a team were: in manoeuvres at constant speed, and at most. Exactly mergeable. Mutable, for one thread. */
+/** How fast the robots of a team were: in manoeuvres at constant speed, and at most. Two of them merge exactly. Mutable, for one thread. */
 final class SpeedTable {
   /** Constant speed changes by a small part, … */
   private static final double CRUISING_CHANGE = 0.05;
@@ -11,7 +11,7 @@ final class SpeedTable {
   /** … for so long, s. */
   private static final double CRUISING_TIME = 0.15;
 
-  /** So many standard errors below what was measured, a speed was certainly reached, even by the luckiest of a thousand manoeuvres. */
+  /** A speed that lies so many standard errors below the measured one was certainly reached, even if the measured one is the largest of a thousand. */
   private static final double SURE = 3;
 
   private final Scale scale;

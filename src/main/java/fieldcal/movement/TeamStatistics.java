@@ -2,12 +2,12 @@ package fieldcal.movement;
 
 import fieldcal.vision.RobotId;
 
-/** All that is counted of one team's robots: manoeuvres, speeds, pictures, and the league's histograms. Exactly mergeable; bounded. Mutable, for one thread. */
+/** All that is counted of one team's robots: manoeuvres, speeds, pictures, and the league's histograms. Two of them merge exactly, and memory is bounded. Mutable, for one thread. */
 public final class TeamStatistics {
   /** Turns that change the rate of turning by less do not count, rad/s: a robot that faces a ball which passes it at 2 m/s, 1 m away, turns so fast without any hurry. */
   public static final double LEAST_TURN = 2;
 
-  /** Which part of a change of velocity must go into the speed, for a manoeuvre to be accelerating or braking and not a turn. */
+  /** A manoeuvre counts as accelerating or braking if at least this part of its change of velocity changes the speed; otherwise it is a curve. */
   private static final double SHARE_OF_SPEED = 0.5;
 
   /** Numbers of robots that are kept apart: those of the rules. */
@@ -158,7 +158,7 @@ public final class TeamStatistics {
     return Integer.bitCount(robots);
   }
 
-  /** Tells each robot that was seen to manoeuvre as a cell. */
+  /** Reports each robot that was seen to manoeuvre as a cell. */
   void robotCells(MovementCells.Sink sink) {
     for (int robot = 0; robot <= ROBOTS; robot++) {
       if ((robots >> robot & 1) == 1) {

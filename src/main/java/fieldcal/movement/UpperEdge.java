@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * The highest value that many of a team's manoeuvres have: their limit, however many of them stay below it and wherever those gather.
+ * The highest value that many of a team's manoeuvres have. This is their limit, whatever the others do that stay below it.
  *
  * <p>What robots do is the distribution of measured values with their errors taken out: the nonparametric maximum likelihood (Kiefer and Wolfowitz 1956) over a fine grid, by expectation maximization (Laird 1978). Controllers that plan with 85 %
  * of what a robot can do leave one heap there, and a smaller one at the limit, where robots that were surprised used all of it; a kernel wide enough for the noise would merge both. The limit is the highest window of {@link

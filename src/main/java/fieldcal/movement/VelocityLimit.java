@@ -9,16 +9,16 @@ import java.util.Map;
  * lower bound.
  */
 final class VelocityLimit {
-  /** Cruising robots keep their speed to within that part. */
+  /** Cruising robots keep their speed within this part of it. */
   private static final double WIDTH = 0.025;
 
-  /** Calibrations and lenses enlarge by up to that part in places, either way. */
+  /** Calibrations and lenses make lengths too large or too small by up to this part. */
   private static final double ENLARGED = 0.001;
 
   /** Robots that creep up to their highest speed show this part less, measured in matches of another simulator. */
   private static final double CREEPING = 0.0003;
 
-  /** What a plateau is off by beside noise, in parts. What is anywhere within a bound has that bound over √3 as its standard deviation. */
+  /** What a plateau is off by apart from noise, as a part of it. A value that may lie anywhere within a bound has the standard deviation bound/√3. */
   private static final double SYSTEMATIC = Math.hypot(ENLARGED / Math.sqrt(3), CREEPING);
 
   /** A plateau holds so many manoeuvres … */

@@ -68,7 +68,7 @@ public enum SimulatedEffect {
   /** One camera's clock runs fast. */
   CLOCK_SKEW(number("ppm", -100_000, 100_000), camera()),
   /** Image rows are exposed one after another. */
-  ROLLING_SHUTTER(number("ms", 0, 50)),
+  ROLLING_SHUTTER(number("ms", -50, 50)),
   /** Robots accelerate less the faster they drive. */
   TORQUE_LIMITED(number("coefficient", 0, 0.95), team()),
   /** Robots accelerate less sideways. */

@@ -2,7 +2,7 @@ package fieldcal.verdict;
 
 import java.util.Locale;
 
-/** What to do with a calibrated model, in the order of gravity: the gravest comes last. */
+/** What to do with a calibrated model, from the least to the most serious. */
 public enum PublishDecision {
   /** The model is well determined and explains the kicks. */
   PUBLISH,
@@ -23,7 +23,7 @@ public enum PublishDecision {
   }
 
   /**
-   * The graver of two decisions.
+   * The more serious of two decisions.
    *
    * @param other to compare with
    * @return this one or the other

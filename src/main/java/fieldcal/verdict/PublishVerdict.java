@@ -9,8 +9,8 @@ import java.util.Optional;
 /**
  * Whether a calibrated model may be published, and why.
  *
- * @param decision the gravest one of its reasons
- * @param reasons the gravest first; never empty
+ * @param decision the most serious one that a reason asks for
+ * @param reasons the most serious first; never empty
  * @param diagnose whether a diagnosis is what helps
  */
 public record PublishVerdict(PublishDecision decision, List<Reason> reasons, boolean diagnose) {
@@ -32,7 +32,7 @@ public record PublishVerdict(PublishDecision decision, List<Reason> reasons, boo
    *
    * @param reasons at least one, in any order
    * @param diagnose whether a diagnosis is what helps
-   * @return with the gravest decision
+   * @return with the most serious decision
    */
   static PublishVerdict of(List<Reason> reasons, boolean diagnose) {
     List<Reason> sorted =

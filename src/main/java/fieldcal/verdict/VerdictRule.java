@@ -20,7 +20,7 @@ import java.util.Optional;
 
 /** The one rule that decides whether a model may be published. */
 public final class VerdictRule {
-  /** The scatter of fewer kicks is known too badly to exclude values by it. */
+  /** Fewest kicks for a mean: the scatter of fewer is known too badly to exclude values by it. */
   public static final int FEWEST_KICKS = 5;
 
   /** Largest standard error of a mean, percent of it; chosen, half of the difference that the live monitor warns of. */
@@ -94,7 +94,7 @@ public final class VerdictRule {
   }
 
   private PublishVerdict judge() {
-    // First, since what else is wrong may come from them.
+    // These come first, because they may cause what else is wrong.
     evidence.surroundings().faults().forEach(f -> reasons.add(new Reason.FaultyVision(f)));
     boolean enough = false;
     for (KickKind kind : KickKind.values()) {

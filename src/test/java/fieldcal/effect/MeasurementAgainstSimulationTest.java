@@ -84,6 +84,7 @@ class MeasurementAgainstSimulationTest {
         Arguments.of("ball_height_error:mm=-10", List.of(new BallHeightError(-10))),
         Arguments.of("rolling_shutter:ms=5", List.of(new RollingShutter(5))),
         Arguments.of("rolling_shutter:ms=15", List.of(new RollingShutter(15))),
+        Arguments.of("rolling_shutter:ms=-15", List.of(new RollingShutter(-15))),
         Arguments.of(
             "camera_pose_error:tilt_mrad=10,axis=1,height_mm=40,camera=1"
                 + " lens_distortion_error:delta=0.02,camera=1 ball_height_error:mm=8.5"

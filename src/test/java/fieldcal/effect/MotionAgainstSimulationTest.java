@@ -112,6 +112,8 @@ class MotionAgainstSimulationTest {
             new WornRegion(-0.5, 0.2, 3, 0.1, 9)),
         of(p.impact(p.impact.withSpeedSlope(0.05)), new SpeedDependentRestitution(0.05)),
         of(p.impact(p.impact.withSpeedSlope(-0.1)), new SpeedDependentRestitution(-0.1)),
+        // A slow impact would keep more speed than it had: both cap the restitution alike.
+        of(p.impact(p.impact.withSpeedSlope(-0.4)), new SpeedDependentRestitution(-0.4)),
         of(p.impact(p.impact.withSpinCoupling(0.1)), new BounceSpinCoupling(0.1)),
         of(
             p.impact(p.impact.withSpinCoupling(0.2)).spin(-0.6, 0.2),
@@ -270,9 +272,10 @@ class MotionAgainstSimulationTest {
 
   /**
    * From the second impact on they differ by up to 1.3 mm. The simulation lets the whole difference of the spinning ball and the one without spin obey the contact law, u −= k·(u − q), q += k/β·(u − q), with one k; the effect takes the horizontal damping
-   * of the hop for u, and its q does not feel u. After the last flight the simulation's ball slides until the slip that is left has gone, the effect's rolls at once.
+   * of the hop for u, and its q does not feel u. After the last flight the simulation's ball slides until the slip that is left has gone, the effect's rolls at once. With the simulation's law in the effect both agree to 0.02 mm up to the last flight (commit edbc197),
+   * but the chips of ER-Force's simulator were explained worse, so that it was taken back (171c651).
    */
-  @Disabled("the effect's spin after the first impact follows another law than the simulation's")
+  @Disabled("a decision: with the simulation's law, chips of another simulator are explained worse")
   @ParameterizedTest
   @MethodSource("worldsOfSpinningChips")
   void spinOfTheKickActsAtAllImpacts(World world, List<MotionEffect> effects) {

@@ -20,8 +20,8 @@ class AccelerationLimitTest {
     for (int i = 0; i < n; i++) {
       double speed = SPEED * random.nextDouble();
       double direction = 2 * Math.PI * random.nextDouble();
-      double sine = Math.sin(direction);
-      double most = limit * (1 - torque * speed / SPEED) * (1 - directional * sine * sine);
+      double sine = Math.abs(Math.sin(direction));
+      double most = limit * (1 - torque * speed / SPEED) * (1 - directional * sine);
       double a = random.nextDouble() < share ? most : most * random.nextDouble();
       double error = a * 0.1 * random.nextDouble();
       table.add(a + error * random.nextGaussian(), error, speed, direction);
@@ -156,8 +156,8 @@ class AccelerationLimitTest {
     ManoeuvreTable table = new ManoeuvreTable(ManoeuvreTable.Scale.DRIVING);
     for (int i = 0; i < 1500; i++) {
       double direction = 2 * Math.PI * random.nextDouble();
-      double sine = Math.sin(direction);
-      double a = 5 * (1 - coefficient * sine * sine) * (i % 5 < 3 ? 0.97 : 1);
+      double sine = Math.abs(Math.sin(direction));
+      double a = 5 * (1 - coefficient * sine) * (i % 5 < 3 ? 0.97 : 1);
       double error = a * (0.004 + 0.01 * random.nextDouble());
       table.add(a + error * random.nextGaussian(), error, 1.5, direction);
     }

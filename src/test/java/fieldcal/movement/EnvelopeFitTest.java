@@ -68,8 +68,7 @@ class EnvelopeFitTest {
   void aShapeThatDirectionalDoesNotHaveIsCalledOne() {
     assertThat(limit(Shape.FOUR_LOBES.factor, 900, 1).byDirection().orElseThrow().shaped())
         .isTrue();
-    assertThat(limit(Shape.SINE_SQUARED.factor, 900, 1).byDirection().orElseThrow().shaped())
-        .isFalse();
+    assertThat(limit(Shape.SINE.factor, 900, 1).byDirection().orElseThrow().shaped()).isFalse();
     for (int seed = 0; seed < 10; seed++) {
       AccelerationLimit uniform = limit(phi -> 1, 900, seed);
       assertThat(uniform.byDirection().orElseThrow().shaped()).isFalse();

@@ -73,7 +73,7 @@ class MatchLimitsTest {
     RobotLimits yellow =
         RobotLimits.uniform(2.5, 3, 4)
             .withDirectionality(0.5)
-            .withShape(DirectionShape.SINE)
+            .withShape(DirectionShape.SINE_SQUARED)
             .withTurning(6, 30);
     RobotLimits blue =
         RobotLimits.uniform(3, 3.5, 5)
@@ -81,7 +81,7 @@ class MatchLimitsTest {
             .withShape(DirectionShape.FOUR_LOBES)
             .withTurning(12, 40);
     TeamManner manner = TeamManner.USUAL.withFacing(TeamManner.Facing.TARGET).withWeakRobot(3, 0.8);
-    MovementObserver observer = MatchFrames.of(6, 3, 10, 0.0025, yellow, blue, manner).observe();
+    MovementObserver observer = MatchFrames.of(6, 3, 12, 0.0025, yellow, blue, manner).observe();
     for (Team team : Team.values()) {
       RobotLimits truth = team == Team.YELLOW ? yellow : blue;
       TeamLimits found = observer.limits(team);

@@ -210,7 +210,7 @@ public final class DiagnosisSession {
                 outcome.diagnosis(),
                 calibration.data(),
                 calibration.logs().stream().map(Path::toString).toList(),
-                LeftOutKick.of(outcome).stream().map(LeftOutKick::remark).toList())
+                LeftOutKick.remarks(LeftOutKick.of(outcome)))
             .build();
     new DiagnosisReportWriter().write(report, directory.resolve("diagnosis.html"));
   }

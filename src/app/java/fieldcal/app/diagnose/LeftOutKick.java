@@ -4,6 +4,7 @@ import fieldcal.app.recording.DataProblem;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.Kick;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -62,15 +63,35 @@ public record LeftOutKick(Kick kick, String source, String reason) {
   }
 
   /**
-   * The same as a remark on the data.
+   * The same as remarks on the data: one for all kicks of a recording that were left out for the same reason.
    *
-   * @return with what to do
+   * @param kicks that were left out, in order of time
+   * @return with what to do, in the order of the first kick of each
    */
-  public DataProblem remark() {
+  public static List<DataProblem> remarks(List<LeftOutKick> kicks) {
+    return kicks.stream()
+        .collect(
+            Collectors.groupingBy(
+                k -> List.of(k.source(), k.reason()), LinkedHashMap::new, Collectors.toList()))
+        .values()
+        .stream()
+        .map(LeftOutKick::remark)
+        .toList();
+  }
+
+  private static DataProblem remark(List<LeftOutKick> alike) {
+    LeftOutKick first = alike.get(0);
+    boolean one = alike.size() == 1;
+    String numbers =
+        alike.stream().map(k -> Integer.toString(k.kick().id())).collect(Collectors.joining(", "));
     return new DataProblem(
-        source,
-        String.format(Locale.ROOT, "kick %d was left out: %s", kick.id(), reason),
-        1,
-        "Look at the kick in the console.");
+        first.source(),
+        String.format(
+            Locale.ROOT,
+            one ? "kick %s was left out: %s" : "kicks %s were left out, each for this reason: %s",
+            numbers,
+            first.reason()),
+        alike.size(),
+        one ? "Look at the kick in the console." : "Look at the kicks in the console.");
   }
 }

@@ -154,7 +154,7 @@ final class MatchText {
     String dropped = c.dropped() > 0 ? ", " + c.dropped() + " dropped" : "";
     add(
         lines,
-        "BALL     %d kicks: %d used, %d determine nothing, %d waiting%s%s",
+        "BALL     %d kicks: %d used, %d determine no parameter, %d waiting%s%s",
         c.found(),
         c.used(),
         c.unused(),

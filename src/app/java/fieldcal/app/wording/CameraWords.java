@@ -105,14 +105,18 @@ final class CameraWords {
           "hangs " + FieldWords.shift(-x, -y, error("shift_x_mm"), error("shift_y_mm"), "more "));
     }
     if (isKnownToBeThere("tilt_mrad")) {
+      // Published minus true: reports are shifted towards axis + 90°, so the true camera looks the
+      // other way.
+      double looks = effect.value("axis") - Math.copySign(Math.PI / 2, tilt);
       parts.add(
           text(
-              "is turned by %s mrad (%s°) about a level axis at %s°",
+              "looks %s mrad (%s°) farther %s,",
               Amount.of(Math.abs(tilt)),
               Amount.of(Math.toDegrees(Math.abs(tilt) / 1000)),
-              Amount.decimals(Math.toDegrees(effect.value("axis")), 0)));
+              FieldWords.direction(looks)));
     }
-    String how = parts.isEmpty() ? "hangs or looks slightly differently" : String.join(", ", parts);
+    String how =
+        parts.isEmpty() ? "hangs or looks slightly differently" : String.join(" and ", parts);
     return new Sentences(
         text("Camera %d %s than its calibration says.", camera(), how),
         reports(),

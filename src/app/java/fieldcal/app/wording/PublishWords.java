@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  *
  * @param decision its id, as in files
  * @param title a few words, for example "check first"
- * @param reasons a sentence or two each, the gravest first
+ * @param reasons a sentence or two each, the most serious first
  * @param notes what holds nobody back, but is worth knowing
  * @param toDo what to do next, a sentence each
  */

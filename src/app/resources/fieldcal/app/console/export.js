@@ -83,7 +83,7 @@ export function exportPart(app) {
     const rows = all.map(e => el('tr', {'data-entry': e.id}, el('td', {class: 'text'}, e.id), el('td', {class: 'text'}, when(e.unix)), el('td', {class: 'text'}, DONE[e.action]), el('td', {class: 'text', title: e.place}, e.target),
       el('td', {class: 'text wrap'}, e.place), el('td', {class: 'text'}, e.verdict ? e.verdict.replaceAll('_', ' ') : '–'), el('td', {title: 'kicks ' + e.kicks.join(', ') + ' of ' + e.sources.join(', ')}, e.kicks.length || '–'),
       el('td', {class: 'text'}, ...actions(e))));
-    if (!all.length) parts.push(el('p', {class: 'note'}, 'Nothing has left this session yet.'));
+    if (!all.length) parts.push(el('p', {class: 'note'}, 'No model has been sent or exported yet.'));
     else {
       parts.push(table([['No.', true], ['When (UTC)', true], ['What', true], ['As', true], ['Where', true], ['Verdict', true], ['Kicks'], ['', true]], rows, {id: 'history-table'}), compare(all));
     }

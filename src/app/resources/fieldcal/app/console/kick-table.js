@@ -43,7 +43,7 @@ export function kickTable({pickKick, mark, toggle, filtered, narrowed}) {
       state.listed = listed;
       const body = el('tbody', {}, rows.flatMap(part => part.nodes));
       body.addEventListener('keydown', pressed);
-      box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text', title: 'marked kicks are decided about together'}, ''), LISTED.map(heading), el('th', {class: 'text'}, 'Used'))), body));
+      box.replaceChildren(el('table', {}, el('thead', {}, el('tr', {}, el('th', {class: 'text', title: 'a decision holds for all marked kicks'}, ''), LISTED.map(heading), el('th', {class: 'text'}, 'Used'))), body));
     }
     setMarks(marks);
     pick(selected, Boolean(focused));

@@ -92,7 +92,7 @@ export function kicksPage(app) {
   }
 
   function markedWords(ids) {
-    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'reason for dropping', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'Stands in the report (key f; Enter drops)', onkeydown: reasoned, oninput: event => { reason = event.target.value; }});
+    const input = el('input', {id: 'reason', list: 'reasons', placeholder: 'reason for dropping', value: reason, maxlength: 200, 'aria-label': 'Reason for dropping', title: 'The report gives this reason (key f; Enter drops the kicks)', onkeydown: reasoned, oninput: event => { reason = event.target.value; }});
     const list = el('datalist', {id: 'reasons'}, REASONS.map(value => el('option', {value})));
     const marked = ids.length === 0 ? [el('span', {class: 'note'}, 'Drag over points or tick kicks to mark them.')] : [
       el('b', {}, ids.length + (ids.length === 1 ? ' kick marked' : ' kicks marked')),
@@ -331,6 +331,6 @@ export function kicksPage(app) {
     s: press('two-sigma'), u: press('undo'), U: press('redo'), m: () => view.selected !== null && mark(view.selected), Escape: press('clear-marks'), f: () => $('reason').focus(),
   };
   page.keyWords = [['j, k', 'next and previous kick; arrows in the table'], ['d', 'drop the marked kicks, or the selected one'], ['r', 'restore them'], ['m, space', 'mark the selected kick; shift and an arrow mark several'], ['Esc', 'clear all marks'],
-    ['s', 'one more round of 2σ'], ['u, U or Ctrl+Z, Ctrl+Y', 'undo, redo'], ['f', 'write a reason; Enter drops with it'], ['p', 'replay the kick, or pause it']];
+    ['s', 'one more round of 2σ'], ['u, U or Ctrl+Z, Ctrl+Y', 'undo, redo'], ['f', 'write a reason; Enter drops the kicks with it'], ['p', 'replay the kick, or pause it']];
   return page;
 }

@@ -82,8 +82,8 @@ export function matchPage(app) {
     const words = r ? r.stage + ', ' + r.command + '; ' + (r.yellow || 'yellow') + ' ' + r.yellowScore + ' : ' + r.blueScore + ' ' + (r.blue || 'blue') : 'no referee: everything counts';
     const c = now.kickCounts;
     return el('p', {id: 'watch-line'}, badge(match().running ? 'good' : 'warn', match().running ? '● watching' : 'ended'), ' ' + clock(now.time) + ' UTC · ' + words + (now.counts ? '' : ' (not in play, nothing counts)'),
-      ' · ' + c.found + ' kicks, ' + c.used + ' used, ' + c.unused + ' determine nothing' + (c.waiting ? ', ' + c.waiting + ' waiting' : ''),
-      el('span', {class: 'note'}, ' · ' + now.title + (now.notes.length ? ': ' + now.notes.join('; ') : '')));
+      ' · ' + c.found + ' kicks, ' + c.used + ' used, ' + c.unused + ' determine no parameter' + (c.waiting ? ', ' + c.waiting + ' waiting' : '') + ' ',
+      el('span', {class: 'note'}, now.title + (now.notes.length ? ': ' + now.notes.join('; ') : '')));
   }
 
   function showMedians(now) {

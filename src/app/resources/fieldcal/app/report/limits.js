@@ -19,7 +19,7 @@
     const torque = kind === 'acceleration' && effect(team, 'torque_limited');
     const aside = effect(team, 'directional', kind) || effect(team, 'directional');
     if (torque && known(team.velocity.value)) value *= Math.max(0, 1 - torque.coefficient * speed / team.velocity.value);
-    if (aside) value *= 1 - aside.coefficient * Math.sin(angle) ** 2;
+    if (aside) value *= 1 - aside.coefficient * Math.abs(Math.sin(angle));
     return value;
   }
 

@@ -216,11 +216,8 @@ public final class BallIntegrator {
     double vz = s[5];
     forces.moment(0, s);
     double dampingZ =
-        Math.max(
-            0,
-            Math.min(
-                0.98,
-                law.dampingZ(first, -vz) * forces.extraRestitution() + forces.addedRestitution()));
+        ImpactLaw.limited(
+            law.dampingZ(first, -vz) * forces.extraRestitution() + forces.addedRestitution());
     double along = forces.extraAlong();
     double addedAlong = forces.addedAlong();
     double turn = forces.turn();

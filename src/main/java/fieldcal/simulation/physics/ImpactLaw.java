@@ -1,7 +1,7 @@
 package fieldcal.simulation.physics;
 
 /**
- * What happens when a flying ball meets the carpet. Upward: v_z' = −e_z·v_z, with e_z·(1 − speedSlope·(|v_z| − 1.5 m/s)). Along the carpet: see {@link Tangential}.
+ * What happens when a flying ball meets the carpet. Upward: v_z' = −e_z·v_z, with e_z·(1 − speedSlope·(|v_z| − 1.5 m/s)), kept between 0 and 0.99. Along the carpet: see {@link Tangential}.
  * A ball whose next hop would stay below {@code minHopHeight} stays on the ground.
  *
  * @param dampingZFirstHop e_z of the first impact after a kick (–)
@@ -21,6 +21,9 @@ public record ImpactLaw(
 
   /** Speed at which {@code speedSlope} changes nothing, m/s (the value that DESIGN fixes). */
   public static final double REFERENCE_SPEED = 1.5;
+
+  /** A ball that keeps more of its vertical speed would bounce for ever: e_z is at most this (–), also where an effect raises it. */
+  static final double LARGEST_DAMPING_Z = 0.99;
 
   /** Lowest hop of the league's models, m. */
   public static final double LEAGUE_MIN_HOP_HEIGHT = 0.01;
@@ -166,6 +169,11 @@ public record ImpactLaw(
   double dampingZ(boolean first, double impactSpeed) {
     double base = first ? dampingZFirstHop : dampingZOtherHops;
     double scaled = base * (1 - speedSlope * (impactSpeed - REFERENCE_SPEED));
-    return Math.max(0, Math.min(0.98, scaled));
+    return limited(scaled);
+  }
+
+  /** e_z between 0 and the largest one. */
+  static double limited(double dampingZ) {
+    return Math.max(0, Math.min(LARGEST_DAMPING_Z, dampingZ));
   }
 }

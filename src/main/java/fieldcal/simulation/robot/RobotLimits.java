@@ -57,7 +57,7 @@ public record RobotLimits(
         angularAcceleration,
         torqueLoss,
         directionality,
-        DirectionShape.SINE_SQUARED);
+        DirectionShape.SINE);
   }
 
   /**

@@ -50,12 +50,25 @@ class PlayCommandTest {
         .isEqualTo(0.65);
     double kSwitch = json("calibration.json").get("flat").get("k_switch").get("mean").asDouble();
     assertThat(kSwitch).isBetween(0.645, 0.655);
+    assertThatTheVerdictIsThatOf(json("calibration.json"));
 
     // A second session is calibrated together with the first.
     assertThat(run("play --sim --kind chip --kicks 3 --seed 2 --out DIR")).isZero();
     assertThat(json("calibration.json").get("sources")).hasSize(2);
     assertThat(json("calibration.json").get("chip").get("damping_z").get("mean").asDouble())
         .isBetween(0.515, 0.525);
+  }
+
+  /** The play ends with the same verdict and the same reasons as its files have. */
+  private void assertThatTheVerdictIsThatOf(JsonNode calibration) {
+    JsonNode verdict = calibration.path("verdict");
+    assertThat(verdict.path("decision").asText()).isEqualTo("record_more");
+    String words = out.toString().replaceAll("\\s+", " ");
+    assertThat(words).contains(verdict.path("headline").asText());
+    assertThat(verdict.path("because")).isNotEmpty();
+    for (String list : new String[] {"because", "notes"}) {
+      verdict.path(list).forEach(reason -> assertThat(words).contains(reason.asText()));
+    }
   }
 
   @Test

@@ -2,6 +2,7 @@ package fieldcal.app.diagnose;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.recording.DataProblem;
 import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.diagnosis.Diagnosis;
 import java.util.List;
@@ -29,8 +30,28 @@ class LeftOutKickTest {
         .containsExactly(third, whole.kicks().get(5).kick().id());
     assertThat(left.get(0).reason()).contains("does not explain it");
     assertThat(left.get(1).reason()).isEqualTo("it could not be fitted");
-    assertThat(left.get(0).remark().toString())
+    assertThat(LeftOutKick.remarks(left).get(0).toString())
         .contains("friday.log.gz", "kick " + third + " was left out");
+  }
+
+  @Test
+  void kicksWithTheSameReasonShareARemark() {
+    List<LeftOutKick> left =
+        List.of(
+            new LeftOutKick(whole.kicks().get(1).kick(), "friday.log.gz", "too few detections"),
+            new LeftOutKick(whole.kicks().get(2).kick(), "friday.log.gz", "it could not be fitted"),
+            new LeftOutKick(whole.kicks().get(4).kick(), "friday.log.gz", "too few detections"),
+            new LeftOutKick(whole.kicks().get(5).kick(), "monday.log.gz", "too few detections"));
+    List<DataProblem> remarks = LeftOutKick.remarks(left);
+    assertThat(remarks).extracting(DataProblem::count).containsExactly(2L, 1L, 1L);
+    assertThat(remarks.get(0).what())
+        .isEqualTo(
+            "kicks "
+                + left.get(0).kick().id()
+                + ", "
+                + left.get(2).kick().id()
+                + " were left out, each for this reason: too few detections");
+    assertThat(remarks.get(2).where()).isEqualTo("monday.log.gz");
   }
 
   @Test

@@ -183,8 +183,10 @@ class CauseWordsTest {
             "4.1 ms early. It shows a ball of 6 m/s 25 mm ahead of"),
         Arguments.of(
             new CameraPoseError(2, 0, 60, 0, 0, 1),
-            "Camera 1 hangs 60 mm lower, is turned by 2.0 mrad (0.11°)",
-            "hangs 60 mm higher"),
+            "Camera 1 hangs 60 mm lower and looks 2.0 mrad (0.11°) farther to the right (−y),"
+                + " direction −90°, than its calibration says.",
+            "hangs 60 mm higher and looks 2.0 mrad (0.11°) farther to the left (+y), direction"
+                + " 90°, than its calibration says."),
         Arguments.of(
             new CameraPoseError(0, 0, 0, 20, 0, 1),
             "hangs 20 mm more towards the −x goal than its calibration",

@@ -55,10 +55,10 @@
         cause.advice ? el('p', {}, el('b', {}, 'To do: '), cause.advice) : '',
         rivals.length ? el('p', {class: 'rivals'}, rivals.join(' ')) : ''),
       el('div', {class: 'facts'},
-        el('p', {}, el('span', {class: 'label'}, 'Strength '), el('b', {}, cause.strength)),
+        fact('Strength', cause.strength),
         fact('Gain, held-out kicks', gainWords(cause)),
         fact('95 % bounds', bounds(cause)),
-        el('p', {}, el('span', {class: 'label'}, 'Certainty '), el('b', {}, cause.certainty))));
+        fact('Certainty', cause.certainty)));
   }
 
   function showCauses() {
