@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.Effort;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
@@ -29,6 +30,7 @@ final class BaseFit {
    * @param problem with at least one fit
    * @param catalogue effects that may be named
    * @param solver of all fits
+   * @param effort to which all paths are added
    * @param watcher told of every fit
    * @return the case
    * @throws IllegalArgumentException when no kick has enough detections
@@ -37,6 +39,7 @@ final class BaseFit {
       DiagnosisProblem problem,
       List<? extends Effect> catalogue,
       SharedSolver solver,
+      Effort effort,
       Consumer<FittedModel> watcher) {
     List<KickFit> fits = problem.fits();
     List<boolean[]> kept = fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
@@ -45,7 +48,7 @@ final class BaseFit {
     EffectModel simple = DiagnosisCase.simple(problem, kicks);
     FitSettings single = FitSettings.defaults().withSeed(problem.seed());
     KickScreen screen = new KickScreen(noise, simple, problem.sessionStart(), single);
-    ModelFitter fitter = new ModelFitter(kicks, problem.sessionStart(), watcher);
+    ModelFitter fitter = new ModelFitter(kicks, problem.sessionStart(), effort, watcher);
     DiagnosisCase at =
         new DiagnosisCase(
             problem,

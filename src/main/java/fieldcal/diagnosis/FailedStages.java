@@ -26,6 +26,11 @@ final class FailedStages {
     }
   }
 
+  /** Something that was not done. */
+  void add(String problem) {
+    problems.add(problem);
+  }
+
   /** What failed, in order. */
   List<String> problems() {
     return List.copyOf(problems);

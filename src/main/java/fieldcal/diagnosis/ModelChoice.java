@@ -139,11 +139,12 @@ final class ModelChoice {
       List<Judgement> judged = decision.judge(at, held);
       way.add(new Weighed(at, judged, held));
       List<Judgement> failed = judged.stream().filter(j -> !stays(j)).toList();
+      boolean spent = fitter.effort().isSpent();
       if (!failed.isEmpty()) {
-        at = withoutWeakest(at, judged, failed);
+        at = spent ? without(at, judged, failed) : withoutWeakest(at, judged, failed);
         continue;
       }
-      if (simplified) {
+      if (simplified || spent) {
         return best(way);
       }
       progress.accept("looking for simpler models");

@@ -43,6 +43,7 @@ final class Selection {
   static boolean mayHelp(Decided first) {
     Leftover leftover = Leftover.of(first.model());
     return first.screened().problem().maxCauses() > 0
+        && !first.screened().fitter().effort().isSpent()
         && first.model().kickCount() >= FEWEST_KICKS
         && leftover.isSignificant()
         && leftover.systematic() > MUCH;

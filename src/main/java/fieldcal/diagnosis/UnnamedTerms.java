@@ -104,6 +104,9 @@ final class UnnamedTerms {
 
   /** With laws, chance and learned terms for what has no name. */
   private Weighed described(Weighed found) {
+    if (isSpent()) {
+      return curved(found, true);
+    }
     // Beside none first: causes may have imitated a law.
     List<FittedModel> starts = new ArrayList<>(List.of(base));
     if (found.model() != base) {
@@ -216,7 +219,7 @@ final class UnnamedTerms {
   private Weighed withoutLaws(Weighed found) {
     Weighed best = curved(found);
     boolean alreadyAlone = found.model().model().components().isEmpty();
-    if (alreadyAlone || !Leftover.of(best.model()).isSignificant()) {
+    if (alreadyAlone || isSpent() || !Leftover.of(best.model()).isSignificant()) {
       return best;
     }
     Weighed alone = choice.of(withCurves(base, List.of(), true));
@@ -239,6 +242,7 @@ final class UnnamedTerms {
     Weighed best = curved(named, true);
     boolean much = Math.pow(best.held().rmsMm(), 2) < IMITATED * Math.pow(named.held().rmsMm(), 2);
     return !much
+            && !isSpent()
             && best.judged().stream().anyMatch(UnnamedTerms::isChance)
             && losesName(named, best)
         ? curved(named, false)
@@ -247,6 +251,11 @@ final class UnnamedTerms {
 
   private static boolean isChance(Judgement j) {
     return !j.effect().hasOwnMean();
+  }
+
+  /** Whether nothing should be begun that can be left out. */
+  private boolean isSpent() {
+    return fitter.effort().isSpent();
   }
 
   private static boolean losesName(Weighed before, Weighed after) {
@@ -266,7 +275,7 @@ final class UnnamedTerms {
     }
     Weighed best = choice.of(curved);
     FittedModel fewer = withoutSupplanted(named.model(), curved);
-    if (fewer != curved) {
+    if (fewer != curved && !isSpent()) {
       Weighed lean = choice.of(fewer);
       best = lean.isAsGoodAs(best, CLEARLY_BETTER) ? lean : best;
     }
@@ -286,10 +295,10 @@ final class UnnamedTerms {
           all.addAll(PeriodicTerms.of(start, arena, sessionStart));
           FittedModel curved = search(start, all, most);
           boolean grown = curved.model().components().size() > start.model().components().size();
-          if (grown && Leftover.of(curved).isSignificant()) {
+          if (grown && !isSpent() && Leftover.of(curved).isSignificant()) {
             curved = search(curved, PeriodicTerms.of(curved, arena, sessionStart), most + 1);
           }
-          return Leftover.of(curved).isSignificant()
+          return !isSpent() && Leftover.of(curved).isSignificant()
               ? search(curved, LearnedLibrary.maps(arena), most + 1)
               : curved;
         });

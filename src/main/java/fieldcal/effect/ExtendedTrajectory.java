@@ -270,6 +270,15 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
+   * How much work the path was.
+   *
+   * @return pieces that were integrated one by one
+   */
+  public int pieces() {
+    return path.count();
+  }
+
+  /**
    * How many flights the path has.
    *
    * @return 0 of a flat kick

@@ -2,6 +2,7 @@ package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.hidden.HiddenRun;
 import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.Effort;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
@@ -78,7 +79,8 @@ public record FittedField(
     List<boolean[]> kept = fits.stream().map(f -> Screening.kept(f, problem.cameras())).toList();
     MovingNoise noise = MovingNoise.of(fits, kept, problem.cameras());
     List<KickRecord> kicks = fits.stream().map(f -> KickScreen.record(f, noise)).toList();
-    ModelFitter fitter = new ModelFitter(kicks, problem.sessionStart(), fitted -> {});
+    ModelFitter fitter =
+        new ModelFitter(kicks, problem.sessionStart(), new Effort(Long.MAX_VALUE), fitted -> {});
     FittedModel simple =
         fitter.fit(
             EffectModel.simple(
@@ -149,7 +151,7 @@ public record FittedField(
 
   /** The same field with other kicks. */
   public ModelFitter fitter(List<KickRecord> kicks) {
-    return new ModelFitter(kicks, problem.sessionStart(), fitted -> {});
+    return new ModelFitter(kicks, problem.sessionStart(), new Effort(Long.MAX_VALUE), fitted -> {});
   }
 
   /** What was recorded. */

@@ -237,9 +237,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
    * @return a sentence for each
    */
   public static List<String> failures(Diagnosis d) {
-    return d.problems().stream()
-        .map(p -> "A part of the diagnosis failed, so there may be more to find: " + p + ".")
-        .toList();
+    return d.problems().stream().map(p -> "There may be more to find: " + p + ".").toList();
   }
 
   private static long kinds(Diagnosis d) {

@@ -44,6 +44,7 @@ public final class EffectKick implements KickTerm<ModelState> {
   private final KickRecord record;
   private final double[] randomScales;
   private final double sessionStart;
+  private final Effort effort;
   private final int flights;
 
   /**
@@ -52,19 +53,23 @@ public final class EffectKick implements KickTerm<ModelState> {
    * @param record its observations
    * @param model whose random effects the kick has values of
    * @param sessionStart begin of the session on the kicks' clock, s
+   * @param effort to which its paths are added
    */
-  public EffectKick(KickRecord record, EffectModel model, double sessionStart) {
+  public EffectKick(KickRecord record, EffectModel model, double sessionStart, Effort effort) {
     this(
         record,
         model.random().stream().mapToDouble(c -> c.coordinates().get(0).scale()).toArray(),
         sessionStart,
+        effort,
         record.flights);
   }
 
-  private EffectKick(KickRecord record, double[] randomScales, double sessionStart, int flights) {
+  private EffectKick(
+      KickRecord record, double[] randomScales, double sessionStart, Effort effort, int flights) {
     this.record = record;
     this.randomScales = randomScales;
     this.sessionStart = sessionStart;
+    this.effort = effort;
     this.flights = flights;
   }
 
@@ -75,7 +80,7 @@ public final class EffectKick implements KickTerm<ModelState> {
    * @return the changed copy
    */
   public EffectKick withFlights(int newFlights) {
-    return new EffectKick(record, randomScales, sessionStart, newFlights);
+    return new EffectKick(record, randomScales, sessionStart, effort, newFlights);
   }
 
   /**
@@ -85,7 +90,17 @@ public final class EffectKick implements KickTerm<ModelState> {
    * @return the changed copy
    */
   public EffectKick with(KickRecord other) {
-    return new EffectKick(other, randomScales, sessionStart, flights);
+    return new EffectKick(other, randomScales, sessionStart, effort, flights);
+  }
+
+  /**
+   * The same taken for a kick of the other kind.
+   *
+   * @param other with the fit as that kind
+   * @return the changed copy, with the number of flights of that fit
+   */
+  public EffectKick as(KickRecord other) {
+    return new EffectKick(other, randomScales, sessionStart, effort, other.flights);
   }
 
   /**
@@ -143,6 +158,12 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   private ExtendedTrajectory path(double[] own, ModelState state, double until) {
+    ExtendedTrajectory path = integrated(own, state, until);
+    effort.add(path.pieces());
+    return path;
+  }
+
+  private ExtendedTrajectory integrated(double[] own, ModelState state, double until) {
     MotionEffects motion = state.motionOf(own);
     double t0 = own[record.timeIndex()];
     if (record.kind == KickKind.FLAT) {

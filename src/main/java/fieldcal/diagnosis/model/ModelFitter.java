@@ -18,8 +18,12 @@ public final class ModelFitter {
   /** What lower hops must explain of what is left, as a law of impacts must. */
   private static final double LOW_HOP_SHARE = 0.1;
 
+  /** Steps of a fit once the effort is spent; chosen: from another model's fit, a model that is right needs two or three. */
+  private static final int FEW_ITERATIONS = 6;
+
   private final List<KickRecord> kicks;
   private final double sessionStart;
+  private final Effort effort;
   private final Consumer<FittedModel> watcher;
 
   /**
@@ -27,11 +31,14 @@ public final class ModelFitter {
    *
    * @param kicks at least one
    * @param sessionStart begin of the session on the kicks' clock, s
+   * @param effort to which all paths are added
    * @param watcher told of every fit, from the thread that asked for it
    */
-  public ModelFitter(List<KickRecord> kicks, double sessionStart, Consumer<FittedModel> watcher) {
+  public ModelFitter(
+      List<KickRecord> kicks, double sessionStart, Effort effort, Consumer<FittedModel> watcher) {
     this.kicks = List.copyOf(kicks);
     this.sessionStart = sessionStart;
+    this.effort = effort;
     this.watcher = watcher;
   }
 
@@ -39,10 +46,19 @@ public final class ModelFitter {
    * A fitter of other kicks of the same session.
    *
    * @param others at least one
-   * @return told of by the same watcher
+   * @return told of by the same watcher, and part of the same effort
    */
   public ModelFitter among(List<KickRecord> others) {
-    return new ModelFitter(others, sessionStart, watcher);
+    return new ModelFitter(others, sessionStart, effort, watcher);
+  }
+
+  /**
+   * How much was worked, and how much may be.
+   *
+   * @return the effort of all fits of the diagnosis
+   */
+  public Effort effort() {
+    return effort;
   }
 
   /**
@@ -105,7 +121,7 @@ public final class ModelFitter {
     List<EffectKick> terms = new ArrayList<>();
     List<double[]> starts = new ArrayList<>();
     for (KickRecord kick : kicks) {
-      terms.add(new EffectKick(kick, model, sessionStart));
+      terms.add(new EffectKick(kick, model, sessionStart, effort));
       starts.add(startWith(kick.start, model, null, null));
     }
     return solve(model, terms, starts, ones(), solver);
@@ -126,7 +142,7 @@ public final class ModelFitter {
     List<double[]> starts = new ArrayList<>();
     double[] weights = weighing.of(before);
     for (int k = 0; k < kicks.size(); k++) {
-      EffectKick term = new EffectKick(kicks.get(k), model, sessionStart);
+      EffectKick term = new EffectKick(kicks.get(k), model, sessionStart, effort);
       boolean same = before.kick(k).record().kind == kicks.get(k).kind;
       terms.add(same ? term.withFlights(before.kick(k).flights()) : term);
       double[] own = same ? before.solution().own(k) : kicks.get(k).start;
@@ -196,7 +212,8 @@ public final class ModelFitter {
     SharedProblem<ModelState> problem =
         new SharedProblem<>(
             model, terms, starts, model.globals(), model.priors(), model.randoms(), weights);
-    FittedModel fitted = new FittedModel(model, solver.solve(problem));
+    SharedSolver used = effort.isSpent() ? solver.withMaxIterations(FEW_ITERATIONS) : solver;
+    FittedModel fitted = new FittedModel(model, used.solve(problem));
     watcher.accept(fitted);
     return fitted;
   }

@@ -157,7 +157,7 @@ public final class KickScreen {
       return now;
     }
     KickRecord changed = other.get();
-    EffectKick as = new EffectKick(changed, at.model(), sessionStart);
+    EffectKick as = term.as(changed);
     double[] start = Arrays.copyOf(changed.start(), as.ownSize());
     System.arraycopy(means, 0, start, changed.timeIndex() + 1, means.length);
     double left = Double.POSITIVE_INFINITY;

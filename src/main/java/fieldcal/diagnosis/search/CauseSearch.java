@@ -114,13 +114,16 @@ public final class CauseSearch {
       } else {
         inVain++;
       }
-      if (isExplained(best) || inVain == MOST_IN_VAIN) {
+      if (isExplained(best) || inVain == MOST_IN_VAIN || fitter.effort().isSpent()) {
         break;
       }
     }
     Simplification simplification = new Simplification(refits, dictionary, trace);
     if (!revises) {
       return simplification.withLawForOther(best).orElse(best);
+    }
+    if (fitter.effort().isSpent()) {
+      return best;
     }
     if (free || best != start) {
       // What an earlier search has exchanged and moved is not better now.
@@ -143,14 +146,16 @@ public final class CauseSearch {
         > 1;
   }
 
-  /** What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. */
+  /** What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. Only begun where what was found explains the kicks together with it. */
   private FittedModel besideChance(FittedModel start, FittedModel found) {
     FittedModel best = found;
     for (Component chance : dictionary.chance(start.model())) {
       Refits refits = refits(Weighing.EXPLAINED_FIRST);
-      List<Component> with = new ArrayList<>(start.model().components());
-      with.add(chance);
-      FittedModel grown = pursuit(refits).grown(refits.fit(start, with), Pursuit.Order.BEST, true);
+      if (!isExplained(refits.fit(found, with(found, chance)))) {
+        continue;
+      }
+      FittedModel begun = refits.fit(start, with(start, chance));
+      FittedModel grown = pursuit(refits).grown(begun, Pursuit.Order.BEST, true);
       FittedModel settled = pursuit(refits).settled(grown);
       FittedModel needed = new Chance(refits, trace).onlyWhatIsNeeded(settled);
       if (isExplained(needed) && Price.total(needed) < Price.total(best)) {
@@ -158,6 +163,12 @@ public final class CauseSearch {
       }
     }
     return best;
+  }
+
+  private static List<Component> with(FittedModel model, Component added) {
+    List<Component> all = new ArrayList<>(model.model().components());
+    all.add(added);
+    return all;
   }
 
   private Refits refits(Weighing weighing) {

@@ -38,7 +38,7 @@ public final class SharedSolution<S> {
   private static final double NEWTON_DAMPING = 1e-3;
 
   /**
-   * Steps of a fit without some of the kicks, which begins at the fit of all. Where the model is right two or three end it; where nothing is right, it would creep along for forty, which took a third of the time of a diagnosis, and what is
+   * Steps of a fit without some of the kicks, which begins at the fit of all. Where the model is right two or three end it; where nothing is right, it would creep along for forty, which took half of the time of a diagnosis, and what is
    * asked is how the kicks that were left out are predicted, not where the last unit of chi-square is. Chosen.
    */
   private static final int MOST_STEPS_WITHOUT = 10;

@@ -4,6 +4,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
+import fieldcal.diagnosis.model.Effort;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
@@ -219,7 +220,7 @@ public record Visibility(double left, double leftWithOffsets, int kicks) {
                   .toList());
     }
     FittedModel fit =
-        new ModelFitter(records, seen.firstFrame(), fitted -> {})
+        new ModelFitter(records, seen.firstFrame(), new Effort(Long.MAX_VALUE), fitted -> {})
             .fit(model, SharedSolver.withDefaults().settlingVariants());
     return rms(fit);
   }

@@ -121,7 +121,7 @@ class EffectKickTest extends KickTermContract<ModelState> {
     for (KickKind kind : KickKind.values()) {
       KickRecord record = record(kind, 5);
       for (EffectModel model : models) {
-        EffectKick term = new EffectKick(record, model, 0);
+        EffectKick term = new EffectKick(record, model, 0, new Effort(Long.MAX_VALUE));
         double[] own = Arrays.copyOf(record.start(), term.ownSize());
         if (own.length > record.start().length) {
           own[own.length - 1] = 0.15;

@@ -10,6 +10,8 @@ import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.validation.HoldOut.Ahead;
 import fieldcal.effect.motion.AirDrag;
+import fieldcal.effect.motion.KickSpin;
+import fieldcal.effect.motion.RollScatter;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -21,14 +23,17 @@ class HoldOutTest {
   private static final long SEED = 1;
 
   private final FittedField field = FittedField.flats("air_drag:cd=0.45");
-  private final FittedModel drag =
-      field
-          .fitter()
-          .fit(
-              field.simple().model().with(List.of(Component.of(new AirDrag(0), List.of("cd")))),
-              field.simple(),
-              Weighing.ALIKE,
-              FittedField.SOLVER);
+  private final FittedModel drag = with(field, Component.of(new AirDrag(0), List.of("cd")));
+
+  private static FittedModel with(FittedField field, Component component) {
+    return field
+        .fitter()
+        .fit(
+            field.simple().model().with(List.of(component)),
+            field.simple(),
+            Weighing.ALIKE,
+            FittedField.SOLVER);
+  }
 
   /** The step is exact where the model is linear; a ball's is nearly so over a standard error. */
   @Test
@@ -154,6 +159,20 @@ class HoldOutTest {
     double fitted = 1000 * Math.sqrt(sum / n);
     // Four parameters from ten kicks cost some thousandths of the residual.
     assertThat(held.rmsMm()).isBetween(0.9999 * fitted, 1.02 * fitted);
+  }
+
+  /** A value of its own explains a kick that was held out; the mean of all does not. */
+  @Test
+  void whatDiffersByChanceExplainsNothingWithoutItsValues() {
+    FittedField spun = FittedField.flats("kick_spin:fraction=-0.3,scatter=0.1");
+    FittedModel chance = with(spun, Component.perKick(new RollScatter(0)));
+    double own = HoldOut.of(chance, false, SEED).rmsMm();
+    double mean = HoldOut.withoutChance(chance, SEED).rmsMm();
+    assertThat(mean).isGreaterThan(1.5 * own);
+    assertThat(mean).isCloseTo(HoldOut.of(spun.simple(), false, SEED).rmsMm(), within(0.3 * mean));
+    FittedModel kickers = with(spun, Component.perKick(new KickSpin(0)));
+    assertThat(HoldOut.withoutChance(kickers, SEED).squares())
+        .isEqualTo(HoldOut.of(kickers, false, SEED).squares());
   }
 
   @Test

@@ -333,6 +333,40 @@ class SharedSolverTest {
     assertThat(s.own(3)[0]).isEqualTo(mean + share * (means[3] - mean), within(1e-4));
   }
 
+  /** Where the data are followed exactly, weights change nothing but what each kick tells of its value. */
+  @Test
+  void costsWithOtherWeightsAreThoseOfAFitWithThem() {
+    List<ToyKick> exact = new ArrayList<>();
+    for (ToyKick kick : ToyProblem.kicks(8, TRUTH, 0, new SplittableRandom(13))) {
+      double[] y = new double[kick.rows()];
+      for (int i = 0; i < y.length; i++) {
+        for (int g = 0; g < TRUTH.length; g++) {
+          y[i] += TRUTH[g] * kick.b[g][i];
+        }
+      }
+      exact.add(new ToyKick(y, kick.a, kick.b));
+    }
+    SharedProblem<double[]> moved = ToyProblem.withRandom(exact, globals(3));
+    double[] weights = {0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1, 1};
+    SharedSolution<double[]> alike = SOLVER.solve(held(moved, moved.weights()));
+    SharedSolution<double[]> weighed = SOLVER.solve(held(moved, weights));
+    assertThat(alike.costWith(moved.weights())).isEqualTo(alike.cost());
+    assertThat(alike.costWith(weights)).isCloseTo(weighed.cost(), within(1e-6));
+    assertThat(weighed.costWith(moved.weights())).isCloseTo(alike.cost(), within(1e-6));
+    assertThat(alike.cost()).isGreaterThan(weighed.cost() + 1);
+  }
+
+  private static SharedProblem<double[]> held(SharedProblem<double[]> of, double[] weights) {
+    return new SharedProblem<>(
+        of.model(),
+        of.kicks(),
+        of.starts(),
+        of.globals(),
+        of.priors(),
+        List.of(new RandomEffect(0, 0.5, 0.499_999_9, 0.500_000_1)),
+        weights);
+  }
+
   @Test
   void theDiscreteUnknownIsSettled() {
     SplittableRandom random = new SplittableRandom(7);
