@@ -146,12 +146,12 @@ public final class CauseSearch {
         > 1;
   }
 
-  /** What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. Only begun where what was found explains the kicks together with it. */
+  /** What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. */
   private FittedModel besideChance(FittedModel start, FittedModel found) {
     FittedModel best = found;
     for (Component chance : dictionary.chance(start.model())) {
       Refits refits = refits(Weighing.EXPLAINED_FIRST);
-      if (!isExplained(refits.fit(found, with(found, chance)))) {
+      if (!mayBeBehind(chance, found, refits)) {
         continue;
       }
       FittedModel begun = refits.fit(start, with(start, chance));
@@ -163,6 +163,18 @@ public final class CauseSearch {
       }
     }
     return best;
+  }
+
+  /** Whether chance is needed beside what was found, or does as well as what else has a value for each kick. */
+  private static boolean mayBeBehind(Component chance, FittedModel found, Refits refits) {
+    List<Component> all = with(found, chance);
+    FittedModel beside = refits.fit(found, all);
+    if (!isExplained(beside)) {
+      return false;
+    }
+    boolean needed = new Price(refits.weighing()).gain(found, beside) > Price.of(List.of(chance));
+    List<Component> shared = all.stream().filter(c -> c == chance || !c.isPerKick()).toList();
+    return needed || shared.size() < all.size() && isExplained(refits.fit(found, shared));
   }
 
   private static List<Component> with(FittedModel model, Component added) {
