@@ -187,15 +187,6 @@ final class Proof {
 
   /** The same of values that each kick has of its own, whose mean may be nothing. */
   boolean isGainOfFewKicks(FittedModel without) {
-    double[] gained = new double[model.kickCount()];
-    for (int k = 0; k < gained.length; k++) {
-      gained[k] = without.solution().chiSquare(k) - model.solution().chiSquare(k);
-    }
-    double sum = Arrays.stream(gained).sum();
-    Arrays.sort(gained);
-    for (int i = 0; i < Math.min(Decision.TOO_FEW_KICKS, gained.length); i++) {
-      sum -= gained[gained.length - 1 - i];
-    }
-    return sum < settings.fewKicks() * Arrays.stream(gained).sum();
+    return model.shareOfMost(without, Decision.TOO_FEW_KICKS) < settings.fewKicks();
   }
 }

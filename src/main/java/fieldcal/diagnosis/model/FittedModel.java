@@ -3,6 +3,7 @@ package fieldcal.diagnosis.model;
 import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedSolution;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -125,6 +126,23 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
       seen += solution.chiSquare(k) * times * times;
     }
     return given > 0 ? solution.reducedChiSquare() * seen / given : 0;
+  }
+
+  /**
+   * How much of what this gains in chi-square most kicks gain, and not a few.
+   *
+   * @param over another model of the same kicks
+   * @param few the kicks that gain most and do not count
+   * @return share of the whole gain
+   */
+  public double shareOfMost(FittedModel over, int few) {
+    double[] gained = new double[kickCount()];
+    for (int k = 0; k < gained.length; k++) {
+      gained[k] = over.solution.chiSquare(k) - solution.chiSquare(k);
+    }
+    double all = Arrays.stream(gained).sum();
+    Arrays.sort(gained);
+    return Arrays.stream(gained).limit(Math.max(0, gained.length - few)).sum() / all;
   }
 
   /**

@@ -45,6 +45,11 @@ public final class CauseSearch {
   /** Pursuits in a row that lead nowhere, beside an earlier one: where no cause is right they all do, and the last take longest. In 21 recordings of other generators the first or the second ended what any of the six ended. */
   private static final int MOST_IN_VAIN = 3;
 
+  /** Kicks that do not make chance by themselves, and what all others must gain by it, as a share: as when a name is decided. */
+  private static final int FEW_KICKS = 2;
+
+  private static final double LEAST_SHARE = 0.15;
+
   /** When not all is searched: what differs at random may be all there is, and curves would take up much of it. */
   private static final List<Manner> SHORT =
       List.of(
@@ -158,7 +163,8 @@ public final class CauseSearch {
       FittedModel grown = pursuit(refits).grown(begun, Pursuit.Order.BEST, true);
       FittedModel settled = pursuit(refits).settled(grown);
       FittedModel needed = new Chance(refits, trace).onlyWhatIsNeeded(settled);
-      if (isExplained(needed) && Price.total(needed) < Price.total(best)) {
+      boolean cheaper = isExplained(needed) && Price.total(needed) < Price.total(best);
+      if (cheaper && differsInMostKicks(chance, needed, refits)) {
         best = needed;
       }
     }
@@ -175,6 +181,13 @@ public final class CauseSearch {
     boolean needed = new Price(refits.weighing()).gain(found, beside) > Price.of(List.of(chance));
     List<Component> shared = all.stream().filter(c -> c == chance || !c.isPerKick()).toList();
     return needed || shared.size() < all.size() && isExplained(refits.fit(found, shared));
+  }
+
+  /** Whether chance is still needed, and not by a few kicks alone: these would be no free balls, or hide a cause. */
+  private static boolean differsInMostKicks(Component chance, FittedModel needed, Refits refits) {
+    List<Component> rest = new ArrayList<>(needed.model().components());
+    return rest.removeIf(chance::isSameCause)
+        && needed.shareOfMost(refits.fit(needed, rest), FEW_KICKS) > LEAST_SHARE;
   }
 
   private static List<Component> with(FittedModel model, Component added) {

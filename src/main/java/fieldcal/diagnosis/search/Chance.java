@@ -7,9 +7,7 @@ import fieldcal.effect.MotionEffect;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Takes out of a model what is not needed beside values that differ from kick to kick by chance. Not thread-safe.
- */
+/** Takes out of a model what is not needed beside values that differ from kick to kick by chance. Not thread-safe. */
 final class Chance {
   private final Refits refits;
   private final Price price;
@@ -25,6 +23,7 @@ final class Chance {
     this.trace = trace;
   }
 
+  /** Takes out what costs more than it explains, the weakest first: chance, too, where the rest explains the kicks. */
   FittedModel onlyWhatIsNeeded(FittedModel model) {
     FittedModel at = model;
     while (true) {

@@ -4,7 +4,6 @@ import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
-import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.KickerEffect;
 import fieldcal.effect.MotionEffect;
 import java.util.ArrayList;
@@ -28,12 +27,19 @@ public final class Dictionary {
    * @param arena what was recorded
    */
   public Dictionary(List<? extends Effect> effects, Arena arena) {
+    this(effects, List.of(), arena);
+  }
+
+  /**
+   * A dictionary of a search that looks at its findings beside chance.
+   *
+   * @param effects absent ones
+   * @param byChance absent ones that differ from kick to kick and have no mean of their own
+   * @param arena what was recorded
+   */
+  public Dictionary(List<? extends Effect> effects, List<? extends Effect> byChance, Arena arena) {
     kickTimes = arena.kickTimes();
-    chance =
-        EffectCatalogue.unnamed().stream()
-            .filter(e -> e.canShowIn(arena))
-            .map(Component::perKick)
-            .toList();
+    chance = byChance.stream().filter(e -> e.canShowIn(arena)).map(Component::perKick).toList();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
         // A kicker's command is compared with what the kick's own velocity came out as.
@@ -125,7 +131,7 @@ public final class Dictionary {
     return c.startingAt(there);
   }
 
-  /** What may differ from kick to kick by chance, whether it may be proposed or not, of which a model has none. */
+  /** What may differ from kick to kick by chance behind what is found, of which a model has none. */
   List<Component> chance(EffectModel model) {
     return chance.stream()
         .filter(c -> model.components().stream().noneMatch(c::isSameCause))
