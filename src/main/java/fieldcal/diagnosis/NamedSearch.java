@@ -71,7 +71,7 @@ final class NamedSearch {
       if (revised.equals(before)) {
         revised = at.screen().withoutStrays(seen);
       }
-      if (revised.size() == before.size() && revised.equals(before)) {
+      if (revised.equals(before)) {
         return new Found(at, best);
       }
       progress.stage("looking again at kicks that stand out");

@@ -93,9 +93,7 @@ final class UnnamedTerms {
    */
   Weighed beside(Weighed named) {
     Weighed best = named;
-    boolean lawful =
-        named.judged().stream().anyMatch(j -> j.component().isChance() && j.follows().isPresent());
-    if (lawful || Leftover.of(named.model()).isSignificant()) {
+    if (chanceFollows(named) || Leftover.of(named.model()).isSignificant()) {
       progress.stage("describing what has no name");
       best = described(named);
     }
@@ -117,7 +115,7 @@ final class UnnamedTerms {
       return besideLaws(lawful);
     }
     Weighed best = withoutLaws(found);
-    if (best.judged().stream().noneMatch(j -> isChance(j) && j.follows().isPresent())) {
+    if (!chanceFollows(best)) {
       return best;
     }
     FittedModel start = laws.withoutValues(best.model());
@@ -250,7 +248,12 @@ final class UnnamedTerms {
   }
 
   private static boolean isChance(Judgement j) {
-    return !j.effect().hasOwnMean();
+    return j.component().isChance();
+  }
+
+  /** Whether what differs from kick to kick follows something after all, so that a law may be behind it. */
+  private static boolean chanceFollows(Weighed weighed) {
+    return weighed.judged().stream().anyMatch(j -> isChance(j) && j.follows().isPresent());
   }
 
   /** Whether nothing should be begun that can be left out. */
