@@ -1,7 +1,6 @@
 package fieldcal.diagnosis;
 
 import fieldcal.diagnosis.ModelChoice.Weighed;
-import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.validation.HoldOut;
 
@@ -18,11 +17,6 @@ record Decided(DiagnosisCase screened, FittedModel base, HoldOut heldBase, Weigh
   /** Whether the simple model is the best that was found. */
   boolean isNothing() {
     return model().model().components().isEmpty();
-  }
-
-  /** Whether any cause has a name. */
-  boolean hasName() {
-    return best.judged().stream().anyMatch(Judgement::isName);
   }
 
   /** The model that was chosen. */

@@ -35,9 +35,12 @@ final class Decider {
     HoldOut heldBase = HoldOut.of(at.base(), true, at.seed());
     Weighed simple = new Weighed(at.base(), List.of(), heldBase);
     ModelChoice choice = new ModelChoice(at, heldBase, trace, progress::part);
+    CurveSearch curves = new CurveSearch(at, search, failed);
     boolean none = found.model().components().isEmpty();
     Weighed named = none ? simple : choice.of(found);
-    Weighed best = new UnnamedTerms(at, choice, heldBase, search, failed, progress).beside(named);
+    UnnamedTerms unnamed = new UnnamedTerms(at, choice, heldBase, curves, progress);
+    Weighed best =
+        new RivalCurves(at, choice, curves, unnamed, progress).against(unnamed.beside(named));
     boolean nothing = best.model().model().components().isEmpty();
     boolean worse = !(best.held().rmsMm() <= heldBase.rmsMm());
     return new Decided(at, at.base(), heldBase, nothing || worse ? simple : best);

@@ -71,7 +71,9 @@ public final class Diagnoser {
     told.stage("fitting all kicks together");
     DiagnosisCase screened = BaseFit.of(problem, catalogue, solver, effort, told::fitted);
     Decider decider = new Decider(search, trace, failed, told);
-    Decided first = found(screened, search, decider, failed, told);
+    Found found = found(screened, search, failed, told);
+    told.stage("weighing the explanations");
+    Decided first = decider.decide(found.at(), found.model());
     Decided decided = first;
     if (Selection.mayHelp(first)) {
       told.stage("selecting by prediction");
@@ -84,38 +86,14 @@ public final class Diagnoser {
     return answer(decided).diagnosis(trace, failed.problems());
   }
 
-  /** What is decided about what is found. Names that were found beside chance stand and fall with it: without it the search begins again. */
-  private static Decided found(
-      DiagnosisCase screened,
-      SampledSearch search,
-      Decider decider,
-      FailedStages failed,
-      DiagnosisProgress told) {
-    Found found = found(screened, EffectCatalogue.unnamed(), search, failed, told);
-    told.stage("weighing the explanations");
-    Decided decided = decider.decide(found.at(), found.model());
-    if (!decided.hasName() || !found.losesChance(decided.model())) {
-      return decided;
-    }
-    Found again = found(screened, List.of(), search, failed, told);
-    told.stage("weighing the explanations again");
-    return decider.decide(again.at(), again.model());
-  }
-
-  /** What is found among the named effects, and what may be behind it by chance; the simple model where nothing may be named. */
+  /** What is found among the named effects; the simple model where nothing may be named. */
   private static Found found(
-      DiagnosisCase screened,
-      List<Effect> chance,
-      SampledSearch search,
-      FailedStages failed,
-      DiagnosisProgress told) {
+      DiagnosisCase screened, SampledSearch search, FailedStages failed, DiagnosisProgress told) {
     Found nothing = new Found(screened, screened.base());
     return screened.problem().maxCauses() == 0
         ? nothing
         : failed.guarded(
-            "the search for causes",
-            nothing,
-            () -> new NamedSearch(search, chance, told).search(screened));
+            "the search for causes", nothing, () -> new NamedSearch(search, told).search(screened));
   }
 
   private Answer answer(Decided decided) {

@@ -1,13 +1,12 @@
 package fieldcal.diagnosis;
 
-import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.screening.KickScreen;
 import fieldcal.diagnosis.search.Dictionary;
-import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
 import fieldcal.kick.KickKind;
 import java.util.List;
 
@@ -26,17 +25,14 @@ final class NamedSearch {
   private static final int SPARE = 5;
 
   private final SampledSearch search;
-  private final List<Effect> chance;
   private final DiagnosisProgress progress;
 
   /**
    * @param search for components
-   * @param chance what may differ from kick to kick by chance behind what is found
    * @param progress told in words what is being done
    */
-  NamedSearch(SampledSearch search, List<Effect> chance, DiagnosisProgress progress) {
+  NamedSearch(SampledSearch search, DiagnosisProgress progress) {
     this.search = search;
-    this.chance = chance;
     this.progress = progress;
   }
 
@@ -46,16 +42,7 @@ final class NamedSearch {
    * @param at the kicks as they were screened last
    * @param model fitted to them, all of which weigh alike
    */
-  record Found(DiagnosisCase at, FittedModel model) {
-    /** Whether the model was found beside chance, and another one no longer has it. */
-    boolean losesChance(FittedModel other) {
-      return hasChance(model) && !hasChance(other);
-    }
-
-    private static boolean hasChance(FittedModel of) {
-      return of.model().components().stream().anyMatch(Component::isChance);
-    }
-  }
+  record Found(DiagnosisCase at, FittedModel model) {}
 
   Found search(DiagnosisCase given) {
     DiagnosisCase at = given;
@@ -92,7 +79,7 @@ final class NamedSearch {
   }
 
   private FittedModel named(DiagnosisCase at, FittedModel start) {
-    Dictionary dictionary = new Dictionary(at.catalogue(), chance, at.arena());
+    Dictionary dictionary = new Dictionary(at.catalogue(), EffectCatalogue.unnamed(), at.arena());
     int most = at.problem().maxCauses() + SPARE;
     return search.search(at.fitter(), start, dictionary, most, true);
   }

@@ -68,7 +68,7 @@ final class Selection {
   private static Dictionary dictionary(Decided beside) {
     DiagnosisCase at = beside.screened();
     List<Effect> effects = new ArrayList<>(at.catalogue());
-    effects.addAll(UnnamedTerms.learned(at.arena(), beside.best().judged()));
+    effects.addAll(CurveSearch.learned(at.arena(), beside.best().judged()));
     effects.addAll(LearnedLibrary.maps(at.arena()));
     return new Dictionary(effects, at.arena());
   }

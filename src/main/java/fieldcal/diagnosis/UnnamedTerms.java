@@ -9,13 +9,9 @@ import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
-import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
-import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
-import fieldcal.effect.EffectCatalogue;
-import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,9 +22,6 @@ import java.util.stream.Stream;
  * thread-safe.
  */
 final class UnnamedTerms {
-  /** Learned terms that a model may have; a third already describes what the first two leave. */
-  private static final int MOST_LEARNED = 3;
-
   /** A simpler model is taken unless a larger one predicts held-out kicks better by that share: a tenth of the noise's excess that matters. */
   private static final double CLEARLY_BETTER = 0.01;
 
@@ -36,53 +29,43 @@ final class UnnamedTerms {
   private static final double SUPPLANTED = 0.5;
 
   /** Curves alone must leave at most that share of the held-out variance that causes with names leave: by less they are another description of the same. */
-  private static final double IMITATED = 0.5;
+  static final double IMITATED = 0.5;
 
   private final ModelChoice choice;
   private final HoldOut heldBase;
-  private final SampledSearch search;
-  private final FailedStages failed;
+  private final CurveSearch curves;
   private final DiagnosisProgress progress;
 
   private final FittedModel base;
   private final ModelFitter fitter;
-  private final Arena arena;
-  private final List<? extends Effect> catalogue;
   private final DecisionSettings settings;
   private final SharedSolver solver;
   private final LawForValues laws;
   private final long seed;
-  private final double sessionStart;
 
   /**
    * @param problem the screened kicks and what may explain them
    * @param choice which of the components that are found stay
    * @param heldBase how the simple model does on kicks that were held out
-   * @param search for curves
-   * @param failed told of searches that fail
+   * @param curves search for learned terms
    * @param progress told in words what is being done
    */
   UnnamedTerms(
       DiagnosisCase problem,
       ModelChoice choice,
       HoldOut heldBase,
-      SampledSearch search,
-      FailedStages failed,
+      CurveSearch curves,
       DiagnosisProgress progress) {
     this.choice = choice;
     this.heldBase = heldBase;
-    this.search = search;
-    this.failed = failed;
+    this.curves = curves;
     this.progress = progress;
     base = problem.base();
     fitter = problem.fitter();
-    arena = problem.arena();
-    catalogue = problem.catalogue();
     settings = problem.settings();
     solver = problem.solver();
     laws = problem.laws();
     seed = problem.seed();
-    sessionStart = problem.problem().sessionStart();
   }
 
   /**
@@ -132,7 +115,7 @@ final class UnnamedTerms {
     if (!found.held().predictsMostWorseThan(heldBase, seed)) {
       return found;
     }
-    Weighed curved = choice.of(withCurves(base, List.of(), false));
+    Weighed curved = choice.of(curves.beside(base, List.of(), false));
     boolean sound =
         curved.held().rmsMm() <= heldBase.rmsMm()
             && !curved.held().predictsWorseThan(heldBase, seed)
@@ -179,7 +162,7 @@ final class UnnamedTerms {
   private Weighed withLaws(Weighed found, List<FittedModel> starts) {
     Weighed best = found;
     List<FittedModel> from = starts;
-    for (int i = 0; i < MOST_LEARNED; i++) {
+    for (int i = 0; i < CurveSearch.MOST_LEARNED; i++) {
       Weighed before = best;
       for (FittedModel start : from) {
         for (FittedModel law : laws.beside(start)) {
@@ -220,7 +203,7 @@ final class UnnamedTerms {
     if (alreadyAlone || isSpent() || !Leftover.of(best.model()).isSignificant()) {
       return best;
     }
-    Weighed alone = choice.of(withCurves(base, List.of(), true));
+    Weighed alone = choice.of(curves.beside(base, List.of(), true));
     boolean named = best.judged().stream().anyMatch(Judgement::isName);
     double most = named ? IMITATED : 1;
     boolean imitated =
@@ -272,7 +255,7 @@ final class UnnamedTerms {
 
   /** With curves beside the causes, if that predicts better. Causes whose place a curve took stay where they are needed all the same: beside a curve a cause may get its true size. */
   private Weighed curved(Weighed named, boolean chance) {
-    FittedModel curved = withCurves(named.model(), named.judged(), chance);
+    FittedModel curved = curves.beside(named.model(), named.judged(), chance);
     if (curved == named.model()) {
       return named;
     }
@@ -286,25 +269,6 @@ final class UnnamedTerms {
         best.held().rmsMm() < (1 - CLEARLY_BETTER) * named.held().rmsMm()
             && !best.held().predictsWorseThan(heldBase, seed);
     return better ? best : named;
-  }
-
-  private FittedModel withCurves(FittedModel start, List<Judgement> judged, boolean chance) {
-    int most = start.model().components().size() + MOST_LEARNED;
-    return failed.guarded(
-        "the search for learned terms",
-        start,
-        () -> {
-          List<Effect> all = learnedAndLaws(judged, chance);
-          all.addAll(PeriodicTerms.of(start, arena, sessionStart));
-          FittedModel curved = search(start, all, most);
-          boolean grown = curved.model().components().size() > start.model().components().size();
-          if (grown && !isSpent() && Leftover.of(curved).isSignificant()) {
-            curved = search(curved, PeriodicTerms.of(curved, arena, sessionStart), most + 1);
-          }
-          return !isSpent() && Leftover.of(curved).isSignificant()
-              ? search(curved, LearnedLibrary.maps(arena), most + 1)
-              : curved;
-        });
   }
 
   /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
@@ -342,38 +306,5 @@ final class UnnamedTerms {
     }
     EffectModel model = after.model().startingAt(now, after.solution().scatters()).with(kept);
     return fitter.fit(model, after, Weighing.ALIKE, solver);
-  }
-
-  /**
-   * The library of smooth terms, chance if wanted, and the laws: with what was hidden before in the model, one may be right after all. Beside a cause that was named and changes the ground with time no curve over time is offered: it can be that cause, and
-   * takes its place for the little that it does not explain.
-   */
-  private List<Effect> learnedAndLaws(List<Judgement> judged, boolean chance) {
-    List<Effect> all = learned(arena, judged);
-    if (chance) {
-      all.addAll(EffectCatalogue.unnamed());
-    }
-    catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
-    return all;
-  }
-
-  /** Learned terms that may stand beside what was judged. */
-  static List<Effect> learned(Arena arena, List<Judgement> judged) {
-    boolean timed = judged.stream().anyMatch(UnnamedTerms::isTimed);
-    List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
-    all.removeIf(e -> timed && LawForValues.changesGroundWithTime(e));
-    return all;
-  }
-
-  private static boolean isTimed(Judgement j) {
-    return j.isName() && LawForValues.changesGroundWithTime(j.effect());
-  }
-
-  private FittedModel search(FittedModel start, List<? extends Effect> effects, int most) {
-    if (effects.isEmpty()) {
-      return start;
-    }
-    FittedModel found = search.search(fitter, start, new Dictionary(effects, arena), most, false);
-    return search.alike(fitter, found);
   }
 }

@@ -21,7 +21,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.apache.commons.math3.distribution.ChiSquaredDistribution;
 
 /** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
 public final class Decision {
@@ -281,8 +280,7 @@ public final class Decision {
     Proof proof = new Proof(model, i, settings);
     double evidence = scales.evidence[i];
     int size = c.magnitudeCount() + (c.isPerKick() ? 1 : 0);
-    double chance = settings.falseAlarms() / settings.tried();
-    double limit = new ChiSquaredDistribution(null, size).inverseCumulativeProbability(1 - chance);
+    double limit = settings.beyondNoise(size);
     if (!(evidence > limit)) {
       return Outcome.CHANCE;
     }

@@ -1,5 +1,7 @@
 package fieldcal.diagnosis.decision;
 
+import org.apache.commons.math3.distribution.ChiSquaredDistribution;
+
 /**
  * Every number that decides about a name, with where it comes from.
  *
@@ -37,5 +39,16 @@ public record DecisionSettings(
    */
   public static DecisionSettings defaults() {
     return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 1.0 / 3, 0.15, 6, 0.002, 1e-4, 0.002);
+  }
+
+  /**
+   * What noise does not reach, however many causes were tried.
+   *
+   * @param numbers that were fitted
+   * @return chi-square, in units of what is left
+   */
+  public double beyondNoise(int numbers) {
+    return new ChiSquaredDistribution(null, numbers)
+        .inverseCumulativeProbability(1 - falseAlarms / tried);
   }
 }

@@ -1,0 +1,119 @@
+package fieldcal.diagnosis;
+
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.effect.Arena;
+import fieldcal.effect.Effect;
+import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.learned.LearnedLibrary;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Searches for what describes what a model leaves without a name: smooth terms over everything that is recorded, what differs from kick to kick by chance, what comes back with a period, and maps of the carpet. Not thread-safe. */
+final class CurveSearch {
+  /** Learned terms that a model may have; a third already describes what the first two leave. */
+  static final int MOST_LEARNED = 3;
+
+  private final SampledSearch search;
+  private final FailedStages failed;
+  private final ModelFitter fitter;
+  private final Arena arena;
+  private final List<? extends Effect> catalogue;
+  private final double sessionStart;
+
+  /**
+   * @param problem the screened kicks and what may explain them
+   * @param search for components
+   * @param failed told of searches that fail
+   */
+  CurveSearch(DiagnosisCase problem, SampledSearch search, FailedStages failed) {
+    this.search = search;
+    this.failed = failed;
+    fitter = problem.fitter();
+    arena = problem.arena();
+    catalogue = problem.catalogue();
+    sessionStart = problem.problem().sessionStart();
+  }
+
+  /**
+   * Curves or laws, and maps for what these leave.
+   *
+   * @param start the model to add to
+   * @param judged what was decided about its components
+   * @param chance whether kicks may differ by chance
+   * @return the same when nothing helps
+   */
+  FittedModel beside(FittedModel start, List<Judgement> judged, boolean chance) {
+    List<Effect> all = learned(arena, judged);
+    if (chance) {
+      all.addAll(EffectCatalogue.unnamed());
+    }
+    // With what was hidden before in the model, a law may be right after all.
+    catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
+    return withMaps(with(all, start), mostBeside(start));
+  }
+
+  /** Curves and chance, but no laws or maps. */
+  FittedModel nameless(FittedModel start, List<Judgement> judged) {
+    List<Effect> all = learned(arena, judged);
+    all.addAll(EffectCatalogue.unnamed());
+    return with(all, start);
+  }
+
+  private FittedModel with(List<Effect> effects, FittedModel start) {
+    return failed.guarded(
+        "the search for learned terms",
+        start,
+        () -> {
+          List<Effect> all = new ArrayList<>(effects);
+          all.addAll(PeriodicTerms.of(start, arena, sessionStart));
+          FittedModel curved = search(start, all, mostBeside(start));
+          boolean grown = curved.model().components().size() > start.model().components().size();
+          return grown && isLeft(curved)
+              ? search(curved, PeriodicTerms.of(curved, arena, sessionStart), mostBeside(start) + 1)
+              : curved;
+        });
+  }
+
+  /** Maps for what curves leave. */
+  FittedModel withMaps(FittedModel curved, int most) {
+    return failed.guarded(
+        "the search for maps of the carpet",
+        curved,
+        () -> isLeft(curved) ? search(curved, LearnedLibrary.maps(arena), most + 1) : curved);
+  }
+
+  /** How many components a model may have beside another one's. */
+  static int mostBeside(FittedModel start) {
+    return start.model().components().size() + MOST_LEARNED;
+  }
+
+  private boolean isLeft(FittedModel model) {
+    return !fitter.effort().isSpent() && Leftover.of(model).isSignificant();
+  }
+
+  /**
+   * Learned terms that may stand beside what was judged. Beside a cause that was named and changes the ground with time no curve over time is offered: it can be that cause, and takes its place for the little that it does not explain.
+   */
+  static List<Effect> learned(Arena arena, List<Judgement> judged) {
+    boolean timed = judged.stream().anyMatch(CurveSearch::isTimed);
+    List<Effect> all = new ArrayList<>(LearnedLibrary.of(arena));
+    all.removeIf(e -> timed && LawForValues.changesGroundWithTime(e));
+    return all;
+  }
+
+  private static boolean isTimed(Judgement j) {
+    return j.isName() && LawForValues.changesGroundWithTime(j.effect());
+  }
+
+  private FittedModel search(FittedModel start, List<? extends Effect> effects, int most) {
+    if (effects.isEmpty()) {
+      return start;
+    }
+    FittedModel found = search.search(fitter, start, new Dictionary(effects, arena), most, false);
+    return search.alike(fitter, found);
+  }
+}

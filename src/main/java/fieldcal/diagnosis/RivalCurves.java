@@ -1,0 +1,164 @@
+package fieldcal.diagnosis;
+
+import fieldcal.ball.Parameter;
+import fieldcal.diagnosis.ModelChoice.Weighed;
+import fieldcal.diagnosis.decision.DecisionSettings;
+import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.decision.Judgement.Outcome;
+import fieldcal.diagnosis.model.Component;
+import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.FreshFit;
+import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.model.Weighing;
+import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
+import fieldcal.fit.joint.SharedSolver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * The stage that lets curves without a name compete with what may be the form of anything. A region, a seam or an instant is chosen where it absorbs most of whatever has no name, and a law that replaces another one absorbs something of whatever acts where it does: each has its
+ * name only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
+ */
+final class RivalCurves {
+  private final ModelFitter fitter;
+  private final FreshFit fresh;
+  private final SharedSolver solver;
+  private final DecisionSettings settings;
+  private final long seed;
+  private final ModelChoice choice;
+  private final CurveSearch curves;
+  private final UnnamedTerms unnamed;
+  private final DiagnosisProgress progress;
+
+  /**
+   * @param problem the screened kicks and what may explain them
+   * @param choice which of the components that are found stay
+   * @param curves search for learned terms
+   * @param unnamed what describes the rest
+   * @param progress told in words what is being done
+   */
+  RivalCurves(
+      DiagnosisCase problem,
+      ModelChoice choice,
+      CurveSearch curves,
+      UnnamedTerms unnamed,
+      DiagnosisProgress progress) {
+    this.choice = choice;
+    this.curves = curves;
+    this.unnamed = unnamed;
+    this.progress = progress;
+    fitter = problem.fitter();
+    fresh = problem.fresh();
+    solver = problem.solver();
+    settings = problem.settings();
+    seed = problem.seed();
+  }
+
+  /**
+   * Compares.
+   *
+   * @param found what was decided
+   * @return the same where every name stands; with curves in the place of those that do not, or the same model without their names where no curve predicts as well; with the name of a law that nothing else replaces
+   */
+  Weighed against(Weighed found) {
+    if (fitter.effort().isSpent()) {
+      return Leftover.of(found.model()).isSignificant() ? nameless(found, placed(found)) : found;
+    }
+    return withLaws(againstPlaces(found));
+  }
+
+  /** Against all names with a place together, then each: several may have taken the place of one curve. */
+  private Weighed againstPlaces(Weighed found) {
+    List<Judgement> placed = placed(found);
+    Weighed best = found;
+    for (List<Judgement> group :
+        Stream.concat(Stream.of(placed), placed.stream().map(List::of)).distinct().toList()) {
+      if (!group.isEmpty() && best.judged().containsAll(group)) {
+        best = againstPlaces(best, group);
+      }
+    }
+    return best;
+  }
+
+  private static List<Judgement> placed(Weighed of) {
+    return of.judged().stream().filter(j -> j.isName() && j.component().hasPlace()).toList();
+  }
+
+  private Weighed againstPlaces(Weighed named, List<Judgement> group) {
+    FittedModel curved = curved(named, group);
+    if (explainsLess(curved, named, group)) {
+      return named;
+    }
+    Weighed rival = unnamed.beside(choice.of(curved));
+    boolean asGood =
+        rival.isAsGoodAs(named, settings.formGain())
+            && !rival.held().predictsWorseThan(named.held(), seed);
+    return asGood ? rival : nameless(named, group);
+  }
+
+  /** With the name of a law that explains less than another cause, where nothing is left that it may be the form of, and curves do not explain what it does. */
+  private Weighed withLaws(Weighed found) {
+    Weighed best = found;
+    for (Judgement j : found.judged()) {
+      if (j.component().isLaw()
+          && j.outcome() == Outcome.FORM
+          && j.gain()[1] > 100 * settings.formGain()
+          && j.gain()[HoldOut.LOWER] > 0
+          && !Leftover.of(found.model()).isSignificant()) {
+        List<Judgement> law = List.of(j);
+        best = explainsLess(curved(best, law), best, law) ? as(Outcome.NAMED, best, law) : best;
+      }
+    }
+    return best;
+  }
+
+  /** What curves make of what some components explain; maps of the carpet are only asked for where curves explain half of it. */
+  private FittedModel curved(Weighed named, List<Judgement> group) {
+    progress.part("curves instead of causes");
+    List<Judgement> rest = named.judged().stream().filter(j -> !group.contains(j)).toList();
+    FittedModel without = without(named.model(), rest);
+    FittedModel curved = curves.nameless(without, rest);
+    boolean near = missed(curved, named) < UnnamedTerms.IMITATED * missed(without, named);
+    return near ? curves.withMaps(curved, CurveSearch.mostBeside(without)) : curved;
+  }
+
+  /** Whether curves follow held-out kicks less closely: by three per cent, which is more than their many numbers cost there; or by less, where they do not follow the kicks that they were fitted to either. */
+  private boolean explainsLess(FittedModel curved, Weighed named, List<Judgement> group) {
+    int numbers = group.stream().mapToInt(j -> j.component().size()).sum();
+    Weighed held = new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
+    return !held.isAsGoodAs(named, settings.formGain())
+        || missed(curved, named) > settings.beyondNoise(numbers) && !held.isAsGoodAs(named, 0);
+  }
+
+  /** What a model does not explain that another one does, in units of what that one leaves; each number more explains one of noise. */
+  private static double missed(FittedModel model, Weighed other) {
+    double noise = Math.max(1, other.model().solution().reducedChiSquare());
+    return (model.evenCost() - other.model().evenCost()) / noise
+        + numbers(model)
+        - numbers(other.model());
+  }
+
+  private static int numbers(FittedModel model) {
+    return (int) model.model().globals().stream().filter(Parameter::estimated).count();
+  }
+
+  private FittedModel without(FittedModel model, List<Judgement> rest) {
+    List<Component> kept = new ArrayList<>();
+    rest.forEach(j -> kept.add(j.component().startingAt(j.effect())));
+    FittedModel next = fitter.fit(model.resumedWith(kept), model, Weighing.ALIKE, solver);
+    boolean law = model.model().components().stream().anyMatch(Component::isLaw);
+    return law && kept.stream().noneMatch(Component::isLaw) ? fresh.orBetter(next) : next;
+  }
+
+  private static Weighed nameless(Weighed of, List<Judgement> group) {
+    return as(Outcome.FORM, of, group);
+  }
+
+  private static Weighed as(Outcome outcome, Weighed of, List<Judgement> group) {
+    List<Judgement> judged = new ArrayList<>(of.judged());
+    judged.replaceAll(j -> group.contains(j) ? j.as(outcome) : j);
+    return new Weighed(of.model(), judged, of.held());
+  }
+}
