@@ -151,7 +151,8 @@ class ParameterTrackTest {
     assertThat(time).as("seed %d", SEED).isLessThan(8);
     LiveWarning warning = roll.warning().orElseThrow();
     assertThat(warning.text())
-        .containsPattern("3[789] % more than the published -0.280 m/s² \\(median of [4-7] kicks\\)");
+        .containsPattern(
+            "3[789] % more than the published -0.280 m/s² \\(median of [4-7] kicks\\)");
     assertThat(warning.advice())
         .startsWith("Let the AI use -0.3")
         .endsWith("m/s² until the ball is calibrated again on this carpet.");

@@ -380,8 +380,8 @@ class BrowserTest {
       List<?> numbers =
           (List<?>)
               browser.script(
-                  "return [...document.querySelectorAll('#last-kicks tbody td:first-child')].map(d =>"
-                      + " -Number(d.textContent))");
+                  "return [...document.querySelectorAll('#last-kicks tbody td:first-child')].map(d"
+                      + " => -Number(d.textContent))");
       assertThat(numbers.stream().map(n -> ((Number) n).intValue()).toList()).isSorted();
       // Ticks of the first minute: hours first, and the axis is that of the kicks.
       List<?> axis =

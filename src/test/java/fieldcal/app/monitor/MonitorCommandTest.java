@@ -109,13 +109,13 @@ class MonitorCommandTest {
     Path models = folder.resolve("models.txt");
     Files.writeString(
         models,
-        "straight_two_phase { acc_slide: -2.1 acc_roll: -0.26 k_switch: 0.66 }"
-            + " chip_fixed_loss { damping_xy_first_hop: 0.8 damping_xy_other_hops: 0.85 damping_z: 0.47 }");
+        "straight_two_phase { acc_slide: -2.1 acc_roll: -0.26 k_switch: 0.66 } chip_fixed_loss {"
+            + " damping_xy_first_hop: 0.8 damping_xy_other_hops: 0.85 damping_z: 0.47 }");
     assertThat(watched("--models", "" + models))
         .containsPattern(
-            "WARNING +sliding deceleration \\(acc_slide\\) is -\\d\\.\\d+ m/s², \\d\\d % more than the published"
-                + " -2\\.100 m/s² \\(median of \\d kicks\\)\\. Let the AI use -\\d\\.\\d+ m/s² until the ball is"
-                + " calibrated again on this carpet\\.")
+            "WARNING +sliding deceleration \\(acc_slide\\) is -\\d\\.\\d+ m/s², \\d\\d % more than"
+                + " the published -2\\.100 m/s² \\(median of \\d kicks\\)\\. Let the AI use"
+                + " -\\d\\.\\d+ m/s² until the ball is calibrated again on this carpet\\.")
         .containsPattern("sliding deceleration, m/s² .* too few yet +\\d+/31");
   }
 
