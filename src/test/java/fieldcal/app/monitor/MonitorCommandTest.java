@@ -66,6 +66,7 @@ class MonitorCommandTest {
         .contains("BALL     ")
         .containsPattern("rolling deceleration, m/s² +-0\\.\\d\\d\\d")
         .contains("ROBOTS")
+        .doesNotContain("by –")
         .contains("CAMERAS")
         .contains("100 % read");
   }
