@@ -53,7 +53,7 @@ record MatchSummary(
   /** A kick may be too fast when it is, or would be with so many standard errors more. */
   private static final double NEAR = 2;
 
-  /** Fits whose speed is less certain say nothing about the rule, m/s. */
+  /** Fits whose speed is less certain do not show whether the rule was kept, m/s. */
   private static final double UNCERTAIN = 0.5;
 
   static MatchSummary of(LogFile log, ArchiveFolder folder) throws IOException {

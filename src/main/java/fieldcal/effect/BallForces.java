@@ -262,8 +262,8 @@ final class BallForces {
     double directionY = force[1] / push;
     motion.vx = CREEP * directionX;
     motion.vy = CREEP * directionY;
-    // The same equation as of a rolling ball, with what learned terms brake: a ball that they stop
-    // would be set free again and again.
+    // The same equation as for a rolling ball, including the braking by learned terms: otherwise a
+    // ball that they stop would start again and again.
     creep[3] = motion.vx;
     creep[4] = motion.vy;
     roll(motion, creep, creepRate);

@@ -119,7 +119,7 @@ public interface Effect {
   }
 
   /**
-   * Whether the mean of what differs from kick to kick is a number of its own: not one of the ball's parameters by another name, and not zero by symmetry.
+   * Whether the mean of what differs from kick to kick has to be estimated. It has not if it is one of the ball's parameters, or zero by symmetry.
    *
    * @return true unless an effect says otherwise
    */
@@ -164,7 +164,7 @@ public interface Effect {
   }
 
   /**
-   * What is known of the ball's own parameters once this effect stands beside them: one that takes up the effect while it is missing is a number of mechanics when it is not.
+   * What is known of the ball's own parameters while this effect is in the model. For example, kSwitch absorbs the mean spin as long as the model has no spin, and follows from mechanics otherwise.
    *
    * @return empty unless an effect says otherwise
    */
@@ -173,7 +173,7 @@ public interface Effect {
   }
 
   /**
-   * What all its magnitudes seem to be where nothing of it is there and the carpet resists the turning of a ball that still slides. The simple model's sliding knows of no such resistance.
+   * The apparent size of all its magnitudes if the effect is absent and the carpet resists the turning of a ball that still slides. The simple model has no such resistance while the ball slides.
    *
    * @param ball the simple model of the flat kicks
    * @return in the unit of the magnitudes; 0 unless an effect says otherwise

@@ -24,7 +24,7 @@ public final class MeasurementEffects {
   /** Half the distance of a learned curve's knots, m/s. */
   private static final double SPEED_STEP = 0.5;
 
-  /** Whether any camera reports balls at another time than they were there. */
+  /** Whether the time stamps of any camera have an error. */
   private final boolean late;
 
   private MeasurementEffects(View[] views, List<? extends MeasurementEffect> effects) {
@@ -55,7 +55,7 @@ public final class MeasurementEffects {
   }
 
   /**
-   * The same cameras under other effects. What is the same for a camera is not made again, so that {@link Reports#under} knows it.
+   * The same cameras under other effects. Views that stay the same are kept, so that {@link Reports#under} recognises them.
    *
    * @param others in any order; several of one id add up
    * @return the changed copy, or this where nothing differs
@@ -116,7 +116,7 @@ public final class MeasurementEffects {
     place(view, ball.x(), ball.y(), ball.z(), seen.stamp[i] - sessionStart, ground, 2 * i);
   }
 
-  /** Lets a ball go to where it was when a sighting saw it; of whom, null when the camera is not listed. */
+  /** Moves a ball to where it was when a sighting saw it; returns the view of that camera, null when it is not listed. */
   View goTo(Sightings seen, int i, PathFollower ball, double sessionStart) {
     View view = find(seen.camera[i]);
     boolean asksForSpeed = view != null && view.dependsOnSpeed();

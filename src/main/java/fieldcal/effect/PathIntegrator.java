@@ -182,7 +182,7 @@ final class PathIntegrator {
     }
   }
 
-  /** A path that is not wanted further ends between steps, so that it is the whole path's up to there. */
+  /** If the rest of the path is not wanted, it ends between two steps, so that up to there it equals the whole path. */
   private boolean goesOn(double limit) {
     return time < limit && time < until;
   }

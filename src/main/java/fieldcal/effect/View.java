@@ -118,12 +118,12 @@ final class View {
     return error;
   }
 
-  /** Whether when a ball was there depends on how fast it is. */
+  /** Whether the error of the time stamps depends on the ball's speed. */
   boolean dependsOnSpeed() {
     return dependsOnSpeed;
   }
 
-  /** Whether a ball is reported at another time than it was there. */
+  /** Whether the time stamps have an error. */
   boolean isLate() {
     return timings.length > 0;
   }

@@ -341,7 +341,7 @@ public final class JointFitter {
       return 1 / Math.max(1, fit.statistics().varianceFactor());
     }
 
-    /** What one model for all leaves besides is taken for noise: of flat kicks and of chips, each by its reduced chi-square. */
+    /** What else one model for all leaves is taken for noise, of flat kicks and of chips, each by its reduced chi-square. */
     private double[] weights(SharedSolution<double[]> solution) {
       List<FlightTerm> kicks = kicks(solution);
       double[] squares = new double[2];

@@ -77,7 +77,7 @@ final class RecordHeader {
         && (nanos >= YEAR_2000 && nanos <= YEAR_2100 || Math.abs(nanos - lastNanos) <= DAY);
   }
 
-  /** The same as {@link #canFollow} asks of two times, s. */
+  /** Records whose times differ by more do not follow each other (see {@link #canFollow}), s. */
   static final double LONGEST_STEP = HOUR * 1e-9;
 
   /** Whether the header at one place can be followed by that at another. */

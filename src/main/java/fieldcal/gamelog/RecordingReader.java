@@ -31,7 +31,7 @@ import java.util.function.Supplier;
  * }</pre>
  */
 public final class RecordingReader implements Closeable {
-  /** By how much later than a younger frame a frame may be received and still be put into order, s. Vision computers differ by some 10 ms. */
+  /** How long after a frame that was captured later a frame may still be received to be put into order, s. Vision computers differ by some 10 ms. */
   public static final double DEFAULT_TOLERANCE = 0.1;
 
   private static final long PROGRESS_STEP = 1 << 18;

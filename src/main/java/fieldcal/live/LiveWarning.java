@@ -32,7 +32,7 @@ public record LiveWarning(
   /**
    * One sentence for the operator.
    *
-   * @return for example {@code acc_roll is -0.364 m/s², 30 % more than the published -0.280 (median of 31 kicks)}
+   * @return for example {@code acc_roll is -0.364 m/s², 30 % more than the published -0.280 m/s² (median of 31 kicks)}
    */
   public String text() {
     String unit = parameter.unit().isEmpty() ? "" : " " + parameter.unit();
@@ -42,13 +42,14 @@ public record LiveWarning(
     }
     return String.format(
         Locale.ROOT,
-        "%s is %.3f%s, %.0f %% %s than the published %.3f (median of %d kicks)",
+        "%s is %.3f%s, %.0f %% %s than the published %.3f%s (median of %d kicks)",
         parameter.id(),
         median,
         unit,
         100 * Math.abs(deviation()),
         deviation() > 0 ? "more" : "less",
         published,
+        unit,
         samples);
   }
 

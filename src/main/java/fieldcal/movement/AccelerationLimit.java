@@ -18,18 +18,17 @@ final class AccelerationLimit {
   /** Fewest manoeuvres that show effects. */
   private static final int FEWEST_FOR_EFFECTS = 60;
 
-  /** An effect is named if with it so many times more manoeuvres lie at the limit. */
+  /** An effect is named if it brings at least this factor more manoeuvres to the limit. */
   private static final double GAIN = 1.1;
 
-  /** An envelope, which has 36 numbers of its own, replaces the named effects when so many times more manoeuvres lie at it: by chance up to 1.05 in simulated matches of three minutes … */
+  /** An envelope, which has 36 numbers of its own, replaces the named effects if this factor more manoeuvres lie at it; by chance it is up to 1.05 in simulated matches of three minutes … */
   private static final double ENVELOPE_GAIN = 1.1;
 
-  /** … or when its shape departs from theirs by so many standard errors, rms over the directions: by chance, and by what their errors do not hold, up to 1.6. */
+  /** … or if its shape departs from theirs by this many standard errors, rms over the directions. By chance, and because the errors are a little too small, it is up to 1.6. */
   private static final double DEPARTS = 3;
 
   /**
-   * From so many times more on, the shape may be another than the named one. An ellipse that is 30 to 50 % weaker sideways, or braking by 1 − 0.3·sin²φ, had 1.05 to 1.13 and limits that were 4 to 10 % too large; teams with |sin φ| had up to 1.035. So what the
-   * limit would be with the envelope goes into the error.
+   * From this factor on the shape may differ from the named one, and the limit with the envelope goes into the error. An ellipse that is 30 to 50 % weaker sideways, or braking by 1 − 0.3·sin²φ, had 1.05 to 1.13 and limits that were 4 to 10 % too large; teams with |sin φ| had up to 1.035.
    */
   private static final double DOUBTFUL_GAIN = 1.04;
 
@@ -52,8 +51,7 @@ final class AccelerationLimit {
   private static final double SYSTEMATIC_OF_FEW = 0.015;
 
   /**
-   * What a mode is off by, in mean errors of its manoeuvres: pieces that were cut wrongly are mostly too weak, so that what is measured leans towards less. Turns of 0.1 s with errors of 8 % came out 6 % too small in simulated matches; it is nothing where
-   * manoeuvres are measured well.
+   * How far off a mode is, in mean errors of its manoeuvres: pieces that were cut wrongly are mostly too weak, so that a measured limit tends to be too small. Turns of 0.1 s with errors of 8 % came out 6 % too small in simulated matches; well measured manoeuvres show no such error.
    */
   private static final double LEANING = 0.3;
 
@@ -74,7 +72,7 @@ final class AccelerationLimit {
   private final int robots;
   private final double velocity;
 
-  /** What is known to reduce the limit from elsewhere, and was taken out of the data. */
+  /** The reduction of the limit that is known from elsewhere, and was taken out of the data. */
   private final Reduction shared;
 
   private final List<MovementEffect> named = new ArrayList<>();

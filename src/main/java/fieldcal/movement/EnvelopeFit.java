@@ -33,7 +33,7 @@ final class EnvelopeFit {
   private static final int ITERATIONS = 60;
   private static final double SETTLED = 1e-5;
 
-  /** A direction starts from the manoeuvres within so many directions of it, … */
+  /** The search in a direction starts from the manoeuvres within this many directions of it, … */
   private static final int START_WINDOW = 2;
 
   /** … if there are so many. */
@@ -267,8 +267,8 @@ final class EnvelopeFit {
       about[left[i]] += n * (1 - part[i]);
       about[(left[i] + 1) % KNOTS] += n * part[i];
       double w = kernel / h2;
-      // Never less than none: a manoeuvre on the flank of the kernel does not make its direction
-      // less certain than without it.
+      // Not below zero: a manoeuvre on the flank of the kernel must not make its direction less
+      // certain.
       add(a, i, n * w * Math.max(0, 1 - r * r / h2));
       add(b, i, n * w * w * r * r);
     }

@@ -6,7 +6,7 @@ import java.util.Arrays;
  * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too, and at each not at once but with a {@link Rounding} that is fitted about what is usual. So what lies beyond a knot does not lower the piece's acceleration, as it would in a window that slides over the path.
  *
  * <p>Least squares on the positions, each with its own time; a constant for each camera is projected out, so that cameras may disagree. For given knots the
- * problem is linear, so only the knots and their roundings are iterated (variable projection, Golub and Pereyra 1973, in Kaufman's form). The errors contain what their errors add.
+ * problem is linear, so only the knots and their roundings are iterated (variable projection, Golub and Pereyra 1973, in Kaufman's form). The errors of the result contain those of knots and roundings.
  */
 final class RampFit {
   /** How well the knots are known beforehand, s: a cell of the grid they come from, and the noise in choosing it. */
@@ -316,7 +316,7 @@ final class RampFit {
     return true;
   }
 
-  /** A corner's rounding as the detections alone determine it, s², and the variance of that for the given one of a detection. */
+  /** A corner's rounding as the detections alone determine it, s², and its variance for a given variance of a detection. */
   void learn(int corner, double variance, Rounding sink) {
     int j = 2 + corner;
     Arrays.fill(gradient, 0);

@@ -27,7 +27,7 @@ record Reduction(
     return directional == 0 ? 1 : 1 - directional * Math.abs(Math.sin(phi));
   }
 
-  /** The manoeuvres as they would be along the front from standstill. Speeds and directions are known to their classes only, which makes the errors larger by what the reduction differs within a class. */
+  /** The manoeuvres as they would be along the front from standstill. Speeds and directions are known to their classes only, which adds to the errors how much the reduction differs within a class. */
   ManoeuvreTable.Columns takenOut(ManoeuvreTable.Columns data) {
     int n = data.count().length;
     double[] factor = new double[n];

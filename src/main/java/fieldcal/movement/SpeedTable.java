@@ -20,7 +20,7 @@ final class SpeedTable {
   private final Map<Integer, Histogram> cruising = new TreeMap<>();
 
   /**
-   * What is usual of a kind of speed.
+   * What is usual for a kind of speed.
    *
    * @param bin width of a bin of the histograms
    * @param bins number of bins

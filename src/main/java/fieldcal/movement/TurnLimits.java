@@ -37,7 +37,7 @@ public record TurnLimits(
         turns);
   }
 
-  /** A lower bound where robots have the highest rate that they were seen to have within less time than a piece of constant acceleration must last to be distinguished from noise: the corners at both ends then take some of it away. */
+  /** A lower bound, if the robots come to the highest rate that was seen in less time than a piece of constant acceleration needs to be distinguished from noise. Then the corners at both ends take away some of the acceleration. */
   static LimitEstimate unlessTooShort(LimitEstimate change, LimitEstimate velocity) {
     boolean known = change.known() && velocity.known();
     if (!known || velocity.value() >= Pieces.SHORTEST_TOLD * change.value()) {

@@ -66,7 +66,7 @@ record UpperEdge(
   /** Rounding of values and errors to cells, in parts. */
   private static final double CELL = 0.002;
 
-  /** Where a smaller part of all manoeuvres is well measured, it is no fair choice of them: with 3.5 mm of noise a robot of 1.5 m/s that brakes with 8 m/s² had 2 %, nearly all of them weaker ones. */
+  /** If a smaller part of all manoeuvres is well measured, they are no fair sample: with 3.5 mm of noise a robot of 1.5 m/s that brakes with 8 m/s² had 2 %, nearly all of them weaker ones. */
   private static final double FAIR = 0.1;
 
   /** The edge of values with their standard errors, each {@code count} times; null when too few are well measured. */
@@ -93,7 +93,7 @@ record UpperEdge(
   }
 
   /**
-   * By what a limit that was found otherwise may be too small, as a standard error. Where the errors of the manoeuvres are as large as the distance of two heaps, both look like one between them: robots that end turns with 80 % of what they
+   * How much too small a limit that was found in another way may be, as a standard error. Where the errors of the manoeuvres are as large as the distance of two heaps, both look like one between them: robots that end turns with 80 % of what they
    * can do, and use all of it when they turn back, have their limit anywhere from 80 to 100 %. With the errors taken out, what the strongest manoeuvres have is seen even from few.
    *
    * @param value of manoeuvres, well measured or not; NaN does not count
@@ -325,7 +325,7 @@ record UpperEdge(
       return Math.sqrt(squares / weights);
     }
 
-    /** Of all values, if that many of them are one value and the others distributed as fits them best; adapts the latter. */
+    /** Of all values, if that part of them has this level and the others have the distribution that then fits them best; finds that distribution. */
     private double logLikelihood(double level, double part) {
       double[] there = new double[value.length];
       for (int i = 0; i < there.length; i++) {

@@ -123,7 +123,7 @@ public final class VerdictRule {
     return PublishVerdict.of(reasons, suspicious && !diagnosed && !misled);
   }
 
-  /** One model; false when it has too few kicks to ask whether it holds for all of them. */
+  /** Judges one model; false when it has too few kicks to tell whether it holds for all of them. */
   private boolean judge(KickKind kind) {
     boolean flat = kind == KickKind.FLAT;
     if (!flat && areNoChips()) {
@@ -202,7 +202,7 @@ public final class VerdictRule {
     }
   }
 
-  /** Whether most chips do not fly; nothing else is then worth saying of the chip model, least of all that it needs more chips. */
+  /** Whether most chips do not fly. Then this is the only reason that is given for the chip model; more chips of this kind would not help. */
   private boolean areNoChips() {
     List<CalibratedKick> chips =
         calibration.kicks(KickKind.CHIP).stream().filter(CalibratedKick::trusted).toList();
@@ -226,7 +226,7 @@ public final class VerdictRule {
     }
   }
 
-  /** What was found already; true when the model was found to be adequate. */
+  /** Adds what a diagnosis found; true if it found the model adequate. */
   private boolean diagnosis() {
     if (!evidence.effects().isEmpty()) {
       reasons.add(new Reason.ExtendedModelOnly(evidence.effects()));
@@ -237,7 +237,7 @@ public final class VerdictRule {
     return finding.map(f -> f.verdict() == Verdict.MODEL_ADEQUATE).orElse(false);
   }
 
-  /** Whether the model describes the kicks; a diagnosis that found nothing wrong knows better than the residual. */
+  /** Whether the model describes the kicks; a diagnosis that found nothing wrong counts for more than the residual. */
   private void fit(boolean explained) {
     Optional<JointFit> joint = calibration.joint();
     double ratio = Math.sqrt(joint.map(JointFit::reducedChiSquare).orElse(0.0));

@@ -149,7 +149,7 @@ class RecordedEffectsTest {
         .isLessThan(0.6 * diagnosis.base().predictionErrorMm().get(1.0));
   }
 
-  /** One of its chips has a second valley with twice as many hops; ending there, all kicks once seemed to have backspin. */
+  /** One of its chips has a second local minimum with twice as many hops; ending there, all kicks once seemed to have backspin. */
   @Test
   void oneChipInAWrongValleyIsNoCause() throws IOException {
     Diagnosis diagnosis = diagnose("integrated-mixed");
@@ -158,7 +158,7 @@ class RecordedEffectsTest {
     assertThat(diagnosis.base().holdoutRmsMm()).isLessThan(1.05 * diagnosis.base().noiseMm());
   }
 
-  /** Four strong causes of a foreign physics engine, half a metre wrong after two seconds: a search that goes for what is nearly explained ends in a wrong valley here, and one that goes for the largest error finds them. */
+  /** Four strong causes of a foreign physics engine, half a metre wrong after two seconds: a search that prefers nearly explained kicks ends in a local minimum here, and one that prefers the largest error finds them. */
   @Test
   void fourStrongCausesOfAPhysicsEngineAreFoundTogether() throws IOException {
     Diagnosis diagnosis = diagnose("ode-mixture");

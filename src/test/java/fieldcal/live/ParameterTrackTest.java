@@ -151,7 +151,8 @@ class ParameterTrackTest {
     assertThat(time).as("seed %d", SEED).isLessThan(8);
     LiveWarning warning = roll.warning().orElseThrow();
     assertThat(warning.text())
-        .containsPattern("3[789] % more than the published -0.280 \\(median of [4-7] kicks\\)");
+        .containsPattern(
+            "3[789] % more than the published -0.280 m/s² \\(median of [4-7] kicks\\)");
     assertThat(warning.advice())
         .startsWith("Let the AI use -0.3")
         .endsWith("m/s² until the ball is calibrated again on this carpet.");
@@ -186,7 +187,7 @@ class ParameterTrackTest {
         new BallModels(Optional.of(new FlatModel(-3, -0.4, 0.66)), Optional.empty());
     assertThat(roll.warning().orElseThrow().text())
         .contains("acc_roll is -0.4")
-        .contains("% more than the published -0.280 (median of");
+        .contains("% more than the published -0.280 m/s² (median of");
     assertThat(roll.compare(corrected)).isPresent();
     assertThat(roll.warning()).isEmpty();
   }

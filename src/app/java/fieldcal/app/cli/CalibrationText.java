@@ -91,7 +91,7 @@ final class CalibrationText {
         Double.isNaN(rms)
             ? ""
             : String.format(Locale.ROOT, "; joint fit %.2f mm RMS per axis", rms));
-    line("  %-22s %-24s %4s  %-22s %s", "", "mean", "n", "joint fit", "published");
+    line("  %-22s %-28s %3s  %-24s %s", "", "mean", "n", "joint fit", "published");
     List<Parameter> names =
         flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
     Map<String, Average> averages = flat ? calibration.flat() : calibration.chip();
@@ -111,7 +111,7 @@ final class CalibrationText {
               .map(e -> withError(e.value(), e.standardError()))
               .orElse("undetermined");
       line(
-          "  %-22s %-24s %4d  %-22s %-18s  %s",
+          "  %-22s %-28s %3d  %-24s %-18s  %s",
           ParameterWords.inFiles(p.name()),
           mean,
           a.n(),

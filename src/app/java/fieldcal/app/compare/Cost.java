@@ -82,7 +82,7 @@ final class Cost {
     BallState start = kick.after().stateAt(begin);
     BiFunction<ExtendedModel, Double, BallTrajectory> paths =
         (m, factor) -> path(m, kick.kind(), begin, start, factor);
-    // The field's own model from the same start: what its kick's fit knows besides, such as the
+    // The field's own model from the same start: what else its kick's fit knows, such as the
     // spin of this kick, is not the simulator's fault.
     BallTrajectory truth = paths.apply(real, 1.0);
     BallState seen = truth.stateAt(from);

@@ -44,7 +44,7 @@ final class Differences {
           new BallParameter("dampingXyOtherHops", true),
           new BallParameter("dampingZ", true));
 
-  /** Fewest kicks of a kind whose parameters are compared: one says nothing of how much they scatter. */
+  /** Fewest kicks of a kind whose parameters are compared: one does not show how much they scatter. */
   private static final int FEWEST = 2;
 
   private final Diagnosis real;

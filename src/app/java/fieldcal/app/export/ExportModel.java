@@ -79,7 +79,7 @@ public record ExportModel(
    *
    * @param sources the recordings
    * @param kicks numbers of the kicks that were used
-   * @param verdict what the calibration says of itself; empty when the file says nothing
+   * @param verdict the calibration's own verdict; empty when the file has none
    */
   public record Provenance(
       List<String> sources, List<Integer> kicks, Optional<ModelVerdict> verdict) {
@@ -179,7 +179,7 @@ public record ExportModel(
     return ofBall(name, models, Optional.empty());
   }
 
-  /** What a file holds that says nothing of the ball: a twin's cameras, or the limits of robots. */
+  /** Fields of a file that are not about the ball: a twin's cameras, or the limits of robots. */
   static ExportModel withoutBall(
       Path file, Quantities quantities, List<RobotLimits> limits, List<String> sources) {
     return new ExportModel(

@@ -258,14 +258,9 @@ final class MatchText {
                 d.standardError());
         sentence(lines, named, width);
       }
-      TurnLimits turning = shown.turning();
-      if (turning.velocity().known() || turning.acceleration().known()) {
-        add(
-            lines,
-            "          turning: %s rad/s, speeding up by %s, slowing down by %s rad/s²",
-            limit(turning.velocity()),
-            limit(turning.acceleration()),
-            limit(turning.braking()));
+      String turning = turning(shown.turning());
+      if (!turning.isEmpty()) {
+        sentence(lines, "          turning: " + turning, width);
       }
       for (Envelope e : shown.envelopes()) {
         if (e.shaped()) {
@@ -283,6 +278,21 @@ final class MatchText {
             clock(movement.countingSince()),
             movement.breaks() > 0 ? " (last break)" : "");
     lines.add(since);
+  }
+
+  /** What is known of it. */
+  private static String turning(TurnLimits limits) {
+    List<String> known = new ArrayList<>();
+    if (limits.velocity().known()) {
+      known.add(limit(limits.velocity()) + " rad/s");
+    }
+    if (limits.acceleration().known()) {
+      known.add("speeding up by " + limit(limits.acceleration()) + " rad/s²");
+    }
+    if (limits.braking().known()) {
+      known.add("slowing down by " + limit(limits.braking()) + " rad/s²");
+    }
+    return String.join(", ", known);
   }
 
   private static String limit(LimitEstimate own) {

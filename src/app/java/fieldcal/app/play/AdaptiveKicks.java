@@ -127,7 +127,7 @@ final class AdaptiveKicks implements KickChooser {
     return Arrays.stream(errors).allMatch(e -> e < enough);
   }
 
-  /** The kick that tells most of what is undecided; empty when none tells anything. */
+  /** The kick that best distinguishes what is undecided; empty when no kick does. */
   private Optional<PlannedKick> forCauses(UndecidedCauses open, double ballX, double ballY) {
     PlannedKick best = null;
     double most = UndecidedCauses.LEAST;

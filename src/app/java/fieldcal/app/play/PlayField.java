@@ -83,7 +83,7 @@ public interface PlayField extends Closeable {
   }
 
   /**
-   * Why nothing that comes from now on belongs to the same session: vision's clock was set anew, for example. What came before is whole.
+   * Why nothing that comes from now on belongs to the same session: vision's clock was set again, for example. What came before is complete.
    *
    * @return for the operator; empty as long as the session can go on
    */

@@ -51,7 +51,7 @@ public final class PlaySession {
 
   private static final int MOST_LAST_TICKS = 150;
 
-  /** Where a robot was longer ago says nothing of now, s. */
+  /** An older position of a robot does not show where it is now, s. */
   private static final double UNSEEN = 0.25;
 
   /** A robot that is slower stands, as far as vision can tell, m/s. */

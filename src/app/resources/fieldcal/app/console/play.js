@@ -168,7 +168,7 @@ export function playPage(app) {
     // A robot is 18 cm wide; smaller ones could not be seen on a small drawing.
     const metre = Math.abs(chart.convertToPixel({xAxisIndex: 0}, 1) - chart.convertToPixel({xAxisIndex: 0}, 0)) || 50;
     const size = Math.max(15, 0.18 * metre);
-    const dot = (robot, colour) => ({value: [robot.x, robot.y], symbolSize: size, itemStyle: {color: colour, opacity: robot.unseen > 1 ? 0.3 : robot.plays ? 1 : 0.55, borderColor: theme.text, borderWidth: robot.plays ? 2 : 0}, label: {show: true, formatter: String(robot.number), color: '#000', fontSize: 12, fontWeight: 700}});
+    const dot = (robot, colour) => ({value: [robot.x, robot.y], symbolSize: size, itemStyle: {color: colour, opacity: robot.unseen > 1 ? 0.3 : robot.plays ? 1 : 0.55, borderColor: theme.text, borderWidth: robot.plays ? 2 : 0}, label: {show: true, formatter: String(robot.number), color: robot.plays ? '#000' : theme.text, fontSize: 12, fontWeight: 700}});
     const of = (team, colour) => robots.filter(robot => robot.team === team).map(robot => dot(robot, colour));
     const reach = 0.14;
     return [

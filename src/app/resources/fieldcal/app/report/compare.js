@@ -40,7 +40,7 @@
     table('others', head, report.others.map(compared), 'Without a standard error a row is for information only.');
   }
 
-  showProvenance(report.provenance, 'none of its own');
+  showProvenance(report.provenance);
   showProblems(report.problems);
   start([], {use() {}, showAll, resized() {}, keys: {}});
 })();

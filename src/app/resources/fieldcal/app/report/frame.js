@@ -102,21 +102,21 @@ const Frame = (() => {
 
   // ---- what a report is made from ----
 
-  /** The line under the heading and the one at the end of the page. */
+  /** The line under the heading and the one at the end of the page, with the keys that the page has in addition to t. */
   function showProvenance({sources, recordedUnix, duration, generatedBy, seed}, keys) {
     const facts = [sources.map(Charts.fileName).join(', ')];
     if (known(recordedUnix)) facts.push('recorded ' + new Date(recordedUnix * 1000).toISOString().slice(0, 16).replace('T', ' ') + ' UTC');
     if (known(duration)) facts.push(Math.floor(duration / 60) + ' min ' + number(duration % 60, 0) + ' s');
     $('provenance').textContent = facts.filter(Boolean).join(' · ');
     $('provenance').title = sources.join('\n');
-    $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Keys: ' + keys + ', t changes between light and dark.';
+    $('footer').textContent = 'Made by ' + generatedBy + ', seed ' + seed + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). ' + (keys ? 'Keys: ' + keys + ', t changes' : 'Key: t changes') + ' between light and dark.';
   }
 
   /** On a phone the columns of a wide table do not fit beside each other: there each cell says what it is. */
   function cards(table) {
     const heads = [...table.querySelectorAll('thead th')].map(head => head.textContent.trim());
     for (const row of table.querySelectorAll('tbody tr')) {
-      [...row.children].forEach((cell, i) => { if (cell.colSpan === 1 && heads[i]) cell.dataset.head = heads[i]; });
+      [...row.children].forEach((cell, i) => { if (cell.colSpan === 1 && heads[i] && (cell.textContent || cell.firstElementChild)) cell.dataset.head = heads[i]; });
     }
     table.classList.add('cards');
     return table;

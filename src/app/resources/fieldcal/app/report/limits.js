@@ -217,7 +217,7 @@
     for (const picture of boxes) picture();
   }
 
-  showProvenance(report.provenance, 'none of its own');
+  showProvenance(report.provenance);
   // Nothing here is drawn by lot, so there is no seed to name.
   $('footer').textContent = 'Made by ' + report.provenance.generatedBy + '. Charts by Apache ECharts 5.6.0 (Apache License 2.0). Key: t changes between light and dark.';
   showProblems(report.problems);

@@ -110,7 +110,7 @@ public final class VenueStudy {
   }
 
   private void cutCarpets() {
-    // A match in which nobody kicked says nothing about when the carpet changed.
+    // A match in which nobody kicked does not show when the carpet changed.
     List<MatchFacts> telling =
         venue.matches().stream().filter(match -> !match.model().isEmpty()).toList();
     List<Measured[]> series = new ArrayList<>();

@@ -258,7 +258,7 @@ public final class Decision {
     return law || fitted.evenCost() > fresh.simple().evenCost() ? refound(fitted) : fitted;
   }
 
-  /** The same components begun again: a law that stays, at each of its starts. What explains less than the simple model has led nowhere, and says nothing about what was taken out. */
+  /** The same components begun again: a law that stays, at each of its starts. What explains less than the simple model has led nowhere, and decides nothing about what was taken out. */
   private FittedModel refound(FittedModel fitted) {
     FittedModel best = fresh.orBetter(fitted);
     List<Component> all = best.started();

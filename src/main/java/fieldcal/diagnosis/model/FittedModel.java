@@ -164,7 +164,7 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
-   * The model with other components, where its own numbers were found: where the fit of a neighbouring model begins. Scatters begin anew.
+   * The model with other components, at the parameters that were found: there the fit of a neighbouring model begins. Scatters are estimated from the beginning.
    *
    * @param components of the other model, with their values
    * @return the other model

@@ -55,7 +55,7 @@ final class Chance {
     return best;
   }
 
-  /** Of what moves the ball, what explains least to first order beside the rest, and all values of each kick's own, of which the first order says nothing. */
+  /** Of what moves the ball, what explains least to first order beside the rest, and all values of each kick's own, about which the first order decides nothing. */
   private static List<Component> candidates(FittedModel at) {
     List<Component> all = new ArrayList<>();
     Component weakest = null;

@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param points by x, of a table by y and then by x
  */
 public record LearnedCurve(LearnedFamily family, int component, List<Point> points) {
-  /** Standard errors within which a value may be nothing: 95 % of those that are do not exceed it. */
+  /** A value within this many standard errors may be zero: of values that are zero, 95 % lie within. */
   private static final double ERRORS = 2;
 
   /** Fewest points of a curve, and rows of a table; chosen, enough for a plot. */

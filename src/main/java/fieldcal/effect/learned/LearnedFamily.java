@@ -83,15 +83,15 @@ public record LearnedFamily(
   public String key() {
     String on = variables.stream().map(Variable::label).collect(Collectors.joining("+"));
     if (isPeriodic()) {
-      // What comes again is another thing than what changes on the way: once per turn of the ball,
-      // or in time.
+      // A periodic term, which repeats with each turn of the ball or in time, has another name than
+      // a smooth one.
       on += "/periodic";
     }
     return quantity.label() + "/" + on + (camera.isPresent() ? "/camera " + camera.getAsInt() : "");
   }
 
   /**
-   * Whether it comes again after some way or time; an angle always does, and is not meant.
+   * Whether it is periodic in a distance or in a time. A function of an angle, which always is, does not count.
    *
    * @return true of harmonics over anything but an angle
    */

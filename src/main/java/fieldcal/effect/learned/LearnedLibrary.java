@@ -221,7 +221,8 @@ public final class LearnedLibrary {
     }
     all.add(LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, session(arena), id));
     all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, session(arena), id));
-    // With a constant: which part of a lateness is there at any speed is not to be told from it.
+    // With a constant, because the part of a lateness that does not depend on the speed cannot be
+    // separated from the rest.
     Basis speed = new Spline(0, ranges.speed(), KNOTS, false);
     all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SPEED, speed, id));
   }

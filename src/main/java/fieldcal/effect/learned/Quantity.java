@@ -111,7 +111,7 @@ public enum Quantity {
     return components;
   }
 
-  /** Whether it makes sense that it depends on a variable that is known where it acts: a push by the field does not know how the ball moves, nor a picture where the ball goes next. */
+  /** Whether a dependence on a variable that is known where it acts makes sense: a push by the field cannot depend on how the ball moves, nor a camera's error on where the ball goes next. */
   boolean canDependOn(Variable variable) {
     return switch (this) {
       case SLIDING -> variable == Variable.HEADING;

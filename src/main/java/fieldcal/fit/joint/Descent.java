@@ -335,7 +335,7 @@ final class Descent<S> {
    */
   record Foreseen(double[] means, List<double[]> own) {}
 
-  /** The minimum that the equations promise beside the scatters as they are now; this point where they are singular. Nothing is predicted anew. Leaves the blocks factored without damping. */
+  /** The minimum that the equations promise beside the scatters as they are now; this point where they are singular. Nothing is predicted again. Leaves the blocks factored without damping. */
   Foreseen foreseen() {
     equate();
     double[] step = step();

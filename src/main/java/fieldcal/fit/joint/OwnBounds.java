@@ -7,7 +7,7 @@ import java.util.Arrays;
  * make up for a way that is not gone, and one kick on a bound would keep all the others from moving. A kick that is fitted alone keeps nobody, and comes off a bound more easily when its steps are only cut off.
  */
 final class OwnBounds {
-  /** How often a step is worked out anew because others would now cross a bound. */
+  /** How often a step is computed again because other parameters would now cross a bound. */
   static final int ROUNDS = 3;
 
   private OwnBounds() {}

@@ -370,6 +370,31 @@ class BrowserTest {
       assertThat(browser.text("#teams")).contains("yellow").contains("blue");
       assertThat(browser.count("#health tbody tr")).isEqualTo(4);
       assertThat(browser.count("#last-kicks tbody tr")).isPositive();
+      assertThat(browser.text("#health tbody tr:nth-child(2)"))
+          .containsPattern("⚠ 1: 2[0-4] mm from camera [023]");
+      assertThat(browser.count("#health .badge.good")).isZero();
+      for (int camera = 1; camera <= 4; camera++) {
+        String noise = browser.text("#health tbody tr:nth-child(" + camera + ") td:nth-child(3)");
+        assertThat(noise).matches("[1-4]\\.\\d\\d");
+      }
+      List<?> numbers =
+          (List<?>)
+              browser.script(
+                  "return [...document.querySelectorAll('#last-kicks tbody td:first-child')].map(d"
+                      + " => -Number(d.textContent))");
+      assertThat(numbers.stream().map(n -> ((Number) n).intValue()).toList()).isSorted();
+      // Ticks of the first minute: hours first, and the axis is that of the kicks.
+      List<?> axis =
+          (List<?>)
+              browser.script(
+                  "const option = Frame.charts.get(document.querySelector('#medians"
+                      + " .chart')).getOption(); const x = option.xAxis[0], first ="
+                      + " option.series[1].data[0][0]; return [x.axisLabel.formatter(first), new"
+                      + " Date(1000 * first).toISOString().slice(11, 19), x.min === first, x.max -"
+                      + " x.min]");
+      assertThat(axis.get(0)).isEqualTo(axis.get(1));
+      assertThat(axis.get(2)).isEqualTo(true);
+      assertThat(((Number) axis.get(3)).doubleValue()).isBetween(60.0, 90.0);
       browser.assertNoComplaints();
     }
   }

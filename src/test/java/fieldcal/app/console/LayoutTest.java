@@ -144,6 +144,15 @@ class LayoutTest {
     browser.open(console.url() + "files/report.html");
     browser.find("#kick-charts canvas");
     assertWhole("report");
+    // No number of the model is cut off at the side of its card.
+    assertThat(
+            browser.script(
+                "const model = document.getElementById('model'), right ="
+                    + " model.getBoundingClientRect().right; return"
+                    + " [...model.querySelectorAll('td')].filter(cell =>"
+                    + " cell.getBoundingClientRect().right > right || cell.scrollWidth >"
+                    + " cell.clientWidth + 1).map(cell => cell.textContent)"))
+        .isEqualTo(List.of());
     browser.assertNoComplaints();
   }
 
@@ -181,17 +190,25 @@ class LayoutTest {
   }
 
   @Test
-  void theReportsOfOtherCommandsAreWholeOnAPhone() throws IOException {
+  void theReportsOfOtherCommandsAreWhole() throws IOException {
     Path match = folder.resolve("match");
     SampleSession.run(
         "limits", folder.resolve("session/matches/match.log.gz").toString(), "--out=" + match);
     Path kicks = folder.resolve("kicks");
     SampleSession.run("diagnose", SampleSession.small().toString(), "--out=" + kicks);
-    browser.resize(390, 844);
-    for (Path page : List.of(match.resolve("limits.html"), kicks.resolve("diagnosis.html"))) {
-      browser.open(page.toUri().toString());
-      browser.find("canvas");
-      assertWhole(page.getFileName().toString());
+    for (int width : new int[] {390, 1280, 1920}) {
+      browser.resize(width, 844);
+      for (Path page : List.of(match.resolve("limits.html"), kicks.resolve("diagnosis.html"))) {
+        browser.open(page.toUri().toString());
+        browser.find("canvas");
+        assertWhole(page.getFileName() + " at " + width + " px");
+      }
+      // The last one is the diagnosis: all columns of its tables are seen.
+      assertThat(
+              browser.script(
+                  "return [...document.querySelectorAll('.scroll')].filter(box => box.scrollWidth >"
+                      + " box.clientWidth + 1).map(box => box.parentElement.parentElement.id)"))
+          .isEqualTo(List.of());
     }
     browser.assertNoComplaints();
   }

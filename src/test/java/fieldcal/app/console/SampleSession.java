@@ -79,10 +79,15 @@ final class SampleSession {
     assertThat(exit).as(err.toString()).isZero();
   }
 
-  /** A short match, which is watched, not calibrated. */
+  /** A short match, which is watched, not calibrated. One of its four cameras is 22 mm off from the others. */
   static void recordMatch(Path session) throws IOException {
     Path log = Files.createDirectories(session.resolve("matches")).resolve("match.log.gz");
-    simulate("--scenario=match", "--minutes=1", "--seed=3", "--out=" + log);
+    simulate(
+        "--scenario=match",
+        "--minutes=1",
+        "--seed=3",
+        "--effect=camera_offset:x_mm=16.5,camera=1",
+        "--out=" + log);
   }
 
   /** Kicks of both kinds and a match that is long enough for estimates. */

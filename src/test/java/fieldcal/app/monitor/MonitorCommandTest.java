@@ -14,6 +14,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,8 +32,15 @@ class MonitorCommandTest {
   @BeforeAll
   static void simulate() {
     log = folder.resolve("match.log.gz");
+    // Of four cameras, one is 22 mm off from each of the others.
     Outcome done =
-        run("simulate", "--scenario", "match", "--minutes", "1", "--seed", "5", "--out", "" + log);
+        run(
+            "simulate",
+            "--scenario=match",
+            "--minutes=1",
+            "--seed=5",
+            "--effect=camera_offset:x_mm=16.5,camera=1",
+            "--out=" + log);
     assertThat(done.status()).as(done.err()).isZero();
   }
 
@@ -57,8 +66,58 @@ class MonitorCommandTest {
         .contains("BALL     ")
         .containsPattern("rolling deceleration, m/s² +-0\\.\\d\\d\\d")
         .contains("ROBOTS")
+        .doesNotContain("by –")
         .contains("CAMERAS")
         .contains("100 % read");
+  }
+
+  @Test
+  void camerasHaveANoiseAndThoseThatAreApartAreMarked() {
+    String out = run("monitor", "--log", "" + log).out();
+    String row = " +\\d\\d\\.\\d Hz +[1-4]\\.\\d\\d mm +-?\\d+\\.\\d, -?\\d+\\.\\d mm .* s";
+    assertThat(out)
+        .containsPattern("\n +1" + row + " +2[0-4] mm apart from camera [023]\n")
+        .containsPattern("\n +0" + row + " +2[0-4] mm apart from camera 1\n");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"0", "30", "1000"})
+  void kicksArePrintedInTheirOrderHoweverFastTheReplayIs(String speed) {
+    String out = speed.equals("0") ? watched() : watched("--speed", speed);
+    List<Integer> numbers = new ArrayList<>();
+    List<String> times = new ArrayList<>();
+    Matcher kick = Pattern.compile("(?m)^([\\d:]{8})  #(\\d+) ").matcher(out);
+    while (kick.find()) {
+      times.add(kick.group(1));
+      numbers.add(Integer.parseInt(kick.group(2)));
+    }
+    assertThat(numbers).hasSizeGreaterThan(5).isSorted().doesNotHaveDuplicates();
+    assertThat(times).isSorted();
+  }
+
+  private static String watched(String... options) {
+    List<String> all = new ArrayList<>(List.of("monitor", "--log", "" + log));
+    all.addAll(List.of(options));
+    Outcome done = run(all.toArray(String[]::new));
+    assertThat(done.status()).as(done.err()).isZero();
+    return done.out();
+  }
+
+  /** The published sliding deceleration is a third too small; a minute has fewer than 31 kicks that show it. */
+  @Test
+  void aParameterThatIsFarOffIsWarnedAboutWithinTheFirstMinuteAndTheWarningSaysWhatToDo()
+      throws IOException {
+    Path models = folder.resolve("models.txt");
+    Files.writeString(
+        models,
+        "straight_two_phase { acc_slide: -2.1 acc_roll: -0.26 k_switch: 0.66 } chip_fixed_loss {"
+            + " damping_xy_first_hop: 0.8 damping_xy_other_hops: 0.85 damping_z: 0.47 }");
+    assertThat(watched("--models", "" + models))
+        .containsPattern(
+            "WARNING +sliding deceleration \\(acc_slide\\) is -\\d\\.\\d+ m/s², \\d\\d % more than"
+                + " the published -2\\.100 m/s² \\(median of \\d kicks\\)\\. Let the AI use"
+                + " -\\d\\.\\d+ m/s² until the ball is calibrated again on this carpet\\.")
+        .containsPattern("sliding deceleration, m/s² .* too few yet +\\d+/31");
   }
 
   @Test

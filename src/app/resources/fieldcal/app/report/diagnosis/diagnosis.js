@@ -268,7 +268,7 @@
     const rows = ['flat', 'chip'].flatMap(kind => {
       const its = report.parameters.filter(p => p.kind === kind);
       return its.length === 0 ? [] : [el('tr', {class: 'group'}, el('th', {colspan: 4}, kind === 'flat' ? 'Flat' : 'Chip')), ...its.map(p => el('tr', {},
-        el('td', {class: 'text'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), el('td', {}, number(p.before, 4)), ...(found ? [el('td', {class: 'big'}, number(p.after, 4)), el('td', {}, signed(p.after - p.before, 4))] : [])))];
+        el('td', {class: 'text wrap'}, p.name, p.unit ? el('small', {}, ' ' + p.unit) : ''), el('td', {}, number(p.before, 4)), ...(found ? [el('td', {class: 'big'}, number(p.after, 4)), el('td', {}, signed(p.after - p.before, 4))] : [])))];
     });
     const head = ['Parameter', found ? 'before' : 'Value', ...(found ? ['after', 'change'] : [])];
     content('parameters').replaceChildren(el('div', {class: 'scroll'}, Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows)))),
