@@ -222,7 +222,8 @@ public final class ChipTrajectory extends SegmentedTrajectory {
     if (takeoffs.length == 0) {
       throw new IllegalStateException("sensitivities are known for paths from a kick only");
     }
-    positionAt(t, xyz);
+    int index = indexAt(t);
+    position(index, t, xyz);
     Arrays.fill(dx, 0, SENSITIVITIES, 0);
     Arrays.fill(dy, 0, SENSITIVITIES, 0);
     Arrays.fill(dz, 0, SENSITIVITIES, 0);
@@ -231,7 +232,6 @@ public final class ChipTrajectory extends SegmentedTrajectory {
     if (t < kickTime()) {
       return;
     }
-    int index = indexAt(t);
     if (index <= hops()) {
       ChipTakeoff from = takeoffs[index - 1];
       double tau = t - segment(index).start;

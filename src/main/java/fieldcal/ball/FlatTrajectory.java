@@ -52,7 +52,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
   private final double directionX;
   private final double directionY;
 
-  private FlatTrajectory(FlatModel model, Segment slide, double slipX, double slipY) {
+  private FlatTrajectory(FlatModel model, Segment slide, double slipX, double slipY, double slip) {
     super(
         new Segment[] {
           slide, Segment.roll(slide.end(), slide.stateAt(slide.duration), model.accRoll())
@@ -61,7 +61,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
     this.slipX = slipX;
     this.slipY = slipY;
     spinFree = slipX == slide.vx && slipY == slide.vy;
-    speed = Math.hypot(slide.vx, slide.vy);
+    speed = spinFree ? slip : Math.hypot(slide.vx, slide.vy);
     directionX = speed > 0 ? slide.vx / speed : 0;
     directionY = speed > 0 ? slide.vy / speed : 0;
   }
@@ -115,7 +115,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
     double duration = slip * (model.kSwitch() - 1) / model.accSlide();
     double perSlip = slip > 0 ? model.accSlide() / slip : 0;
     Segment slide = Segment.slide(t0, duration, kick, slipX * perSlip, slipY * perSlip);
-    return new FlatTrajectory(model, slide, slipX, slipY);
+    return new FlatTrajectory(model, slide, slipX, slipY, slip);
   }
 
   /**

@@ -11,7 +11,12 @@ abstract class SegmentedTrajectory implements BallTrajectory {
   private final Segment[] segments;
 
   private final double[] ends;
-  private final double[] startDistances;
+
+  /** Found when somebody asks for a distance, which fits never do. All threads that find it find the same, and a record's fields are seen by all. */
+  private Distances distances;
+
+  /** How far the ball has come where each piece begins, m. */
+  private record Distances(double[] atStart) {}
 
   /**
    * A path.
@@ -29,11 +34,22 @@ abstract class SegmentedTrajectory implements BallTrajectory {
     double restY = last.yAt(last.duration);
     segments[count + 1] = Segment.rest(Phase.STOPPED, last.end(), restX, restY, 0);
     ends = new double[count + 1];
-    startDistances = new double[count + 2];
     for (int i = 0; i <= count; i++) {
       ends[i] = segments[i].end();
-      startDistances[i + 1] = startDistances[i] + segments[i].length(segments[i].duration);
     }
+  }
+
+  private double[] startDistances() {
+    Distances known = distances;
+    if (known == null) {
+      double[] atStart = new double[ends.length + 1];
+      for (int i = 0; i < ends.length; i++) {
+        atStart[i + 1] = atStart[i] + segments[i].length(segments[i].duration);
+      }
+      known = new Distances(atStart);
+      distances = known;
+    }
+    return known.atStart;
   }
 
   @Override
@@ -48,7 +64,7 @@ abstract class SegmentedTrajectory implements BallTrajectory {
 
   @Override
   public final double restDistance() {
-    return startDistances[ends.length];
+    return startDistances()[ends.length];
   }
 
   @Override
@@ -59,7 +75,12 @@ abstract class SegmentedTrajectory implements BallTrajectory {
 
   @Override
   public final void positionAt(double t, double[] xyz) {
-    Segment segment = segments[indexAt(t)];
+    position(indexAt(t), t, xyz);
+  }
+
+  /** Where the ball is at a time in the piece that holds then. */
+  final void position(int index, double t, double[] xyz) {
+    Segment segment = segments[index];
     double tau = segment.tauAt(t);
     xyz[0] = segment.xAt(tau);
     xyz[1] = segment.yAt(tau);
@@ -74,7 +95,7 @@ abstract class SegmentedTrajectory implements BallTrajectory {
   @Override
   public final double distanceAt(double t) {
     int i = indexAt(t);
-    return startDistances[i] + segments[i].length(segments[i].tauAt(t));
+    return startDistances()[i] + segments[i].length(segments[i].tauAt(t));
   }
 
   @Override
@@ -83,11 +104,12 @@ abstract class SegmentedTrajectory implements BallTrajectory {
     if (distance > restDistance()) {
       return OptionalDouble.empty();
     }
+    double[] atStart = startDistances();
     int i = 0;
-    while (distance > startDistances[i + 1]) {
+    while (distance > atStart[i + 1]) {
       i++;
     }
-    double tau = segments[i].timeAtLength(distance - startDistances[i]);
+    double tau = segments[i].timeAtLength(distance - atStart[i]);
     return OptionalDouble.of(segments[i].start + tau);
   }
 

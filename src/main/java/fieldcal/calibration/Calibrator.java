@@ -177,19 +177,15 @@ public final class Calibrator {
 
   private List<KickFit> fitAll(
       CalibrationProblem problem, CameraViews views, Consumer<Kick> progress) {
-    return problem.kicks().parallelStream()
-        .map(
-            kick -> {
-              FitProblem one = FitProblem.of(kick, views, problem.flat(), problem.chip());
-              KickFit fit =
-                  problem
-                      .kind()
-                      .map(kind -> fitter.fit(one, kind))
-                      .orElseGet(() -> fitter.fit(one));
-              progress.accept(kick);
-              return fit;
-            })
-        .toList();
+    return OneByOne.map(
+        problem.kicks(),
+        kick -> {
+          FitProblem one = FitProblem.of(kick, views, problem.flat(), problem.chip());
+          KickFit fit =
+              problem.kind().map(kind -> fitter.fit(one, kind)).orElseGet(() -> fitter.fit(one));
+          progress.accept(kick);
+          return fit;
+        });
   }
 
   private List<KickFit> refitAll(
@@ -198,17 +194,16 @@ public final class Calibrator {
       List<KickFit> before,
       OptionalDouble roll,
       Set<Kick> rollFreely) {
-    return before.parallelStream()
-        .map(
-            fit -> {
-              if (fit.failure().isPresent()) {
-                return fit;
-              }
-              FitProblem one = FitProblem.of(fit.kick(), views, problem.flat(), problem.chip());
-              boolean held = roll.isPresent() && !rollFreely.contains(fit.kick());
-              return fitter.refit(held ? one.withChipRollFixed(roll.getAsDouble()) : one, fit);
-            })
-        .toList();
+    return OneByOne.map(
+        before,
+        fit -> {
+          if (fit.failure().isPresent()) {
+            return fit;
+          }
+          FitProblem one = FitProblem.of(fit.kick(), views, problem.flat(), problem.chip());
+          boolean held = roll.isPresent() && !rollFreely.contains(fit.kick());
+          return fitter.refit(held ? one.withChipRollFixed(roll.getAsDouble()) : one, fit);
+        });
   }
 
   /** What stands out may have been searched for with the wrong model, and in cameras whose offsets were not known: so it is searched for again, starting from what the other kicks determine. */
@@ -221,35 +216,30 @@ public final class Calibrator {
     List<KickFit> fitted = fits.stream().filter(f -> f.failure().isEmpty()).toList();
     FlatModel flat = TypicalBall.flat(fitted);
     ChipModel chip = TypicalBall.chip(fitted);
-    return fits.parallelStream()
-        .map(
-            fit -> {
-              if (!Selection.standsOut(fit, fitted)) {
-                return fit;
-              }
-              FitProblem typical = FitProblem.of(fit.kick(), views, flat, chip);
-              // A chip held at a rolling that is not its own looks like a flat kick, or like
-              // nothing.
-              KickFit free =
-                  problem
-                      .kind()
-                      .map(k -> fitter.fit(typical, k))
-                      .orElseGet(() -> fitter.fit(typical));
-              KickKind kind = free.kind();
-              KickFit held =
-                  roll.isPresent()
-                      ? fitter.fit(typical.withChipRollFixed(roll.getAsDouble()), kind)
-                      : free;
-              boolean freed =
-                  Selection.standsOut(held, fitted) && !Selection.standsOut(free, fitted);
-              if (freed) {
-                rollFreely.add(fit.kick());
-              }
-              KickFit again = freed ? free : held;
-              boolean better = kind != fit.kind() || again.rmsMm() < fit.rmsMm();
-              return again.failure().isEmpty() && better ? again : fit;
-            })
-        .toList();
+    return OneByOne.map(
+        fits,
+        fit -> {
+          if (!Selection.standsOut(fit, fitted)) {
+            return fit;
+          }
+          FitProblem typical = FitProblem.of(fit.kick(), views, flat, chip);
+          // A chip held at a rolling that is not its own looks like a flat kick, or like
+          // nothing.
+          KickFit free =
+              problem.kind().map(k -> fitter.fit(typical, k)).orElseGet(() -> fitter.fit(typical));
+          KickKind kind = free.kind();
+          KickFit held =
+              roll.isPresent()
+                  ? fitter.fit(typical.withChipRollFixed(roll.getAsDouble()), kind)
+                  : free;
+          boolean freed = Selection.standsOut(held, fitted) && !Selection.standsOut(free, fitted);
+          if (freed) {
+            rollFreely.add(fit.kick());
+          }
+          KickFit again = freed ? free : held;
+          boolean better = kind != fit.kind() || again.rmsMm() < fit.rmsMm();
+          return again.failure().isEmpty() && better ? again : fit;
+        });
   }
 
   private OptionalDouble rollOfFlats(

@@ -10,17 +10,41 @@ final class CauchyLoss {
   /** One more factor, at most 1e100 as no ball is 1e48 standard deviations away, does not overflow. */
   private static final double FLUSH = 1e200;
 
+  /** More than what logarithm and exponential round. */
+  private static final double ROUNDING = 1 + 1e-9;
+
   private double squaredScale;
   private double inverse;
   private double product;
   private double sum;
+  private double limit;
+
+  /** From this product on the sum is above the limit. */
+  private double limitingProduct;
 
   /** Begins again. */
   void reset(double scale) {
+    reset(scale, Double.POSITIVE_INFINITY);
+  }
+
+  /** Begins again, to find out whether the sum stays below a limit. */
+  void reset(double scale, double limit) {
     squaredScale = scale * scale;
     inverse = 1 / squaredScale;
     product = 1;
     sum = 0;
+    this.limit = limit;
+    findLimitingProduct();
+  }
+
+  private void findLimitingProduct() {
+    limitingProduct =
+        limit < Double.POSITIVE_INFINITY ? ROUNDING * Math.exp((limit - sum) * inverse) : limit;
+  }
+
+  /** Whether the sum is above the limit for certain; never without a limit, nor for plain least squares. */
+  boolean isAbove() {
+    return product > limitingProduct;
   }
 
   /** Adds one observation; returns its weight in iteratively reweighted least squares, the derivative of ρ. */
@@ -34,6 +58,7 @@ final class CauchyLoss {
     if (product > FLUSH) {
       sum += squaredScale * Math.log(product);
       product = 1;
+      findLimitingProduct();
     }
     return 1 / factor;
   }

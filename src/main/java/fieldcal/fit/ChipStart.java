@@ -143,7 +143,7 @@ final class ChipStart {
           trial[ChipTrajectory.DAMPING_Z] = z;
           trial[ChipTrajectory.DAMPING_XY_FIRST_HOP] = first;
           trial[ChipTrajectory.DAMPING_XY_OTHER_HOPS] = other;
-          double cost = problem.cost(trial);
+          double cost = problem.costBelow(best, trial);
           if (cost < best) {
             best = cost;
             System.arraycopy(trial, 0, theta, 0, theta.length);

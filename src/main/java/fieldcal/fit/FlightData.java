@@ -63,7 +63,8 @@ final class FlightData {
 
   /** How many times farther from below the camera a ball at that height is reported than it is. */
   double stretch(int i, double z) {
-    return cameraHeight[i] / (cameraHeight[i] - z);
+    // Exactly one on the carpet, where most detections are and nothing has to be divided.
+    return z == 0 ? 1 : cameraHeight[i] / (cameraHeight[i] - z);
   }
 
   /** Seen minus predicted x in the ground plane, m, when the ball is at (x, y, z) in the world, whose {@link #stretch} is given. */

@@ -1,11 +1,8 @@
 package fieldcal.fit;
 
-import fieldcal.ball.ChipModel;
-import fieldcal.ball.ChipTrajectory;
 import fieldcal.ball.Parameter;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -20,18 +17,6 @@ final class FlightFitter {
   /** Start spread of the search in scales: 0.7 m/s² of accSlide, 70 mm/s …; chosen to cover published models that are 15 % off. */
   private static final double SPREAD = 0.7;
 
-  /**
-   * Scale of the loss while searching, m: a chip whose hops are missed by centimetres must still have a gradient that leads to its minimum. Narrowed to
-   * the settings' scale for the last steps (graduated non-convexity, Blake and Zisserman 1987).
-   */
-  private static final double WIDE_LOSS = 0.02;
-
-  /** How far the number of flights of a start may be from that of the best fit. */
-  private static final int FLIGHTS_OFF = 2;
-
-  /** Enough observations to tell numbers of flights apart. */
-  private static final int MEDIUM_OBSERVATIONS = 200;
-
   /** Outliers settle within two or three screenings; further ones would only repeat these. */
   private static final int MOST_SCREENINGS = 6;
 
@@ -42,22 +27,8 @@ final class FlightFitter {
   private final FitSettings settings;
   private final long seed;
   private final int size;
+  private final MinimumFinder finder;
   private int evaluations;
-
-  /** One way to explain the kick: a curve with a number of flights, and where its unknowns ended up. */
-  private static final class Candidate {
-    final int flights;
-    final FlightProblem flight;
-    final double[] theta;
-    double cost;
-
-    Candidate(int flights, FlightProblem flight, double[] theta, double cost) {
-      this.flights = flights;
-      this.flight = flight;
-      this.theta = theta;
-      this.cost = cost;
-    }
-  }
 
   FlightFitter(
       FitProblem problem,
@@ -73,23 +44,23 @@ final class FlightFitter {
     this.settings = settings;
     this.seed = seed;
     size = parameters.size();
+    finder = new MinimumFinder(problem, kind, data, parameters, settings);
   }
 
   /** With a search from the best of the starts: position, velocity and time of the kick. */
   KickFit fit(List<double[]> starts) {
-    FlightCurve curve = FlightCurve.of(kind, 0, problem.kick().fromRest());
     int[] subset = SearchSubset.pick(data, problem.kick().time(), settings.searchObservations());
-    FlightProblem coarse = prepared(data.pick(subset), curve);
-    coarse.lossScale(wideLoss());
+    FlightProblem coarse = finder.widely(data.pick(subset), 0);
     double[] start = bestStart(coarse, starts);
     double[] found =
         new CmaesSearch(coarse, parameters, start, SPREAD)
             .search(settings.searchEvaluations(), seed);
     evaluations += coarse.evaluations();
     return finish(
-        kind == KickKind.FLAT
-            ? better(polish(data, 0, found), polish(data, 0, start))
-            : bestFlights(List.of(found, start, withModelOf(start))));
+        finder.find(
+            kind == KickKind.FLAT
+                ? List.of(found, start)
+                : List.of(found, start, withModelOf(start))));
   }
 
   /** The kick of a start with the bounces that the problem's model has: what other kicks showed is right more often than what a part of the observations prefers. */
@@ -99,14 +70,6 @@ final class FlightFitter {
       theta[k] = parameters.get(k).value();
     }
     return theta;
-  }
-
-  private double wideLoss() {
-    double perMetre = 0;
-    for (double w : data.w22) {
-      perMetre += w / data.size;
-    }
-    return Math.max(settings.lossScale(), WIDE_LOSS * perMetre);
   }
 
   private double[] bestStart(FlightProblem coarse, List<double[]> starts) {
@@ -137,102 +100,19 @@ final class FlightFitter {
       Parameter p = parameters.get(k);
       start[k] = p.estimated() ? p.clamp(start[k]) : p.value();
     }
-    return finish(kind == KickKind.FLAT ? polish(data, 0, start) : bestFlights(List.of(start)));
+    return finish(finder.find(List.of(start)));
   }
 
-  private FlightProblem prepared(FlightData of, FlightCurve curve) {
-    FlightProblem flight = new FlightProblem(of, curve, size);
-    flight.holdFixed(parameters);
-    flight.lossScale(settings.lossScale());
-    if (!problem.kick().fromRest()) {
-      int t0 = FlightLayout.timeIndex(kind);
-      flight.prior(t0, problem.kick().time(), problem.kick().timeError());
-    }
-    return flight;
-  }
-
-  private static Candidate better(Candidate a, Candidate b) {
-    return b.cost < a.cost ? b : a;
-  }
-
-  private Candidate polish(FlightData on, int flights, double[] from) {
-    FlightCurve curve = FlightCurve.of(kind, flights, problem.kick().fromRest());
-    FlightProblem flight = prepared(on, curve);
-    double[] theta = from.clone();
-    flight.lossScale(wideLoss());
-    new LevenbergMarquardt(parameters).roughly().minimize(flight, theta);
-    flight.lossScale(settings.lossScale());
-    double cost = new LevenbergMarquardt(parameters).minimize(flight, theta);
-    evaluations += flight.evaluations();
-    return new Candidate(flights, flight, theta, cost);
-  }
-
-  /**
-   * The objective of a chip is smooth only at a fixed number of flights, and a wrong number has minima of its own, which neighbours
-   * do not lead out of. So every number near what the 10 mm rule says is tried from every start, on part of the observations, and
-   * then from the best one on all of them. The number may differ by one from what the rule says of the result, since a real ball does not stop
-   * hopping at exactly that height; not by more, or frictionless hops of a millimetre would be found to explain anything.
-   */
-  private Candidate bestFlights(List<double[]> starts) {
-    FlightData part =
-        data.pick(SearchSubset.pick(data, problem.kick().time(), MEDIUM_OBSERVATIONS));
-    List<Candidate> tried = new ArrayList<>();
-    for (double[] start : starts) {
-      int rule = ruleFlights(start);
-      int most = Math.min(ChipModel.MAX_FLIGHTS, rule + FLIGHTS_OFF);
-      for (int flights = Math.max(1, rule - FLIGHTS_OFF); flights <= most; flights++) {
-        tried.add(polish(part, flights, start));
-      }
-    }
-    tried.sort(
-        Comparator.comparing((Candidate c) -> !plausible(c))
-            .thenComparingDouble(c -> FlightLayout.pricedCost(c.theta, c.flights, c.cost)));
-    return climb(polish(data, tried.get(0).flights, tried.get(0).theta));
-  }
-
-  /** To the neighbouring numbers of flights while that explains the kick better. */
-  private Candidate climb(Candidate from) {
-    Candidate best = from;
-    boolean improved = true;
-    while (improved) {
-      improved = false;
-      for (int flights : new int[] {best.flights - 1, best.flights + 1}) {
-        if (flights < 1 || flights > ChipModel.MAX_FLIGHTS) {
-          continue;
-        }
-        Candidate next = polish(data, flights, best.theta);
-        boolean allowed = plausible(next) || !plausible(best);
-        if (allowed
-            && FlightLayout.pricedCost(next.theta, flights, next.cost)
-                < FlightLayout.pricedCost(best.theta, best.flights, best.cost) * (1 - 1e-9)) {
-          best = next;
-          improved = true;
-          break;
-        }
-      }
-    }
-    return best;
-  }
-
-  private static boolean plausible(Candidate c) {
-    return Math.abs(c.flights - ruleFlights(c.theta)) <= 1;
-  }
-
-  private static int ruleFlights(double[] theta) {
-    return Math.max(
-        1, ChipTrajectory.flightsByRule(FlightLayout.chipModel(theta), theta[ChipTrajectory.VZ0]));
-  }
-
-  private KickFit finish(Candidate best) {
-    FlightProblem flight = best.flight;
-    double[] theta = best.theta;
+  private KickFit finish(Minimum best) {
+    FlightProblem flight = best.flight();
+    double[] theta = best.theta();
     LevenbergMarquardt solver = new LevenbergMarquardt(parameters);
     leaveOutliersOut(flight, theta, solver);
     String[] reasons = tieUndetermined(flight, theta, solver);
     double[] rx = new double[data.size];
     double[] ry = new double[data.size];
     flight.residuals(theta, rx, ry);
-    evaluations += flight.evaluations();
+    evaluations += finder.evaluations();
     return result(best, solver, reasons, rx, ry);
   }
 
@@ -337,8 +217,8 @@ final class FlightFitter {
   }
 
   private KickFit result(
-      Candidate best, LevenbergMarquardt solver, String[] reasons, double[] rx, double[] ry) {
-    boolean[] used = best.flight.used();
+      Minimum best, LevenbergMarquardt solver, String[] reasons, double[] rx, double[] ry) {
+    boolean[] used = best.flight().used();
     int count = 0;
     double sum = 0;
     for (int i = 0; i < used.length; i++) {
@@ -360,7 +240,7 @@ final class FlightFitter {
     List<Estimate> estimates = new ArrayList<>();
     for (int k = 0; k < size; k++) {
       Parameter p = parameters.get(k);
-      double value = best.theta[k];
+      double value = best.theta()[k];
       double variance = covariance == null ? Double.NaN : covariance[k][k] * factor;
       double error = p.estimated() && variance > 0 ? Math.sqrt(variance) : Double.NaN;
       // A search stops just short of a bound: nearer than a thousandth of the error is at it.
@@ -385,7 +265,7 @@ final class FlightFitter {
             degrees,
             factor,
             screening.robustScale(),
-            best.flights,
+            best.flights(),
             evaluations,
             solver.iterations(),
             solver.stop().name().toLowerCase(java.util.Locale.ROOT).replace('_', ' '),
@@ -395,7 +275,7 @@ final class FlightFitter {
         kind,
         estimates,
         scaled,
-        FlightLayout.trajectory(kind, best.theta, best.flights),
+        FlightLayout.trajectory(kind, best.theta(), best.flights()),
         rx,
         ry,
         used,

@@ -56,6 +56,19 @@ final class NormalEquations {
     return true;
   }
 
+  /** Squared distance of two points in standard errors, dᵀ·A·d: what the linear model costs from a minimum at one to the other. */
+  double squaredDistance(double[] from, double[] to) {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      double di = to[i] - from[i];
+      sum += a[i][i] * di * di;
+      for (int j = 0; j < i; j++) {
+        sum += 2 * a[i][j] * di * (to[j] - from[j]);
+      }
+    }
+    return sum;
+  }
+
   /** Solves {@code L·Lᵀ·step = b} in scaled unknowns; {@code step} comes out unscaled. */
   void solve(double[][] l, double[] scale, boolean[] free, double[] step) {
     for (int i = 0; i < size; i++) {

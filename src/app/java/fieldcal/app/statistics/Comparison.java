@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.inference.WilcoxonSignedRankTest;
 
@@ -39,6 +40,9 @@ public record Comparison(
 
   /** Standard error of a median to that of a mean, of normal samples: √(π/2). */
   private static final double MEDIAN_ERROR = Math.sqrt(Math.PI / 2);
+
+  /** Values of a pair that differ by less than this share of them are the same: so far apart may two fits of the same detections end. */
+  private static final double SAME = 1e-5;
 
   /** Largest probability at which two recordings are said to differ; over all statistics together. */
   public static final double ALPHA = 0.05;
@@ -114,15 +118,20 @@ public record Comparison(
     double[] first = both.values().stream().mapToDouble(v -> v).toArray();
     double[] second = both.keySet().stream().mapToDouble(b.samples()::get).toArray();
     double[] differences = new double[first.length];
-    int equal = 0;
     for (int i = 0; i < first.length; i++) {
       differences[i] = second[i] - first[i];
-      equal += differences[i] == 0 ? 1 : 0;
     }
+    // Pairs without a difference have no sign (Wilcoxon 1945).
+    double[] signed =
+        IntStream.range(0, first.length)
+            .mapToDouble(i -> difference(first[i], second[i]))
+            .filter(d -> d != 0)
+            .toArray();
     double p =
-        equal == first.length
+        signed.length == 0
             ? 1
-            : new WilcoxonSignedRankTest().wilcoxonSignedRankTest(second, first, false);
+            : new WilcoxonSignedRankTest()
+                .wilcoxonSignedRankTest(signed, new double[signed.length], false);
     return Optional.of(
         new Comparison(
             a,
@@ -133,6 +142,12 @@ public record Comparison(
             first.length,
             p,
             p));
+  }
+
+  private static double difference(double first, double second) {
+    double difference = second - first;
+    boolean same = Math.abs(difference) < SAME * Math.max(Math.abs(first), Math.abs(second));
+    return same ? 0 : difference;
   }
 
   private static Optional<Comparison> unpaired(Statistic a, Statistic b) {
