@@ -4,6 +4,7 @@ import fieldcal.diagnosis.ModelChoice.Weighed;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.effect.MotionEffect;
 import java.util.List;
 
 /** The stages that decide what stays of a model that was found, and what describes the rest. Not thread-safe. */
@@ -41,6 +42,10 @@ final class Decider {
     UnnamedTerms unnamed = new UnnamedTerms(at, choice, heldBase, curves, progress);
     Weighed best =
         new RivalCurves(at, choice, curves, unnamed, progress).against(unnamed.beside(named));
+    if (best.held().predictsWorseThan(heldBase, at.seed())) {
+      // A law that is right does not lead astray from the beginning of a kick on.
+      best = best.nameless(j -> j.effect() instanceof MotionEffect);
+    }
     boolean nothing = best.model().model().components().isEmpty();
     boolean worse = !(best.held().rmsMm() <= heldBase.rmsMm());
     return new Decided(at, at.base(), heldBase, nothing || worse ? simple : best);

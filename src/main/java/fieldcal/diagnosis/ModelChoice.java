@@ -22,6 +22,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * Which of the components that a search found stay in the model: those with a name, and those without which kicks that were held out are predicted worse. Not thread-safe.
@@ -102,6 +103,13 @@ final class ModelChoice {
               ? predictsBetterThan(other, seed)
               : !held.predictsWorseThan(other.held, seed);
       return sound && held.gainOn(other.held, seed)[HoldOut.LOWER] > 0;
+    }
+
+    /** The same without the names of some components. */
+    Weighed nameless(Predicate<Judgement> which) {
+      List<Judgement> all = new ArrayList<>(judged);
+      all.replaceAll(j -> j.isName() && which.test(j) ? j.as(Outcome.FORM) : j);
+      return new Weighed(model, all, held);
     }
 
     private long valuesPerKick() {

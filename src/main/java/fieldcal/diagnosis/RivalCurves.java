@@ -4,10 +4,8 @@ import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.ModelChoice.Weighed;
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
-import fieldcal.diagnosis.decision.Judgement.Outcome;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
-import fieldcal.diagnosis.model.FreshFit;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.validation.HoldOut;
@@ -18,12 +16,10 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The stage that lets curves without a name compete with what may be the form of anything. A region, a seam or an instant is chosen where it absorbs most of whatever has no name, and a law that replaces another one absorbs something of whatever acts where it does: each has its
- * name only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
+ * The stage that lets curves without a name compete with names that have a place. A region, a seam or an instant is chosen where it absorbs most of whatever has no name; so it has its name only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
  */
 final class RivalCurves {
   private final ModelFitter fitter;
-  private final FreshFit fresh;
   private final SharedSolver solver;
   private final DecisionSettings settings;
   private final long seed;
@@ -50,33 +46,29 @@ final class RivalCurves {
     this.unnamed = unnamed;
     this.progress = progress;
     fitter = problem.fitter();
-    fresh = problem.fresh();
     solver = problem.solver();
     settings = problem.settings();
     seed = problem.seed();
   }
 
   /**
-   * Compares.
+   * Compares with all names that have a place together, then with each: several may have taken the place of one curve.
    *
    * @param found what was decided
-   * @return the same where every name stands; with curves in the place of those that do not, or the same model without their names where no curve predicts as well; with the name of a law that nothing else replaces
+   * @return the same where every name stands; with curves in the place of those that do not, or the same model without their names where no curve predicts as well
    */
   Weighed against(Weighed found) {
     if (fitter.effort().isSpent()) {
-      return Leftover.of(found.model()).isSignificant() ? nameless(found, placed(found)) : found;
+      return Leftover.of(found.model()).isSignificant()
+          ? found.nameless(placed(found)::contains)
+          : found;
     }
-    return withLaws(againstPlaces(found));
-  }
-
-  /** Against all names with a place together, then each: several may have taken the place of one curve. */
-  private Weighed againstPlaces(Weighed found) {
     List<Judgement> placed = placed(found);
     Weighed best = found;
     for (List<Judgement> group :
         Stream.concat(Stream.of(placed), placed.stream().map(List::of)).distinct().toList()) {
       if (!group.isEmpty() && best.judged().containsAll(group)) {
-        best = againstPlaces(best, group);
+        best = against(best, group);
       }
     }
     return best;
@@ -86,7 +78,7 @@ final class RivalCurves {
     return of.judged().stream().filter(j -> j.isName() && j.component().hasPlace()).toList();
   }
 
-  private Weighed againstPlaces(Weighed named, List<Judgement> group) {
+  private Weighed against(Weighed named, List<Judgement> group) {
     FittedModel curved = curved(named, group);
     if (explainsLess(curved, named, group)) {
       return named;
@@ -95,23 +87,7 @@ final class RivalCurves {
     boolean asGood =
         rival.isAsGoodAs(named, settings.formGain())
             && !rival.held().predictsWorseThan(named.held(), seed);
-    return asGood ? rival : nameless(named, group);
-  }
-
-  /** With the name of a law that explains less than another cause, where nothing is left that it may be the form of, and curves do not explain what it does. */
-  private Weighed withLaws(Weighed found) {
-    Weighed best = found;
-    for (Judgement j : found.judged()) {
-      if (j.component().isLaw()
-          && j.outcome() == Outcome.FORM
-          && j.gain()[1] > 100 * settings.formGain()
-          && j.gain()[HoldOut.LOWER] > 0
-          && !Leftover.of(found.model()).isSignificant()) {
-        List<Judgement> law = List.of(j);
-        best = explainsLess(curved(best, law), best, law) ? as(Outcome.NAMED, best, law) : best;
-      }
-    }
-    return best;
+    return asGood ? rival : named.nameless(group::contains);
   }
 
   /** What curves make of what some components explain; maps of the carpet are only asked for where curves explain half of it. */
@@ -147,18 +123,6 @@ final class RivalCurves {
   private FittedModel without(FittedModel model, List<Judgement> rest) {
     List<Component> kept = new ArrayList<>();
     rest.forEach(j -> kept.add(j.component().startingAt(j.effect())));
-    FittedModel next = fitter.fit(model.resumedWith(kept), model, Weighing.ALIKE, solver);
-    boolean law = model.model().components().stream().anyMatch(Component::isLaw);
-    return law && kept.stream().noneMatch(Component::isLaw) ? fresh.orBetter(next) : next;
-  }
-
-  private static Weighed nameless(Weighed of, List<Judgement> group) {
-    return as(Outcome.FORM, of, group);
-  }
-
-  private static Weighed as(Outcome outcome, Weighed of, List<Judgement> group) {
-    List<Judgement> judged = new ArrayList<>(of.judged());
-    judged.replaceAll(j -> group.contains(j) ? j.as(outcome) : j);
-    return new Weighed(of.model(), judged, of.held());
+    return fitter.fit(model.resumedWith(kept), model, Weighing.ALIKE, solver);
   }
 }

@@ -156,7 +156,7 @@ public final class Decision {
   private Judgement judge(Scales scales, int i) {
     FittedModel model = scales.model;
     FittedModel less = scales.without.get(i);
-    HoldOut without = HoldOut.of(less, !scales.component(i).isPerKick(), seed);
+    HoldOut without = HoldOut.of(less, scales.left, seed);
     Gains gains = Gains.of(model, scales.held, without, seed);
     if (scales.heldWithoutChance != null && !scales.component(i).isPerKick()) {
       HoldOut byMeans = HoldOut.withoutChance(less, seed);
@@ -273,12 +273,6 @@ public final class Decision {
     return best;
   }
 
-  /** Whether most kicks are predicted better with what all kicks share. Where something is left, what moves the ball may be another form of it, which helps to fit kicks alone. Where nothing is left, a law that is right predicts none worse; what follows kicks that are seen to the end, and leads astray from their beginning on, is a form of something else. */
-  private boolean helpsToPredict(Scales scales, Component c, HoldOut heldWithout) {
-    double factor = scales.held.errorFactor(heldWithout);
-    return scales.left ? !Scales.isMotion(c) || factor < 1 : factor < 1 + settings.formGain();
-  }
-
   private Outcome outcome(
       Scales scales, int i, boolean follows, HoldOut heldWithout, double[] gain) {
     FittedModel model = scales.model;
@@ -319,7 +313,9 @@ public final class Decision {
     if (!c.isPerKick() && evidence < settings.imitation() * scales.excess) {
       return Outcome.FORM;
     }
-    if (!c.isPerKick() && !helpsToPredict(scales, c, heldWithout)) {
+    boolean common = !c.isPerKick() && Scales.isMotion(c);
+    if (scales.left && common && !(scales.held.errorFactor(heldWithout) < 1)) {
+      // It helps to fit kicks, not to predict most of them: what is left may be another form of it.
       return Outcome.FORM;
     }
     // A value for each kick takes up something of anything: it helps, too, where another cause has
@@ -330,9 +326,7 @@ public final class Decision {
       return Outcome.FORM;
     }
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
-    // What is left may be another form of it, which helps some kicks and harms others.
-    boolean sure = !scales.left || gain[HoldOut.LOWER] > 0;
-    if (!(gain[1] > 100 * least) || !sure) {
+    if (!(gain[1] > 100 * least && gain[HoldOut.LOWER] > 0)) {
       return Outcome.NO_GAIN;
     }
     if (c.isPerKick() && proof.isBallItself()) {
