@@ -17,7 +17,7 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
  * @param tieShare the same as a share of what the cause explains: where much is explained, errors of the model that all explanations share decide more than noise does
  * @param dependent chance that values which differ from kick to kick by chance are found to follow something that is recorded; counted by dealing them out to the kicks in other orders, so it holds for everything that is tried together. A twentieth of {@code falseAlarms},
  *     since only a recording with such values can raise this alarm, and several models of it are judged
- * @param leastGain share of the held-out residual that a cause must gain: less is called nothing where it is left, too, four per cent of the noise's variance. Of 129 causes that were named in recordings of independent generators, true ones gained 4.5 per cent and more. One whose magnitude differs from kick to kick, which takes up something of anything, must gain {@code formGain}
+ * @param leastGain share of the held-out residual that a cause must gain: the noise of a camera is known to a per cent. Of 129 causes that were named in recordings of independent generators, the true ones gained 4.5 per cent and more. One whose magnitude differs from kick to kick, which takes up something of anything, must gain {@code formGain}
  */
 public record DecisionSettings(
     double falseAlarms,
@@ -38,7 +38,7 @@ public record DecisionSettings(
    * @return the defaults
    */
   public static DecisionSettings defaults() {
-    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 1.0 / 3, 0.15, 6, 0.002, 1e-4, 0.02);
+    return new DecisionSettings(2e-3, 200, 1e-5, 0.03, 0.03, 1.0 / 3, 0.15, 6, 0.002, 1e-4, 0.01);
   }
 
   /**
