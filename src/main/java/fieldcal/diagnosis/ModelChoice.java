@@ -191,7 +191,8 @@ final class ModelChoice {
     return without(at, judged, List.of(weakest));
   }
 
-  private FittedModel without(FittedModel at, List<Judgement> judged, List<Judgement> going) {
+  /** The same model without some of its components, all others fitted again. */
+  FittedModel without(FittedModel at, List<Judgement> judged, List<Judgement> going) {
     List<Component> kept = new ArrayList<>();
     for (Judgement j : judged) {
       if (!going.contains(j)) {

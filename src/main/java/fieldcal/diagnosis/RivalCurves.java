@@ -4,14 +4,10 @@ import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.ModelChoice.Weighed;
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
-import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
-import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
-import fieldcal.fit.joint.SharedSolver;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -20,7 +16,6 @@ import java.util.stream.Stream;
  */
 final class RivalCurves {
   private final ModelFitter fitter;
-  private final SharedSolver solver;
   private final DecisionSettings settings;
   private final long seed;
   private final ModelChoice choice;
@@ -46,7 +41,6 @@ final class RivalCurves {
     this.unnamed = unnamed;
     this.progress = progress;
     fitter = problem.fitter();
-    solver = problem.solver();
     settings = problem.settings();
     seed = problem.seed();
   }
@@ -94,7 +88,7 @@ final class RivalCurves {
   private FittedModel curved(Weighed named, List<Judgement> group) {
     progress.part("curves instead of causes");
     List<Judgement> rest = named.judged().stream().filter(j -> !group.contains(j)).toList();
-    FittedModel without = without(named.model(), rest);
+    FittedModel without = choice.without(named.model(), named.judged(), group);
     FittedModel curved = curves.nameless(without, rest);
     boolean near = missed(curved, named) < UnnamedTerms.IMITATED * missed(without, named);
     return near ? curves.withMaps(curved, CurveSearch.mostBeside(without)) : curved;
@@ -118,11 +112,5 @@ final class RivalCurves {
 
   private static int numbers(FittedModel model) {
     return (int) model.model().globals().stream().filter(Parameter::estimated).count();
-  }
-
-  private FittedModel without(FittedModel model, List<Judgement> rest) {
-    List<Component> kept = new ArrayList<>();
-    rest.forEach(j -> kept.add(j.component().startingAt(j.effect())));
-    return fitter.fit(model.resumedWith(kept), model, Weighing.ALIKE, solver);
   }
 }
