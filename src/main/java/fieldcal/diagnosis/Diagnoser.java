@@ -9,6 +9,7 @@ import fieldcal.effect.EffectCatalogue;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
@@ -74,22 +75,37 @@ public final class Diagnoser {
     Found found = found(screened, search, failed, told);
     told.stage("weighing the explanations");
     Decided first = decider.decide(found.at(), found.model());
-    Decided decided = first;
-    if (Selection.mayHelp(first)) {
-      told.stage("selecting by prediction");
-      Selection selection = new Selection(search, decider, trace);
-      decided = failed.guarded("the selection by prediction", first, () -> selection.beside(first));
-    }
+    Selection selection = new Selection(search, decider, trace);
+    Decided decided =
+        failed.guarded(
+            "the second decision", first, () -> decidedAgain(first, found, selection, told));
     if (effort.isSpent()) {
       failed.add("the search ended at its limit of work, so that not everything was tried");
     }
     return answer(decided).diagnosis(trace, failed.problems());
   }
 
+  /** Where much is left: what the flat kicks show by themselves, or else what is selected by prediction. */
+  private static Decided decidedAgain(
+      Decided first, Found found, Selection selection, DiagnosisProgress told) {
+    if (Selection.leavesMuch(first) && found.ofFlats().isPresent()) {
+      told.stage("weighing what the flat kicks show");
+      Decided ofFlats = selection.with(found.ofFlats().get(), first);
+      if (ofFlats != first) {
+        return ofFlats;
+      }
+    }
+    if (!Selection.mayHelp(first)) {
+      return first;
+    }
+    told.stage("selecting by prediction");
+    return selection.beside(first);
+  }
+
   /** What is found among the named effects; the simple model where nothing may be named. */
   private static Found found(
       DiagnosisCase screened, SampledSearch search, FailedStages failed, DiagnosisProgress told) {
-    Found nothing = new Found(screened, screened.base());
+    Found nothing = new Found(screened, screened.base(), Optional.empty());
     return screened.problem().maxCauses() == 0
         ? nothing
         : failed.guarded(

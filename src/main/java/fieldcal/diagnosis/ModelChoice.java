@@ -123,8 +123,9 @@ final class ModelChoice {
       return !worse && other.held.predictsMostWorseThan(held, seed);
     }
 
-    private boolean hasName() {
-      return judged.stream().anyMatch(Judgement::isName);
+    /** How many components have a name. */
+    long names() {
+      return judged.stream().filter(Judgement::isName).count();
     }
 
     /** Whether this predicts held-out kicks better beyond chance, and at no horizon worse. */
@@ -216,7 +217,7 @@ final class ModelChoice {
     }
     if (best == last || !best.isBetterThan(last, seed)) {
       return sound.stream()
-          .filter(w -> !w.hasName() && w.foretellsMoreThan(last, seed))
+          .filter(w -> w.names() == 0 && w.foretellsMoreThan(last, seed))
           .min(Comparator.comparingDouble(w -> w.held.errorFactor(last.held)))
           .orElse(last);
     }

@@ -9,6 +9,7 @@ import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.effect.EffectCatalogue;
 import fieldcal.kick.KickKind;
 import java.util.List;
+import java.util.Optional;
 
 /** The stage that searches among the named effects; kicks that stand out are then screened again with what was found. Not thread-safe. */
 final class NamedSearch {
@@ -41,12 +42,14 @@ final class NamedSearch {
    *
    * @param at the kicks as they were screened last
    * @param model fitted to them, all of which weigh alike
+   * @param ofFlats what explains the flat kicks by themselves, fitted to all kicks; empty where nothing does, or no chips were recorded
    */
-  record Found(DiagnosisCase at, FittedModel model) {}
+  record Found(DiagnosisCase at, FittedModel model, Optional<FittedModel> ofFlats) {}
 
   Found search(DiagnosisCase given) {
     DiagnosisCase at = given;
-    FittedModel start = easierFirst(at);
+    Optional<FittedModel> ofFlats = ofFlats(at);
+    FittedModel start = withoutDominant(at, ofFlats.orElse(at.base()));
     for (int round = 0; round < SCREENINGS; round++) {
       progress.stage(round == 0 ? "searching for causes" : "searching for causes again");
       FittedModel found = named(at, start);
@@ -59,13 +62,13 @@ final class NamedSearch {
         revised = at.screen().withoutStrays(seen);
       }
       if (revised.equals(before)) {
-        return new Found(at, best);
+        return new Found(at, best, ofFlats);
       }
       progress.stage("looking again at kicks that stand out");
       at = at.refitted(revised);
       start = at.fit(seen, Weighing.EXPLAINED_FIRST);
     }
-    return new Found(at, search.alike(at.fitter(), start));
+    return new Found(at, search.alike(at.fitter(), start), ofFlats);
   }
 
   /** The fit that says which kicks stand out. One that is no free ball leads a fit in which all weigh alike away from the others. */
@@ -84,23 +87,27 @@ final class NamedSearch {
     return search.search(at.fitter(), start, dictionary, most, true);
   }
 
-  /**
-   * Where a search among all kicks begins: at what was found among those that are easier. Chips mask much while their bounces are not understood, and a kick that was touched may leave more than all others; both are looked at again with what the
-   * others showed.
-   */
-  private FittedModel easierFirst(DiagnosisCase at) {
+  /** What explains the flat kicks by themselves: chips mask much while their bounces are not understood. */
+  private Optional<FittedModel> ofFlats(DiagnosisCase at) {
+    List<KickRecord> flats =
+        KickScreen.withoutDominant(at.base()).stream()
+            .filter(k -> k.kind() == KickKind.FLAT)
+            .toList();
+    if (!at.arena().chips() || flats.size() < FEWEST_FLATS) {
+      return Optional.empty();
+    }
+    progress.stage("searching for causes in the flat kicks");
+    return Optional.of(foundAmong(at, flats, at.base())).filter(found -> found != at.base());
+  }
+
+  /** A kick that was touched may leave more than all others: what the others show is found first, and it is looked at again with that. */
+  private FittedModel withoutDominant(DiagnosisCase at, FittedModel start) {
     List<KickRecord> quiet = KickScreen.withoutDominant(at.base());
-    List<KickRecord> flats = quiet.stream().filter(k -> k.kind() == KickKind.FLAT).toList();
-    FittedModel start = at.base();
-    if (at.arena().chips() && flats.size() >= FEWEST_FLATS) {
-      progress.stage("searching for causes in the flat kicks");
-      start = foundAmong(at, flats, start);
+    if (quiet.size() == at.fitter().kicks().size()) {
+      return start;
     }
-    if (quiet.size() < at.fitter().kicks().size()) {
-      progress.stage("searching for causes without the kicks that stand out most");
-      start = foundAmong(at, quiet, start);
-    }
-    return start;
+    progress.stage("searching for causes without the kicks that stand out most");
+    return foundAmong(at, quiet, start);
   }
 
   /** What is found among some kicks, fitted to all; as it was where that does not explain them. */

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiPredicate;
 import java.util.stream.Stream;
 
 /** The stage that decides a second time where much is left: with what is selected by prediction alone, beside the simple model or beside what was found. Not thread-safe. */
@@ -39,19 +40,29 @@ final class Selection {
     this.trace = trace;
   }
 
-  /** Whether so much is left that a selection may help. */
-  static boolean mayHelp(Decided first) {
+  /** Whether what is left is as large as the noise, and there are kicks enough to say so. */
+  static boolean leavesMuch(Decided first) {
     Leftover leftover = Leftover.of(first.model());
     return first.screened().problem().maxCauses() > 0
-        && !first.screened().fitter().effort().isSpent()
         && first.model().kickCount() >= FEWEST_KICKS
         && leftover.isSignificant()
         && leftover.systematic() > MUCH;
   }
 
+  /** Whether a selection may help, and there is still time for one. */
+  static boolean mayHelp(Decided first) {
+    return leavesMuch(first) && !first.screened().fitter().effort().isSpent();
+  }
+
+  /** What is decided with a model of these kicks that explains a part of them, if that follows a usual kick more closely, or proves more and is no worse; else what was decided first. */
+  Decided with(FittedModel model, Decided first) {
+    FittedModel deaf = first.screened().fit(model, Weighing.EXPLAINED_ONLY);
+    return decided(deaf, first, Selection::provesMore).orElse(first);
+  }
+
   /** What is decided with a selected model, if that follows a usual kick more closely; else what was decided first. */
   Decided beside(Decided first) {
-    return closest(first).flatMap(model -> decided(model, first)).orElse(first);
+    return closest(first).flatMap(model -> decided(model, first, (n, f) -> false)).orElse(first);
   }
 
   /** Of the models that are selected beside the simple model and beside what was found, the one that follows a usual kick most closely; empty where nothing helps. */
@@ -76,15 +87,18 @@ final class Selection {
   /**
    * What is decided with a selected model, if it follows a usual kick more closely than what was decided first: without the kicks that stand out while it explains all others; where it does not, with what it leaves of each kick taken
    * for noise, beside the same simple model.
+   *
+   * @param enough what is enough where the other follows a usual kick as closely
    */
-  private Optional<Decided> decided(FittedModel selected, Decided first) {
+  private Optional<Decided> decided(
+      FittedModel selected, Decided first, BiPredicate<Decided, Decided> enough) {
     List<KickRecord> kept = KickScreen.withoutFew(selected);
     boolean without = kept.size() < selected.kickCount();
     List<KickRecord> heard = without ? kept : KickScreen.withWhatIsLeftAsNoise(selected);
     DiagnosisCase again = first.screened().refitted(heard);
     FittedModel start = again.fit(selected, Weighing.EXPLAINED_FIRST);
     Decided next = decider.decide(again, search.alike(again.fitter(), start));
-    if (next.isNothing() || !isBetter(next, first, without)) {
+    if (next.isNothing() || !isBetter(next, first, without) && !enough.test(next, first)) {
       return Optional.empty();
     }
     return Optional.of(without ? next : next.beside(first));
@@ -100,6 +114,17 @@ final class Selection {
       return isCloser(now, before, seed);
     }
     return isCloser(now, first.best().held(), seed)
+        && !now.predictsMostWorseThan(before, seed)
+        && !now.predictsWorseThan(before, seed);
+  }
+
+  /** Whether more has a name, and no kick is followed or predicted worse beyond chance. */
+  private static boolean provesMore(Decided next, Decided first) {
+    long seed = next.screened().seed();
+    HoldOut now = next.best().held();
+    HoldOut before = first.best().held();
+    return next.best().names() > first.best().names()
+        && !before.followsMostBetterThan(now, seed)
         && !now.predictsMostWorseThan(before, seed)
         && !now.predictsWorseThan(before, seed);
   }

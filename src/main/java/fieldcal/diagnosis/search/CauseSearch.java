@@ -7,8 +7,10 @@ import fieldcal.diagnosis.model.Weighing;
 import fieldcal.effect.MotionEffect;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a local minimum: while something is left, others begin again in another manner (a
@@ -49,6 +51,12 @@ public final class CauseSearch {
   private static final int FEW_KICKS = 2;
 
   private static final double LEAST_SHARE = 0.15;
+
+  /** Of models that explain the kicks the one in which fewer things differ from kick to kick, since each of these takes up something of anything; of equals the one at the lower price. */
+  private static final Comparator<FittedModel> FEWEST_VALUES =
+      Comparator.<FittedModel>comparingLong(
+              m -> m.model().components().stream().filter(Component::isPerKick).count())
+          .thenComparingDouble(Price::total);
 
   /** When not all is searched: what differs at random may be all there is, and curves would take up much of it. */
   private static final List<Manner> SHORT =
@@ -151,36 +159,45 @@ public final class CauseSearch {
         > 1;
   }
 
-  /** What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. */
+  /**
+   * What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. Both that and a search that begins with chance may end in a local minimum: the first keeps what follows chance only together, the second
+   * does not see a cause beside kicks that are far off for another reason.
+   */
   private FittedModel besideChance(FittedModel start, FittedModel found) {
     FittedModel best = found;
     for (Component chance : dictionary.chance(start.model())) {
       Refits refits = refits(Weighing.EXPLAINED_FIRST);
-      if (!mayBeBehind(chance, found, refits)) {
+      FittedModel beside = refits.fit(found, with(found, chance));
+      if (!mayBeBehind(chance, found, beside, refits)) {
         continue;
       }
       FittedModel begun = refits.fit(start, with(start, chance));
       FittedModel grown = pursuit(refits).grown(begun, Pursuit.Order.BEST, true);
-      FittedModel settled = pursuit(refits).settled(grown);
-      FittedModel needed = new Chance(refits, trace).onlyWhatIsNeeded(settled);
-      boolean cheaper = isExplained(needed) && Price.total(needed) < Price.total(best);
-      if (cheaper && differsInMostKicks(chance, needed, refits)) {
-        best = needed;
-      }
+      FittedModel before = best;
+      best =
+          Stream.of(beside, pursuit(refits).settled(grown))
+              .map(model -> new Chance(refits, trace).onlyWhatIsNeeded(model))
+              .filter(m -> isExplained(m) && Price.total(m) < Price.total(before))
+              .filter(m -> differsInMostKicks(chance, m, refits))
+              .min(FEWEST_VALUES)
+              .orElse(before);
     }
     return best;
   }
 
   /** Whether chance is needed beside what was found, or does as well as what else has a value for each kick. */
-  private static boolean mayBeBehind(Component chance, FittedModel found, Refits refits) {
-    List<Component> all = with(found, chance);
-    FittedModel beside = refits.fit(found, all);
+  private static boolean mayBeBehind(
+      Component chance, FittedModel found, FittedModel beside, Refits refits) {
     if (!isExplained(beside)) {
       return false;
     }
-    boolean needed = new Price(refits.weighing()).gain(found, beside) > Price.of(List.of(chance));
-    List<Component> shared = all.stream().filter(c -> c == chance || !c.isPerKick()).toList();
-    return needed || shared.size() < all.size() && isExplained(refits.fit(found, shared));
+    if (new Price(refits.weighing()).gain(found, beside) > Price.of(List.of(chance))) {
+      return true;
+    }
+    List<Component> all = beside.model().components();
+    List<Component> shared =
+        all.stream().filter(c -> c.isSameCause(chance) || !c.isPerKick()).toList();
+    return shared.size() < all.size() && isExplained(refits.fit(found, shared));
   }
 
   /** Whether chance is still needed, and not by a few kicks alone: these would be no free balls, or hide a cause. */
