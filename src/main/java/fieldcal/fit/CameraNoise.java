@@ -63,8 +63,8 @@ public final class CameraNoise {
    * @return the views with their noise
    */
   public static CameraViews measured(List<Kick> kicks, CameraViews views) {
-    Map<Integer, Double> noise = atRest(kicks, views);
     Map<Integer, Double> least = least(kicks);
+    Map<Integer, Double> noise = atRest(kicks, views, least);
     return views.map(
         v ->
             v.withNoise(
@@ -158,18 +158,24 @@ public final class CameraNoise {
    * @return m, by camera id; cameras that saw too little at rest are missing
    */
   public static Map<Integer, Double> atRest(List<Kick> kicks, CameraViews views) {
+    return atRest(kicks, views, least(kicks));
+  }
+
+  private static Map<Integer, Double> atRest(
+      List<Kick> kicks, CameraViews views, Map<Integer, Double> least) {
     CameraViews unit = views.map(v -> v.withNoise(1));
     Map<Integer, List<Double>> squares = new TreeMap<>();
     for (Kick kick : kicks) {
       if (kick.fromRest()) {
         Observations rest =
             kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() - 0.02);
+        FlightData data = FlightData.of(rest, unit);
         for (int camera : rest.cameras()) {
-          collect(rest, camera, unit, squares.computeIfAbsent(camera, c -> new ArrayList<>()));
+          collect(data, camera, squares.computeIfAbsent(camera, c -> new ArrayList<>()));
         }
       }
     }
-    return noise(squares, least(kicks));
+    return noise(squares, least);
   }
 
   private static Map<Integer, Double> noise(
@@ -186,15 +192,13 @@ public final class CameraNoise {
     return noise;
   }
 
-  private static void collect(
-      Observations rest, int camera, CameraViews unit, List<Double> squares) {
+  private static void collect(FlightData data, int camera, List<Double> squares) {
     int n = 0;
-    double[] x = new double[rest.size()];
-    double[] y = new double[rest.size()];
-    FlightData data = FlightData.of(rest, unit);
-    int[] index = new int[rest.size()];
-    for (int i = 0; i < rest.size(); i++) {
-      if (rest.camera(i) == camera) {
+    double[] x = new double[data.size];
+    double[] y = new double[data.size];
+    int[] index = new int[data.size];
+    for (int i = 0; i < data.size; i++) {
+      if (data.camera[i] == camera) {
         x[n] = data.x[i];
         y[n] = data.y[i];
         index[n++] = i;

@@ -46,6 +46,9 @@ final class SharedView {
   /** Between two positions of the first camera; x and y are the first's. */
   private record Comparison(double from, double to, double x, double y, double dx, double dy) {}
 
+  /** Medians of the differences of a stretch, m, and their standard deviation per axis, m, as {@link RobustScale}. */
+  private record Spread(double x, double y, double scatter) {}
+
   /**
    * A difference of two cameras.
    *
@@ -96,9 +99,8 @@ final class SharedView {
 
   /** The difference while the ball rested before the kick. */
   Optional<Difference> atRest() {
-    List<Comparison> rest =
-        comparisons.stream().filter(c -> c.to <= kick.time() - BEFORE_KICK).toList();
-    return rest.size() < FEWEST ? Optional.empty() : Optional.of(difference(rest));
+    List<Comparison> rest = upTo(0, kick.time() - BEFORE_KICK);
+    return rest.size() < FEWEST ? Optional.empty() : Optional.of(difference(rest, spread(rest)));
   }
 
   /**
@@ -106,16 +108,37 @@ final class SharedView {
    */
   Optional<Difference> onTheGround() {
     Difference best = null;
+    int begin = 0;
     for (double from = kick.time(); from < kick.endTime(); from += STRETCH / 2) {
-      double begin = from;
-      List<Comparison> stretch =
-          comparisons.stream().filter(c -> c.from >= begin && c.to <= begin + STRETCH).toList();
-      if (stretch.size() >= FEWEST && duration(stretch) > FILLED * STRETCH && steady(stretch)) {
-        Difference d = difference(stretch);
-        best = best == null || d.sigma < best.sigma ? d : best;
+      begin = firstFrom(begin, from);
+      List<Comparison> stretch = upTo(begin, from + STRETCH);
+      if (stretch.size() >= FEWEST && duration(stretch) > FILLED * STRETCH) {
+        Spread spread = spread(stretch);
+        if (steady(stretch, spread)) {
+          Difference d = difference(stretch, spread);
+          best = best == null || d.sigma < best.sigma ? d : best;
+        }
       }
     }
     return Optional.ofNullable(best);
+  }
+
+  /** The first comparison, from one that is earlier on, that begins at a time or later. */
+  private int firstFrom(int earlier, double time) {
+    int i = earlier;
+    while (i < comparisons.size() && comparisons.get(i).from < time) {
+      i++;
+    }
+    return i;
+  }
+
+  /** The comparisons from one on that end at a time or before. */
+  private List<Comparison> upTo(int begin, double time) {
+    int end = begin;
+    while (end < comparisons.size() && comparisons.get(end).to <= time) {
+      end++;
+    }
+    return comparisons.subList(begin, end);
   }
 
   private static double duration(List<Comparison> stretch) {
@@ -123,10 +146,10 @@ final class SharedView {
   }
 
   /** Whether the scatter is nearer to that of the noise than to that of a flight. */
-  private boolean steady(List<Comparison> stretch) {
+  private boolean steady(List<Comparison> stretch, Spread spread) {
     Comparison middle = stretch.get(stretch.size() / 2);
     double flight = 0.5 * parallax(middle.x, middle.y) * SCATTER_IN_FLIGHT;
-    return scatter(stretch) < Math.hypot(flight, Math.hypot(first.noise(), second.noise()));
+    return spread.scatter < Math.hypot(flight, Math.hypot(first.noise(), second.noise()));
   }
 
   /** By how much further apart the cameras report a ball at a place for each metre that it is higher. */
@@ -143,31 +166,29 @@ final class SharedView {
         (y - b.positionY()) / hb - (y - a.positionY()) / ha);
   }
 
-  private static Difference difference(List<Comparison> stretch) {
+  private static Difference difference(List<Comparison> stretch, Spread spread) {
     Comparison begin = stretch.get(0);
     Comparison end = stretch.get(stretch.size() - 1);
     double duration = duration(stretch);
     double speed = duration > 0 ? Math.hypot(end.x - begin.x, end.y - begin.y) / duration : 0;
-    double sigma = Math.hypot(scatter(stretch), speed * CLOCKS);
-    return new Difference(
-        median(stretch.stream().mapToDouble(c -> c.dx).toArray()),
-        median(stretch.stream().mapToDouble(c -> c.dy).toArray()),
-        Math.max(sigma, CameraNoise.FLOOR));
+    double sigma = Math.hypot(spread.scatter, speed * CLOCKS);
+    return new Difference(spread.x, spread.y, Math.max(sigma, CameraNoise.FLOOR));
   }
 
-  /** Standard deviation per axis, m, as {@link RobustScale}. */
-  private static double scatter(List<Comparison> stretch) {
+  private static Spread spread(List<Comparison> stretch) {
     double x = median(stretch.stream().mapToDouble(c -> c.dx).toArray());
     double y = median(stretch.stream().mapToDouble(c -> c.dy).toArray());
-    return RobustScale.ofSquaredDistances(
-        stretch.stream()
-            .mapToDouble(c -> (c.dx - x) * (c.dx - x) + (c.dy - y) * (c.dy - y))
-            .toArray());
+    double scatter =
+        RobustScale.ofSquaredDistances(
+            stretch.stream()
+                .mapToDouble(c -> (c.dx - x) * (c.dx - x) + (c.dy - y) * (c.dy - y))
+                .toArray());
+    return new Spread(x, y, scatter);
   }
 
+  /** Sorts the values. */
   private static double median(double[] values) {
-    double[] sorted = values.clone();
-    Arrays.sort(sorted);
-    return sorted[sorted.length / 2];
+    Arrays.sort(values);
+    return values[values.length / 2];
   }
 }

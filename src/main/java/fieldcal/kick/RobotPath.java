@@ -133,6 +133,9 @@ final class RobotPath {
     int a = slot(older);
     int b = slot(newer);
     double dt = time[b] - time[a];
-    return dt < FORGET && Math.hypot(x[b] - x[a], y[b] - y[a]) < 0.03 + MAX_SPEED * dt;
+    double dx = x[b] - x[a];
+    double dy = y[b] - y[a];
+    double most = Math.max(0, 0.03 + MAX_SPEED * dt);
+    return dt < FORGET && dx * dx + dy * dy < most * most;
   }
 }

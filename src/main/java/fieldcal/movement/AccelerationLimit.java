@@ -76,7 +76,7 @@ final class AccelerationLimit {
   private final Reduction shared;
 
   private final List<MovementEffect> named = new ArrayList<>();
-  private SaturationFit.Mode uniform;
+  private SaturationFit.Uniform uniform;
   private SaturationFit.Mode mode;
   private Envelope envelope;
 
@@ -130,9 +130,12 @@ final class AccelerationLimit {
     if (samples < FEWEST) {
       return;
     }
-    uniform = SaturationFit.highest(data);
-    mode = uniform;
-    if (uniform == null || samples < FEWEST_FOR_EFFECTS) {
+    uniform = SaturationFit.uniform(data);
+    if (uniform == null) {
+      return;
+    }
+    mode = uniform.highest();
+    if (samples < FEWEST_FOR_EFFECTS) {
       return;
     }
     select(candidates());
@@ -163,9 +166,9 @@ final class AccelerationLimit {
 
   /** Names the effects with which most manoeuvres lie at the limit, or none. */
   private void select(List<List<MovementEffect>> candidates) {
-    mode = uniform;
+    mode = uniform.highest();
     named.clear();
-    double most = SaturationFit.largest(data).mass();
+    double most = uniform.largest().mass();
     for (List<MovementEffect> effects : candidates) {
       SaturationFit.Mode with = withEffects(effects);
       if (with != null && with.mass() > GAIN * most && believable(with)) {
@@ -343,12 +346,13 @@ final class AccelerationLimit {
     }
     Reduction effects = named();
     ManoeuvreTable.Columns reduced = effects.takenOut(data);
-    UpperEdge edge = UpperEdge.of(reduced.acceleration(), reduced.error(), reduced.count());
+    ManoeuvreTable.Columns values = reduced.merged();
+    UpperEdge edge = UpperEdge.of(values.acceleration(), values.error(), values.count());
     if (edge == null) {
       double systematic = Math.hypot(SYSTEMATIC * mode.beta()[0], LEANING * mode.noise());
       double open =
           UpperEdge.open(
-              reduced.acceleration(), reduced.error(), reduced.count(), mode.beta()[0], REACHED);
+              values.acceleration(), values.error(), values.count(), mode.beta()[0], REACHED);
       double error = Math.hypot(Math.hypot(mode.errors()[0], systematic), open);
       return estimate(mode.beta()[0], error, mode.share());
     }
@@ -405,7 +409,7 @@ final class AccelerationLimit {
               coefficient(k),
               coefficientError(k),
               kind.label,
-              uniform.share(),
+              uniform.highest().share(),
               mode.share()));
     }
     return list;

@@ -5,7 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.CholeskyDecomposition;
+import org.apache.commons.math3.linear.DecompositionSolver;
 import org.apache.commons.math3.linear.NonPositiveDefiniteMatrixException;
 import org.apache.commons.math3.linear.RealMatrix;
 
@@ -131,8 +133,8 @@ final class EnvelopeFit {
               new double[near.length],
               pick(count, near));
       if (Arrays.stream(some.count()).sum() >= START_FEWEST) {
-        SaturationFit.Mode mode = SaturationFit.highest(some);
-        start[k] = mode == null ? Double.NaN : mode.beta()[0];
+        SaturationFit.Uniform mode = SaturationFit.uniform(some);
+        start[k] = mode == null ? Double.NaN : mode.highest().beta()[0];
       }
     }
     return filled(start);
@@ -234,17 +236,17 @@ final class EnvelopeFit {
       b[left[i]] += w * (1 - part[i]) * acceleration[i];
       b[(left[i] + 1) % KNOTS] += w * part[i] * acceleration[i];
     }
-    RealMatrix inverse = inverse(a);
-    if (inverse == null) {
+    DecompositionSolver solver = solver(a);
+    if (solver == null) {
       return null;
     }
-    double[] next = inverse.operate(b);
+    double[] next = solver.solve(new ArrayRealVector(b, false)).toArray();
     return Arrays.stream(next).allMatch(v -> v > 0) ? next : null;
   }
 
-  private static RealMatrix inverse(double[][] a) {
+  private static DecompositionSolver solver(double[][] a) {
     try {
-      return new CholeskyDecomposition(new Array2DRowRealMatrix(a, false)).getSolver().getInverse();
+      return new CholeskyDecomposition(new Array2DRowRealMatrix(a, false)).getSolver();
     } catch (NonPositiveDefiniteMatrixException e) {
       return null;
     }
@@ -272,10 +274,11 @@ final class EnvelopeFit {
       add(a, i, n * w * Math.max(0, 1 - r * r / h2));
       add(b, i, n * w * w * r * r);
     }
-    RealMatrix inverse = inverse(a);
-    if (inverse == null) {
+    DecompositionSolver solver = solver(a);
+    if (solver == null) {
       return false;
     }
+    RealMatrix inverse = solver.getInverse();
     RealMatrix covariance =
         inverse.multiply(new Array2DRowRealMatrix(b, false)).multiply(inverse.transpose());
     errors = new double[KNOTS];

@@ -75,6 +75,30 @@ final class ManoeuvreTable {
       return Arrays.stream(direction).map(phi -> Math.abs(Math.sin(phi))).toArray();
     }
 
+    /** For what depends on neither speed nor direction: neighbouring rows that differ only in these become one, without speed and direction. */
+    Columns merged() {
+      int n = count.length;
+      double[] a = new double[n];
+      double[] e = new double[n];
+      double[] c = new double[n];
+      int kept = 0;
+      for (int i = 0; i < n; i++) {
+        boolean same = kept > 0 && acceleration[i] == a[kept - 1] && error[i] == e[kept - 1];
+        if (same) {
+          c[kept - 1] += count[i];
+        } else {
+          a[kept] = acceleration[i];
+          e[kept] = error[i];
+          c[kept] = count[i];
+          kept++;
+        }
+      }
+      double[] unknown = new double[kept];
+      Arrays.fill(unknown, Double.NaN);
+      return new Columns(
+          Arrays.copyOf(a, kept), Arrays.copyOf(e, kept), unknown, unknown, Arrays.copyOf(c, kept));
+    }
+
     /** What the accelerations would be without factors that are known; NaN where a factor is. */
     Columns without(double[] factor) {
       double[] a = acceleration.clone();

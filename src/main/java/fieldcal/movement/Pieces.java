@@ -26,15 +26,22 @@ final class Pieces {
    */
   private static final double[] PRICES = {21, 28};
 
-  // Sums over the detections of a camera before each cell edge: n, t, t², t³, t⁴, x, xt, xt², x²,
-  // y, yt, yt², y².
-  private static final int SUMS = 13;
+  /** Over the detections of a camera before each cell edge. */
+  private final double[][][] sums = new double[Stretch.CAMERAS][MAX_CELLS + 1][PathSums.SUMS];
 
-  private final double[][][] sums = new double[Stretch.CAMERAS][MAX_CELLS + 1][SUMS];
   private final double[] best = new double[MAX_CELLS + 1];
   private final int[] from = new int[MAX_CELLS + 1];
   private final double[] knots = new double[MAX_CELLS + 1];
+
+  /** Edges at which the last piece may begin, in their order. */
+  private final int[] candidate = new int[MAX_CELLS + 1];
+
+  /** Of each such edge: what is reached with a last piece from there on, without its price; and the last edge at which it may end. */
+  private final double[] reached = new double[MAX_CELLS + 1];
+
+  private final int[] lastEnd = new int[MAX_CELLS + 1];
   private final double price;
+  private int candidates;
   private int count;
   private int cameras;
 
@@ -67,19 +74,12 @@ final class Pieces {
     }
     accumulate(stretch, cells);
     best[0] = 0;
+    candidates = 0;
     for (int to = 1; to <= cells; to++) {
-      best[to] = Double.POSITIVE_INFINITY;
-      for (int start = 0; start < to; start++) {
-        boolean tooShort = to - start < SHORTEST && start > 0 && to < cells;
-        if (tooShort || best[start] >= best[to]) {
-          continue;
-        }
-        double total = best[start] + price + residual(start, to) / variance;
-        if (total < best[to]) {
-          best[to] = total;
-          from[to] = start;
-        }
-      }
+      candidate[candidates++] = to - 1;
+      lastEnd[to - 1] = cells;
+      findBest(to, cells, variance);
+      dropBeaten(to);
     }
     for (int at = cells; at > 0; at = from[at]) {
       count++;
@@ -91,6 +91,42 @@ final class Pieces {
     }
   }
 
+  /** The best cut of all cells before an edge. */
+  private void findBest(int to, int cells, double variance) {
+    best[to] = Double.POSITIVE_INFINITY;
+    for (int k = 0; k < candidates; k++) {
+      int start = candidate[k];
+      reached[start] = best[start];
+      boolean tooShort = to - start < SHORTEST && start > 0 && to < cells;
+      if (tooShort || best[start] >= best[to]) {
+        continue;
+      }
+      reached[start] += residual(start, to) / variance;
+      if (reached[start] + price < best[to]) {
+        best[to] = reached[start] + price;
+        from[to] = start;
+      }
+    }
+  }
+
+  /**
+   * Drops the starts of pieces that no longer matter: if the best cut up to here costs no more than one whose last piece begins there and lasts until here, then a piece that goes on from there costs no less than one that begins here, since two parabolas fit no worse than one
+   * (pruned exact linear time, Killick, Fearnhead and Eckley 2012). One that begins here may end only {@link #SHORTEST} cells later, so until then both are kept.
+   */
+  private void dropBeaten(int to) {
+    int kept = 0;
+    for (int k = 0; k < candidates; k++) {
+      int start = candidate[k];
+      if (reached[start] >= best[to]) {
+        lastEnd[start] = Math.min(lastEnd[start], to + SHORTEST - 1);
+      }
+      if (lastEnd[start] > to) {
+        candidate[kept++] = start;
+      }
+    }
+    candidates = kept;
+  }
+
   private void accumulate(Stretch s, int cells) {
     cameras = s.cameras();
     for (int c = 0; c < cameras; c++) {
@@ -99,30 +135,13 @@ final class Pieces {
     int i = 0;
     for (int cell = 1; cell <= cells; cell++) {
       for (int c = 0; c < cameras; c++) {
-        System.arraycopy(sums[c][cell - 1], 0, sums[c][cell], 0, SUMS);
+        System.arraycopy(sums[c][cell - 1], 0, sums[c][cell], 0, PathSums.SUMS);
       }
       double end = cell == cells ? Double.POSITIVE_INFINITY : cell * CELL;
       for (; i < s.size() && s.t[i] < end; i++) {
-        addTo(sums[s.camera[i]][cell], s.t[i], s.x[i], s.y[i]);
+        PathSums.add(sums[s.camera[i]][cell], 0, s.t[i], s.x[i], s.y[i]);
       }
     }
-  }
-
-  private static void addTo(double[] sum, double t, double x, double y) {
-    double tt = t * t;
-    sum[0]++;
-    sum[1] += t;
-    sum[2] += tt;
-    sum[3] += tt * t;
-    sum[4] += tt * tt;
-    sum[5] += x;
-    sum[6] += x * t;
-    sum[7] += x * tt;
-    sum[8] += x * x;
-    sum[9] += y;
-    sum[10] += y * t;
-    sum[11] += y * tt;
-    sum[12] += y * y;
   }
 
   /** Sum of squared residuals of the best parabola over cells [start, to), in m². */

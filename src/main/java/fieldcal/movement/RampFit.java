@@ -21,36 +21,20 @@ final class RampFit {
   /** … and roundings within this, s²: of 5 m/s² it moves the path by 5 µm. */
   private static final double SETTLED_ROUNDING = 1e-6;
 
-  // Functions of time and what is to be explained, in the order of the Gram matrix: what is zero
-  // before the first knot comes after what is not, and what is zero before the second comes last.
-  private static final int T = 0;
-  private static final int T2 = 1; // t²/2
-  private static final int X = 2;
-  private static final int Y = 3;
-  private static final int Q1 = 4; // (t−τ1)²/2, rounded
-  private static final int R1 = 5; // minus its derivative by the knot
-  private static final int K1 = 6; // its derivative by the rounding
-  private static final int Q2 = 7;
-  private static final int R2 = 8;
-  private static final int K2 = 9;
-  private static final int ALL = 10;
-
   /** The functions whose factors are fitted. */
-  private static final int[] FITTED = {T, T2, Q1, Q2};
+  private static final int[] FITTED = {RampGram.T, RampGram.T2, RampGram.Q1, RampGram.Q2};
 
   private static final int LINEAR = FITTED.length;
 
   /** Knots and roundings of both corners: the derivatives by them, and which of the fitted factors multiplies each. */
-  private static final int[] DERIVATIVE = {R1, R2, K1, K2};
+  private static final int[] DERIVATIVE = {RampGram.R1, RampGram.R2, RampGram.K1, RampGram.K2};
 
   private static final int[] FACTOR = {2, 3, 2, 3};
   private static final int[] SIGN = {-1, -1, 1, 1};
   private static final int CURVED = DERIVATIVE.length;
 
-  private final double[][] gram = new double[ALL][ALL];
-  private final double[][] cameraSums = new double[Stretch.CAMERAS][ALL];
-  private final int[] cameraCounts = new int[Stretch.CAMERAS];
-  private final double[] f = new double[ALL];
+  private final RampGram gram = new RampGram();
+  private final double[] f = new double[LINEAR];
   private final double[][] cholesky = new double[LINEAR][LINEAR];
   private final double[][] normal = new double[LINEAR][LINEAR];
   private final double[] cx = new double[LINEAR];
@@ -72,7 +56,6 @@ final class RampFit {
 
   private double width1;
   private double width2;
-  private int samples;
   private int freedom;
   private double rss;
 
@@ -101,8 +84,8 @@ final class RampFit {
       Rounding first,
       Rounding second,
       double variance) {
-    int begin = s.indexAt(from);
-    int end = s.indexAt(to);
+    gram.read(s, s.indexAt(from), s.indexAt(to));
+    freedom = dimensions * (gram.samples() - LINEAR - gram.cameras()) - CURVED;
     believe(0, firstKnot, KNOT_PRIOR, variance);
     believe(1, secondKnot, KNOT_PRIOR, variance);
     believe(2, first.mean(), first.scatter(), variance);
@@ -111,8 +94,8 @@ final class RampFit {
     width2 = second.width();
     System.arraycopy(prior, 0, theta, 0, CURVED);
     for (int i = 0; i < ITERATIONS; i++) {
-      accumulate(s, begin, end);
-      if (samples < 12 || !solveLinear() || !linearise()) {
+      gram.accumulate(corner(0, width1), corner(1, width2));
+      if (gram.samples() < 12 || !solveLinear() || !linearise()) {
         return false;
       }
       solveCurved(gradient);
@@ -124,7 +107,7 @@ final class RampFit {
         return false;
       }
       if (knots < SETTLED && roundings < SETTLED_ROUNDING) {
-        rss = Math.max(0, gram[X][X] - dot(X, cx) + gram[Y][Y] - dot(Y, cy));
+        rss = Math.max(0, unexplained(RampGram.X, cx) + unexplained(RampGram.Y, cy));
         return freedom > 0;
       }
       for (int j = 0; j < CURVED; j++) {
@@ -135,6 +118,15 @@ final class RampFit {
       }
     }
     return false;
+  }
+
+  private RampGram.Corner corner(int knot, double width) {
+    return new RampGram.Corner(theta[knot], width, theta[2 + knot] - prior[2 + knot]);
+  }
+
+  /** Sum of the squares of a coordinate that the fitted functions leave. */
+  private double unexplained(int coordinate, double[] c) {
+    return gram.get(coordinate, coordinate) - dot(coordinate, c);
   }
 
   private void believe(int j, double mean, double scatter, double variance) {
@@ -153,12 +145,12 @@ final class RampFit {
       double ay = SIGN[j] * cy[FACTOR[j]];
       int function = DERIVATIVE[j];
       gradient[j] =
-          ax * (gram[X][function] - dot(function, cx))
-              + ay * (gram[Y][function] - dot(function, cy))
+          ax * (gram.get(RampGram.X, function) - dot(function, cx))
+              + ay * (gram.get(RampGram.Y, function) - dot(function, cy))
               - firmness[j] * (theta[j] - prior[j]);
       for (int k = 0; k <= j; k++) {
         double b = SIGN[k] * (ax * cx[FACTOR[k]] + ay * cy[FACTOR[k]]);
-        information[j][k] = b * (gram[function][DERIVATIVE[k]] - dot(function, u[k]));
+        information[j][k] = b * (gram.get(function, DERIVATIVE[k]) - dot(function, u[k]));
       }
       information[j][j] += firmness[j];
     }
@@ -207,86 +199,11 @@ final class RampFit {
     }
   }
 
-  private void accumulate(Stretch s, int first, int last) {
-    for (double[] row : gram) {
-      Arrays.fill(row, 0);
-    }
-    for (int c = 0; c < s.cameras(); c++) {
-      Arrays.fill(cameraSums[c], 0);
-      cameraCounts[c] = 0;
-    }
-    samples = last - first;
-    int knot1 = Math.max(first, Math.min(last, s.indexAt(theta[0] - 0.5 * width1)));
-    int knot2 = Math.max(knot1, Math.min(last, s.indexAt(theta[1] - 0.5 * width2)));
-    add(s, first, knot1, Q1);
-    add(s, knot1, knot2, Q2);
-    add(s, knot2, last, ALL);
-    freedom = dimensions * (samples - LINEAR) - CURVED;
-    for (int c = 0; c < s.cameras(); c++) {
-      if (cameraCounts[c] > 0) {
-        freedom -= dimensions;
-        double[] sums = cameraSums[c];
-        for (int j = 0; j < ALL; j++) {
-          for (int k = 0; k <= j; k++) {
-            gram[j][k] -= sums[j] * sums[k] / cameraCounts[c];
-          }
-        }
-      }
-    }
-    for (int j = 0; j < ALL; j++) {
-      for (int k = j + 1; k < ALL; k++) {
-        gram[j][k] = gram[k][j];
-      }
-    }
-  }
-
-  /** Adds detections to the sums; only the first {@code active} functions are not zero there. */
-  private void add(Stretch s, int from, int to, int active) {
-    for (int i = from; i < to; i++) {
-      double t = s.t[i] - theta[0];
-      f[T] = t;
-      f[T2] = 0.5 * t * t;
-      f[X] = s.x[i];
-      f[Y] = s.y[i];
-      if (active > Q1) {
-        corner(Q1, t, width1, prior[2], theta[2]);
-      }
-      if (active > Q2) {
-        corner(Q2, s.t[i] - theta[1], width2, prior[3], theta[3]);
-      }
-      double[] sums = cameraSums[s.camera[i]];
-      cameraCounts[s.camera[i]]++;
-      for (int j = 0; j < active; j++) {
-        double value = f[j];
-        double[] row = gram[j];
-        sums[j] += value;
-        for (int k = 0; k <= j; k++) {
-          row[k] += value * f[k];
-        }
-      }
-    }
-  }
-
-  /** The three functions of a corner: over its width the acceleration changes evenly; what the rounding is more than that comes as a step spread over the same time. */
-  private void corner(int q, double after, double width, double mean, double rounding) {
-    double more = rounding - mean;
-    double into = after + 0.5 * width;
-    if (into < width) {
-      f[q] = into * into * into / (6 * width) + more * into / width;
-      f[q + 1] = 0.5 * into * into / width + more / width;
-      f[q + 2] = into / width;
-    } else {
-      f[q] = 0.5 * after * after + width * width / 24 + more;
-      f[q + 1] = after;
-      f[q + 2] = 1;
-    }
-  }
-
   /** Sum over the linear functions of their product with function j, weighted. */
   private double dot(int j, double[] c) {
     double sum = 0;
     for (int k = 0; k < LINEAR; k++) {
-      sum += gram[j][FITTED[k]] * c[k];
+      sum += gram.get(j, FITTED[k]) * c[k];
     }
     return sum;
   }
@@ -295,17 +212,17 @@ final class RampFit {
     double[][] a = normal;
     for (int i = 0; i < LINEAR; i++) {
       for (int j = 0; j <= i; j++) {
-        a[i][j] = gram[FITTED[i]][FITTED[j]];
+        a[i][j] = gram.get(FITTED[i], FITTED[j]);
       }
     }
     if (!decompose(a, cholesky)) {
       return false;
     }
     for (int k = 0; k < LINEAR; k++) {
-      cx[k] = gram[X][FITTED[k]];
-      cy[k] = gram[Y][FITTED[k]];
+      cx[k] = gram.get(RampGram.X, FITTED[k]);
+      cy[k] = gram.get(RampGram.Y, FITTED[k]);
       for (int j = 0; j < CURVED; j++) {
-        u[j][k] = gram[DERIVATIVE[j]][FITTED[k]];
+        u[j][k] = gram.get(DERIVATIVE[j], FITTED[k]);
       }
     }
     solve(cholesky, cx);

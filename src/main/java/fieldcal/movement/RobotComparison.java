@@ -82,8 +82,12 @@ final class RobotComparison {
     }
     ManoeuvreTable.Columns raw = table.columns();
     ManoeuvreTable.Columns data = raw.without(limit.reduction(raw));
-    SaturationFit.Mode mode = SaturationFit.highest(data);
-    if (mode == null || mode.mass() < FEWEST || mode.share() < SHARE) {
+    SaturationFit.Uniform uniform = SaturationFit.uniform(data);
+    if (uniform == null) {
+      return null;
+    }
+    SaturationFit.Mode mode = uniform.highest();
+    if (mode.mass() < FEWEST || mode.share() < SHARE) {
       return null;
     }
     double value = mode.beta()[0];

@@ -43,10 +43,12 @@ final class RobotTrack {
     this.turning = new TurnTrack(id, turning);
   }
 
-  /** Whether a detection can be this robot. */
-  private double distance(double at, RobotDetection robot) {
+  /** Whether a detection is farther from where the robot must be than is possible. */
+  private boolean isFarther(double possible, double at, RobotDetection robot) {
     double dt = at - time;
-    return Math.hypot(robot.x() - x - vx * dt, robot.y() - y - vy * dt);
+    double dx = robot.x() - x - vx * dt;
+    double dy = robot.y() - y - vy * dt;
+    return dx * dx + dy * dy > possible * possible;
   }
 
   /**
@@ -68,7 +70,7 @@ final class RobotTrack {
       if (followed < ACQUAINTED) {
         possible += FASTEST * late;
       }
-      if (distance(at, robot) > possible) {
+      if (isFarther(possible, at, robot)) {
         if (++refusedInARow < PERSISTENT) {
           return false;
         }

@@ -2,6 +2,7 @@ package fieldcal.movement;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.DecompositionSolver;
@@ -58,9 +59,36 @@ final class SaturationFit {
     total = Arrays.stream(data.count()).sum();
   }
 
-  /** Modes of a uniform limit; the same one may be found several times. */
-  private static List<Mode> uniform(ManoeuvreTable.Columns data) {
-    SaturationFit fit = new SaturationFit(data);
+  /**
+   * Modes of a uniform limit.
+   *
+   * @param largest at which most manoeuvres lie
+   * @param highest at which a fair part of what the largest one holds lies
+   */
+  record Uniform(Mode largest, Mode highest) {}
+
+  /** The uniform limit; null when there is none. */
+  static Uniform uniform(ManoeuvreTable.Columns data) {
+    List<Mode> modes = modes(new SaturationFit(data.merged()));
+    if (modes.isEmpty()) {
+      return null;
+    }
+    Mode largest = modes.stream().max(Comparator.comparingDouble(Mode::mass)).orElseThrow();
+    Mode highest = largest;
+    for (Mode m : modes) {
+      boolean fair =
+          m.mass() > SECOND_MODE * largest.mass()
+              && m.mass() > SECOND_MODE_MASS
+              && m.errors()[0] < 0.1 * m.beta()[0];
+      if (fair && m.beta()[0] > highest.beta()[0]) {
+        highest = m;
+      }
+    }
+    return new Uniform(largest, highest);
+  }
+
+  /** The same mode may be found several times. */
+  private static List<Mode> modes(SaturationFit fit) {
     List<Mode> modes = new ArrayList<>();
     for (double share : QUANTILES) {
       Mode found = fit.climb(new double[] {fit.quantile(share)});
@@ -69,38 +97,6 @@ final class SaturationFit {
       }
     }
     return modes;
-  }
-
-  /** The uniform limit at which most manoeuvres lie; null when there is none. */
-  static Mode largest(ManoeuvreTable.Columns data) {
-    return largest(uniform(data));
-  }
-
-  private static Mode largest(List<Mode> modes) {
-    Mode best = null;
-    for (Mode m : modes) {
-      if (best == null || m.mass() > best.mass()) {
-        best = m;
-      }
-    }
-    return best;
-  }
-
-  /** The highest uniform limit at which a fair part of what the {@linkplain #largest} holds lies; null when there is none. */
-  static Mode highest(ManoeuvreTable.Columns data) {
-    List<Mode> modes = uniform(data);
-    Mode most = largest(modes);
-    Mode high = most;
-    for (Mode m : modes) {
-      boolean fair =
-          m.mass() > SECOND_MODE * most.mass()
-              && m.mass() > SECOND_MODE_MASS
-              && m.errors()[0] < 0.1 * m.beta()[0];
-      if (fair && m.beta()[0] > high.beta()[0]) {
-        high = m;
-      }
-    }
-    return high;
   }
 
   /** The acceleration below which that share of the manoeuvres lies, if the rows are in their order. */

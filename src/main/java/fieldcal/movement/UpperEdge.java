@@ -135,6 +135,16 @@ record UpperEdge(
         value, Math.hypot(error, open(value, higher)), scatter, hidden, mass, share);
   }
 
+  /**
+   * What lies in a window of the distribution.
+   *
+   * @param from first value of the grid
+   * @param to last value of the grid
+   * @param mass how many manoeuvres
+   * @param value their mean
+   */
+  private record Heap(int from, int to, double mass, double value) {}
+
   /** The distribution, and the edge of it. */
   private static final class Search {
     private final double[] value;
@@ -196,38 +206,55 @@ record UpperEdge(
 
     /** One iteration: how many manoeuvres each value of the grid has, if values are found elsewhere with the given likelihoods. */
     private void expect(double[] elsewhere) {
-      double[] next = new double[mass.length];
+      double[] factor = new double[mass.length];
       for (int i = 0; i < value.length; i++) {
         double share = count[i] / (expected(i) + elsewhere[i]);
-        for (int j = 0; j < likelihood[i].length; j++) {
-          next[first[i] + j] += share * likelihood[i][j] * mass[first[i] + j];
+        double[] row = likelihood[i];
+        int from = first[i];
+        for (int j = 0; j < row.length; j++) {
+          factor[from + j] += share * row[j];
         }
       }
-      System.arraycopy(next, 0, mass, 0, mass.length);
+      for (int j = 0; j < mass.length; j++) {
+        mass[j] *= factor[j];
+      }
     }
 
+    /** In four sums, since a single one would wait for each addition. */
     private double expected(int i) {
-      double sum = Double.MIN_NORMAL;
-      for (int j = 0; j < likelihood[i].length; j++) {
-        sum += likelihood[i][j] * mass[first[i] + j];
+      double[] row = likelihood[i];
+      int from = first[i];
+      double sum0 = Double.MIN_NORMAL;
+      double sum1 = 0;
+      double sum2 = 0;
+      double sum3 = 0;
+      int j = 0;
+      for (; j + 3 < row.length; j += 4) {
+        sum0 += row[j] * mass[from + j];
+        sum1 += row[j + 1] * mass[from + j + 1];
+        sum2 += row[j + 2] * mass[from + j + 2];
+        sum3 += row[j + 3] * mass[from + j + 3];
       }
-      return sum;
+      for (; j < row.length; j++) {
+        sum0 += row[j] * mass[from + j];
+      }
+      return sum0 + sum1 + (sum2 + sum3);
     }
 
     UpperEdge find() {
       deconvolve();
-      UpperEdge large = highest(SHARE);
-      UpperEdge small = highest(SMALL_SHARE);
+      Heap large = highest(SHARE);
+      Heap small = highest(SMALL_SHARE);
       if (large == null || small == null) {
-        return large == null ? small : large;
+        return large == null && small == null ? null : describe(large == null ? small : large);
       }
       if (small.value() > (1 + APART) * large.value()) {
-        return small;
+        return describe(small);
       }
-      UpperEdge main = largest();
+      Heap main = largest();
       boolean tail =
           large.mass() < CLEAR * main.mass() && large.value() <= (1 + APART) * main.value();
-      return (tail ? main : large).orUpTo(small.value());
+      return describe(tail ? main : large).orUpTo(small.value());
     }
 
     /** The value that this share has or exceeds. */
@@ -242,7 +269,7 @@ record UpperEdge(
     }
 
     /** The window that holds most. */
-    private UpperEdge largest() {
+    private Heap largest() {
       int half = (int) Math.round(HALF_WIDTH / step);
       int best = 0;
       double most = 0;
@@ -253,15 +280,15 @@ record UpperEdge(
           best = j;
         }
       }
-      return describe(best, half);
+      return heap(best, half);
     }
 
-    private UpperEdge highest(double share) {
+    private Heap highest(double share) {
       double needed = Math.max(FEWEST, share * total);
       int half = (int) Math.round(HALF_WIDTH / step);
       for (int j = mass.length - 1; j >= 0; j--) {
         if (massBetween(j - half, j + half) >= needed) {
-          return describe(centred(j, half), half);
+          return heap(centred(j, half), half);
         }
       }
       return null;
@@ -333,7 +360,7 @@ record UpperEdge(
       }
       for (int k = 0; k < ADAPTING; k++) {
         expect(there);
-        scale((total - part) / Arrays.stream(mass).sum());
+        scale((total - part) / massBetween(0, mass.length - 1));
       }
       double log = 0;
       for (int i = 0; i < there.length; i++) {
@@ -348,7 +375,7 @@ record UpperEdge(
       }
     }
 
-    private UpperEdge describe(int centre, int half) {
+    private Heap heap(int centre, int half) {
       int from = Math.max(0, centre - half);
       int to = Math.min(mass.length - 1, centre + half);
       double there = massBetween(from, to);
@@ -356,6 +383,14 @@ record UpperEdge(
       for (int j = from; j <= to; j++) {
         mean += grid(j) * mass[j] / there;
       }
+      return new Heap(from, to, there, mean);
+    }
+
+    private UpperEdge describe(Heap heap) {
+      int from = heap.from();
+      int to = heap.to();
+      double there = heap.mass();
+      double mean = heap.value();
       double variance = 0;
       for (int j = from; j <= to; j++) {
         variance += mass[j] / there * (grid(j) - mean) * (grid(j) - mean);
