@@ -85,8 +85,7 @@ final class CheckStep implements Step {
 
   private Step next(Situation s, PlannedKick kick) {
     Optional<Task> here =
-        Decider.fromHere(s, kick, -1)
-            .or(() -> Decider.fromAfar(s, kick, i -> ledger.grip(i, true, s.limits())));
+        Decider.withoutCarrying(s, kick, s.ball().x(), s.ball().y(), ledger.pushing(s));
     if (here.isPresent()) {
       return new PositionStep(ledger, here.get());
     }

@@ -36,14 +36,19 @@ final class Decider {
 
   private Decider() {}
 
-  /** A kick from where the ball lies, with the kicker that is quicker there; a robot that holds the ball is preferred. */
-  static Optional<Task> fromHere(Situation s, PlannedKick kick, int holder) {
-    return quickest(
-        s,
-        i ->
-            holder >= 0 && holder != i
-                ? Optional.empty()
-                : from(s, kick, i, s.ball().x(), s.ball().y()));
+  /**
+   * A kick from where the ball lies, without carrying it.
+   *
+   * @param carry how each robot would carry the ball
+   */
+  static Optional<Task> withoutCarrying(
+      Situation s, PlannedKick kick, double x, double y, IntFunction<Grip> carry) {
+    return fromHere(s, kick, x, y).or(() -> fromAfar(s, kick, x, y, carry));
+  }
+
+  /** A kick from where the ball lies, on its line or near it, with the kicker that is quicker there. */
+  static Optional<Task> fromHere(Situation s, PlannedKick kick, double x, double y) {
+    return quickest(s, x, y, i -> from(s, kick, i, x, y));
   }
 
   /**
@@ -51,16 +56,18 @@ final class Decider {
    *
    * @param carry how each robot would carry the ball
    */
-  static Optional<Task> fromAfar(Situation s, PlannedKick kick, IntFunction<Grip> carry) {
+  static Optional<Task> fromAfar(
+      Situation s, PlannedKick kick, double x, double y, IntFunction<Grip> carry) {
     PlayLine line = s.plan().lineOf(kick);
-    BallMemory ball = s.ball();
     return quickest(
         s,
+        x,
+        y,
         i -> {
-          double seconds = ball.distance(line.x(i), line.y(i)) / carry.apply(i).speed();
-          boolean afar = seconds > LONG_CARRY && s.area().within(ball.x(), ball.y());
-          return afar && s.plan().keepsTo(ball.x())
-              ? towardsEnd(s, kick, i, ball.x(), ball.y(), task -> isSafe(s, task))
+          double way = Math.hypot(line.x(i) - x, line.y(i) - y);
+          boolean afar = way / carry.apply(i).speed() > LONG_CARRY && s.area().within(x, y);
+          return afar && s.plan().keepsTo(x)
+              ? towardsEnd(s, kick, i, x, y, task -> isSafe(s, task))
               : Optional.empty();
         });
   }
@@ -75,14 +82,15 @@ final class Decider {
     return s.area().within(x, y) && s.hasWay(task.kicker(), task.behind(), Task.AROUND);
   }
 
-  private static Optional<Task> quickest(Situation s, IntFunction<Optional<Task>> taskOf) {
+  private static Optional<Task> quickest(
+      Situation s, double x, double y, IntFunction<Optional<Task>> taskOf) {
     Task best = null;
     double bestCost = Double.POSITIVE_INFINITY;
     for (int i = 0; i < 2; i++) {
       Optional<Task> task = taskOf.apply(i);
       if (task.isPresent()) {
         double run = task.get().along(task.get().receiver().x(), task.get().receiver().y());
-        double drive = s.ball().distance(s.robot(i).x(), s.robot(i).y());
+        double drive = Math.hypot(s.robot(i).x() - x, s.robot(i).y() - y);
         double cost = drive - 0.15 * run + (s.stuck(i) ? STUCK : 0);
         if (cost < bestCost) {
           bestCost = cost;

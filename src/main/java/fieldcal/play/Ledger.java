@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 
 /** Counts the kicks, and asks for the next one when the last has been made. */
@@ -62,9 +63,12 @@ final class Ledger {
   PlannedKick next(Situation s) {
     if (next == null) {
       BallMemory ball = s.ball();
+      double x = ball.x();
+      double y = ball.y();
       next =
           ball.known()
-              ? chooser.next(ball.x(), ball.y(), kick -> Decider.fromHere(s, kick, -1).isPresent())
+              ? chooser.next(
+                  x, y, kick -> Decider.withoutCarrying(s, kick, x, y, pushing(s)).isPresent())
               : chooser.next(Double.NaN, Double.NaN);
     }
     return next;
@@ -153,6 +157,11 @@ final class Ledger {
   Grip grip(int robot, boolean pushes, PlayLimits limits) {
     int known = Math.max(losses[robot], Math.min(1, losses[1 - robot]));
     return Grip.after(known, pushes ? pushedLosses[robot] : known, limits);
+  }
+
+  /** How each robot is to push the ball, by its index. */
+  IntFunction<Grip> pushing(Situation s) {
+    return i -> grip(i, true, s.limits());
   }
 
   /** Something did not work that is no kick in vain. */

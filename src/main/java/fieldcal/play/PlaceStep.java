@@ -3,6 +3,7 @@ package fieldcal.play;
 import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Pose;
 import fieldcal.play.RobotOrder.Velocity;
+import java.util.Optional;
 
 /**
  * A robot carries the ball to where it is to be kicked from, turns it into the direction of the kick, lets go and backs off. A robot that has lost the ball before pushes it there if it can, more
@@ -76,7 +77,7 @@ final class PlaceStep extends TaskStep {
       ledger.lost(i, grip.gentle() && !pulls, reason);
       return lookAgain();
     }
-    enough |= isEnough(s, grip);
+    enough |= isEnough(s, r, grip);
     Pose target = grip.gentle() ? straight(r) : behind(task.aim());
     if (enough) {
       target = new Pose(r.x(), r.y(), r.orientation());
@@ -92,9 +93,14 @@ final class PlaceStep extends TaskStep {
   }
 
   /** A ball is carried no farther than it must be where it is hard to carry, or where much of the way is left. */
-  private boolean isEnough(Situation s, Grip grip) {
-    return grip.gentle() && Decider.fromHere(s, task.kick(), -1).isPresent()
-        || Decider.fromAfar(s, task.kick(), i -> ledger.grip(i, true, s.limits())).isPresent();
+  private boolean isEnough(Situation s, Robot r, Grip grip) {
+    // A ball that its robot hides from the cameras is seen where it was lost from sight.
+    double[] ball = ball(r);
+    Optional<Task> here =
+        grip.gentle()
+            ? Decider.withoutCarrying(s, task.kick(), ball[0], ball[1], ledger.pushing(s))
+            : Decider.fromAfar(s, task.kick(), ball[0], ball[1], ledger.pushing(s));
+    return here.isPresent();
   }
 
   private Pose behind(double orientation) {
@@ -156,7 +162,9 @@ final class PlaceStep extends TaskStep {
     }
     double orientation = s.robot(i).orientation();
     s.creep(i, -0.25 * Math.cos(orientation), -0.25 * Math.sin(orientation), orientation);
-    boolean off = s.fromDribbler(i) > Task.BEHIND - PlayArea.AT_DRIBBLER - 0.015;
+    // A ball that its robot has hidden comes into sight.
+    boolean off =
+        s.ballUnseen() < LOSS && s.fromDribbler(i) > Task.BEHIND - PlayArea.AT_DRIBBLER - 0.015;
     return off || s.time() - released > LET_GO + 1 ? lookAgain() : this;
   }
 }

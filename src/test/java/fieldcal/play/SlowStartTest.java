@@ -8,9 +8,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.vision.RobotId;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 
 /** What made plays slow to start: each was the cause of a first kick after more than 40 s on a drawn field. */
@@ -209,5 +211,54 @@ class SlowStartTest {
     assertThat(Math.hypot(field.request.get().x() + 1.82, field.request.get().y() + 1.22))
         .isLessThan(0.1);
     untilKicked(15);
+  }
+
+  /** A fast chip needs more way than there is to the end of the line; it was fetched, carried and lost. */
+  @Test
+  void aBallBesideTheLineOfChipsIsKickedFromThereWhereOneOfTheKicksAllowsIt() {
+    PlannedKick fast = new PlannedKick(5, 0.7, false);
+    PlannedKick slow = new PlannedKick(2.5, 0.7, false);
+    KickChooser either =
+        new KickChooser() {
+          @Override
+          public PlannedKick next(double ballX, double ballY) {
+            return fast;
+          }
+
+          @Override
+          public PlannedKick next(double x, double y, Predicate<PlannedKick> fromHere) {
+            return fromHere.test(slow) ? slow : fast;
+          }
+
+          @Override
+          public void done(PlannedKick kick, boolean good) {}
+        };
+    play = new CalibrationPlay(PlayPlan.chip(YELLOW, BLUE, GEOMETRY, 1), either, kicks::add);
+    field.ball(0.6, 0);
+    Set<PlayPhase> phases = EnumSet.noneOf(PlayPhase.class);
+    while (kicks.isEmpty()) {
+      tick();
+      phases.add(play.state().phase());
+    }
+    assertThat(kicks.get(0).planned()).isEqualTo(slow);
+    assertThat(phases).doesNotContain(PlayPhase.FETCH, PlayPhase.PLACE);
+  }
+
+  /** It was carried on to the end of the line, since it was looked for where it had been seen last: beyond the lines. */
+  @Test
+  void aCarriedBallThatItsRobotHidesIsLetGoWhereItCanBeKicked() {
+    chips();
+    field.ball(3, 4.6);
+    while (field.holder == null) {
+      tick();
+    }
+    field.ballVisible = false;
+    while (play.state().phase() != PlayPhase.CHECK) {
+      tick();
+    }
+    assertThat(field.ballX).isGreaterThan(1.5);
+    assertThat(field.ballY).isLessThan(4.5);
+    field.ballVisible = true;
+    untilKicked(20);
   }
 }
