@@ -2,11 +2,13 @@ package fieldcal.diagnosis.hidden;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.diagnosis.RecordedProblem;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.ScenarioSettings;
 import fieldcal.simulation.SimulationSettings;
+import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -28,6 +30,14 @@ class KindAmongOtherErrorsTest {
             "carpet_seam:loss=0.01765,turn=0.003838,normal=2.562,distance=0.3637");
     assertThat(kinds.subList(0, 9)).containsOnly(KickKind.FLAT);
     assertThat(kinds.subList(9, 18)).containsOnly(KickKind.CHIP);
+  }
+
+  /** It flies for a second, and then curves down a slope for four. A fit that follows the roll misses the hops. */
+  @Test
+  void aChipThatRollsDownASlopeIsAChip() throws IOException {
+    assertThat(RecordedProblem.of("mujoco-rolling-chip").fits())
+        .extracting(KickFit::kind)
+        .containsExactly(KickKind.CHIP);
   }
 
   /** A friction that falls with the slip makes fast kicks look as if they flew. */
