@@ -111,17 +111,7 @@ final class PathSums {
 
   /** The first detection of a camera at or after a relative time; where those of the next camera begin if there is none. */
   int indexAt(int camera, double relative) {
-    int low = begin[camera];
-    int high = begin[camera + 1];
-    while (low < high) {
-      int middle = (low + high) >>> 1;
-      if (t[middle] < relative) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
+    return Stretch.indexAt(t, begin[camera], begin[camera + 1], relative);
   }
 
   /**

@@ -117,11 +117,16 @@ final class Stretch {
 
   /** The first detection at or after a relative time; {@link #size} if there is none. */
   int indexAt(double relative) {
-    int low = 0;
-    int high = size;
+    return indexAt(t, 0, size, relative);
+  }
+
+  /** The first of ascending times [from, to) that is not before another; {@code to} if there is none. */
+  static int indexAt(double[] times, int from, int to, double time) {
+    int low = from;
+    int high = to;
     while (low < high) {
       int middle = (low + high) >>> 1;
-      if (t[middle] < relative) {
+      if (times[middle] < time) {
         low = middle + 1;
       } else {
         high = middle;
