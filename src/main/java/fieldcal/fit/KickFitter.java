@@ -32,6 +32,9 @@ public final class KickFitter {
   /** The beginning of a kick, s: at most 6.5 m/s fast, a ball that rises by 60° flies 1.15 s until it first lands. */
   private static final double FIRST = 1.2;
 
+  /** The shortest beginning that is looked at, s: a ball that rises at {@link #LOWEST_CHIP} has been 13 mm high and lands after 0.1 s; one of 30° and 3 m/s, the slowest that chip kickers make, lands after 0.3 s. */
+  private static final double SHORTEST = 0.3;
+
   /** A chip has two parameters more; it has to explain the kick clearly better. */
   private static final double CLEARLY = 0.8;
 
@@ -72,18 +75,32 @@ public final class KickFitter {
 
   /**
    * Whether a chip stands for what was seen rather than a flat kick. When neither explains the kick, something else is wrong, too, and most of it is seen where the ball rolls, which is long and does not show whether it flew; a fit that follows the roll
-   * may even miss the hops. Then the beginning alone is compared.
+   * may even miss the hops. A ball that spins turns where it lands. So shorter and shorter beginnings are compared, until one of the two explains what was seen.
    */
   private boolean isChip(FitProblem problem, KickFit chip, KickFit flat) {
-    if (chip.statistics().explained()) {
-      return flies(chip) && isClearlyBetter(problem, chip, flat);
+    FitProblem part = problem;
+    KickFit hopping = chip;
+    KickFit sliding = flat;
+    for (double seconds = FIRST;
+        seconds >= SHORTEST && !explains(hopping) && !explains(sliding);
+        seconds /= 2) {
+      Kick kick = problem.kick();
+      Observations first =
+          kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() + seconds);
+      FitProblem shorter = problem.with(kick.withObservations(first));
+      KickFit slid = fit(shorter, KickKind.FLAT);
+      if (slid.failure().isPresent()) {
+        break;
+      }
+      part = shorter;
+      sliding = slid;
+      hopping = fit(shorter, KickKind.CHIP);
     }
-    Kick kick = problem.kick();
-    Observations first = kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() + FIRST);
-    FitProblem part = problem.with(kick.withObservations(first));
-    KickFit hopping = fit(part, KickKind.CHIP);
-    KickFit sliding = fit(part, KickKind.FLAT);
-    return sliding.failure().isEmpty() && flies(hopping) && isClearlyBetter(part, hopping, sliding);
+    return flies(hopping) && isClearlyBetter(part, hopping, sliding);
+  }
+
+  private static boolean explains(KickFit fit) {
+    return fit.failure().isEmpty() && fit.statistics().explained();
   }
 
   private boolean isClearlyBetter(FitProblem problem, KickFit chip, KickFit flat) {
@@ -110,7 +127,7 @@ public final class KickFitter {
   /**
    * Whether a chip that explains a kick is one that a robot can have made. A flat kick that the flat model does not explain, for
    * spin or drag or a slope, is often explained a little better by low hops that hardly lose height, for there are more of them to
-   * fit with.
+   * fit with. What is lost at bounces counts only where the ball bounced.
    *
    * @param chip a fit of the chip model
    * @return false also when the fit failed
@@ -123,7 +140,7 @@ public final class KickFitter {
     double ground = Math.hypot(chip.estimate("vx").value(), chip.estimate("vy").value());
     Estimate damping = chip.estimate("dampingZ");
     boolean elastic =
-        damping.atBound() || damping.undetermined().isEmpty() && damping.value() > MOST_ELASTIC;
+        damping.undetermined().isEmpty() && (damping.atBound() || damping.value() > MOST_ELASTIC);
     return vz > LOWEST_CHIP && vz > FLATTEST_CHIP * ground && !elastic;
   }
 

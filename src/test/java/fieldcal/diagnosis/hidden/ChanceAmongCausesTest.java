@@ -1,8 +1,12 @@
-package fieldcal.diagnosis;
+package fieldcal.diagnosis.hidden;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.diagnosis.Diagnoser;
+import fieldcal.diagnosis.Diagnosis;
+import fieldcal.diagnosis.FittedField;
+import fieldcal.diagnosis.LearnedFinding;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallMoment;
