@@ -23,6 +23,12 @@ public record LensDistortionError(double delta, int camera) implements Refractio
 
   private static final String ID = "lens_distortion_error";
 
+  /** The error after a step of Halley's method is about the cube of the one before: that of a step shorter than this is below the rounding of a double. */
+  private static final double LAST_STEP = 1e-5;
+
+  /** Enough far from the fold of any lens; nearer to it no radius is found. */
+  private static final int MOST_STEPS = 30;
+
   /**
    * Checks the numbers. {@inheritDoc}
    *
@@ -95,29 +101,38 @@ public record LensDistortionError(double delta, int camera) implements Refractio
     double acrossX = sight.rayX() - depth * o.axisX();
     double acrossY = sight.rayY() - depth * o.axisY();
     double acrossZ = sight.rayZ() - depth * o.axisZ();
-    double tangent = Math.sqrt(acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ) / depth;
-    if (!(tangent > 0)) {
+    double square = (acrossX * acrossX + acrossY * acrossY + acrossZ * acrossZ) / (depth * depth);
+    if (!(depth > 0 && square > 0)) {
       return;
     }
-    double drawn = distorted(tangent, o.distortion() - delta);
-    double stretch = drawn * (1 + o.distortion() * drawn * drawn) / tangent;
+    double drawn = drawn((o.distortion() - delta) * square);
+    double stretch = drawn * (1 + o.distortion() * square * drawn * drawn);
     sight.turnRay(
         depth * o.axisX() + stretch * acrossX,
         depth * o.axisY() + stretch * acrossY,
         depth * o.axisZ() + stretch * acrossZ);
   }
 
-  /** Solves drawn·(1 + k·drawn²) = tangent by Newton's method; NaN beyond the fold of a lens with k &lt; 0. */
-  private static double distorted(double tangent, double k) {
-    double drawn = tangent / (1 + Math.max(0, k) * tangent * tangent);
-    for (int i = 0; i < 30; i++) {
-      double slope = 1 + 3 * k * drawn * drawn;
-      double miss = drawn * (1 + k * drawn * drawn) - tangent;
-      if (Math.abs(miss) < 1e-14) {
-        return drawn;
+  /**
+   * How far from the centre of the image a lens draws a point, as a share of where it would be drawn without distortion: solves s·(1 + u·s²) = 1 with u the distortion times the squared tangent, by a step of Newton's method from s = 1 and then Halley's.
+   *
+   * @return NaN beyond the fold of a lens with u &lt; 0
+   */
+  private static double drawn(double u) {
+    double s = (1 + 2 * u) / (1 + 3 * u);
+    for (int i = 0; i < MOST_STEPS; i++) {
+      double us = u * s;
+      double slope = 1 + 3 * us * s;
+      if (!(slope > 0)) {
+        return Double.NaN;
       }
-      drawn = slope > 0 ? drawn - miss / slope : Double.NaN;
+      double miss = s * (1 + us * s) - 1;
+      double step = miss * slope / (slope * slope - 3 * us * miss);
+      s -= step;
+      if (Math.abs(step) < LAST_STEP) {
+        return s;
+      }
     }
-    return Math.abs(drawn * (1 + k * drawn * drawn) - tangent) < 1e-12 ? drawn : Double.NaN;
+    return Double.NaN;
   }
 }
