@@ -38,6 +38,9 @@ public final class KickFitter {
   /** A chip has two parameters more; it has to explain the kick clearly better. */
   private static final double CLEARLY = 0.8;
 
+  /** An order of magnitude: what a flat kick does otherwise than its model looks like a flight to some extent. */
+  private static final double SURELY = 0.1;
+
   private final FitSettings settings;
 
   /**
@@ -75,28 +78,33 @@ public final class KickFitter {
 
   /**
    * Whether a chip stands for what was seen rather than a flat kick. When neither explains the kick, something else is wrong, too, and most of it is seen where the ball rolls, which is long and does not show whether it flew; a fit that follows the roll
-   * may even miss the hops. A ball that spins turns where it lands. So shorter and shorter beginnings are compared, until one of the two explains what was seen.
+   * may even miss the hops. A ball that spins turns where it lands. So shorter and shorter beginnings are compared until one of the two explains what was seen, or the flat kick leaves far more than the chip.
    */
   private boolean isChip(FitProblem problem, KickFit chip, KickFit flat) {
-    FitProblem part = problem;
-    KickFit hopping = chip;
-    KickFit sliding = flat;
-    for (double seconds = FIRST;
-        seconds >= SHORTEST && !explains(hopping) && !explains(sliding);
-        seconds /= 2) {
-      Kick kick = problem.kick();
+    boolean is = flies(chip) && isClearlyBetter(problem, chip, flat);
+    if (explains(chip)) {
+      return is;
+    }
+    Kick kick = problem.kick();
+    for (double seconds = FIRST; seconds >= SHORTEST; seconds /= 2) {
       Observations first =
           kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() + seconds);
-      FitProblem shorter = problem.with(kick.withObservations(first));
-      KickFit slid = fit(shorter, KickKind.FLAT);
-      if (slid.failure().isPresent()) {
+      FitProblem part = problem.with(kick.withObservations(first));
+      KickFit hopping = fit(part, KickKind.CHIP);
+      KickFit sliding = fit(part, KickKind.FLAT);
+      if (sliding.failure().isPresent()) {
         break;
       }
-      part = shorter;
-      sliding = slid;
-      hopping = fit(shorter, KickKind.CHIP);
+      boolean flies = flies(hopping);
+      if (flies && squares(part, hopping) < SURELY * squares(part, sliding)) {
+        return true;
+      }
+      is = flies && isClearlyBetter(part, hopping, sliding);
+      if (explains(sliding) || flies && explains(hopping)) {
+        return is;
+      }
     }
-    return flies(hopping) && isClearlyBetter(part, hopping, sliding);
+    return is;
   }
 
   private static boolean explains(KickFit fit) {
@@ -106,6 +114,16 @@ public final class KickFitter {
   private boolean isClearlyBetter(FitProblem problem, KickFit chip, KickFit flat) {
     FlightData data = FlightData.of(problem.kick().observations(), problem.cameras());
     return loss(chip, data) < CLEARLY * loss(flat, data);
+  }
+
+  /** Sum of squares, outliers included. */
+  private static double squares(FitProblem problem, KickFit fit) {
+    FlightData data = FlightData.of(problem.kick().observations(), problem.cameras());
+    double sum = 0;
+    for (int i = 0; i < data.size; i++) {
+      sum += data.squared(i, fit.residualX(i), fit.residualY(i));
+    }
+    return sum;
   }
 
   /** Cauchy's loss, outliers included. */
