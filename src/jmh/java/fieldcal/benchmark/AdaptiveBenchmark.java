@@ -4,15 +4,21 @@ import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.KickResult;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
+import fieldcal.calibration.Average;
+import fieldcal.calibration.Sample;
+import fieldcal.calibration.TwoSigma;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraSettings;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
 
 /**
  * How many kicks it takes until every parameter is known to 1 %, by its standard error and by the truth: chosen for what they tell, against speeds spread evenly in random order. 10 fields per run. The
@@ -28,6 +34,12 @@ final class AdaptiveBenchmark {
 
   /** Scatter of spin from kick to kick, in units of rolling spin (chosen: half of what the kicks of ten matches of 2026 had, robots that stand kick more evenly). */
   private static final double SPIN = 0.1;
+
+  /** Sets of kicks that are drawn for each field where nothing is played. */
+  private static final int DRAWS = 40;
+
+  /** Error of a kick that is measured without any, next to its scatter. */
+  private static final double EXACT = 1e-9;
 
   private AdaptiveBenchmark() {}
 
@@ -136,6 +148,38 @@ final class AdaptiveBenchmark {
         }
       }
     }
+    for (KickKind kind : KickKind.values()) {
+      for (boolean rule : new boolean[] {true, false}) {
+        boundRow(kind, rule, fields, settings.seed(), out);
+      }
+    }
+  }
+
+  /**
+   * What no choice of kicks is better than: on the same fields, each kick is measured without any error, and only what differs from kick to kick is left. The parameter that its spin changes most decides: of a ball with the fraction f of rolling spin, kSwitch and the first
+   * hop's damping p become p + (1 − p)·f, since f of the slip is gone.
+   */
+  private static void boundRow(
+      KickKind kind, boolean rule, int fields, long firstSeed, PrintStream out) {
+    String name = kind == KickKind.FLAT ? "kSwitch" : "dampingXyFirstHop";
+    double[][] errors = new double[fields * DRAWS][MOST + 1];
+    for (int i = 0; i < errors.length; i++) {
+      long seed = seed(firstSeed, i / DRAWS);
+      double truth = DrawnField.of(seed).truth().get(name);
+      SplittableRandom random = new SplittableRandom(seed * DRAWS + i % DRAWS);
+      List<Sample> samples = new ArrayList<>();
+      for (int n = 1; n <= MOST; n++) {
+        double value = truth + (1 - truth) * SPIN * random.nextGaussian();
+        samples.add(new Sample(n, name, value, EXACT, Optional.empty()));
+        List<Sample> judged = rule ? TwoSigma.repeated(samples) : samples;
+        errors[i][n] = Math.abs(Average.of(judged).mean() / truth - 1);
+      }
+    }
+    print("no error at all", kind, rule ? "2σ rule" : "all kicks", errors, out);
+  }
+
+  private static long seed(long firstSeed, int field) {
+    return 61_000 + 1000 * firstSeed + field;
   }
 
   private static void trueRow(
@@ -143,7 +187,7 @@ final class AdaptiveBenchmark {
       throws IOException {
     double[][] errors = new double[fields][];
     for (int i = 0; i < fields; i++) {
-      long seed = 61_000 + 1000 * firstSeed + i;
+      long seed = seed(firstSeed, i);
       DrawnField drawn = DrawnField.of(seed);
       SimulationSettings world =
           drawn.settings().withCameras(vision.cameras(drawn.settings().cameras()));
@@ -153,7 +197,13 @@ final class AdaptiveBenchmark {
               world.withKickBehaviour(world.kickBehaviour().withRollSpin(0, SPIN)),
               drawn.truth());
     }
-    out.printf("%-24s %-5s %-9s", vision.text, kind.id(), adaptive ? "adaptive" : "spread");
+    print(vision.text, kind, adaptive ? "adaptive" : "spread", errors, out);
+  }
+
+  private static void print(
+      String vision, KickKind kind, String plan, double[][] errors, PrintStream out) {
+    int fields = errors.length;
+    out.printf("%-24s %-5s %-9s", vision, kind.id(), plan);
     for (int n : AFTER) {
       double[] now = Arrays.stream(errors).mapToDouble(e -> e[n]).sorted().toArray();
       long well = Arrays.stream(now).filter(e -> e <= PRECISION).count();

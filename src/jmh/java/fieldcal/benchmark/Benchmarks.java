@@ -31,8 +31,8 @@ public final class Benchmarks {
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [limit-bounds]"
           + " [limit-shapes] [match-kicks] [k-switch] [diagnose] [live] [live-warnings]"
           + " [live-carpets] [live-day] [sample-tree] [console] [play] [play-calibration]"
-          + " [play-adaptive] [play-causes] [play-udp] [soak] [compare] [twin] [--kicks N] [--seed"
-          + " N] [--megabytes N] [--runs N] [--minutes N]";
+          + " [play-adaptive] [play-causes] [play-udp] [play-characters] [soak] [compare] [twin]"
+          + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
 
@@ -72,6 +72,7 @@ public final class Benchmarks {
     parts.put("play-adaptive", AdaptiveBenchmark::run);
     parts.put("play-causes", CausesBenchmark::run);
     parts.put("play-udp", NetworkPlayBenchmark::run);
+    parts.put("play-characters", CharacterPlayBenchmark::run);
     parts.put("soak", Soak::run);
     parts.put("compare", CompareBenchmark::run);
     parts.put("twin", TwinBenchmark::run);

@@ -1,17 +1,13 @@
 package fieldcal.benchmark;
 
 import fieldcal.app.calibrate.CalibrationSession;
-import fieldcal.app.net.NetworkPlace;
 import fieldcal.app.play.EmbeddedPlayField;
 import fieldcal.app.play.PlayField;
 import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.PlaySession;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.sslsim.Impairment;
-import fieldcal.app.sslsim.NetworkPlayField;
 import fieldcal.app.sslsim.ServedField;
-import fieldcal.app.sslsim.SimulatorPorts;
-import fieldcal.app.sslsim.SimulatorServer;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
@@ -28,7 +24,6 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * 12 flat kicks and 12 chips over UDP on loopback, on a good network and on a bad one, beside the same in process. In real time: some three minutes per run, both networks at once. One drawn field per run.
@@ -146,28 +141,9 @@ public final class NetworkPlayBenchmark {
             request.second(),
             List.of(),
             System.currentTimeMillis() * 1_000_000L);
-    SimulatorPorts ports = new SimulatorPorts(FreePorts.threeInARow());
-    NetworkPlace vision = NetworkPlace.parse("224.5.23.2:" + FreePorts.one(), null);
-    AtomicBoolean stop = new AtomicBoolean();
-    try (SimulatorServer server =
-        new SimulatorServer(field, ports, vision.address(), way.impairment, seed)) {
-      CompletableFuture<Void> serving =
-          CompletableFuture.runAsync(() -> serve(server, stop), threads);
-      try {
-        return sessions(
-            seed, kind -> new NetworkPlayField("127.0.0.1", ports, vision, Optional.empty()));
-      } finally {
-        stop.set(true);
-        serving.join();
-      }
-    }
-  }
-
-  private static void serve(SimulatorServer server, AtomicBoolean stop) {
-    try {
-      server.serve(stop::get);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+    try (LoopbackSimulator simulator =
+        new LoopbackSimulator(field, way.impairment, seed, () -> {}, threads)) {
+      return sessions(seed, kind -> simulator.open());
     }
   }
 

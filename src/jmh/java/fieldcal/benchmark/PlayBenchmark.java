@@ -15,7 +15,6 @@ import fieldcal.simulation.Preset;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.VisionCharacter;
 import fieldcal.simulation.robot.RobotCharacter;
-import fieldcal.simulation.robot.SimulatedRobot;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.Team;
@@ -46,13 +45,11 @@ final class PlayBenchmark {
   /** Passes everything on and looks at the true field in every tick. */
   private static final class Watched implements PlayField {
     private final EmbeddedPlayField inner;
-    private final InteractiveField field;
-    private double contactSpeed;
+    private final FieldWatch watch;
     private double begun = Double.NaN;
-    private double nearestEdge = Double.POSITIVE_INFINITY;
 
     Watched(InteractiveField field) {
-      this.field = field;
+      watch = new FieldWatch(field);
       inner = new EmbeddedPlayField(field, Double.POSITIVE_INFINITY);
     }
 
@@ -65,28 +62,8 @@ final class PlayBenchmark {
     public double next(Receiver receiver) throws IOException {
       double now = inner.next(receiver);
       begun = Double.isNaN(begun) ? now : begun;
-      List<SimulatedRobot> robots =
-          field.world().robots().stream().filter(r -> Math.abs(r.x()) < 100).toList();
-      for (SimulatedRobot a : robots) {
-        if (field.players().contains(a.id())) {
-          FieldSize size = field.world().field();
-          double margin = Math.min(0.2, size.boundary() - 0.1);
-          nearestEdge = Math.min(nearestEdge, size.length() / 2 + margin - Math.abs(a.x()));
-          nearestEdge = Math.min(nearestEdge, size.width() / 2 + margin - Math.abs(a.y()));
-          robots.stream().filter(b -> b != a).forEach(b -> meet(a, b));
-        }
-      }
+      watch.look();
       return now;
-    }
-
-    private void meet(SimulatedRobot a, SimulatedRobot b) {
-      double dx = b.x() - a.x();
-      double dy = b.y() - a.y();
-      double distance = Math.hypot(dx, dy);
-      if (distance < 0.18) {
-        double closing = ((a.vx() - b.vx()) * dx + (a.vy() - b.vy()) * dy) / distance;
-        contactSpeed = Math.max(contactSpeed, closing);
-      }
     }
 
     @Override
@@ -162,15 +139,15 @@ final class PlayBenchmark {
             "play %d, seed %d: first kick after %.1f s, %.1f s after the last trouble%n",
             i, seed, starts[i], undisturbed);
       }
-      if (field.contactSpeed > 0.1 || field.nearestEdge < 0) {
+      if (field.watch.hurt() || field.watch.outside()) {
         out.printf(
             "play %d, seed %d: contact %.2f m/s, edge %.3f m%n",
-            i, seed, field.contactSpeed, field.nearestEdge);
+            i, seed, field.watch.contactSpeed(), field.watch.nearestEdge());
       }
-      hurt += field.contactSpeed > 0.1 ? 1 : 0;
-      outside += field.nearestEdge < 0 ? 1 : 0;
-      hardest = Math.max(hardest, field.contactSpeed);
-      nearest = Math.min(nearest, field.nearestEdge);
+      hurt += field.watch.hurt() ? 1 : 0;
+      outside += field.watch.outside() ? 1 : 0;
+      hardest = Math.max(hardest, field.watch.contactSpeed());
+      nearest = Math.min(nearest, field.watch.nearestEdge());
     }
     Arrays.sort(times);
     Arrays.sort(starts);

@@ -20,9 +20,6 @@ import java.util.Optional;
  * @param n how many samples
  */
 public record Average(double mean, double standardError, double scatter, int n) {
-  /** In standard deviations: a sample that lies farther from the mean counts as one that lies so far, since it is no part of the scatter (one of 16 000 Gaussian samples lies farther). */
-  private static final double FARTHEST = 4;
-
   /**
    * Averages: weights 1/(error² + τ²), with the scatter τ from the samples themselves (DerSimonian and Laird 1986).
    *
@@ -79,10 +76,10 @@ public record Average(double mean, double standardError, double scatter, int n) 
   }
 
   /**
-   * The same mean with an error that does not shrink with the samples that were excluded: a scatter that is cut at two standard deviations looks smaller than it is.
+   * The same mean with an error that does not shrink with the samples that were excluded: a scatter that is cut at two standard deviations looks smaller than it is, and the mean of what is left moves about more than that of all.
    *
-   * <p>The error grows by the root of the mean square of the distances of all samples in units of what is expected of each (Hartung and Knapp 2001), a sample that is far off counting as {@link #FARTHEST}; for samples that agree with their errors
-   * that is one. Where the scatter was estimated from few samples, Student's distribution makes the error as wide as its 68 %.
+   * <p>Of normal samples, the mean of all is independent of how they lie to each other (Basu 1955, Sankhyā 15, 377), and so of what the 2σ rule excludes. By how much the mean of what is left is off from it is known. So the error is both together: that of the mean of all
+   * ({@link HuberMean}), and the distance. Where the scatter was estimated from few samples, Student's distribution makes the error of the mean as wide as its 95 %.
    *
    * @param all the samples used and those that were excluded for their value
    * @return this average, or one with a larger standard error
@@ -91,14 +88,10 @@ public record Average(double mean, double standardError, double scatter, int n) 
     if (all.size() < 2 || !(standardError > 0)) {
       return this;
     }
-    double squares = 0;
-    for (Sample sample : all) {
-      double distance = Math.min(FARTHEST, sigmas(sample));
-      squares += distance * distance;
-    }
-    double wider = Math.sqrt(Math.max(1, squares / (all.size() - 1)));
-    double student = scatter > 0 ? Estimate.student(all.size()) : 1;
-    return new Average(mean, standardError * wider * student, scatter, n);
+    HuberMean whole = HuberMean.of(values(all), errors(all));
+    double student = whole.scatter() > 0 ? Estimate.student(all.size()) : 1;
+    double error = Math.hypot(student * whole.standardError(), mean - whole.mean());
+    return new Average(mean, Math.max(standardError, error), scatter, n);
   }
 
   /**

@@ -15,8 +15,8 @@ import org.apache.commons.math3.distribution.TDistribution;
  */
 public record Estimate(
     Parameter parameter, double standardError, Optional<String> undetermined, boolean atBound) {
-  /** Share of a distribution below its mean plus one standard error. */
-  private static final double ONE_SIGMA = 0.841345;
+  /** Share of a normal distribution below its mean plus two standard deviations. */
+  private static final double TWO_SIGMA = 0.97725;
 
   /** Checks that nothing is missing. {@inheritDoc} */
   public Estimate {
@@ -55,12 +55,13 @@ public record Estimate(
   }
 
   /**
-   * By how much the error of a mean is larger when few samples have shown their scatter: Student's 68 % over the Gaussian's.
+   * By how much the error of a mean is larger when few samples have shown their scatter: so much that the truth is within two of them as often as with a known scatter (Student 1908, Biometrika 6, 1). No factor does so for every number of errors: with this one, the
+   * truth of twelve samples is within one of them in 72 instead of 68 %.
    *
    * @param samples how many, at least 2
-   * @return 1.84 for two samples, nearer to 1 the more there are
+   * @return 7 for two samples, 1.3 for six, 1.13 for twelve, nearer to 1 the more there are
    */
   public static double student(int samples) {
-    return new TDistribution(null, samples - 1.0).inverseCumulativeProbability(ONE_SIGMA);
+    return new TDistribution(null, samples - 1.0).inverseCumulativeProbability(TWO_SIGMA) / 2;
   }
 }

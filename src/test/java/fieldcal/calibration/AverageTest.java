@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -132,27 +133,55 @@ class AverageTest {
     return Math.sqrt(-2 * Math.log(1 - r.nextDouble())) * Math.cos(2 * Math.PI * r.nextDouble());
   }
 
-  /** Twelve kicks that differ by more than their errors: what the 2σ rule takes away must not make the mean look better known. */
-  @Test
-  void theErrorCoversWhatTheTwoSigmaRuleTookAway() {
+  /**
+   * Kicks that differ by more than their errors: neither what the 2σ rule takes away nor a scatter that few kicks show must make the mean look better known. The truth lies within two errors as often as of a normal distribution. In brackets what it was with the scatter of
+   * the samples that are left.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "6, 5", // [92.4 % within two, 97.8 % within three]
+    "12, 5", // [92.0 %, 98.9 %]
+    "12, 1", // [92.7 %, 99.3 %]
+    "24, 1"
+  })
+  void theErrorCoversWhatTheTwoSigmaRuleTookAway(int kicks, double scatter) {
     SplittableRandom random = new SplittableRandom(12);
-    int runs = 4000;
+    int runs = 1500;
     int within3 = 0;
     int within2 = 0;
     for (int run = 0; run < runs; run++) {
       List<Sample> samples = new ArrayList<>();
-      for (int i = 0; i < 12; i++) {
-        double value = random.nextGaussian() + 0.1 * random.nextGaussian();
-        samples.add(new Sample(i, "dampingZ", value, 0.1, Optional.empty()));
+      for (int i = 0; i < kicks; i++) {
+        double value = scatter * random.nextGaussian() + random.nextGaussian();
+        samples.add(new Sample(i, "dampingZ", value, 1, Optional.empty()));
       }
-      List<Sample> judged = TwoSigma.repeated(samples);
-      Average mean = Average.of(judged).widened(judged);
+      Average mean = Average.judged(TwoSigma.repeated(samples));
       double sigmas = Math.abs(mean.mean()) / mean.standardError();
       within3 += sigmas <= 3 ? 1 : 0;
       within2 += sigmas <= 2 ? 1 : 0;
     }
-    assertThat(within3 / (double) runs).isBetween(0.975, 0.997);
-    assertThat(within2 / (double) runs).isBetween(0.915, 0.97);
+    // 95.4 % of 1500 runs are known to 0.54 %, 99.7 % to 0.14 %; Student's tails are longer.
+    assertThat(within2 / (double) runs).isBetween(0.937, 0.972);
+    assertThat(within3 / (double) runs).isGreaterThan(0.988);
+  }
+
+  /** Where the rule excludes one after the other, the few that are left are close together by chance: two errors reach the mean of all. In brackets what it was: 0.024. */
+  @Test
+  void samplesThatExcludeEachOtherDoNotMakeTheMeanCertain() {
+    double[] values = {
+      -0.025, -0.015, -0.005, 0.005, 0.015, 0.025, 0.1, 0.17, 0.289, 0.491, 0.835, 1.42
+    };
+    List<Sample> samples = new ArrayList<>();
+    for (int i = 0; i < values.length; i++) {
+      samples.add(new Sample(i, "dampingZ", 1 + values[i], 0.01, Optional.empty()));
+    }
+    List<Sample> judged = TwoSigma.repeated(samples);
+    Average left = Average.of(judged);
+    assertThat(left.n()).isEqualTo(6);
+    assertThat(left.standardError()).isLessThan(0.01);
+    double ofAll = 1 + Arrays.stream(values).average().orElseThrow();
+    double error = left.widened(judged).standardError();
+    assertThat(2 * error).isGreaterThan(ofAll - left.mean());
   }
 
   /** A session: kicks without spin agree on 0.688, the others lie lower; their own errors are those of a switch to rolling at 2 to 7 m/s. */
