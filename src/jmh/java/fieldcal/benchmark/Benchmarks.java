@@ -13,6 +13,7 @@ import fieldcal.kick.MatchKicks;
 import fieldcal.live.CarpetBenchmark;
 import fieldcal.live.LiveBenchmark;
 import fieldcal.live.LiveDay;
+import fieldcal.live.ReplayBenchmark;
 import fieldcal.live.SampleTreeStudy;
 import fieldcal.live.WarningBenchmark;
 import java.io.PrintStream;
@@ -29,9 +30,10 @@ import java.util.Map;
 public final class Benchmarks {
   private static final String USAGE =
       "usage: [fit] [wrong-minima] [reading] [calibrate] [extended] [limits] [limit-bounds]"
-          + " [limit-shapes] [match-kicks] [k-switch] [diagnose] [live] [live-warnings]"
-          + " [live-carpets] [live-day] [sample-tree] [console] [play] [play-calibration]"
-          + " [play-adaptive] [play-causes] [play-udp] [play-characters] [soak] [compare] [twin]"
+          + " [limit-shapes] [match-kicks] [k-switch] [diagnose] [live] [live-replay]"
+          + " [live-warnings] [live-carpets] [live-day] [sample-tree] [console] [play]"
+          + " [play-calibration] [play-adaptive] [play-causes] [play-udp]"
+          + " [play-characters] [soak] [compare] [twin]"
           + " [--kicks N] [--seed N] [--megabytes N] [--runs N] [--minutes N]";
 
   private Benchmarks() {}
@@ -62,6 +64,7 @@ public final class Benchmarks {
     parts.put("k-switch", KSwitchCauses::run);
     parts.put("diagnose", DiagnosisSpeed::run);
     parts.put("live", LiveBenchmark::run);
+    parts.put("live-replay", ReplayBenchmark::run);
     parts.put("live-warnings", WarningBenchmark::run);
     parts.put("live-carpets", CarpetBenchmark::run);
     parts.put("live-day", LiveDay::run);

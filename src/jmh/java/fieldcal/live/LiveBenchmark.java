@@ -5,7 +5,6 @@ import fieldcal.benchmark.Goal;
 import fieldcal.simulation.SimulatedRecording;
 import fieldcal.vision.VisionFrame;
 import java.io.PrintStream;
-import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -14,7 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Simulated matches of 6 against 6 and 11 against 11 whose cameras disagree by 23 mm, watched: medians against the truth, warnings with and without another carpet, speed of a replay, how long a frame takes.
+ * Simulated matches of 6 against 6 and 11 against 11 whose cameras disagree by 23 mm, watched: medians against the truth, warnings with and without another carpet, how long a frame takes.
  */
 public final class LiveBenchmark {
   private static final double ROLL = -0.28;
@@ -188,24 +187,6 @@ public final class LiveBenchmark {
     SimulatedMatch match = match(900, settings.minutes(), ROLL, SMALL);
     SimulatedRecording recording = match.recording();
     List<VisionFrame> frames = recording.frames();
-    double best = 0;
-    for (int run = 0; run < 3; run++) {
-      LiveMonitor monitor = monitor(match, LiveListener.NONE);
-      // A busy machine makes the clock on the wall say little of one core.
-      long start = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
-      match.feed(monitor, 0);
-      monitor.finish();
-      long used = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - start;
-      best = Math.max(best, match.duration() / (1e-9 * used));
-    }
-    Goal fast = Goal.atLeast(100, "%.0f");
-    out.printf(
-        Locale.ROOT,
-        "replay from memory with fits and limits, time of one core: %.0f times real time  (%s) "
-            + " %s%n",
-        best,
-        fast,
-        fast.verdict(best));
     LiveMonitor monitor =
         new LiveMonitor(LiveSettings.defaults(), recording.epoch(), LiveListener.NONE);
     Thread worker = new Thread(() -> work(monitor));

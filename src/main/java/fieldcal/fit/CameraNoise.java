@@ -63,8 +63,15 @@ public final class CameraNoise {
    * @return the views with their noise
    */
   public static CameraViews measured(List<Kick> kicks, CameraViews views) {
-    Map<Integer, Double> least = least(kicks);
-    Map<Integer, Double> noise = atRest(kicks, views, least);
+    List<Map<Integer, Grid>> grids = kicks.stream().map(CameraNoise::grids).toList();
+    return measured(grids, kicks.stream().map(k -> squaresAtRest(k, views)).toList(), views);
+  }
+
+  /** The same from the {@link #grids} and {@link #squaresAtRest} of each kick. */
+  static CameraViews measured(
+      List<Map<Integer, Grid>> grids, List<Map<Integer, double[]>> squares, CameraViews views) {
+    Map<Integer, Double> least = least(merged(grids));
+    Map<Integer, Double> noise = noise(joined(squares), least);
     return views.map(
         v ->
             v.withNoise(
@@ -79,9 +86,12 @@ public final class CameraNoise {
    * @return m, by camera id
    */
   public static Map<Integer, Double> least(List<Kick> kicks) {
+    return least(merged(kicks.stream().map(CameraNoise::grids).toList()));
+  }
+
+  private static Map<Integer, Double> least(Map<Integer, Grid> grids) {
     Map<Integer, Double> least = new TreeMap<>();
-    grids(kicks)
-        .forEach((camera, grid) -> least.put(camera, Math.hypot(FLOOR, grid.step() / ROUNDING)));
+    grids.forEach((camera, grid) -> least.put(camera, Math.hypot(FLOOR, grid.step() / ROUNDING)));
     return least;
   }
 
@@ -93,7 +103,7 @@ public final class CameraNoise {
    */
   public static Map<Integer, Double> coarseGrids(List<Kick> kicks) {
     Map<Integer, Double> steps = new TreeMap<>();
-    grids(kicks)
+    merged(kicks.stream().map(CameraNoise::grids).toList())
         .forEach(
             (camera, grid) -> {
               if (grid.step() / ROUNDING > FLOOR) {
@@ -103,22 +113,29 @@ public final class CameraNoise {
     return steps;
   }
 
-  private static Map<Integer, Grid> grids(List<Kick> kicks) {
+  /** The grids of the cameras that saw a kick, by their ids. */
+  static Map<Integer, Grid> grids(Kick kick) {
     Map<Integer, Grid> grids = new TreeMap<>();
-    for (Kick kick : kicks) {
-      Observations seen = kick.observations();
-      for (int i = 0; i < seen.size(); i++) {
-        grids.computeIfAbsent(seen.camera(i), c -> new Grid()).add(seen.x(i), seen.y(i));
-      }
+    Observations seen = kick.observations();
+    for (int i = 0; i < seen.size(); i++) {
+      grids.computeIfAbsent(seen.camera(i), c -> new Grid()).add(seen.x(i), seen.y(i));
     }
     return grids;
+  }
+
+  private static Map<Integer, Grid> merged(List<Map<Integer, Grid>> kicks) {
+    Map<Integer, Grid> all = new TreeMap<>();
+    for (Map<Integer, Grid> kick : kicks) {
+      kick.forEach((camera, grid) -> all.computeIfAbsent(camera, c -> new Grid()).add(grid));
+    }
+    return all;
   }
 
   /** A uniform distribution's width is that many standard deviations. */
   private static final double ROUNDING = Math.sqrt(12);
 
   /** The largest step that all coordinates of a camera are multiples of. */
-  private static final class Grid {
+  static final class Grid {
     private final Set<Long> values = new HashSet<>();
     private long divisor;
 
@@ -132,14 +149,24 @@ public final class CameraNoise {
         return;
       }
       long value = Math.abs(Math.round(coordinate / RESOLUTION));
+      divide(value);
+      if (values.size() < FEWEST_VALUES) {
+        values.add(value);
+      }
+    }
+
+    /** Adds all coordinates of another grid. */
+    void add(Grid other) {
+      divide(other.divisor);
+      values.addAll(other.values);
+    }
+
+    private void divide(long value) {
       long rest = value;
       while (rest != 0) {
         long next = divisor % rest;
         divisor = rest;
         rest = next;
-      }
-      if (values.size() < FEWEST_VALUES) {
-        values.add(value);
       }
     }
 
@@ -158,24 +185,32 @@ public final class CameraNoise {
    * @return m, by camera id; cameras that saw too little at rest are missing
    */
   public static Map<Integer, Double> atRest(List<Kick> kicks, CameraViews views) {
-    return atRest(kicks, views, least(kicks));
+    return noise(joined(kicks.stream().map(k -> squaresAtRest(k, views)).toList()), least(kicks));
   }
 
-  private static Map<Integer, Double> atRest(
-      List<Kick> kicks, CameraViews views, Map<Integer, Double> least) {
-    CameraViews unit = views.map(v -> v.withNoise(1));
-    Map<Integer, List<Double>> squares = new TreeMap<>();
-    for (Kick kick : kicks) {
-      if (kick.fromRest()) {
-        Observations rest =
-            kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() - 0.02);
-        FlightData data = FlightData.of(rest, unit);
-        for (int camera : rest.cameras()) {
-          collect(data, camera, squares.computeIfAbsent(camera, c -> new ArrayList<>()));
-        }
+  /** Squared deviations of the ball that rests before a kick, for a camera without noise of its own, by the camera's id. */
+  static Map<Integer, double[]> squaresAtRest(Kick kick, CameraViews views) {
+    Map<Integer, double[]> squares = new TreeMap<>();
+    if (kick.fromRest()) {
+      Observations rest = kick.observations().between(Double.NEGATIVE_INFINITY, kick.time() - 0.02);
+      FlightData data = FlightData.of(rest, views.map(v -> v.withNoise(1)));
+      for (int camera : rest.cameras()) {
+        squares.put(camera, squares(data, camera));
       }
     }
-    return noise(squares, least);
+    return squares;
+  }
+
+  private static Map<Integer, List<Double>> joined(List<Map<Integer, double[]>> kicks) {
+    Map<Integer, List<Double>> all = new TreeMap<>();
+    for (Map<Integer, double[]> kick : kicks) {
+      kick.forEach(
+          (camera, squares) -> {
+            List<Double> its = all.computeIfAbsent(camera, c -> new ArrayList<>());
+            Arrays.stream(squares).forEach(its::add);
+          });
+    }
+    return all;
   }
 
   private static Map<Integer, Double> noise(
@@ -192,7 +227,7 @@ public final class CameraNoise {
     return noise;
   }
 
-  private static void collect(FlightData data, int camera, List<Double> squares) {
+  private static double[] squares(FlightData data, int camera) {
     int n = 0;
     double[] x = new double[data.size];
     double[] y = new double[data.size];
@@ -205,18 +240,20 @@ public final class CameraNoise {
       }
     }
     if (n < FEWEST_PER_KICK) {
-      return;
+      return new double[0];
     }
     double mx = median(x, n);
     double my = median(y, n);
     // About the sample's own centre the deviations come out too small by (n − 1)/n.
     double correction = n / (n - 1.0);
+    double[] squares = new double[n];
     for (int k = 0; k < n; k++) {
       int i = index[k];
       double r1 = data.w11[i] * (x[k] - mx);
       double r2 = data.w21[i] * (x[k] - mx) + data.w22[i] * (y[k] - my);
-      squares.add((r1 * r1 + r2 * r2) * correction);
+      squares[k] = (r1 * r1 + r2 * r2) * correction;
     }
+    return squares;
   }
 
   /**

@@ -60,9 +60,15 @@ public record FitStatistics(
    * @return true when more than 97 % of the detections are on the path and the residuals, the typical ones and their mean square, are at most 1.5 times the cameras' noise
    */
   public boolean explained() {
+    return explained(
+        robustScale, reducedChiSquare(), observations - used + lackOfFit, observations);
+  }
+
+  /** The same from a typical residual, the reduced chi-square, and how many of all observations are off the path. */
+  static boolean explained(double robustScale, double reducedChiSquare, int off, int observations) {
     return robustScale < EXPLAINED_SCALE
-        && reducedChiSquare() < EXPLAINED_SCALE * EXPLAINED_SCALE
-        && observations - used + lackOfFit < FEW_UNEXPLAINED * observations;
+        && reducedChiSquare < EXPLAINED_SCALE * EXPLAINED_SCALE
+        && off < FEW_UNEXPLAINED * observations;
   }
 
   @Override

@@ -5,6 +5,7 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.Observations;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
@@ -24,9 +25,27 @@ public final class LensCheck {
 
   private LensCheck() {}
 
-  private static final class Count {
+  /** Detections of a camera, and those of them that its lens does not see. */
+  static final class Count {
     private int all;
     private int unseen;
+  }
+
+  /** By the id of each camera with a lens. Offsets and noise of the cameras do not matter much: they are millimetres. */
+  static Map<Integer, Count> count(Kick kick, CameraViews views) {
+    Map<Integer, Count> counts = new TreeMap<>();
+    Whitening whitening = new Whitening();
+    Observations seen = kick.observations();
+    for (int i = 0; i < seen.size(); i++) {
+      CameraView view = views.get(seen.camera(i));
+      if (view.camera().filter(Camera::hasPixels).isPresent()) {
+        Count count = counts.computeIfAbsent(view.id(), id -> new Count());
+        whitening.at(view, seen.x(i) - view.offsetX(), seen.y(i) - view.offsetY());
+        count.all++;
+        count.unseen += whitening.isSeen() ? 0 : 1;
+      }
+    }
+    return counts;
   }
 
   /**
@@ -37,19 +56,19 @@ public final class LensCheck {
    * @return by id, of those cameras whose lens is not usable; 0 … 1
    */
   public static Map<Integer, Double> unusable(List<Kick> kicks, CameraViews views) {
+    return unusable(kicks.stream().map(kick -> count(kick, views)).toList());
+  }
+
+  /** The same from the counts of each kick. */
+  static Map<Integer, Double> unusable(List<Map<Integer, Count>> kicks) {
     Map<Integer, Count> counts = new TreeMap<>();
-    Whitening whitening = new Whitening();
-    for (Kick kick : kicks) {
-      Observations seen = kick.observations();
-      for (int i = 0; i < seen.size(); i++) {
-        CameraView view = views.get(seen.camera(i));
-        if (view.camera().filter(Camera::hasPixels).isPresent()) {
-          Count count = counts.computeIfAbsent(view.id(), id -> new Count());
-          whitening.at(view, seen.x(i) - view.offsetX(), seen.y(i) - view.offsetY());
-          count.all++;
-          count.unseen += whitening.isSeen() ? 0 : 1;
-        }
-      }
+    for (Map<Integer, Count> kick : kicks) {
+      kick.forEach(
+          (id, more) -> {
+            Count sum = counts.computeIfAbsent(id, key -> new Count());
+            sum.all += more.all;
+            sum.unseen += more.unseen;
+          });
     }
     Map<Integer, Double> shares = new TreeMap<>();
     counts.forEach(
@@ -70,12 +89,16 @@ public final class LensCheck {
    * @return the views; of those cameras only the position is known
    */
   public static CameraViews usable(List<Kick> kicks, CameraViews views) {
-    Map<Integer, Double> unusable = unusable(kicks, views);
+    return without(unusable(kicks, views).keySet(), views);
+  }
+
+  /** Of these cameras only the position is known. */
+  static CameraViews without(Set<Integer> unusable, CameraViews views) {
     return unusable.isEmpty()
         ? views
         : views.map(
             v ->
-                unusable.containsKey(v.id())
+                unusable.contains(v.id())
                     ? new CameraView(
                         v.id(),
                         v.camera()

@@ -90,21 +90,36 @@ final class MinimumFinder {
     return flight;
   }
 
+  /**
+   * A way down from a start of a flat kick.
+   *
+   * @param near where it leads on part of the observations, with the wide loss
+   * @param minimum where that leads on all
+   */
+  record Descent(Minimum near, Minimum minimum) {}
+
   /** The lowest minimum, on all observations. */
-  Minimum find(List<double[]> starts) {
-    return kind == KickKind.FLAT ? flat(starts) : chip(starts);
+  Minimum find(double[] start) {
+    return kind == KickKind.FLAT ? descend(start).minimum() : chip(List.of(start));
   }
 
-  private Minimum flat(List<double[]> starts) {
-    List<Minimum> near = new ArrayList<>();
-    starts.forEach(start -> approach(0, start, near));
-    return near.stream()
-        .map(from -> settle(data, from, false))
-        .min(Comparator.comparingDouble(Minimum::cost))
-        .orElseThrow();
+  /** The minimum that a start of a flat kick leads to. */
+  Descent descend(double[] start) {
+    Minimum near = approached(0, start);
+    return new Descent(near, settle(data, near, false));
   }
 
-  private Minimum chip(List<double[]> starts) {
+  /** The lower one of the minima of a flat kick that a start leads to, and that another one led to. */
+  Minimum flat(double[] start, Descent other) {
+    Minimum near = approached(0, start);
+    Minimum minimum = settle(data, near, false);
+    return isSame(other.near, near) || minimum.cost() <= other.minimum.cost()
+        ? minimum
+        : other.minimum;
+  }
+
+  /** The lowest minimum of a chip, from several starts. */
+  Minimum chip(List<double[]> starts) {
     List<Minimum> near = new ArrayList<>();
     for (double[] start : starts) {
       int rule = ruleFlights(start);
@@ -119,16 +134,14 @@ final class MinimumFinder {
   /** Leads a start down on part of the observations with the wide loss; adds it to the others unless it went where one of them is. */
   private void approach(int flights, double[] start, List<Minimum> others) {
     Minimum end = approached(flights, start);
-    boolean known =
-        others.stream()
-            .anyMatch(
-                other ->
-                    other.flights() == flights
-                        && end.equations().squaredDistance(end.theta(), other.theta())
-                            < SAME_MINIMUM);
-    if (!known) {
+    if (others.stream().noneMatch(other -> isSame(end, other))) {
       others.add(end);
     }
+  }
+
+  private static boolean isSame(Minimum end, Minimum other) {
+    return other.flights() == end.flights()
+        && end.equations().squaredDistance(end.theta(), other.theta()) < SAME_MINIMUM;
   }
 
   private Minimum approached(int flights, double[] start) {

@@ -23,7 +23,8 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 public final class OverlapOffsets {
   private OverlapOffsets() {}
 
-  private record Pair(int a, int b) {}
+  /** Two cameras, the one with the smaller id first. */
+  record Pair(int a, int b) {}
 
   /**
    * Puts the offsets into the views; cameras that share no ball on the ground with another keep none.
@@ -33,14 +34,29 @@ public final class OverlapOffsets {
    * @return the views with offsets whose mean is zero
    */
   public static CameraViews estimate(List<Kick> kicks, CameraViews views) {
+    return estimateFrom(kicks.stream().map(kick -> compare(kick, views)).toList(), views);
+  }
+
+  /** What each two of the cameras saw of a kick at once. */
+  static Map<Pair, SharedView> compare(Kick kick, CameraViews views) {
+    Map<Pair, SharedView> shared = new LinkedHashMap<>();
+    for (Pair pair : pairs(kick.observations().cameras())) {
+      shared.put(pair, SharedView.of(kick, views.get(pair.a), views.get(pair.b)));
+    }
+    return shared;
+  }
+
+  /** The same from what each two cameras saw of each kick; only the noise of the views matters. */
+  static CameraViews estimateFrom(List<Map<Pair, SharedView>> kicks, CameraViews views) {
     Map<Pair, List<Difference>> found = new LinkedHashMap<>();
-    for (Kick kick : kicks) {
-      for (Pair pair : pairs(kick.observations().cameras())) {
-        SharedView shared = SharedView.of(kick, views.get(pair.a), views.get(pair.b));
-        List<Difference> differences = found.computeIfAbsent(pair, p -> new ArrayList<>());
-        shared.atRest().ifPresent(differences::add);
-        shared.onTheGround().ifPresent(differences::add);
-      }
+    for (Map<Pair, SharedView> kick : kicks) {
+      kick.forEach(
+          (pair, shared) -> {
+            List<Difference> differences = found.computeIfAbsent(pair, p -> new ArrayList<>());
+            double noise = Math.hypot(views.get(pair.a).noise(), views.get(pair.b).noise());
+            shared.atRest().ifPresent(differences::add);
+            shared.onTheGround(noise).ifPresent(differences::add);
+          });
     }
     return solve(found, views);
   }

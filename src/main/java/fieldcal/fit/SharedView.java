@@ -43,11 +43,25 @@ final class SharedView {
   private final CameraView second;
   private final Kick kick;
 
+  /** Of the moving ball. */
+  private final List<Stretch> stretches = new ArrayList<>();
+
+  private Optional<Difference> atRest = Optional.empty();
+
   /** Between two positions of the first camera; x and y are the first's. */
   private record Comparison(double from, double to, double x, double y, double dx, double dy) {}
 
   /** Medians of the differences of a stretch, m, and their standard deviation per axis, m, as {@link RobustScale}. */
   private record Spread(double x, double y, double scatter) {}
+
+  /**
+   * A part of a kick.
+   *
+   * @param difference of the two cameras in it
+   * @param scatter of this difference, m
+   * @param flight half of what it would scatter if the ball flew, m
+   */
+  private record Stretch(Difference difference, double scatter, double flight) {}
 
   /**
    * A difference of two cameras.
@@ -68,6 +82,7 @@ final class SharedView {
     this.second = second;
   }
 
+  /** Offsets and noise of the cameras do not matter. */
   static SharedView of(Kick kick, CameraView first, CameraView second) {
     SharedView shared = new SharedView(kick, first, second);
     Observations seen = kick.observations();
@@ -85,6 +100,8 @@ final class SharedView {
         }
       }
     }
+    shared.findRest();
+    shared.findStretches();
     return shared;
   }
 
@@ -97,28 +114,43 @@ final class SharedView {
         new Comparison(seen.time(before), seen.time(after), x, y, seen.x(i) - x, seen.y(i) - y));
   }
 
-  /** The difference while the ball rested before the kick. */
-  Optional<Difference> atRest() {
+  private void findRest() {
     List<Comparison> rest = upTo(0, kick.time() - BEFORE_KICK);
-    return rest.size() < FEWEST ? Optional.empty() : Optional.of(difference(rest, spread(rest)));
+    if (rest.size() >= FEWEST) {
+      atRest = Optional.of(difference(rest, spread(rest)));
+    }
   }
 
-  /**
-   * The best known difference while the ball moved on the ground. Of a ball in the air two cameras report places whose distance changes with its height; where the distance is steady, the ball does not fly.
-   */
-  Optional<Difference> onTheGround() {
-    Difference best = null;
+  private void findStretches() {
     int begin = 0;
     for (double from = kick.time(); from < kick.endTime(); from += STRETCH / 2) {
       begin = firstFrom(begin, from);
       List<Comparison> stretch = upTo(begin, from + STRETCH);
       if (stretch.size() >= FEWEST && duration(stretch) > FILLED * STRETCH) {
         Spread spread = spread(stretch);
-        if (steady(stretch, spread)) {
-          Difference d = difference(stretch, spread);
-          best = best == null || d.sigma < best.sigma ? d : best;
-        }
+        Comparison middle = stretch.get(stretch.size() / 2);
+        double flight = 0.5 * parallax(middle.x, middle.y) * SCATTER_IN_FLIGHT;
+        stretches.add(new Stretch(difference(stretch, spread), spread.scatter, flight));
       }
+    }
+  }
+
+  /** The difference while the ball rested before the kick. */
+  Optional<Difference> atRest() {
+    return atRest;
+  }
+
+  /**
+   * The best known difference while the ball moved on the ground. Of a ball in the air two cameras report places whose distance changes with its height; where the distance is steady, the ball does not fly: then its scatter is nearer to that of the noise than to that of a flight.
+   *
+   * @param noise of both cameras together, m
+   */
+  Optional<Difference> onTheGround(double noise) {
+    Difference best = null;
+    for (Stretch stretch : stretches) {
+      Difference d = stretch.difference;
+      boolean steady = stretch.scatter < Math.hypot(stretch.flight, noise);
+      best = steady && (best == null || d.sigma < best.sigma) ? d : best;
     }
     return Optional.ofNullable(best);
   }
@@ -143,13 +175,6 @@ final class SharedView {
 
   private static double duration(List<Comparison> stretch) {
     return stretch.get(stretch.size() - 1).to - stretch.get(0).from;
-  }
-
-  /** Whether the scatter is nearer to that of the noise than to that of a flight. */
-  private boolean steady(List<Comparison> stretch, Spread spread) {
-    Comparison middle = stretch.get(stretch.size() / 2);
-    double flight = 0.5 * parallax(middle.x, middle.y) * SCATTER_IN_FLIGHT;
-    return spread.scatter < Math.hypot(flight, Math.hypot(first.noise(), second.noise()));
   }
 
   /** By how much further apart the cameras report a ball at a place for each metre that it is higher. */

@@ -1,17 +1,14 @@
 package fieldcal.live;
 
-import fieldcal.fit.CameraNoise;
 import fieldcal.fit.CameraView;
 import fieldcal.fit.CameraViews;
-import fieldcal.fit.LensCheck;
-import fieldcal.fit.OverlapOffsets;
+import fieldcal.fit.RecentKicks;
 import fieldcal.kick.Kick;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -29,14 +26,13 @@ final class CameraAlignment {
   /** Cameras that share no ball never settle; after so many further kicks a kick is judged as it is, and later ones of the same cameras do not wait. */
   private static final int PATIENCE = 8;
 
-  private final Deque<Kick> recent = new ArrayDeque<>();
   private final Deque<Waiting> waiting = new ArrayDeque<>();
   private final Set<Set<Integer>> hopeless = new HashSet<>();
-  private CameraViews published = CameraViews.of(List.of());
-  private CameraViews before = published;
+  private CameraViews before = CameraViews.of(List.of());
+  private RecentKicks recent = new RecentKicks(before, MEMORY);
 
   /** Read by other threads. */
-  private volatile CameraViews views = published;
+  private volatile CameraViews views = before;
 
   /** A kick that waits since some kicks. */
   private static final class Waiting {
@@ -63,10 +59,9 @@ final class CameraAlignment {
   /** The cameras' geometry changed: what was learnt of the old one is forgotten, and kicks that wait are dropped; how many is returned. */
   int restart(CameraViews geometry) {
     int lost = waiting.size();
-    recent.clear();
     waiting.clear();
     hopeless.clear();
-    published = geometry;
+    recent = new RecentKicks(geometry, MEMORY);
     views = geometry;
     before = geometry;
     return lost;
@@ -75,10 +70,8 @@ final class CameraAlignment {
   /** Learns from a kick; returns those that can be judged now, oldest first. */
   List<Kick> add(Kick kick) {
     recent.add(kick);
-    if (recent.size() > MEMORY) {
-      recent.remove();
-    }
-    learn();
+    before = views;
+    views = recent.views(before);
     waiting.forEach(w -> w.since++);
     waiting.add(new Waiting(kick));
     List<Kick> ready = new ArrayList<>();
@@ -124,29 +117,6 @@ final class CameraAlignment {
         compared ? view.offsetX() : Double.NaN,
         compared ? view.offsetY() : Double.NaN,
         view.camera().isPresent());
-  }
-
-  private void learn() {
-    List<Kick> kicks = List.copyOf(recent);
-    CameraViews all = withUnpublished(kicks);
-    CameraViews known =
-        LensCheck.usable(kicks, all).map(v -> v.withNoise(views.get(v.id()).noise()));
-    before = views;
-    views = OverlapOffsets.estimate(kicks, CameraNoise.measured(kicks, known));
-  }
-
-  private CameraViews withUnpublished(List<Kick> kicks) {
-    TreeSet<Integer> ids = new TreeSet<>();
-    kicks.forEach(
-        k -> {
-          for (int id : k.observations().cameras()) {
-            ids.add(id);
-          }
-        });
-    List<CameraView> all = new ArrayList<>(published.all());
-    all.forEach(v -> ids.remove(v.id()));
-    ids.forEach(id -> all.add(CameraView.of(id, Optional.empty())));
-    return CameraViews.of(all);
   }
 
   private boolean settled(int[] cameras) {

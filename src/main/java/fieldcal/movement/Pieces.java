@@ -40,6 +40,7 @@ final class Pieces {
   private final double[] reached = new double[MAX_CELLS + 1];
 
   private final int[] lastEnd = new int[MAX_CELLS + 1];
+  private final boolean plane;
   private final double price;
   private int candidates;
   private int count;
@@ -47,6 +48,7 @@ final class Pieces {
 
   /** Cuts paths of one or two dimensions; of what has one, y must be 0. */
   Pieces(int dimensions) {
+    plane = dimensions == 2;
     price = PRICES[dimensions - 1];
   }
 
@@ -161,18 +163,24 @@ final class Pieces {
       if (n < 2) {
         continue; // one detection is explained by its camera's own constant
       }
+      double perDetection = 1 / n;
       double t1 = b[1] - a[1];
       double t2 = b[2] - a[2];
+      double m1 = t1 * perDetection;
+      double m2 = t2 * perDetection;
+      s11 += t2 - t1 * m1;
+      s12 += b[3] - a[3] - t1 * m2;
+      s22 += b[4] - a[4] - t2 * m2;
       double x0 = b[5] - a[5];
-      double y0 = b[9] - a[9];
-      s11 += t2 - t1 * t1 / n;
-      s12 += b[3] - a[3] - t1 * t2 / n;
-      s22 += b[4] - a[4] - t2 * t2 / n;
-      bx1 += b[6] - a[6] - x0 * t1 / n;
-      bx2 += b[7] - a[7] - x0 * t2 / n;
-      by1 += b[10] - a[10] - y0 * t1 / n;
-      by2 += b[11] - a[11] - y0 * t2 / n;
-      rest += b[8] - a[8] - x0 * x0 / n + b[12] - a[12] - y0 * y0 / n;
+      bx1 += b[6] - a[6] - x0 * m1;
+      bx2 += b[7] - a[7] - x0 * m2;
+      rest += b[8] - a[8] - x0 * x0 * perDetection;
+      if (plane) {
+        double y0 = b[9] - a[9];
+        by1 += b[10] - a[10] - y0 * m1;
+        by2 += b[11] - a[11] - y0 * m2;
+        rest += b[12] - a[12] - y0 * y0 * perDetection;
+      }
     }
     double determinant = s11 * s22 - s12 * s12;
     if (s11 <= 0) {

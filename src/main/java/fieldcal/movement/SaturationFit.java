@@ -31,11 +31,24 @@ final class SaturationFit {
 
   private static final double[] QUANTILES = {0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.92, 0.97};
 
+  /** Weights below exp(−40) are less than the rounding of those at the mode, 1e-16. */
+  private static final double FAR = 40;
+
   private static final int ITERATIONS = 80;
   private static final double SETTLED = 1e-6;
 
+  /** Places that are no farther apart, relative to the limit, are the same: climbs stop this near to a mode, which are apart by kernels, some per cent. */
+  private static final double SAME = 1e-4;
+
   private final ManoeuvreTable.Columns data;
   private final double[][] columns;
+  private final int size;
+  private final double[] acceleration;
+  private final double[] count;
+
+  /** Part of the squared width of each manoeuvre's kernel that is due to its own error. */
+  private final double[] squaredKernel;
+
   private final double total;
 
   /**
@@ -57,6 +70,10 @@ final class SaturationFit {
     Arrays.fill(columns[0], 1);
     System.arraycopy(further, 0, columns, 1, further.length);
     total = Arrays.stream(data.count()).sum();
+    acceleration = data.acceleration();
+    count = data.count();
+    size = count.length;
+    squaredKernel = Arrays.stream(data.error()).map(e -> ERRORS * e * (ERRORS * e)).toArray();
   }
 
   /**
@@ -112,10 +129,14 @@ final class SaturationFit {
     return data.acceleration()[data.count().length - 1];
   }
 
-  /** Climbs to the largest mode of a limit that depends on columns, from many starts; null when there is none. */
+  /**
+   * Climbs to the largest mode of a limit that depends on columns, from many starts; null when there is none. A wide kernel leaves few modes: those that meet there go on as one.
+   *
+   * @param spreads widths of kernels before the proper one, as fractions of the limit, the widest first
+   */
   Mode climbFromEverywhere(double[] coefficients, double... spreads) {
     int p = columns.length;
-    Mode best = null;
+    List<double[]> points = new ArrayList<>();
     for (double share : QUANTILES) {
       for (double coefficient : coefficients) {
         double[] start = new double[p];
@@ -123,25 +144,33 @@ final class SaturationFit {
         for (int k = 1; k < p; k++) {
           start[k] = -coefficient * start[0];
         }
-        Mode found = climb(start, spreads);
-        if (found != null && (best == null || found.mass() > best.mass())) {
-          best = found;
-        }
+        points.add(start);
       }
     }
-    return best;
+    for (double spread : spreads) {
+      points = climb(points, spread);
+    }
+    return climb(points, SPREAD).stream()
+        .map(this::describe)
+        .max(Comparator.comparingDouble(Mode::mass))
+        .orElse(null);
   }
 
-  /** Climbs from a start to the mode; the kernel is made narrower step by step, down to its proper width. Null when there is none. */
-  Mode climb(double[] start, double... spreads) {
-    double[] beta = start.clone();
-    for (double spread : spreads) {
-      beta = climb(beta, spread);
-      if (beta == null) {
-        return null;
+  /** Where the starts lead to, each place once. */
+  private List<double[]> climb(List<double[]> starts, double spread) {
+    List<double[]> ends = new ArrayList<>();
+    for (double[] start : starts) {
+      double[] end = climb(start, spread);
+      if (end != null && ends.stream().noneMatch(other -> change(end, other) < SAME * end[0])) {
+        ends.add(end);
       }
     }
-    beta = climb(beta, SPREAD);
+    return ends;
+  }
+
+  /** Climbs from a start to the mode. Null when there is none. */
+  Mode climb(double[] start) {
+    double[] beta = climb(start, SPREAD);
     return beta == null ? null : describe(beta);
   }
 
@@ -152,10 +181,7 @@ final class SaturationFit {
       if (next == null || !(next[0] > 0)) {
         return null;
       }
-      double change = 0;
-      for (int k = 0; k < beta.length; k++) {
-        change = Math.max(change, Math.abs(next[k] - beta[k]));
-      }
+      double change = change(next, beta);
       beta = next;
       if (change < SETTLED * beta[0]) {
         break;
@@ -164,22 +190,44 @@ final class SaturationFit {
     return beta;
   }
 
+  private static double change(double[] next, double[] beta) {
+    double change = 0;
+    for (int k = 0; k < beta.length; k++) {
+      change = Math.max(change, Math.abs(next[k] - beta[k]));
+    }
+    return change;
+  }
+
   private double[] step(double[] beta, double spread) {
     int p = beta.length;
     double[][] a = new double[p][p];
     double[] b = new double[p];
-    for (int i = 0; i < data.count().length; i++) {
-      double r = residual(i, beta);
-      double h2 = width2(i, beta[0], spread);
-      double w = data.count()[i] * Math.exp(-0.5 * r * r / h2) / h2;
-      if (!(w > 0)) {
+    double both = both(beta);
+    double floor = spread * spread * beta[0] * beta[0];
+    for (int i = 0; i < size; i++) {
+      double product = both == 0 ? 0 : both * columns[1][i] * columns[2][i];
+      double value = acceleration[i] - product;
+      double r = value;
+      for (int k = 0; k < p; k++) {
+        r -= beta[k] * columns[k][i];
+      }
+      double h2 = squaredKernel[i] + floor;
+      double exponent = 0.5 * r * r / h2;
+      if (!(exponent < FAR)) {
         continue;
       }
+      double w = count[i] * Math.exp(-exponent) / h2;
       for (int j = 0; j < p; j++) {
-        b[j] += w * columns[j][i] * (data.acceleration()[i] - product(i, beta));
-        for (int k = 0; k < p; k++) {
-          a[j][k] += w * columns[j][i] * columns[k][i];
+        double wj = w * columns[j][i];
+        b[j] += wj * value;
+        for (int k = 0; k <= j; k++) {
+          a[j][k] += wj * columns[k][i];
         }
+      }
+    }
+    for (int j = 0; j < p; j++) {
+      for (int k = 0; k < j; k++) {
+        a[k][j] = a[j][k];
       }
     }
     DecompositionSolver solver = solver(a);
@@ -193,21 +241,20 @@ final class SaturationFit {
   }
 
   private double residual(int i, double[] beta) {
-    double r = data.acceleration()[i] - product(i, beta);
+    double r = acceleration[i] - (beta.length < 3 ? 0 : both(beta) * columns[1][i] * columns[2][i]);
     for (int k = 0; k < beta.length; k++) {
       r -= beta[k] * columns[k][i];
     }
     return r;
   }
 
-  /** Two effects multiply: what that adds to their sum, from the coefficients of the iteration before. */
-  private double product(int i, double[] beta) {
-    return beta.length < 3 ? 0 : beta[1] * beta[2] / beta[0] * columns[1][i] * columns[2][i];
+  /** Two effects multiply: per unit of both columns, what that adds to their sum, from the coefficients of the iteration before. */
+  private static double both(double[] beta) {
+    return beta.length < 3 ? 0 : beta[1] * beta[2] / beta[0];
   }
 
   private double width2(int i, double limit, double spread) {
-    double error = ERRORS * data.error()[i];
-    return error * error + spread * spread * limit * limit;
+    return squaredKernel[i] + spread * spread * limit * limit;
   }
 
   /** Mass, and errors from the sandwich A⁻¹BA⁻¹ of the estimating equations. */

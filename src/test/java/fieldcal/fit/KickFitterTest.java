@@ -167,6 +167,22 @@ class KickFitterTest {
     assertRecovered(fit, s);
   }
 
+  /** A kick that ends before the ball rolls can be explained with a switch at its end or without one: two minima. */
+  @Test
+  void aKickIsSearchedForUnlessADescentShowsBothPhases() {
+    IdealKicks.Sample s = flat(-5, -1, 5.5, 1.5, 0.505, -3.1, -0.28, 0.62);
+    FlatTrajectory path =
+        FlatTrajectory.fromKick(FlightLayout.flatModel(s.truth()), 0.505, -5, -1, 5.5, 1.5);
+    KickFit whole = fit(problem(s), KickKind.FLAT);
+    assertRecovered(whole, s);
+    int search = FitSettings.defaults().searchEvaluations();
+    assertThat(whole.statistics().evaluations()).isLessThan(search);
+    Kick caught = FitSupport.until(s.kick(), path.tSwitch() - 0.02);
+    KickFit part = fit(problem(s, caught), KickKind.FLAT);
+    assertThat(part.statistics().explained()).isTrue();
+    assertThat(part.statistics().evaluations()).isGreaterThan(search);
+  }
+
   @Test
   void aBallCaughtSoonAfterItBeganToRollStillSaysHowItSlid() {
     IdealKicks.Sample s = flat(-5, -1, 5.5, 1.5, 0.505, -3.1, -0.28, 0.62);
