@@ -130,6 +130,29 @@ class InteractiveFieldTest {
   }
 
   @Test
+  void aBallRollsOffAFrontPlateWithoutADribbler() {
+    assertThat(letGo(Set.of())).isLessThan(0.38);
+    assertThat(letGo(Set.of(RobotCharacter.SLIPPING_DRIBBLER)))
+        .isCloseTo(0.3 + RobotCharacter.ROLLS_OFF, within(0.03));
+  }
+
+  /** How fast the ball is when a robot that drives with 0.3 m/s has switched its dribbler off, m/s. */
+  private static double letGo(Set<RobotCharacter> like) {
+    InteractiveField field = field().robotsLike(like);
+    double x = field.world().ball().x();
+    double y = field.world().ball().y();
+    field.placeRobot(FIRST, x - 0.15, y, 0);
+    field.command(FIRST, new RobotCommand(new Velocity(0.3, 0, 0), Kick.NONE, true));
+    run(field, 0.4);
+    assertThat(field.world().holder()).isPresent();
+    field.command(FIRST, new RobotCommand(new Velocity(0.3, 0, 0), Kick.NONE, false));
+    while (field.world().holder().isPresent()) {
+      field.step(p -> {});
+    }
+    return field.world().ball().groundSpeed();
+  }
+
+  @Test
   void aLateKickerFiresLaterAndAddsTheRobotsSpeed() {
     double[] fired = new double[2];
     double[] fastest = new double[2];

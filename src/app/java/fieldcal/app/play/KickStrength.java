@@ -50,7 +50,7 @@ public record KickStrength(
   private static final double LEAST_SPREAD = 0.4;
 
   /** Told and measured, of one kick. */
-  private record Pair(double told, double speed, double yaw, double elevation) {}
+  record Pair(double told, double speed, double yaw, double elevation) {}
 
   /** Mean, its standard error and the scatter. */
   private record Mean(double value, double error, double scatter) {
@@ -102,7 +102,8 @@ public record KickStrength(
     return new Pair(command.speed(), Math.hypot(ground, vz), yaw, elevation);
   }
 
-  private static KickStrength fit(RobotId robot, KickKind kind, List<Pair> pairs) {
+  /** From one robot's kicks of one kind. */
+  static KickStrength fit(RobotId robot, KickKind kind, List<Pair> pairs) {
     int n = pairs.size();
     Mean told = Mean.of(pairs.stream().mapToDouble(Pair::told).toArray());
     Mean yaw = Mean.of(pairs.stream().mapToDouble(Pair::yaw).toArray());

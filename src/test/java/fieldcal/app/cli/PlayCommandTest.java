@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,6 +60,15 @@ class PlayCommandTest {
         .isBetween(0.515, 0.525);
   }
 
+  @Test
+  void aPlayOfOneChipTellsOfOneChip() {
+    assertThat(run("play --sim --kind chip --kicks 1 --seed 2")).isZero();
+    assertThat(out.toString())
+        .contains("Chip model: 1 of 1 kick used")
+        .doesNotContain("Flat model")
+        .doesNotContainPattern("\\b1 kicks\\b");
+  }
+
   /** The play ends with the same verdict and the same reasons as its files have. */
   private void assertThatTheVerdictIsThatOf(JsonNode calibration) {
     JsonNode verdict = calibration.path("verdict");
@@ -71,13 +81,17 @@ class PlayCommandTest {
     }
   }
 
+  /** One kick cannot show what differs from kick to kick: at least six are made, by both robots. */
   @Test
-  void whoAsksForAPrecisionIsToldThatItWasReached() {
-    assertThat(run("play --sim --kind flat --kicks 30 --adaptive --precision 5 --seed 2")).isZero();
+  void whoAsksForAPrecisionIsToldThatItWasReached() throws IOException {
+    assertThat(run("play --sim --kind flat --kicks 30 --adaptive --precision 5 --seed 2 --out DIR"))
+        .isZero();
     assertThat(out.toString())
         .containsPattern(
-            "Finished after \\d+ s of field time: \\d good kicks of \\d made\\.\\REvery parameter"
+            "Finished after \\d+ s of field time: \\d+ good kicks of \\d+ made\\.\\REvery parameter"
                 + " is known to 5 %, as asked\\. The other kicks of 30 are not needed\\.");
+    assertThat(json("play.json").get("kicks")).hasSizeBetween(6, 29);
+    assertThat(Set.copyOf(json("play.json").get("kicks").findValuesAsText("robot"))).hasSize(2);
   }
 
   /** Kickers that strike twice, as in grSim: their strength scatters, the ball does not. */

@@ -45,7 +45,8 @@ class SameVerdictTest {
   @CsvSource({
     "good, publish, ''",
     "one-kick, record_more, few_kicks few_kicks few_kicks",
-    "wrong-model, check_first, mean_against_joint_fit many_excluded many_excluded many_excluded",
+    "wrong-model, check_first, mean_against_joint_fit many_excluded many_excluded many_excluded"
+        + " imprecise",
     "two-fields, do_not_publish, several_fields simulated_field",
   })
   void theVerdictIsTheSameEverywhere(String name, String decision, String holdBack)
