@@ -89,9 +89,26 @@ public record Average(double mean, double standardError, double scatter, int n) 
       return this;
     }
     HuberMean whole = HuberMean.of(values(all), errors(all));
-    double student = whole.scatter() > 0 ? Estimate.student(all.size()) : 1;
-    double error = Math.hypot(student * whole.standardError(), mean - whole.mean());
+    double error = Math.hypot(byChance(whole, all.size()), mean - whole.mean());
     return new Average(mean, Math.max(standardError, error), scatter, n);
+  }
+
+  private static double byChance(HuberMean whole, int samples) {
+    double student = whole.scatter() > 0 ? Estimate.student(samples) : 1;
+    return student * whole.standardError();
+  }
+
+  /**
+   * The error of the mean by chance alone, without the distance between the mean of what the 2σ rule leaves and that of all ({@link #widened}). Two means that differ by several such errors do not describe the same kicks.
+   *
+   * @param samples that the 2σ rule has judged
+   * @return standard error in their unit; infinite where fewer than two kicks can be trusted
+   */
+  public static double errorByChance(List<Sample> samples) {
+    List<Sample> all = spread(samples);
+    return all.size() < 2
+        ? Double.POSITIVE_INFINITY
+        : byChance(HuberMean.of(values(all), errors(all)), all.size());
   }
 
   /**

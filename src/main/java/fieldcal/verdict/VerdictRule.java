@@ -164,7 +164,7 @@ public final class VerdictRule {
       reasons.add(new Reason.FewKicks(kind, parameter, mean.n(), FEWEST_KICKS, kicks));
       return;
     }
-    double percent = 100 * Math.abs(mean.standardError() / mean.mean());
+    double percent = 100 * Math.abs(byChance(kind, parameter, mean) / mean.mean());
     if (!(percent <= LARGEST_ERROR_PERCENT)) {
       reasons.add(new Reason.Imprecise(kind, parameter, percent, LARGEST_ERROR_PERCENT));
     }
@@ -178,9 +178,7 @@ public final class VerdictRule {
   /** Whether the 2σ rule leaves out so many kicks that those that remain do not speak for all. */
   private void excluded(KickKind kind, String parameter) {
     List<Sample> samples =
-        calibration.kicks(kind).stream()
-            .flatMap(k -> k.samples().stream())
-            .filter(s -> s.parameter().equals(parameter))
+        samples(kind, parameter).stream()
             .filter(s -> s.dropped().isEmpty() || s.leftForItsValue())
             .toList();
     int excluded = (int) samples.stream().filter(Sample::leftForItsValue).count();
@@ -189,10 +187,25 @@ public final class VerdictRule {
     }
   }
 
+  private List<Sample> samples(KickKind kind, String parameter) {
+    return calibration.kicks(kind).stream()
+        .flatMap(k -> k.samples().stream())
+        .filter(s -> s.parameter().equals(parameter))
+        .toList();
+  }
+
+  /** The error of a mean that more kicks would make smaller. Where the 2σ rule excludes kicks, the one that is given also reaches the mean of all, and would hide that the joint fit, which uses all, is there. */
+  private double byChance(KickKind kind, String parameter, Average mean) {
+    List<Sample> samples = samples(kind, parameter);
+    return samples.stream().anyMatch(Sample::leftForItsValue)
+        ? Math.min(mean.standardError(), Average.errorByChance(samples))
+        : mean.standardError();
+  }
+
   /** Both weigh the kicks differently; where the model holds for all of them, they agree within their errors, and within the precision that is asked of the mean. */
   private void compare(KickKind kind, String parameter, Average mean, Estimate joint) {
     double apart = Math.abs(mean.mean() - joint.value());
-    double sigmas = apart / Math.hypot(mean.standardError(), joint.standardError());
+    double sigmas = apart / Math.hypot(byChance(kind, parameter, mean), joint.standardError());
     double percent = 100 * apart / Math.abs(mean.mean());
     boolean significant = sigmas > APART_SIGMAS && percent > APART_PERCENT;
     if (significant || percent > LARGEST_ERROR_PERCENT) {

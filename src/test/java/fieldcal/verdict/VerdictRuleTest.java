@@ -124,6 +124,40 @@ class VerdictRuleTest {
     assertThat(verdict.diagnose()).isEqualTo(decision != PublishDecision.PUBLISH);
   }
 
+  /** The error of a mean reaches what the 2σ rule excludes. It must not hide that the joint fit, which uses all kicks, is somewhere else. */
+  @Test
+  void aMeanThatIsWideSinceKicksAreExcludedIsStillComparedWithTheJointFit() {
+    List<CalibratedKick> all = new ArrayList<>();
+    List<Sample> samples = new ArrayList<>();
+    for (CalibratedKick kick : kicks(KickKind.FLAT, 20)) {
+      int id = kick.fit().kick().id();
+      double value = id <= 6 ? -2.5 : -3 + 0.01 * (id % 3);
+      samples.add(new Sample(id, "accSlide", value, 0.02, Optional.empty()));
+    }
+    List<Sample> judged =
+        samples.stream()
+            .map(s -> s.kickId() <= 6 ? s.drop("acc_slide is 9.0 σ from the mean") : s)
+            .toList();
+    for (CalibratedKick kick : kicks(KickKind.FLAT, 20)) {
+      Sample sample = judged.get(kick.fit().kick().id() - 1);
+      all.add(new CalibratedKick(kick.fit(), List.of(sample), Optional.empty()));
+    }
+    Average mean = Average.of(judged).widened(judged);
+    double joint = -2.79;
+    assertThat(Math.abs(mean.mean() - joint)).isLessThan(2 * mean.standardError());
+    PublishVerdict verdict =
+        judge(
+            new Calibration(
+                all,
+                Map.of("accSlide", mean),
+                Map.of(),
+                Optional.of(jointFit(joint, 0.01, 1)),
+                CameraViews.of(List.of()),
+                1));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.CHECK_FIRST);
+    assertThat(verdict.reasons()).anyMatch(r -> r instanceof Reason.MeanAgainstJoint);
+  }
+
   @Test
   void aDiagnosisThatFoundNothingKnowsBetterThanTheResidual() {
     PublishVerdict verdict =
