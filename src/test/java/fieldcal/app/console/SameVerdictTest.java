@@ -45,8 +45,7 @@ class SameVerdictTest {
   @CsvSource({
     "good, publish, ''",
     "one-kick, record_more, few_kicks few_kicks few_kicks",
-    "wrong-model, check_first, mean_against_joint_fit many_excluded many_excluded many_excluded"
-        + " imprecise",
+    "wrong-model, check_first, mean_against_joint_fit many_excluded many_excluded many_excluded",
     "two-fields, do_not_publish, several_fields simulated_field",
   })
   void theVerdictIsTheSameEverywhere(String name, String decision, String holdBack)
