@@ -81,7 +81,7 @@ public final class KickFitter {
    * may even miss the hops. A ball that spins turns where it lands. So shorter and shorter beginnings are compared until one of the two explains what was seen, or the flat kick leaves far more than the chip.
    */
   private boolean isChip(FitProblem problem, KickFit chip, KickFit flat) {
-    boolean is = flies(chip) && isClearlyBetter(problem, chip, flat);
+    boolean is = flies(chip) && isClearlyBetter(data(problem), chip, flat);
     if (explains(chip)) {
       return is;
     }
@@ -96,10 +96,11 @@ public final class KickFitter {
         break;
       }
       boolean flies = flies(hopping);
-      if (flies && squares(part, hopping) < SURELY * squares(part, sliding)) {
+      FlightData data = data(part);
+      if (flies && squares(hopping, data) < SURELY * squares(sliding, data)) {
         return true;
       }
-      is = flies && isClearlyBetter(part, hopping, sliding);
+      is = flies && isClearlyBetter(data, hopping, sliding);
       if (explains(sliding) || flies && explains(hopping)) {
         return is;
       }
@@ -111,14 +112,16 @@ public final class KickFitter {
     return fit.failure().isEmpty() && fit.statistics().explained();
   }
 
-  private boolean isClearlyBetter(FitProblem problem, KickFit chip, KickFit flat) {
-    FlightData data = FlightData.of(problem.kick().observations(), problem.cameras());
+  private static FlightData data(FitProblem problem) {
+    return FlightData.of(problem.kick().observations(), problem.cameras());
+  }
+
+  private boolean isClearlyBetter(FlightData data, KickFit chip, KickFit flat) {
     return loss(chip, data) < CLEARLY * loss(flat, data);
   }
 
   /** Sum of squares, outliers included. */
-  private static double squares(FitProblem problem, KickFit fit) {
-    FlightData data = FlightData.of(problem.kick().observations(), problem.cameras());
+  private static double squares(KickFit fit, FlightData data) {
     double sum = 0;
     for (int i = 0; i < data.size; i++) {
       sum += data.squared(i, fit.residualX(i), fit.residualY(i));
