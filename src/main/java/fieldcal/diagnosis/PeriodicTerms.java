@@ -19,6 +19,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.LUDecomposition;
@@ -31,8 +32,11 @@ import org.apache.commons.math3.linear.SingularMatrixException;
  * spaced times by least squares); a search then decides about them as about any other term.
  */
 final class PeriodicTerms {
-  /** Shortest period, s: four of the blocks of 50 ms over which residuals are averaged. */
-  private static final double SHORTEST = 0.2;
+  /** Longest time over which residuals are averaged, s. */
+  private static final double BLOCK = 0.05;
+
+  /** Shortest period, s: four blocks, where averaging leaves nine tenths of a sine. */
+  private static final double SHORTEST = 4 * BLOCK;
 
   /** Frequencies for each that a session can tell from the next: the highest of them is at most an eighth from the peak, where a sine explains 95 %. */
   private static final double OVERSAMPLING = 4;
@@ -51,29 +55,71 @@ final class PeriodicTerms {
 
   private static final int JUMP = 4;
 
-  /** Whitened residuals of one camera with what they would be for a unit of an error. */
-  private static final class Series {
-    private final List<double[]> rows = new ArrayList<>();
+  /** Sums over residuals that are close in time. */
+  private static final class Block {
+    private final double end;
+    private double times;
+    private int size;
 
-    /** Time, s; residual; response to the error. */
+    /** Residual times response, which is what a least-squares fit of a constant needs beside its weight. */
+    private double products;
+
+    /** Squared response. */
+    private double weight;
+
+    Block(double start) {
+      end = start + BLOCK;
+    }
+
+    boolean reaches(double time) {
+      return time < end && time >= end - BLOCK;
+    }
+
     void add(double time, double residual, double response) {
-      rows.add(new double[] {time, residual, response});
+      times += time;
+      products += residual * response;
+      weight += response * response;
+      size++;
+    }
+
+    /** Mean of its times, s. */
+    double time() {
+      return times / size;
+    }
+  }
+
+  /** Whitened residuals of one camera with what they would be for a unit of an error, summed over blocks that are short for any period. */
+  private static final class Series {
+    private final List<Block> blocks = new ArrayList<>();
+    private double squares;
+    private int size;
+
+    /** Time, s, later than those before within a kick; residual; response to the error. */
+    void add(double time, double residual, double response) {
+      Block last = blocks.isEmpty() ? null : blocks.get(blocks.size() - 1);
+      if (last == null || !last.reaches(time)) {
+        last = new Block(time);
+        blocks.add(last);
+      }
+      last.add(time, residual, response);
+      squares += residual * residual;
+      size++;
     }
 
     /** What the best sine of a frequency takes off chi-square, for frequencies from {@code step} on. */
     double[] powers(double step, int count) {
-      int n = rows.size();
+      int n = blocks.size();
       double[] cos = new double[n];
       double[] sin = new double[n];
       double[] turnCos = new double[n];
       double[] turnSin = new double[n];
-      double[] residual = new double[n];
-      double[] response = new double[n];
+      double[] product = new double[n];
+      double[] weight = new double[n];
       for (int i = 0; i < n; i++) {
-        double[] row = rows.get(i);
-        double angle = 2 * Math.PI * step * row[0];
-        residual[i] = row[1];
-        response[i] = row[2];
+        Block block = blocks.get(i);
+        double angle = 2 * Math.PI * step * block.time();
+        product[i] = block.products;
+        weight[i] = block.weight;
         turnCos[i] = Math.cos(angle);
         turnSin[i] = Math.sin(angle);
         cos[i] = 1;
@@ -90,13 +136,11 @@ final class PeriodicTerms {
           double s = sin[i] * turnCos[i] + cos[i] * turnSin[i];
           cos[i] = c;
           sin[i] = s;
-          double a = response[i] * c;
-          double b = response[i] * s;
-          cc += a * a;
-          cs += a * b;
-          ss += b * b;
-          rc += residual[i] * a;
-          rs += residual[i] * b;
+          cc += weight[i] * c * c;
+          cs += weight[i] * c * s;
+          ss += weight[i] * s * s;
+          rc += product[i] * c;
+          rs += product[i] * s;
         }
         double determinant = cc * ss - cs * cs;
         powers[f] =
@@ -111,12 +155,12 @@ final class PeriodicTerms {
       double[] values = new double[size];
       double[][] information = new double[size][size];
       double[] gradient = new double[size];
-      for (double[] row : rows) {
-        basis.values(row[0], 0, values);
+      for (Block block : blocks) {
+        basis.values(block.time(), 0, values);
         for (int a = 0; a < size; a++) {
-          gradient[a] += row[1] * row[2] * values[a];
+          gradient[a] += block.products * values[a];
           for (int b = 0; b < size; b++) {
-            information[a][b] += row[2] * row[2] * values[a] * values[b];
+            information[a][b] += block.weight * values[a] * values[b];
           }
         }
       }
@@ -151,17 +195,17 @@ final class PeriodicTerms {
     Map<Integer, Seen> seen = new TreeMap<>();
     arena.cameras().forEach(c -> seen.put(c.id(), new Seen()));
     SampledSearch.sample(model.kickCount()).forEach(k -> add(model, k, sessionStart, seen));
-    List<LearnedTerm> all = new ArrayList<>();
-    seen.forEach(
-        (camera, s) -> {
-          basis(SWING, List.of(s.x, s.y))
-              .map(b -> LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, b, camera))
-              .ifPresent(f -> all.add(f.absent()));
-          basis(JUMP, List.of(s.along))
-              .map(b -> LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, b, camera))
-              .ifPresent(f -> all.add(f.absent()));
-        });
-    return all;
+    return seen.entrySet().parallelStream().flatMap(e -> terms(e.getKey(), e.getValue())).toList();
+  }
+
+  private static Stream<LearnedTerm> terms(int camera, Seen seen) {
+    Stream<LearnedFamily> shift =
+        basis(SWING, List.of(seen.x, seen.y)).stream()
+            .map(b -> LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, b, camera));
+    Stream<LearnedFamily> late =
+        basis(JUMP, List.of(seen.along)).stream()
+            .map(b -> LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, b, camera));
+    return Stream.concat(shift, late).map(LearnedFamily::absent);
   }
 
   private static void add(FittedModel model, int k, double sessionStart, Map<Integer, Seen> seen) {
@@ -198,12 +242,12 @@ final class PeriodicTerms {
     double squares = 0;
     int n = 0;
     for (Series s : series) {
-      for (double[] row : s.rows) {
-        first = Math.min(first, row[0]);
-        last = Math.max(last, row[0]);
-        squares += row[1] * row[1];
-        n++;
+      for (Block block : s.blocks) {
+        first = Math.min(first, block.time());
+        last = Math.max(last, block.time());
       }
+      squares += s.squares;
+      n += s.size;
     }
     double step = 1 / (OVERSAMPLING * (last - first));
     int count = (int) Math.ceil(1 / SHORTEST / step);
