@@ -16,9 +16,9 @@ rem The same options as in the file fieldcal, which says why.
 set "TUNING=-XX:+UseParallelGC"
 set "HOTONLY=-XX:Tier4InvocationThreshold=100000 -XX:Tier4MinInvocationThreshold=12000 -XX:Tier4CompileThreshold=300000 -XX:Tier4BackEdgeThreshold=800000"
 if "%~1"=="console" set "TUNING=-XX:+UseParallelGC -Xmx512m"
-if "%~1"=="diagnose" set "TUNING=%HOTONLY% -XX:+UseSerialGC -Xmx1g -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
-if "%~1"=="twin" set "TUNING=%HOTONLY% -XX:+UseSerialGC -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
-if "%~1"=="compare" set "TUNING=%HOTONLY% -XX:+UseSerialGC -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
+if "%~1"=="diagnose" set "TUNING=%HOTONLY% -XX:+UseSerialGC -Xms96m -Xmx1g -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
+if "%~1"=="twin" set "TUNING=%HOTONLY% -XX:+UseSerialGC -Xms96m -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
+if "%~1"=="compare" set "TUNING=%HOTONLY% -XX:+UseSerialGC -Xms96m -XX:MinHeapFreeRatio=20 -XX:MaxHeapFreeRatio=40"
 
 "%JAVA%" %TUNING% -Xshare:auto -Dfile.encoding=UTF-8 -Dsun.stdout.encoding=UTF-8 -Dsun.stderr.encoding=UTF-8 ^
   -Djava.awt.headless=true %FIELDCAL_JAVA_OPTS% -cp "%LIB%\*" fieldcal.app.cli.Main %*
