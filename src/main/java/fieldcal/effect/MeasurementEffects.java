@@ -163,6 +163,23 @@ public final class MeasurementEffects {
     return last;
   }
 
+  /**
+   * Whether all cameras' time stamps have the same errors, so that {@link #lastBallTime} is the same.
+   *
+   * @param other for the same cameras
+   * @return false also where that cannot be told
+   */
+  public boolean isAsLateAs(MeasurementEffects other) {
+    if (!late && !other.late) {
+      return true;
+    }
+    boolean same = views.length == other.views.length;
+    for (int i = 0; i < views.length && same; i++) {
+      same = views[i].id == other.views[i].id && views[i].isAsLateAs(other.views[i]);
+    }
+    return same;
+  }
+
   private static double ballTime(
       View view, Sightings seen, int i, double sessionStart, double speed) {
     double t = seen.stamp[i];

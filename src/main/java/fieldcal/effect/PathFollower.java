@@ -7,6 +7,7 @@ final class PathFollower {
   private final double kickX;
   private final double kickY;
   private int piece;
+  private double time;
   private double x;
   private double y;
   private double z;
@@ -19,6 +20,7 @@ final class PathFollower {
   }
 
   void goTo(double t) {
+    time = t;
     if (t < kickTime || path.count() == 0) {
       x = kickX;
       y = kickY;
@@ -39,6 +41,11 @@ final class PathFollower {
     }
     int at = path.indexAt(t, piece);
     return path.groundSpeed(at, path.share(at, t));
+  }
+
+  /** When it is there, s. */
+  double time() {
+    return time;
   }
 
   double x() {

@@ -18,6 +18,9 @@ public final class Reports {
   /** Where the ball was, x, y and z of each sighting, m; null as long as nobody asks. */
   private double[] balls;
 
+  /** When it was there, s; NaN where that depends on how fast it was. */
+  private double[] times;
+
   /** By how much reported x, and y, move with the ball's x, y and z (–). */
   private double[] slopes;
 
@@ -78,7 +81,11 @@ public final class Reports {
     }
     PathFollower ball = near.follower();
     for (int i = 0; i < seen.size(); i++) {
-      effects.goTo(seen, i, ball, sessionStart);
+      if (Double.isNaN(times[i])) {
+        effects.goTo(seen, i, ball, sessionStart);
+      } else {
+        ball.goTo(times[i]);
+      }
       double dx = ball.x() - balls[3 * i];
       double dy = ball.y() - balls[3 * i + 1];
       double dz = ball.z() - balls[3 * i + 2];
@@ -91,12 +98,15 @@ public final class Reports {
 
   private void prepare() {
     balls = new double[3 * seen.size()];
+    times = new double[seen.size()];
     slopes = new double[6 * seen.size()];
     double[] at = new double[3];
     double[] moved = new double[2];
     PathFollower ball = path.follower();
     for (int i = 0; i < seen.size(); i++) {
       View view = effects.goTo(seen, i, ball, sessionStart);
+      boolean fixed = view == null || !view.dependsOnSpeed();
+      times[i] = fixed ? ball.time() : Double.NaN;
       at[0] = ball.x();
       at[1] = ball.y();
       at[2] = ball.z();

@@ -128,6 +128,11 @@ final class View {
     return timings.length > 0;
   }
 
+  /** Whether the time stamps have the same error. */
+  boolean isAsLateAs(View other) {
+    return Arrays.equals(timings, other.timings);
+  }
+
   /** Where a ball is reported: x and y into two places of {@code ground} from {@code at} on; the stamp since the beginning of the session, s, NaN = unknown. */
   void report(double ballX, double ballY, double ballZ, double stamp, double[] ground, int at) {
     project(ballX, ballY, ballZ, ground, at);

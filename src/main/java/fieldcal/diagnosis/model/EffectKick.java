@@ -343,7 +343,7 @@ public final class EffectKick implements KickTerm<ModelState> {
 
     private double lastBallTime(ModelState there) {
       MeasurementEffects cameras = there.measurement();
-      return cameras == state.measurement()
+      return cameras.isAsLateAs(state.measurement())
           ? Double.NEGATIVE_INFINITY
           : cameras.lastBallTime(record.blockSightings, sessionStart);
     }
