@@ -26,10 +26,12 @@ public enum DecodingProblem implements ProblemKind {
   NON_FINITE_ROBOT("a robot's position is NaN or infinite; it is skipped"),
   /** A robot is farther out than {@link VisionDecoder#MAX_COORDINATE} or its number beyond {@link VisionDecoder#MAX_ROBOT_NUMBER}. */
   IMPOSSIBLE_ROBOT(
-      "robot of an impossible number or more than 100 m from the field's centre; skipped"),
+      "a robot has an impossible number, or is more than 100 m from the field's centre; it is"
+          + " skipped"),
   /** A secondary value (height, orientation, pixel, confidence) is NaN or infinite. */
   NON_FINITE_DETAIL(
-      "detection with a NaN or infinite height, orientation, pixel or confidence; value ignored"),
+      "a detection has a NaN or infinite height, orientation, pixel or confidence; the value is"
+          + " ignored"),
   /** The geometry lacks the field's size, or a size is not positive. */
   BAD_FIELD_SIZE("a geometry has no usable field size; it is skipped"),
   /** A line or an arc of the field is incomplete or not finite. */

@@ -10,6 +10,7 @@ import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.ball.FlatTrajectory;
 import fieldcal.fit.CameraNoise;
+import fieldcal.fit.Estimate;
 import fieldcal.fit.FitSettings;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
@@ -36,12 +37,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NoiseAddedTest {
   private static CollectedKicks recorded;
 
+  private static CollectedKicks read(String name) throws IOException {
+    Path data = Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data");
+    return new KickCollector((log, read, total) -> {}).collect(List.of(data.resolve(name)));
+  }
+
   @BeforeAll
   static void read() throws IOException {
-    Path data = Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data");
-    recorded =
-        new KickCollector((log, read, total) -> {})
-            .collect(List.of(data.resolve("grsim-flat.log.gz")));
+    recorded = read("grsim-flat.log.gz");
   }
 
   private static Kick noisy(Kick kick, double noise, Random random) {
@@ -75,6 +78,11 @@ class NoiseAddedTest {
   }
 
   private static Calibration calibrate(List<Kick> kicks, Optional<KickKind> kind) {
+    return calibrate(recorded, kicks, kind);
+  }
+
+  private static Calibration calibrate(
+      CollectedKicks recorded, List<Kick> kicks, Optional<KickKind> kind) {
     return new Calibrator(FitSettings.defaults())
         .calibrate(
             new CalibrationProblem(
@@ -154,5 +162,22 @@ class NoiseAddedTest {
     if (noise < CameraNoise.FLOOR) {
       assertThat(c.kicks()).anyMatch(k -> k.fit().statistics().lackOfFit() > 0);
     }
+  }
+
+  /** Its dampingZ was 0.358 ± 0.023 by the joint fit beside a mean of 0.491. The friction that also brakes a flying ball is not in the model. */
+  @Test
+  void theJointFitOfChipsAgreesWithTheirMeanWhereTheModelIsWrong() throws IOException {
+    CollectedKicks chips = read("grsim-ball-chip.log.gz");
+    Calibration c = calibrate(chips, chips.kicks(), Optional.empty());
+    assertThat(c.kicks()).hasSize(10).allMatch(CalibratedKick::selected);
+    c.chip()
+        .forEach(
+            (name, mean) -> {
+              Estimate joint = c.joint().orElseThrow().chip(name).orElseThrow();
+              double errors = 3 * Math.hypot(mean.standardError(), joint.standardError());
+              assertThat(joint.value()).as(name).isEqualTo(mean.mean(), within(errors));
+              assertThat(joint.value() / mean.mean()).as(name).isEqualTo(1, within(0.02));
+            });
+    assertThat(c.chip().get("dampingZ").mean()).isEqualTo(0.491, within(0.005));
   }
 }

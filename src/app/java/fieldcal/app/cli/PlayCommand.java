@@ -390,6 +390,7 @@ final class PlayCommand implements Callable<Integer> {
   }
 
   private void checkRanges() {
+    OptionRange.check("--kicks", kicks, 1, SessionRequest.MOST_KICKS, "");
     OptionRange.check("--speed-min", speedMin, SLOWEST, FASTEST, " m/s");
     OptionRange.check("--speed-max", speedMax, SLOWEST, FASTEST, " m/s");
     OptionRange.check("--elevation", elevation, 0, STEEPEST, "°");

@@ -73,13 +73,13 @@ final class PlayDesk {
     Predicate<Path> its =
         log -> log.getFileName().toString().startsWith("session-") && !before.contains(log);
     if (order.network().isPresent()) {
-      begin(
-          new PlaySession(request, open(order.network().get()), this::tell), its, Optional.empty());
+      PlayField open = open(order.network().get());
+      begin(new PlaySession(request, open, s -> tell(s, open)), its, Optional.empty());
     } else {
       int earlier = PlayRun.logs(directory.path()).size();
       InteractiveField field = field(order.request(), earlier * BETWEEN_SESSIONS);
       PlayField open = new EmbeddedPlayField(field, order.pace());
-      begin(new PlaySession(request, open, this::tell), its, Optional.of(field));
+      begin(new PlaySession(request, open, s -> tell(s, open)), its, Optional.of(field));
     }
   }
 
@@ -128,7 +128,7 @@ final class PlayDesk {
     }
   }
 
-  private void tell(SessionSnapshot snapshot) {
+  private void tell(SessionSnapshot snapshot, PlayField field) {
     long now = System.nanoTime();
     String phase = snapshot.state().phase().name() + snapshot.paused();
     boolean news =
@@ -140,6 +140,7 @@ final class PlayDesk {
       toldKicks = snapshot.kicks().size();
       toldPhase = phase;
       ObjectNode node = PlayDrawing.snapshot(snapshot);
+      field.complaints().forEach(node.putArray("complaints")::add);
       last = Optional.of(node);
       events.tell("play", node.toString());
     }

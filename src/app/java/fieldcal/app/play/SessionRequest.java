@@ -45,6 +45,9 @@ public record SessionRequest(
     Optional<Double> margin,
     Optional<Path> directory) {
 
+  /** More kicks than a day of field time has room for; chosen. */
+  public static final int MOST_KICKS = 1000;
+
   /**
    * Checks the parts. {@inheritDoc}
    *
@@ -57,8 +60,9 @@ public record SessionRequest(
     Objects.requireNonNull(limits, "limits");
     Objects.requireNonNull(margin, "margin");
     Objects.requireNonNull(directory, "directory");
-    if (kicks < 1 || kicks > 1000) {
-      throw new IllegalArgumentException("kicks must lie in [1, 1000], but are " + kicks);
+    if (kicks < 1 || kicks > MOST_KICKS) {
+      throw new IllegalArgumentException(
+          "kicks must lie in [1, " + MOST_KICKS + "], but are " + kicks);
     }
     if (!(precision >= 0 && precision < 1)) {
       throw new IllegalArgumentException("precision must lie in [0, 1), but is " + precision);

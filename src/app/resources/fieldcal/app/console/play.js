@@ -109,6 +109,7 @@ export function playPage(app) {
       rows.push(el('p', {id: 'play-line'}, el('b', {}, now.good + ' of ' + now.wanted + ' kicks'), ', ' + now.made + ' made' + (now.unjudged ? ', ' + now.unjudged + ' being fitted' : '') + ' · ' + number(now.time, 0) + ' s'), el('progress', {max: now.wanted, value: now.good}));
       rows.push(el('p', {id: 'play-phase'}, now.paused ? badge('warn', '❙❙ paused') : badge(now.over ? (now.good >= now.wanted ? 'good' : 'warn') : 'good', now.phase), now.nextSpeed && !now.over ? ' next: ' + number(now.nextSpeed, 1) + ' m/s' : ''));
       if (now.waiting) rows.push(el('p', {class: 'notice warn', id: 'play-waiting'}, now.waiting));
+      if (now.complaints.length) rows.push(el('div', {class: 'note', id: 'play-complaints'}, now.complaints.map(c => el('p', {}, '⚠ ' + c))));
       if (now.model.length) rows.push(table([['So far', true], ['Mean ± s.e.'], ['n']], now.model.map(m => el('tr', {}, el('td', {class: 'text wrap'}, m.words), el('td', {class: 'big'}, withError(m.mean, m.error)), el('td', {}, m.n)))));
       if (now.over && !play().running) rows.push(el('p', {class: 'note'}, 'The recording is part of the session now: see ', el('a', {href: '#kicks'}, 'Kicks'), '.'));
     } else if (!play().running) rows.push(el('p', {class: 'note'}, 'Two robots kick the ball to each other until there are enough good kicks. Everything is recorded into the session.'));

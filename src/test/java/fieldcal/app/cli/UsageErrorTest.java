@@ -144,6 +144,7 @@ class UsageErrorTest {
       value = {
         "calibrate x.log --seed x | 'x' is not a whole number",
         "simulate --scenario flat --kicks 0 --out x.log | --kicks must be 1 or more, but is 0",
+        "play --sim --kind flat --kicks 0 | --kicks must be 1 to 1000, but is 0",
         "play --sim --kind flat --kicks 3 --precision 0 | --precision must be above 0 %",
         "play --sim --kind flat --kicks 3 --precision x | 'x' is not a number",
       })

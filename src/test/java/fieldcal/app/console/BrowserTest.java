@@ -307,6 +307,13 @@ class BrowserTest {
       browser.click("#confirm");
       browser.awaitGone("#play-abort");
       browser.awaitText("#play-waiting", "the operator ended it");
+      // What the simulator complains of is shown, too.
+      browser.type("#order-second", "blue9");
+      browser.click("#play-start");
+      browser.awaitText("#play-complaints", "simulator: there is no robot blue 9");
+      browser.click("#play-abort");
+      browser.click("#confirm");
+      browser.awaitGone("#play-abort");
     }
   }
 

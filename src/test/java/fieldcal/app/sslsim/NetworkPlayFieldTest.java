@@ -313,6 +313,41 @@ class NetworkPlayFieldTest {
     assertThat(heard).containsExactly(100.0, 100.5);
   }
 
+  /** Sends one frame, and waits until it is heard. */
+  private static void hearOneFrame(NetworkPlayField field, NetworkPlace vision) throws IOException {
+    AtomicBoolean heard = new AtomicBoolean();
+    VisionFrame frame = new VisionFrame(0, 1, 5, 5, Double.NaN, List.of(), List.of());
+    byte[] packet = new VisionEncoder(field.epoch()).encode(VisionPacket.of(frame));
+    try (DatagramSocket socket = new DatagramSocket()) {
+      socket.send(new DatagramPacket(packet, packet.length, vision.address()));
+    }
+    for (int i = 0; i < 200 && !heard.get(); i++) {
+      field.next((time, received, payload) -> heard.set(true));
+    }
+    assertThat(heard).isTrue();
+  }
+
+  /** A calibration after the play takes seconds, in which nobody listens. */
+  @Test
+  void theTimeAfterThePlayIsNoSilenceOfVision() throws Exception {
+    NetworkPlace one = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    NetworkPlace other = NetworkPlace.parse("127.0.0.1:" + freePort(), null);
+    try (NetworkPlayField playing =
+            new NetworkPlayField("127.0.0.1", freePorts(), one, Optional.empty());
+        NetworkPlayField ended =
+            new NetworkPlayField("127.0.0.1", freePorts(), other, Optional.empty())) {
+      hearOneFrame(playing, one);
+      hearOneFrame(ended, other);
+      PlayField over = ended;
+      over.close();
+      Thread.sleep(2100);
+      assertThat(String.join("\n", playing.notes())).contains("SILENT for 2 s");
+      assertThat(String.join("\n", ended.notes()))
+          .contains("vision: 1 packets, 0 dropped")
+          .doesNotContain("SILENT");
+    }
+  }
+
   @Test
   void aTakenPortAndAnUnknownHostAreSaidInOneLine() throws Exception {
     SimulatorPorts ports = freePorts();

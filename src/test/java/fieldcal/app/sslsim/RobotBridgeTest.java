@@ -23,6 +23,7 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.SocketTimeoutException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -217,16 +218,19 @@ class RobotBridgeTest {
     }
   }
 
-  /** The documented bridge, run as it is. */
-  @Test
-  void theExampleUnderstandsWhatIsSentAndStopsByItself() throws Exception {
+  /** The documented bridge, run as it is, with a client that commands it. */
+  private interface Visit {
+    void of(int port, BridgeClient client, BufferedReader said) throws Exception;
+  }
+
+  private static void withTheExample(Visit visit) throws Exception {
     Path example = Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "bridge.py");
     int port = freePort();
     Process process;
     try {
       process =
           new ProcessBuilder("python3", example.toString(), Integer.toString(port))
-              .redirectError(ProcessBuilder.Redirect.INHERIT)
+              .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
     } catch (IOException e) {
       assumeTrue(false, "no python3 here");
@@ -236,28 +240,84 @@ class RobotBridgeTest {
             new BridgeClient("127.0.0.1", port, FIRST, SECOND, System::nanoTime);
         BufferedReader said = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
       assertThat(client.hold()).isPresent();
-      RobotCommand command = SimulatorClient.command(11, 0.5, -0.25, 1.5, 4, Math.PI / 4, true);
-      for (int i = 0; i < 500 && client.hold().isPresent(); i++) {
-        client.robots(Team.YELLOW, List.of(command));
-        Thread.sleep(10);
-        client.listen();
-      }
-      assertThat(client.hold()).isEmpty();
-      assertThat(client.complaints()).isEmpty();
-      assertThat(said.readLine())
-          .isEqualTo(
-              "robot 11: forward 0.500, left -0.250, angular 1.500, kick 4.000, angle 45.000,"
-                  + " dribbler 3000.000");
-      String line = said.readLine();
-      while (!line.contains("forward 0.000")) {
-        line = said.readLine();
-      }
-      assertThat(line).startsWith("robot 11").contains("kick 0.000");
-      client.listen();
-      Thread.sleep(350);
-      assertThat(client.hold().orElseThrow()).contains("does not answer");
+      visit.of(port, client, said);
     } finally {
       process.destroyForcibly();
     }
+  }
+
+  /** Commands robots until the example answers. */
+  private static void command(BridgeClient client, int... robots) throws Exception {
+    List<RobotCommand> commands =
+        Arrays.stream(robots)
+            .mapToObj(r -> SimulatorClient.command(r, 0.5, -0.25, 1.5, 4, Math.PI / 4, true))
+            .toList();
+    for (int i = 0; i < 500 && client.hold().isPresent(); i++) {
+      client.robots(Team.YELLOW, commands);
+      Thread.sleep(10);
+      client.listen();
+    }
+    assertThat(client.hold()).isEmpty();
+    assertThat(client.complaints()).isEmpty();
+  }
+
+  private static String stopOf(int robot, BufferedReader said) throws IOException {
+    String line = said.readLine();
+    while (line != null
+        && !(line.startsWith("robot " + robot + ":") && line.contains("forward 0.000"))) {
+      line = said.readLine();
+    }
+    return line;
+  }
+
+  @Test
+  void theExampleUnderstandsWhatIsSentAndStopsByItself() throws Exception {
+    withTheExample(
+        (port, client, said) -> {
+          command(client, 11);
+          assertThat(said.readLine())
+              .isEqualTo(
+                  "robot 11: forward 0.500, left -0.250, angular 1.500, kick 4.000, angle 45.000,"
+                      + " dribbler 3000.000");
+          assertThat(stopOf(11, said)).contains("left 0.000", "angular 0.000", "kick 0.000");
+          client.listen();
+          Thread.sleep(350);
+          assertThat(client.hold().orElseThrow()).contains("does not answer");
+        });
+  }
+
+  /** Somebody else's packets, and commands for the other robot, keep no robot driving. */
+  @Test
+  void theExampleStopsARobotThatIsNotCommandedWhateverElseIsSent() throws Exception {
+    withTheExample(
+        (port, client, said) -> {
+          command(client, 3, 11);
+          CompletableFuture<String> stopped =
+              CompletableFuture.supplyAsync(
+                  () -> {
+                    try {
+                      return stopOf(11, said);
+                    } catch (IOException e) {
+                      throw new AssertionError(e);
+                    }
+                  },
+                  THREADS);
+          try (DatagramSocket stranger = new DatagramSocket()) {
+            for (int i = 0; i < 200 && !stopped.isDone(); i++) {
+              for (byte[] packet : new byte[][] {{}, {-1}, {10, 2, 8, 11}, {8, 1}, {13, 0, 0}}) {
+                stranger.send(
+                    new DatagramPacket(
+                        packet, packet.length, InetAddress.getLoopbackAddress(), port));
+              }
+              client.robots(
+                  Team.YELLOW, List.of(SimulatorClient.command(3, 0.5, 0, 0, 0, 0, false)));
+              Thread.sleep(10);
+              client.listen();
+            }
+          }
+          assertThat(stopped).succeedsWithin(1, TimeUnit.SECONDS);
+          // The other one is still commanded, and the bridge still answers.
+          assertThat(client.hold()).isEmpty();
+        });
   }
 }
