@@ -3,6 +3,8 @@ package fieldcal.diagnosis;
 import fieldcal.diagnosis.NamedSearch.Found;
 import fieldcal.diagnosis.model.Effort;
 import fieldcal.diagnosis.model.FittedModel;
+import fieldcal.diagnosis.model.KickRecord;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectCatalogue;
@@ -74,15 +76,42 @@ public final class Diagnoser {
     Decider decider = new Decider(search, trace, failed, told);
     Found found = found(screened, search, failed, told);
     told.stage("weighing the explanations");
-    Decided first = decider.decide(found.at(), found.model());
+    Decided all = decider.decide(found.at(), found.model());
+    Decided first =
+        failed.guarded(
+            "the decision without strays",
+            all,
+            () -> withoutStrays(all, found.model(), decider, told));
     Selection selection = new Selection(search, decider, trace);
     Decided decided =
         failed.guarded(
-            "the second decision", first, () -> decidedAgain(first, found, selection, told));
+            "the second decision",
+            first,
+            () -> {
+              Decided again = decidedAgain(first, found, selection, told);
+              return again == first ? first : withoutStrays(again, again.model(), decider, told);
+            });
     if (effort.isSpent()) {
       failed.add("the search ended at its limit of work, so that not everything was tried");
     }
     return answer(decided).diagnosis(trace, failed.problems());
+  }
+
+  /**
+   * What is decided without the few kicks that stand out while all others are explained. That may take a curve: then the search among the named effects could not tell them.
+   *
+   * @param begin the model to decide about
+   */
+  private static Decided withoutStrays(
+      Decided decided, FittedModel begin, Decider decider, DiagnosisProgress told) {
+    List<KickRecord> kept = decided.screened().screen().withoutStrays(decided.model());
+    if (kept.size() == decided.model().kickCount()) {
+      return decided;
+    }
+    told.stage("weighing again without the kicks that stand out");
+    DiagnosisCase others =
+        decided.screened().refitted(kept.stream().map(KickRecord::asSeen).toList());
+    return decider.decide(others, others.fit(begin, Weighing.EXPLAINED_FIRST));
   }
 
   /** Where much is left: what the flat kicks show by themselves, or else what is selected by prediction. */

@@ -113,6 +113,17 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
+   * How well one kick is explained, against the noise of the cameras alone.
+   *
+   * @param kick index
+   * @return what {@link #reduced(int)} would be if the kick had not been given more noise
+   */
+  public double reducedAsSeen(int kick) {
+    double times = kick(kick).record().timesNoise();
+    return reduced(kick) * times * times;
+  }
+
+  /**
    * Chi-square for each degree of freedom, against the noise of the cameras alone.
    *
    * @return about 1 where the model is right, whatever noise the kicks were given

@@ -124,7 +124,7 @@ public final class KickScreen {
   private static double median(FittedModel at) {
     double[] reduced = new double[at.kickCount()];
     for (int k = 0; k < reduced.length; k++) {
-      reduced[k] = at.reduced(k);
+      reduced[k] = at.reducedAsSeen(k);
     }
     Arrays.sort(reduced);
     return reduced[reduced.length / 2];
@@ -261,13 +261,17 @@ public final class KickScreen {
   }
 
   /**
-   * The kicks without the few that stand out while all others are explained: another ball, or one that hit something.
+   * The kicks without the few that stand out while all others are explained, or nearly: another ball, or one that hit something.
    *
    * @param at the model, fitted to the kicks
    * @return the same list when all stay
    */
   public List<KickRecord> withoutStrays(FittedModel at) {
-    return explainsMost(at) ? withoutFew(at) : at.records();
+    if (!explainsMost(at)) {
+      return at.records();
+    }
+    List<KickRecord> few = withoutFew(at);
+    return few.size() < at.kickCount() ? few : withoutDominant(at);
   }
 
   /**
@@ -285,7 +289,7 @@ public final class KickScreen {
   /**
    * The kicks without the few that leave far more than all others together.
    *
-   * @param at the simple model, fitted to the kicks
+   * @param at a model, fitted to the kicks
    * @return the same list where there are none, or more than a few
    */
   public static List<KickRecord> withoutDominant(FittedModel at) {
@@ -303,7 +307,7 @@ public final class KickScreen {
     }
     // Beside kicks that leave nothing, even noise leaves much.
     double most = STANDS_OUT * Math.max(1, median(at));
-    boolean stand = byLeft.subList(0, loud).stream().allMatch(k -> at.reduced(k) > most);
+    boolean stand = byLeft.subList(0, loud).stream().allMatch(k -> at.reducedAsSeen(k) > most);
     if (rest * LOUD > all - rest || !stand) {
       return at.records();
     }
@@ -327,7 +331,7 @@ public final class KickScreen {
   }
 
   private static double left(FittedModel at, int k) {
-    return at.solution().kicks().get(k).rows() * Math.max(0, at.reduced(k) - 1);
+    return at.solution().kicks().get(k).rows() * Math.max(0, at.reducedAsSeen(k) - 1);
   }
 
   private static int mostLeftOut(FittedModel at) {
@@ -338,7 +342,7 @@ public final class KickScreen {
     double median = median(at);
     List<KickRecord> good = new ArrayList<>();
     for (int k = 0; k < at.kickCount(); k++) {
-      if (at.reduced(k) <= 2 * STANDS_OUT * Math.max(1, median)) {
+      if (at.reducedAsSeen(k) <= 2 * STANDS_OUT * Math.max(1, median)) {
         good.add(at.kick(k).record());
       }
     }
