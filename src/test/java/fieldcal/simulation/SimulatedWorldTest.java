@@ -138,7 +138,7 @@ class SimulatedWorldTest {
   void presetsAreTheFieldsTheyClaimToBe(Preset preset) {
     SimulationSettings settings = preset.applyTo(SimulationSettings.DEFAULT);
     assertThat(Preset.of(preset.label())).isEqualTo(preset);
-    double beta = settings.physics().ball().inertiaFactor();
+    double beta = settings.physics().ball().slidingInertiaFactor();
     double kSwitch = (1 + beta * settings.kickBehaviour().rollSpin()) / (1 + beta);
     double accSlide = settings.physics().ground().slidingFriction() * 9.81;
     if (preset == Preset.LAB) {

@@ -135,13 +135,12 @@ final class TwinBuilder {
       notes.add("No chip was recorded: bounces have usual values.");
     }
     return BallPhysics.ideal(
-            flat.accSlide(),
-            roll,
-            flat.kSwitch(),
-            chip.dampingXyFirstHop(),
-            chip.dampingXyOtherHops(),
-            chip.dampingZ())
-        .withGolfBall();
+        flat.accSlide(),
+        roll,
+        flat.kSwitch(),
+        chip.dampingXyFirstHop(),
+        chip.dampingXyOtherHops(),
+        chip.dampingZ());
   }
 
   private Map<String, Spin> scatters() {

@@ -49,7 +49,7 @@ public final class TwinFile {
   /**
    * Writes.
    *
-   * @param twin what to write; its physics must be {@link BallPhysics#withGolfBall} with tabulated laws
+   * @param twin what to write; its physics must be {@linkplain BallPhysics#ideal ideal} with tabulated laws
    * @param file where
    * @throws IOException when it cannot be written
    */
@@ -302,13 +302,12 @@ public final class TwinFile {
     return f.made(
         () ->
             BallPhysics.ideal(
-                    f.number("acc_slide"),
-                    f.number("acc_roll"),
-                    f.number("k_switch"),
-                    f.number("damping_xy_first_hop"),
-                    f.number("damping_xy_other_hops"),
-                    f.number("damping_z"))
-                .withGolfBall());
+                f.number("acc_slide"),
+                f.number("acc_roll"),
+                f.number("k_switch"),
+                f.number("damping_xy_first_hop"),
+                f.number("damping_xy_other_hops"),
+                f.number("damping_z")));
   }
 
   private static EffectSetting cause(Fields f) throws InputException {

@@ -198,7 +198,8 @@ public final class BallIntegrator {
 
   private void settleIntoRolling(BallBody ball) {
     double[] state = ball.state;
-    double share = forces.inertiaFactor() / (1 + forces.inertiaFactor());
+    // What is left of the slip is rounding, and ends as the friction before would have ended it.
+    double share = forces.slidingInertiaFactor() / (1 + forces.slidingInertiaFactor());
     double slipX = forces.slipX(state);
     double slipY = forces.slipY(state);
     state[3] -= share * slipX;

@@ -46,7 +46,7 @@ public record BallPhysics(
   }
 
   /**
-   * A world in which a kick without spin obeys the league's two-phase law exactly and a chip the fixed-loss law: friction and inertia are chosen so that they do.
+   * A world in which a kick without spin obeys the league's two-phase law exactly and a chip the fixed-loss law: friction is chosen so that they do, and the carpet lets a golf ball roll as early or as late as {@code kSwitch} says. Wherever something else turns the ball (an impact, a slope under a rolling ball), its inertia is that of a golf ball, as in the extended model of a diagnosis.
    *
    * @param accSlide acceleration while sliding, m/s², negative
    * @param accRoll acceleration while rolling, m/s², negative
@@ -66,7 +66,7 @@ public record BallPhysics(
       double dampingZ) {
     Check.range("kSwitch", kSwitch, 0.1, 0.99);
     return new BallPhysics(
-        Ball.GOLF_BALL.withInertiaFactor(1 / kSwitch - 1),
+        Ball.GOLF_BALL.withKSwitch(kSwitch),
         GroundLaw.uniform(-accSlide / GRAVITY, -accRoll),
         ImpactLaw.fixedLoss(dampingXyFirstHop, dampingXyOtherHops, dampingZ),
         AirLaw.NONE);
@@ -99,18 +99,6 @@ public record BallPhysics(
    */
   public BallPhysics withBall(Ball newBall) {
     return new BallPhysics(newBall, ground, impact, air, extras, seams);
-  }
-
-  /**
-   * The same laws of a solid golf ball, which the carpet lets roll as early or as late as it rolls now, earlier or later than its own inertia does. The extended model of a diagnosis has the same ball: wherever something else than the carpet's
-   * friction turns it (an impact, a slope under a rolling ball), its inertia is that of a golf ball.
-   *
-   * @return the changed laws
-   */
-  public BallPhysics withGolfBall() {
-    Ball golf = Ball.GOLF_BALL;
-    return withBall(
-        new Ball(golf.mass(), golf.radius(), golf.inertiaFactor(), ball.slidingInertiaFactor()));
   }
 
   /**

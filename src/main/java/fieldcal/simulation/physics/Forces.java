@@ -222,6 +222,10 @@ final class Forces {
     return radius;
   }
 
+  double slidingInertiaFactor() {
+    return slidingBeta;
+  }
+
   double inertiaFactor() {
     return beta;
   }

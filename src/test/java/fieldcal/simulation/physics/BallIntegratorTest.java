@@ -90,6 +90,14 @@ class BallIntegratorTest {
         .isEqualTo(5 * inertiaFactor / (1 + inertiaFactor) / (0.32 * 9.81), within(1e-9));
   }
 
+  /** The carpet decides when it rolls; whatever else turns it finds the golf ball that a diagnosis reckons with. Else spin was diagnosed beside contacts on a field where nothing spins. */
+  @Test
+  void anIdealBallHasTheInertiaOfAGolfBallWheneverItBeginsToRoll() {
+    Ball ball = BallPhysics.ideal(-3.1, -0.28, 0.65, 0.75, 0.95, 0.52).ball();
+    assertThat(ball.inertiaFactor()).isEqualTo(Ball.GOLF_BALL.inertiaFactor());
+    assertThat(ball.kSwitch()).isCloseTo(0.65, within(1e-15));
+  }
+
   @Test
   void aSolidSphereRollsAtFiveSevenths() {
     BallEvent rolls =
