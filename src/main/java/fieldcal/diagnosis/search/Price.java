@@ -12,7 +12,7 @@ import java.util.List;
  */
 record Price(Weighing weighing) {
   /**
-   * Penalty of a component. By noise alone the best of a hundred independent columns gains 13 in one of a hundred recordings (the 99 % quantile of the largest of a hundred chi-square variables is 15). With the penalty of one coordinate this is 14; the search may be generous, since the decision judges
+   * Penalty of a component; with one coordinate it must gain 14. Noise lets the best of a hundred independent columns gain 15 in one of a hundred recordings (the 99 % quantile of the largest of a hundred chi-square variables). The search may be generous, since the decision judges
    * again.
    */
   private static final double PENALTY = 8;
