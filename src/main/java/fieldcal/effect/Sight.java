@@ -94,7 +94,7 @@ public final class Sight {
   }
 
   /**
-   * Moves both the true camera and the one with which vision reckons: what is published is neither.
+   * Moves both the true camera and the one with which vision computes: for errors where vision is right about its camera and publishes another position.
    *
    * @param dx m
    * @param dy m

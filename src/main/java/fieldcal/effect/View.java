@@ -24,7 +24,7 @@ final class View {
   private final Refraction[] refractions;
   private final Displacement[] displacements;
 
-  /** Where vision believes the camera, m. */
+  /** Where vision believes the camera to be, m. */
   private double believedX;
 
   private double believedY;

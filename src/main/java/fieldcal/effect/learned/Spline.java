@@ -80,7 +80,7 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
     }
   }
 
-  /** Where the B-spline of a knot is not zero; it is constant beyond the ends of the range, so that one which is not zero there reaches on. */
+  /** Where the B-spline of a knot is not zero. Splines are constant beyond the ends of the range, so one that is not zero at an end has no bound there. */
   double[] support(int knot) {
     double spacing = (to - from) / (knots - 1);
     double begin = from + (knot - 2) * spacing;
