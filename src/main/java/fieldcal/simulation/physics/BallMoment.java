@@ -54,9 +54,9 @@ public final class BallMoment {
   }
 
   /**
-   * Velocity, at an impact that before it.
+   * Velocity; at an impact, the one before it.
    *
-   * @return m/s
+   * @return upwards, m/s
    */
   public double vz() {
     return vz;
@@ -74,7 +74,7 @@ public final class BallMoment {
   /**
    * Direction of travel.
    *
-   * @return rad, 0 at standstill
+   * @return rad, 0 = along x, counter-clockwise; 0 at standstill
    */
   public double heading() {
     return Math.atan2(vy, vx);
@@ -126,7 +126,7 @@ public final class BallMoment {
   }
 
   /**
-   * Which impact comes next since the ball was launched last; at an impact, which it is.
+   * Number of the next impact since the ball was launched last; at an impact, its own number.
    *
    * @return 1 = the first
    */

@@ -24,7 +24,7 @@ public record BallPhysics(
   /** Acceleration of free fall, m/s². */
   public static final double GRAVITY = 9.81;
 
-  /** A carpet and ball as measured at tournaments of 2026 in an ideal world: −3.1, −0.28 m/s², 0.65; 0.75, 0.95, 0.52. */
+  /** The league's models with typical values of tournaments of 2026: accSlide −3.1 m/s², accRoll −0.28 m/s², kSwitch 0.65; e_xy1 0.75, e_xy 0.95, e_z 0.52. */
   public static final BallPhysics IDEAL = ideal(-3.1, -0.28, 0.65, 0.75, 0.95, 0.52);
 
   /** Copies the lists. {@inheritDoc} */
@@ -102,8 +102,8 @@ public record BallPhysics(
   }
 
   /**
-   * The same laws of a solid golf ball, which the carpet lets roll as early or as late as it rolls now, earlier or later than its own inertia does. The extended model of a diagnosis has the same ball: wherever something else than the carpet's
-   * friction turns it (an impact, a slope under a rolling ball), its inertia is that of a golf ball.
+   * The same laws with a solid golf ball that begins to roll at the same speed as the present ball. The extended model of a diagnosis has the same ball: wherever something other than the friction of a sliding ball
+   * turns it (an impact, a slope under a rolling ball), its inertia is that of a golf ball.
    *
    * @return the changed laws
    */

@@ -63,7 +63,7 @@ public record RobotLimits(
   /**
    * Checks the ranges. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when a limit is not positive or a share not in [0, 0.95] (or NaN)
+   * @throws IllegalArgumentException when a limit is not in (0, 1000) or a coefficient is not in [0, 0.95] (or NaN)
    */
   public RobotLimits {
     Objects.requireNonNull(shape, "shape");
@@ -176,9 +176,9 @@ public record RobotLimits(
   }
 
   /**
-   * The part of acceleration and braking that is there in one direction.
+   * The factor on acceleration and braking in a direction.
    *
-   * @param phi against the robot's front, rad
+   * @param phi angle from the robot's front, rad
    * @return 1 − directionality … 1
    */
   public double directionFactor(double phi) {

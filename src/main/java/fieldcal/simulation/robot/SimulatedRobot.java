@@ -23,7 +23,7 @@ public final class SimulatedRobot {
   private double vx;
   private double vy;
 
-  // What it would have if its acceleration changed at once.
+  // // The velocity that it would have if its acceleration changed at once, m/s.
   private double planX;
   private double planY;
   private double angular;
@@ -87,7 +87,7 @@ public final class SimulatedRobot {
   }
 
   /**
-   * Lets its acceleration change evenly from one value to another instead of at once, as with a limited jerk. It then comes to a target a little later than it plans.
+   * Lets its acceleration change evenly from one value to another instead of at once, as with a limited jerk. It then reaches a target a little later than it plans.
    *
    * @param seconds that a change takes, not negative; 0: it changes at once
    */
