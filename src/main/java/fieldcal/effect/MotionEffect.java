@@ -230,8 +230,8 @@ public interface MotionEffect extends Effect {
     /**
      * Whether a place is within.
      *
-     * @param x m
-     * @param y m
+     * @param x x in the field frame, m
+     * @param y y in the field frame, m
      * @return true within
      */
     boolean contains(double x, double y);

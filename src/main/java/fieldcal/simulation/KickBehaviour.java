@@ -58,7 +58,7 @@ public record KickBehaviour(
    * The bias of one robot or of a whole team.
    *
    * @param speed relative excess of speed (–)
-   * @param yaw to the left, rad
+   * @param yaw turn of the direction to the left, rad
    * @param team whose
    * @param number which; empty = all of the team
    */

@@ -52,7 +52,7 @@ public final class EffectKick implements KickTerm<ModelState> {
    *
    * @param record its observations
    * @param model whose random effects the kick has values of
-   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param sessionStart beginning of the session on the kicks' clock, s
    * @param effort to which its paths are added
    */
   public EffectKick(KickRecord record, EffectModel model, double sessionStart, Effort effort) {

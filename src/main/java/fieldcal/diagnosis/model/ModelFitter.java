@@ -30,7 +30,7 @@ public final class ModelFitter {
    * A fitter.
    *
    * @param kicks at least one
-   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param sessionStart beginning of the session on the kicks' clock, s
    * @param effort to which all paths are added
    * @param watcher told of every fit, from the thread that asked for it
    */

@@ -72,7 +72,7 @@ public final class KickScreen {
    *
    * @param noise the cameras with their noise
    * @param simple the simple model, whose ball fits start from
-   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param sessionStart beginning of the session on the kicks' clock, s
    * @param settings of single fits
    */
   public KickScreen(

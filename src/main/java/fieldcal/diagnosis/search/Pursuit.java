@@ -301,7 +301,7 @@ final class Pursuit {
         }
       }
       if (chosen.get(chosen.size() - 1).isPerKick()) {
-        // Values of each kick's own change all equations.
+        // // Values that differ from kick to kick change all equations.
         break;
       }
     }

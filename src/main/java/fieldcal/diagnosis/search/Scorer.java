@@ -155,7 +155,7 @@ final class Scorer {
     return columns.get(c);
   }
 
-  /** What a proposal would gain beside what is swept in, values of each kick's own included. */
+  /** What a proposal would gain beside what is swept in, including its values for each kick. */
   double gain(Proposal p, Sweep at) {
     int[] of = columns(p);
     Component first = p.components().get(0);
@@ -185,7 +185,7 @@ final class Scorer {
     return n * (-Math.log1p(-share) - share);
   }
 
-  /** What values of each kick's own gain when the mean and everything swept in have been fitted again. */
+  /** What the values for each kick gain when the mean and everything swept in have been fitted again. */
   private double randomGain(int column, Component c, Sweep at) {
     Sweep with = at.copy();
     with.toggle(column);

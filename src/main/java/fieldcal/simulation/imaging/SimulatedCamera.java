@@ -95,7 +95,7 @@ public final class SimulatedCamera {
    * When a camera takes its frames.
    *
    * @param exposure whether all cameras share the beat
-   * @param timing luck of the beat
+   * @param timing random numbers of the beat
    * @param from session time of the first frame, s
    */
   record Beat(CameraSettings.Exposure exposure, RandomStream timing, double from) {

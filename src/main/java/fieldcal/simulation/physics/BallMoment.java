@@ -20,7 +20,7 @@ public final class BallMoment {
   /**
    * Position.
    *
-   * @return m
+   * @return x in the field frame, m
    */
   public double x() {
     return x;
@@ -29,7 +29,7 @@ public final class BallMoment {
   /**
    * Position.
    *
-   * @return m
+   * @return y in the field frame, m
    */
   public double y() {
     return y;
@@ -38,7 +38,7 @@ public final class BallMoment {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along x, m/s
    */
   public double vx() {
     return vx;
@@ -47,7 +47,7 @@ public final class BallMoment {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along y, m/s
    */
   public double vy() {
     return vy;

@@ -28,8 +28,8 @@ public record Region(double x0, double x1, double y0, double y1) {
   /**
    * Whether a place is inside.
    *
-   * @param x m
-   * @param y m
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
    * @return false on the edge
    */
   public boolean contains(double x, double y) {

@@ -16,7 +16,7 @@ public enum RobotCharacter {
   LATE_KICKER,
   /** The robot drives 4° beside and 5 % slower than commanded, and creeps a little when it is to stand. */
   DRIFTING,
-  /** The robot hears its orders 50 ms later, follows them with a time constant of 0.1 s, and gains and loses no more than 1.5 m/s each second. */
+  /** The robot receives its orders 50 ms later, follows them with a time constant of 0.1 s, and accelerates and brakes with at most 1.5 m/s². */
   SLUGGISH,
   /** The kicker gives half of the kicks, drawn at random, a fifth less speed than the others: it strikes the ball twice, and the second stroke brakes it, as with grSim. */
   UNEVEN_KICKER;
