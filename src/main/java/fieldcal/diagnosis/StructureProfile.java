@@ -15,7 +15,7 @@ public record StructureProfile(
     StructureVariable variable, List<Bin> bins, double share, double deviation) {
 
   /**
-   * Mean residual, seen minus predicted, over a range of the variable. Along and across the path of the ball; for the variables camera, image column and image row along x and y of
+   * Mean residual, seen minus predicted, over a range of the variable. It is given along and across the path of the ball, but for the variables camera, image column and image row along x and y of
    * the field.
    *
    * @param at mean of the variable over the bin's observations, in the unit of the variable; for cameras the id, for robots the number, plus 100 for blue ones

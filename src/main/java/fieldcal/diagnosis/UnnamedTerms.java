@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The stage that describes what has no name: laws that values of the kicks follow, what differs from kick to kick by chance, and learned curves and maps. Each must follow held-out kicks better. What is added to causes must not predict worse than the simple model, and what replaces something must not predict worse than that. Not
+ * The stage that describes what has no name: laws that values of the kicks follow, what differs from kick to kick by chance, and learned curves and maps. Each must follow or predict held-out kicks better. What is added to causes must not predict worse than the simple model, and what replaces something must not predict worse than that. Not
  * thread-safe.
  */
 final class UnnamedTerms {

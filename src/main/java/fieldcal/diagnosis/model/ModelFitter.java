@@ -32,7 +32,7 @@ public final class ModelFitter {
    * @param kicks at least one
    * @param sessionStart beginning of the session on the kicks' clock, s
    * @param effort to which all paths are added
-   * @param watcher told of every fit, from the thread that asked for it
+   * @param watcher receives every fit, in the thread that asked for it
    */
   public ModelFitter(
       List<KickRecord> kicks, double sessionStart, Effort effort, Consumer<FittedModel> watcher) {

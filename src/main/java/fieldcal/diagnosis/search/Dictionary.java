@@ -31,7 +31,7 @@ public final class Dictionary {
   }
 
   /**
-   * A dictionary of a search that looks at its findings beside chance.
+   * A dictionary for a search that also compares its findings with chance.
    *
    * @param effects absent ones
    * @param byChance absent ones that differ from kick to kick and have no mean of their own
