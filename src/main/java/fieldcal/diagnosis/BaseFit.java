@@ -19,7 +19,7 @@ import java.util.function.Consumer;
 
 /** The first two stages: the kicks that can be used, and the simple model fitted to all of them. */
 final class BaseFit {
-  /** Kicks whose kind is put right before the search: each round may show others. */
+  /** Rounds in which the kind of kicks is corrected before the search: each may show others. */
   private static final int ROUNDS = 4;
 
   private BaseFit() {}
@@ -31,7 +31,7 @@ final class BaseFit {
    * @param catalogue effects that may be named
    * @param solver of all fits
    * @param effort to which all paths are added
-   * @param watcher told of every fit
+   * @param watcher receives every fit
    * @return the case
    * @throws IllegalArgumentException when no kick has enough detections
    */

@@ -4,12 +4,12 @@ import fieldcal.effect.Effect;
 import java.util.Objects;
 
 /**
- * One possible cause and the evidence for it. Evidence counts less the more the named causes leave unexplained, as it does for {@link Cause#evidence}.
+ * One possible cause and the evidence for it. The evidence is divided by what the named causes leave unexplained, as for {@link Cause#evidence}.
  *
- * @param effect with the numbers that fit best, alone on the simple model
- * @param scoreGain by how much the score test says that chi-square would fall on the simple model
- * @param evidence logarithm of its Bayes factor alone against the simple model; NaN where the score test left it no chance
- * @param addedEvidence logarithm of the Bayes factor that it would add to the causes named; NaN for those named themselves
+ * @param effect with the numbers that fit best to first order, added to the simple model alone
+ * @param scoreGain by how much chi-square of the simple model would fall with it, according to the score test
+ * @param evidence logarithm of the Bayes factor of the model with it alone against the simple model; NaN where it was not computed, as in every diagnosis of this version
+ * @param addedEvidence logarithm of the Bayes factor that it would add to the named causes; NaN where it was not computed, as in every diagnosis of this version
  * @param named whether it is one of the causes
  */
 public record Candidate(

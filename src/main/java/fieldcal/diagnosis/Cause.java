@@ -11,11 +11,11 @@ import java.util.Objects;
  * One cause of what the simple model gets wrong.
  *
  * @param effect the effect with its fitted numbers
- * @param standardErrors of its estimated magnitudes and directions, by name, in their order and units; none of places, of what it acts on, and of what was not free; empty when the equations are singular
+ * @param standardErrors standard errors of its estimated magnitudes and directions, by name, in their order and units; without places, what it acts on, and what was not free; empty when the equations are singular
  * @param scatter how much the first magnitude differs from kick to kick: standard deviation over the kicks, in the magnitude's unit; 0 for effects that are the same for all kicks
- * @param evidence half of what chi-square rises by without it, everything else fitted again, in units of what is left: about the logarithm of the odds
- * @param gain what kicks that were held out gain from it
- * @param indistinguishableFrom ids of effects that would explain the same; "camera_offset of camera 1" where only the camera is open
+ * @param evidence half of the rise of chi-square without it, everything else fitted again, divided by the reduced chi-square that is left: about the logarithm of the odds
+ * @param gain by how much it lowers the residual of held-out kicks
+ * @param indistinguishableFrom ids of effects that would explain as much; such as "camera_offset of camera 1" where only the camera is uncertain
  */
 public record Cause(
     Effect effect,

@@ -12,9 +12,9 @@ import fieldcal.effect.learned.LearnedLibrary;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Searches for what describes what a model leaves without a name: smooth terms over everything that is recorded, what differs from kick to kick by chance, what comes back with a period, and maps of the carpet. Not thread-safe. */
+/** Searches for terms without a name that describe what a model leaves: smooth curves over everything that is recorded, values that differ from kick to kick by chance, periodic terms, and maps of the carpet. Not thread-safe. */
 final class CurveSearch {
-  /** Learned terms that a model may have; a third already describes what the first two leave. */
+  /** Most learned terms that are added to a model; chosen: a third already describes what the first two leave. */
   static final int MOST_LEARNED = 3;
 
   private final SampledSearch search;
@@ -51,7 +51,7 @@ final class CurveSearch {
     if (chance) {
       all.addAll(EffectCatalogue.unnamed());
     }
-    // With what was hidden before in the model, a law may be right after all.
+    // // Once the model has what hid a law before, the law may be right after all.
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
     return withMaps(with(all, start), mostBeside(start));
   }
@@ -86,7 +86,7 @@ final class CurveSearch {
         () -> isLeft(curved) ? search(curved, LearnedLibrary.maps(arena), most + 1) : curved);
   }
 
-  /** How many components a model may have beside another one's. */
+  /** How many components a model may have that is grown from another one. */
   static int mostBeside(FittedModel start) {
     return start.model().components().size() + MOST_LEARNED;
   }
@@ -96,7 +96,7 @@ final class CurveSearch {
   }
 
   /**
-   * Learned terms that may stand beside what was judged. Beside a cause that was named and changes the ground with time no curve over time is offered: it can be that cause, and takes its place for the little that it does not explain.
+   * Learned terms that may be added to what was judged. Beside a named cause that changes the ground with time, no curve over time is offered: such a curve can imitate the cause, and would take its place for the little that the cause does not explain.
    */
   static List<Effect> learned(Arena arena, List<Judgement> judged) {
     boolean timed = judged.stream().anyMatch(CurveSearch::isTimed);

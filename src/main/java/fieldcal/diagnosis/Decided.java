@@ -9,7 +9,7 @@ import fieldcal.diagnosis.validation.HoldOut;
  *
  * @param screened these kicks and what may explain them
  * @param base the simple model that it is compared with
- * @param heldBase how that one does on kicks that were held out
+ * @param heldBase how the simple model does on held-out kicks
  * @param best the model that was chosen
  */
 record Decided(DiagnosisCase screened, FittedModel base, HoldOut heldBase, Weighed best) {
@@ -24,7 +24,7 @@ record Decided(DiagnosisCase screened, FittedModel base, HoldOut heldBase, Weigh
     return best.model();
   }
 
-  /** The same beside another simple model. */
+  /** The same, compared with the simple model of another decision. */
   Decided beside(Decided other) {
     return new Decided(screened, other.base, other.heldBase, best);
   }

@@ -12,18 +12,18 @@ import java.util.Objects;
  * @param verdict whether the model is right, and whether causes were found
  * @param base the simple model under the published geometry
  * @param extended the model with all causes; the same as {@code base} when there are none
- * @param causes in the order in which they explain most
- * @param learned smooth terms that improve the prediction, and laws that take the place of the simple model's, without being the cause of most
- * @param candidates all that were tried, best first
+ * @param causes by how much they explain, most first
+ * @param learned what helps without a name: learned terms, what differs from kick to kick by chance, unproven effects, and laws that replace a law of the simple model without explaining most
+ * @param candidates what each effect that acts everywhere would gain alone, best first
  * @param unexplained what remains
  * @param structureBefore how the residuals of the simple model depend on each variable
  * @param structureAfter the same for the extended model
- * @param kicks every kick in order of time
+ * @param kicks every kick that the models were fitted to, in order of time; kicks that were left out are missing
  * @param simpleModel the jointly fitted simple model, without effects
  * @param model the extended model, as a team's AI uses it
- * @param trace what was tried, and what became of it
- * @param problems what failed inside; empty when all stages went through
- * @param ballErrors standard errors of the ball's parameters in the extended model, by the parameter's name, in its unit; those that no kick shows are missing
+ * @param trace the steps of the searches, in order
+ * @param problems stages that failed or were left out; empty when all went through
+ * @param ballErrors standard errors of the ball's parameters in the extended model, by the parameter's name, in its unit; parameters that no kick shows are missing; empty when the equations are singular
  * @param seed of the choice of held-out kicks and of the bootstrap
  */
 public record Diagnosis(

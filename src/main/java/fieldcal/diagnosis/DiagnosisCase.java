@@ -22,13 +22,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Kicks that are looked at together, and what may explain them. Immutable: where a stage looks at others, it makes another case.
+ * Kicks that are examined together, and what may explain them. Immutable: a stage that examines other kicks makes another case.
  *
  * @param problem as it was given
  * @param catalogue effects that may be named
  * @param settings every number that decides
  * @param solver of the fits
- * @param screen which looks again at kicks that stand out
+ * @param screen screens kicks that stand out again
  * @param fitter of the kicks
  * @param arena what was recorded of them
  * @param base the simple model, fitted to them
@@ -43,7 +43,7 @@ record DiagnosisCase(
     Arena arena,
     FittedModel base) {
 
-  /** A camera must have made that many detections to be judged. */
+  /** Fewest detections with which a camera is judged. */
   private static final int FEWEST_SEEN = 60;
 
   /** The simple model for some kicks, before any fit. */

@@ -12,9 +12,9 @@ import java.util.Objects;
  *
  * @param fits the kicks, each fitted on its own by the calibration: kind, start, number of flights
  * @param cameras noise of each camera, and the offsets that those fits were made with
- * @param observers what the measurement effects know of each camera, as published; one for every camera that saw a kick
- * @param sessionStart begin of the session on the clock of the kicks, s: the time stamp of the first frame of the first recording
- * @param commands what the robots were commanded, by number of the kick; kicks without one are missing
+ * @param observers what is published of each camera, for the measurement effects; one for every camera that saw a kick
+ * @param sessionStart beginning of the session on the clock of the kicks, s: the time stamp of the first frame of the first recording
+ * @param commands what the robots were commanded, by the number of the kick; kicks without a command are missing
  * @param maxCauses how many causes may be named, 0 or more
  * @param seed of the bootstrap and the choice of kicks that are held out
  */
@@ -31,7 +31,7 @@ public record DiagnosisProblem(
   public static final int DEFAULT_MAX_CAUSES = 8;
 
   /**
-   * Leaves failed fits out, copies the collections. {@inheritDoc}
+   * Leaves out failed fits and copies the collections. {@inheritDoc}
    *
    * @throws IllegalArgumentException when {@code maxCauses} is negative
    */

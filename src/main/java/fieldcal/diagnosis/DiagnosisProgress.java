@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 
 /**
- * Says in words what a diagnosis is doing and how far it is: the stage, the part of it, how many models were fitted, and how much the best of them leaves
+ * Reports in words what a diagnosis is doing and how far it has come: the stage, the part of it, how many models were fitted, and how much the best of them leaves
  * unexplained. Thread-safe.
  */
 final class DiagnosisProgress {

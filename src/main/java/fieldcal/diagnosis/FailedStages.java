@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** A stage that fails costs what it would have found, not the diagnosis. Not thread-safe. */
+/** Runs the stages. If one fails, the diagnosis goes on without what it would have found. Not thread-safe. */
 final class FailedStages {
   private final List<String> problems = new ArrayList<>();
 
@@ -12,7 +12,7 @@ final class FailedStages {
    * Runs a stage.
    *
    * @param what the stage, as a noun
-   * @param otherwise what to go on with when it fails
+   * @param otherwise what it returns when the stage fails
    * @param stage what it finds
    * @param <T> a model, or what was decided about one
    * @return what it found

@@ -3,10 +3,10 @@ package fieldcal.diagnosis;
 import fieldcal.diagnosis.decision.Judgement;
 
 /**
- * By how much something lowers the residual per axis of kicks that were held out of the fit.
+ * By how much something lowers the residual per axis of kicks that were held out of the fit. All numbers may be negative.
  *
  * @param mm root mean square without minus root mean square with it, mm
- * @param percent the same in per cent of that without it
+ * @param percent {@code mm} in per cent of the root mean square without it
  * @param lowMm lower bound of {@code mm}: 2.5 % quantile of a bootstrap over kicks
  * @param highMm upper bound: 97.5 % quantile
  */
@@ -18,9 +18,9 @@ public record Gain(double mm, double percent, double lowMm, double highMm) {
   }
 
   /**
-   * Whether kicks that were held out show that it helps at all.
+   * Whether held-out kicks show that it helps at all.
    *
-   * @return true when the lower bound is above zero; false of an unknown one
+   * @return true when the lower bound is above zero; false when it is NaN
    */
   public boolean isBeyondChance() {
     return lowMm > 0;

@@ -7,9 +7,9 @@ import java.util.Objects;
  * What a robot was commanded when it kicked.
  *
  * @param robot who
- * @param speed absolute speed of the ball, m/s, positive
- * @param direction in the plane, rad
- * @param elevation above the plane, rad; 0 = flat
+ * @param speed commanded speed of the ball, the vertical part included, m/s, positive
+ * @param direction in the field frame, rad, 0 = along x, counter-clockwise
+ * @param elevation angle above the ground, rad; 0 = flat
  */
 public record KickCommand(RobotId robot, double speed, double direction, double elevation) {
 

@@ -16,7 +16,7 @@ import fieldcal.kick.KickKind;
  * @param xAfter as {@code xBefore}, extended model, m
  * @param yAfter the same for y, m
  * @param used whether each observation took part
- * @param rmsBeforeMm residual per axis of the kick when it is held out, simple model, mm
+ * @param rmsBeforeMm root mean square residual per axis when the kick is held out, simple model, mm
  * @param rmsAfterMm the same with the extended model, mm
  */
 public record KickResiduals(

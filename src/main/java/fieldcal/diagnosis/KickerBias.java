@@ -15,11 +15,11 @@ import java.util.Random;
 import org.apache.commons.math3.distribution.TDistribution;
 
 /**
- * Whether robots kick otherwise than commanded: velocities of the fitted kicks against the commanded ones, by effects on kickers. A robot must differ from its command and from the other robots, whose common excess would be an
- * error of scale and no kicker's; all robots' kicks together say how much kicks scatter.
+ * Whether robots kick otherwise than commanded: compares the velocities of the fitted kicks with the commanded ones, in terms of the effects on kickers. A robot must differ from its command and from the other robots: an excess that all share would be an
+ * error of scale and not of a kicker. How much kicks scatter is estimated from the kicks of all robots together.
  */
 final class KickerBias {
-  /** Fewer kicks do not show what a robot does. */
+  /** Fewest kicks from which a robot's bias is estimated. */
   private static final int FEWEST = 4;
 
   /** Chance of naming a sound robot. */
@@ -28,10 +28,10 @@ final class KickerBias {
   /** How many standard errors a robot's bias must be from the others'. */
   private static final double FROM_OTHERS = 3;
 
-  /** Smaller biases do not matter, in scales of the parameter: half a per cent of the speed. */
+  /** Smaller biases do not matter, in scales of the parameter: 0.5 % of the speed, 5 mrad of the direction. */
   private static final double LEAST = 0.5;
 
-  /** A kick farther than that from the robot's median, in robust standard deviations, was no clean kick. */
+  /** A kick farther than this from the robot's median, in robust standard deviations, is not used. */
   private static final double UNCLEAN = 5;
 
   /** The median absolute deviation of a normal variable is its standard deviation over this. */
@@ -55,7 +55,7 @@ final class KickerBias {
     this.seed = seed;
   }
 
-  /** The robots of which commands are known. */
+  /** The robots whose commands are known. */
   static List<RobotId> robots(Map<Integer, KickCommand> commands) {
     return commands.values().stream().map(KickCommand::robot).distinct().toList();
   }
@@ -97,7 +97,7 @@ final class KickerBias {
         .orElseThrow();
   }
 
-  /** Speed over the commanded one, and direction from the commanded one, rad. */
+  /** Relative excess of the speed over the command (–), and direction from the commanded one, rad, counter-clockwise. */
   private static double[] polar(Sample s) {
     double told = norm(s.commanded);
     double yaw =
@@ -208,7 +208,7 @@ final class KickerBias {
     return Math.abs(means.get(effect)[j] - others / count) > FROM_OTHERS * error;
   }
 
-  /** The effect's magnitudes that one kick shows: two steps of Gauss and Newton on speed and direction. */
+  /** The magnitudes of the effect that reproduce one kick: three Newton steps for speed and direction. */
   private static double[] single(KickerEffect effect, Sample s) {
     List<String> names = effect.magnitudes();
     int size = names.size();
@@ -226,7 +226,8 @@ final class KickerBias {
           j[r][k] = (there[r] - now[r]) / h;
         }
       }
-      // Each magnitude moves one of the two, so the largest entry of a column decides.
+      // // Each magnitude changes either speed or direction, the one with the larger entry in its
+      // column.
       for (int k = 0; k < size; k++) {
         int r = Math.abs(j[0][k]) > Math.abs(j[1][k]) ? 0 : 1;
         at[k] += j[r][k] == 0 ? 0 : (wanted[r] - now[r]) / j[r][k];
@@ -262,12 +263,13 @@ final class KickerBias {
       t += fit.values[j] * fit.values[j] / (fit.errors[j] * fit.errors[j]);
     }
     int n = fit.samples.size();
-    // Student's likelihood ratio, and a unit of information for each of two numbers.
+    // // Half of the likelihood-ratio statistic of Student's distribution, less the penalty for two
+    // parameters (Schwarz 1978).
     double evidence = 0.5 * (freedom + 1) * Math.log1p(t / freedom) - Math.log(n);
     return new Cause(found, errors, 0, evidence, gain(effect, fit), List.of());
   }
 
-  /** Of the ball's place a second after the kick as the command has it, the bias taken from the robot's other kicks. */
+  /** The gain for where the ball would be after one second at the speed of the kick. Each kick is predicted with the bias of the robot's other kicks. */
   private Gain gain(KickerEffect effect, Fit fit) {
     int n = fit.samples.size();
     List<String> names = effect.magnitudes();

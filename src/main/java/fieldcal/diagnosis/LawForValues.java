@@ -25,14 +25,14 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Terms for values that differ from kick to kick and follow something. Beside a value for each kick a curve has nothing left to explain, so a search that has found these values does not find their law: it is put in their place. Where the law is missing, the
- * values show its form: how many functions it needs, or where a step is. Immutable.
+ * Replaces values that differ from kick to kick by a law, if they follow something. Beside a value for each kick a curve has nothing left to explain, so a search that has found the values does not find their law.
+ * The values show the form of the law: how many functions it needs, or where a step is. Immutable.
  */
 final class LawForValues {
-  /** Knots of a curve beyond the polynomial order that the values follow: a spline has one function fewer than knots, and does not bend as a polynomial does. */
+  /** How many more knots than functions of a polynomial a curve may have: a centred spline has one function fewer than knots, and does not bend as a polynomial does. */
   private static final int[] MORE_KNOTS = {2, 4};
 
-  /** A curve may have one knot for so many kicks. */
+  /** Kicks for each knot of a curve, at least. */
   private static final int KICKS_PER_KNOT = 2;
 
   private final ModelFitter fitter;
@@ -65,11 +65,12 @@ final class LawForValues {
     this.seed = seed;
   }
 
-  /** Models with a law that values of the kicks follow beside a model: of each kind of value the law that follows held-out kicks best. */
+  /** The model with one law each, for every kind of value that follows something beside this model: the law that follows held-out kicks best. */
   List<FittedModel> beside(FittedModel model) {
     List<FittedModel> all = new ArrayList<>();
     List<Effect> values = new ArrayList<>(EffectCatalogue.unnamed());
-    // What kickers do has a name, but not where it follows the kick.
+    // // What kickers do differs from kick to kick, too. Where it follows the kick, a law describes
+    // it.
     catalogue.stream().filter(Effect::differsFromKickToKick).forEach(values::add);
     for (Effect effect : values) {
       if (!effect.canShowIn(arena)) {
@@ -82,7 +83,7 @@ final class LawForValues {
     return all;
   }
 
-  /** Models in which a law takes the place of values of components, which follow the same: the law alone, and with the values beside it, which differ from it. */
+  /** Models in which a law takes the place of the values of components that follow the same quantity: the law alone, and the law with the values beside it. */
   Stream<FittedModel> insteadOf(FittedModel model, List<Integer> components, Dependence follows) {
     List<Component> rest = new ArrayList<>(model.started());
     List<Component> values = components.stream().map(rest::get).toList();
@@ -92,14 +93,14 @@ final class LawForValues {
         .flatMap(law -> Stream.of(law, withAll(law, values)));
   }
 
-  /** A model without values of each kick's own, and without what changes the ground with time: each such effect may be a piece of a law over time. */
+  /** A model without what differs by chance, and without effects that change the ground with time: each of these may be a piece of a law over time. */
   FittedModel withoutValues(FittedModel from) {
     List<Component> kept = new ArrayList<>(from.started());
     kept.removeIf(c -> !c.template().hasOwnMean() || changesGroundWithTime(c.template()));
     return fit(from, kept);
   }
 
-  /** Whether an effect makes the ground another one in the course of the session. */
+  /** Whether an effect changes the ground in the course of the session. */
   static boolean changesGroundWithTime(Effect effect) {
     boolean ground = effect instanceof MotionEffect motion && !motion.actsOffTheGround();
     return ground && effect.changesWithTime();
@@ -125,12 +126,12 @@ final class LawForValues {
     return best(fits);
   }
 
-  /** Whether a term acts where values do; what follows from the kick may also be the carpet under a ball that slides. */
+  /** Whether a term acts where the values act. Values that act at the kick may also be due to the carpet under a sliding ball. */
   private static boolean canStandFor(String where, LearnedTerm term) {
     return term.actsOn().equals(where) || where.equals("kick") && term.actsOn().equals("ground");
   }
 
-  /** Effects that begin at an instant of the session, at the one of the step. */
+  /** Forms of an effect that begins at an instant of the session, with the instant of the step. */
   private static Stream<Component> steps(Effect effect, Dependence d) {
     if (!(effect instanceof MotionEffect) || effect.places().size() != 1) {
       return Stream.of();
@@ -167,7 +168,7 @@ final class LawForValues {
     return withAll(model, List.of(added));
   }
 
-  /** With components more; those of the same causes give way. */
+  /** The model with more components; components of the same causes are replaced. */
   private FittedModel withAll(FittedModel model, List<Component> added) {
     List<Component> all = new ArrayList<>(model.started());
     all.removeIf(c -> added.stream().anyMatch(c::isSameCause));
@@ -183,7 +184,7 @@ final class LawForValues {
     return fits.stream().min(Comparator.comparingDouble(f -> HoldOut.of(f, false, seed).rmsMm()));
   }
 
-  /** Whether values of each kick's own explain all that a model leaves: curves would then describe chance. */
+  /** Whether values that differ by chance explain all that a model leaves: curves would then describe chance. */
   boolean leavesChance(FittedModel model) {
     return EffectCatalogue.unnamed().stream()
         .filter(e -> e.canShowIn(arena))

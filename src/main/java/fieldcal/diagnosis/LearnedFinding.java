@@ -15,7 +15,7 @@ import java.util.OptionalInt;
  * @param effect the term as the extended model holds it
  * @param actsOn "ground", "impact", "kick" or "measurement"
  * @param dependsOn the variables
- * @param camera the camera whose reports it changes; empty for all else
+ * @param camera id of the camera whose reports it changes; empty for everything else
  * @param curves one for each component, over the range of the data; empty for all but a learned curve
  * @param scatter standard deviation from kick to kick, in the unit of the effect's magnitude; 0 for what all kicks share
  * @param follows what the values of the kicks follow; empty where they differ by chance, and of all that kicks share
@@ -67,9 +67,9 @@ public record LearnedFinding(
   }
 
   /**
-   * Whether it may be told as something that helps. A law and what differs by chance are in the model for what they explain, whatever they gain; all else must gain on kicks that were held out.
+   * Whether it may be reported as something that helps. A law and what differs by chance are in the model for what they explain, whatever they gain. Everything else must gain on held-out kicks.
    *
-   * @return false of a curve or an effect whose gain is no more than the choice of the kicks can make
+   * @return false for a curve or an effect whose gain may be due to the choice of the kicks
    */
   public boolean isShownToHelp() {
     return kind() == Kind.LAW || kind() == Kind.SCATTER || gain.isBeyondChance();

@@ -81,7 +81,7 @@ final class LearnedFindings {
     return curves;
   }
 
-  /** The range over which the kicks show a term: not the speeds of one or two kicks alone, where a curve says what these need. */
+  /** The range over which the kicks show a term: without speeds that only one or two kicks reach, where a curve describes these kicks alone. */
   private static Support support(FittedModel model, LearnedTerm term, Arena arena) {
     List<Double> speeds = new ArrayList<>();
     List<Double> rises = new ArrayList<>();
@@ -130,7 +130,7 @@ final class LearnedFindings {
         : Support.of(range[0][0], range[0][1]);
   }
 
-  /** The largest value that so many kicks reach that it is not told by too few; 0 without any. */
+  /** The largest value that more than {@link Decision#TOO_FEW_KICKS} kicks reach; the smallest with so few kicks, 0 without any. */
   private static double reachedBySome(List<Double> values) {
     List<Double> sorted = values.stream().sorted(Comparator.reverseOrder()).toList();
     return sorted.isEmpty() ? 0 : sorted.get(Math.min(Decision.TOO_FEW_KICKS, sorted.size() - 1));

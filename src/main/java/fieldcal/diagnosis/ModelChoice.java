@@ -25,13 +25,13 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
- * Which of the components that a search found stay in the model: those with a name, and those without which kicks that were held out are predicted worse. Not thread-safe.
+ * Chooses which of the components that a search found stay in the model: those with a name, and those that improve how closely it follows held-out kicks. Not thread-safe.
  */
 final class ModelChoice {
-  /** What several components explain together, in sums of what each explains beside the others, from which on they stand for each other. */
+  /** Components can replace each other if together they explain at least this many times the sum of what each explains beside the others. */
   private static final double MUTUAL = 2;
 
-  /** A component that explains less than that share of what the largest explains does not decide about others. */
+  /** A component that fails and explains at most this share of what the largest one explains is taken out together with the weakest. */
   private static final double LITTLE = 0.05;
 
   private final FreshFit fresh;
@@ -67,7 +67,7 @@ final class ModelChoice {
     decision = problem.decision();
   }
 
-  /** A value for each kick helps where the kick has been seen, and may harm where it is predicted: then the model is taken without. */
+  /** The best model. A value for each kick helps to follow a kick that has been seen, and may harm the prediction; then the model without such values is taken. */
   Weighed of(FittedModel found) {
     Weighed weighed = weigh(found);
     if (!weighed.held.predictsWorseThan(heldBase, seed)) {
@@ -89,14 +89,14 @@ final class ModelChoice {
     return fitter.fit(found.resumedWith(kept), found, Weighing.ALIKE, solver);
   }
 
-  /** A model all of whose components stand up to the decision. */
+  /** A model with the judgements of its components, and how it does on held-out kicks. */
   record Weighed(FittedModel model, List<Judgement> judged, HoldOut held) {
-    /** Whether this follows held-out kicks as well but for a share; no closed form is right to less than the floor of the cameras' noise. */
+    /** Whether this follows held-out kicks as well, except for a share of its residual. No closed form is more accurate than the floor of the cameras' noise. */
     boolean isAsGoodAs(Weighed other, double share) {
       return held.rmsMm() * (1 - share) <= Math.max(1000 * CameraNoise.FLOOR, other.held.rmsMm());
     }
 
-    /** Whether this does better beyond chance on held-out kicks, fitted and predicted. A value for each kick may fit what it does not help to predict; where the kicks have no more values of their own, a better fit is enough if no prediction is worse. */
+    /** Whether this follows held-out kicks better beyond chance. With more values for each kick than the other, it must also predict better, since such values may fit what they do not help to predict; otherwise it must not predict worse. */
     boolean isBetterThan(Weighed other, long seed) {
       boolean sound =
           valuesPerKick() > other.valuesPerKick()
@@ -116,7 +116,7 @@ final class ModelChoice {
       return model.model().components().stream().filter(Component::isPerKick).count();
     }
 
-    /** Whether this predicts most held-out kicks better beyond chance, and none worse by any measure: fits of kicks that are seen to the end do not tell what predicts the next one. */
+    /** Whether this predicts most held-out kicks better beyond chance, and is worse by no measure. How closely a model follows kicks that are seen to their end does not show how well it predicts. */
     boolean foretellsMoreThan(Weighed other, long seed) {
       boolean worse =
           held.predictsWorseThan(other.held, seed) || held.predictsMostWorseThan(other.held, seed);
@@ -135,8 +135,8 @@ final class ModelChoice {
   }
 
   /**
-   * Drops what does not stand up, the weakest first: without it the others may. A law goes last, since others may have taken its place. What nobody can name may be needed all the same: of the models on the way the simplest is taken that
-   * predicts held-out kicks as well as the best of them.
+   * Takes out what fails the decision, the weakest first: without it the others may pass. A law is taken out last, since others may have taken its place. What has no name may still be needed: of the models on the way, the simplest is taken that
+   * follows held-out kicks as well as the best of them, if it is better than the last one beyond chance.
    */
   private Weighed weigh(FittedModel found) {
     List<Weighed> way = new ArrayList<>();
@@ -172,7 +172,7 @@ final class ModelChoice {
     return components == 1 ? "one effect" : components + " effects";
   }
 
-  /** Without the weakest that failed, and without what is little beside the largest, unless these stand for each other. */
+  /** Without the weakest that failed, and without others that failed and explain little, unless these can replace each other. */
   private FittedModel withoutWeakest(
       FittedModel at, List<Judgement> judged, List<Judgement> failed) {
     List<Judgement> others = failed.stream().filter(j -> !j.component().isLaw()).toList();
@@ -205,7 +205,7 @@ final class ModelChoice {
     return going.stream().anyMatch(j -> j.component().isLaw()) ? fresh.orBetter(next) : next;
   }
 
-  /** Of the models on the way the last that follows held-out kicks as well as any; what is in it and has no name must improve that. Where none does so, the one without names that predicts best, if it predicts better than the last. */
+  /** Of the models on the way, the last that follows held-out kicks as well as any, without unnamed components that do not improve this. If it is not better than the last model, the one without names that predicts best, if it predicts better than the last; otherwise the last. */
   private Weighed best(List<Weighed> way) {
     Weighed last = way.get(way.size() - 1);
     List<Weighed> sound =
@@ -239,7 +239,7 @@ final class ModelChoice {
     }
   }
 
-  /** A model with a law in the place of values, or beside them where its form misses a little: beside a value for each kick a law explains nothing, but it predicts. So all stays, the law has what the first of the values gained, and such values are no cause. */
+  /** A model with a law in place of values, or beside them where its form is not quite right. Beside a value for each kick a law explains nothing, but it predicts. So every component stays, the law is credited with what the first of the values gained, and the values are not named. */
   Weighed withLaw(FittedModel model, Weighed before, List<Judgement> values) {
     HoldOut held = HoldOut.of(model, true, seed);
     List<Judgement> judged = new ArrayList<>();
@@ -261,13 +261,13 @@ final class ModelChoice {
     return new Weighed(model, decision.judge(model, held), held);
   }
 
-  /** Whether what has no name gains nothing worth its place either. */
+  /** Whether a component has neither a name nor a sufficient gain on held-out kicks. */
   private boolean isIdle(Judgement j) {
     boolean pays = j.gain()[HoldOut.LOWER] > 0 && j.gain()[1] > 100 * settings.formGain();
     return j.outcome() != Outcome.NAMED && !pays;
   }
 
-  /** A cause stays, and so does what differs from kick to kick though nobody can say whose it is, and the form of another that has no cause: a law, or a curve that improves the prediction of held-out kicks. */
+  /** Whether a component stays: a cause or a learned term that passed, values that may be due to the ball itself, and a law that is only the form of something else. */
   private static boolean stays(Judgement j) {
     return switch (j.outcome()) {
       case NAMED, BALL_ITSELF -> true;

@@ -11,7 +11,7 @@ import fieldcal.kick.KickKind;
 import java.util.List;
 import java.util.Optional;
 
-/** The stage that searches among the named effects; kicks that stand out are then screened again with what was found. Not thread-safe. */
+/** The stage that searches among the effects of the catalogue and then screens kicks that stand out again, with what was found. Not thread-safe. */
 final class NamedSearch {
   /** How often the kicks are screened again with the model that was found. */
   private static final int SCREENINGS = 3;
@@ -22,7 +22,7 @@ final class NamedSearch {
   /** Flat kicks whose reduced chi-square stays above that are not explained by themselves. */
   private static final double EXPLAINED = 1.5;
 
-  /** Components of a model beside those that may be named: forms of others, and components that are removed later. */
+  /** Components that a model may have in addition to those that may be named: forms of others, and components that are removed later. */
   private static final int SPARE = 5;
 
   private final SampledSearch search;
@@ -41,7 +41,7 @@ final class NamedSearch {
    * What was found.
    *
    * @param at the kicks as they were screened last
-   * @param model fitted to them, all of which weigh alike
+   * @param model fitted to these kicks with equal weights
    * @param ofFlats what explains the flat kicks by themselves, fitted to all kicks; empty where nothing does, or no chips were recorded
    */
   record Found(DiagnosisCase at, FittedModel model, Optional<FittedModel> ofFlats) {}
@@ -71,7 +71,7 @@ final class NamedSearch {
     return new Found(at, search.alike(at.fitter(), start), ofFlats);
   }
 
-  /** The fit that says which kicks stand out. One that is no free ball leads a fit in which all weigh alike away from the others. */
+  /** The fit that decides which kicks stand out: a robust one where it explains most kicks. With equal weights, a kick whose ball was not free would lead the fit away from the others. */
   private static FittedModel explaining(DiagnosisCase at, FittedModel alike, FittedModel found) {
     if (!KickScreen.hasStandingOut(alike)) {
       return alike;
@@ -87,7 +87,7 @@ final class NamedSearch {
     return search.search(at.fitter(), start, dictionary, most, true);
   }
 
-  /** What explains the flat kicks by themselves: chips mask much while their bounces are not understood. */
+  /** What explains the flat kicks by themselves: chips hide other causes until their bounces are explained. */
   private Optional<FittedModel> ofFlats(DiagnosisCase at) {
     List<KickRecord> flats =
         KickScreen.withoutDominant(at.base()).stream()
@@ -100,7 +100,7 @@ final class NamedSearch {
     return Optional.of(foundAmong(at, flats, at.base())).filter(found -> found != at.base());
   }
 
-  /** A kick that was touched may leave more than all others: what the others show is found first, and it is looked at again with that. */
+  /** Begins without the few kicks that leave far more than all others, such as a touched ball. What the others show is found first, and then these kicks are included. */
   private FittedModel withoutDominant(DiagnosisCase at, FittedModel start) {
     List<KickRecord> quiet = KickScreen.withoutDominant(at.base());
     if (quiet.size() == at.fitter().kicks().size()) {
@@ -110,7 +110,7 @@ final class NamedSearch {
     return foundAmong(at, quiet, start);
   }
 
-  /** What is found among some kicks, fitted to all; as it was where that does not explain them. */
+  /** What is found among some kicks, fitted to all; the start where this does not explain them. */
   private FittedModel foundAmong(DiagnosisCase all, List<KickRecord> kicks, FittedModel start) {
     DiagnosisCase some = all.refitted(kicks);
     boolean fromNothing = start == all.base();

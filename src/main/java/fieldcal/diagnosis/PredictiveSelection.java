@@ -16,14 +16,14 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Forward selection by cross-validation (Stone 1974): what all kicks share is added one by one, each time what follows kicks best that were held out. A search by likelihood leads astray where nothing that it knows is right: it then takes
+ * Forward selection by cross-validation (Stone 1974): effects that all kicks share are added one by one, each time the one with which held-out kicks are followed most closely. Where nothing in the dictionary is right, a search by likelihood would take
  * a dozen effects that together follow these kicks and predict no others. Not thread-safe.
  */
 final class PredictiveSelection {
   /** Components that a model may gain. */
   private static final int MOST_ADDED = 6;
 
-  /** Of what the score test proposes, so many are fitted in a round, for each of two weighings. */
+  /** How many proposals of the score test are fitted in a round, for each of two weighings. */
   private static final int TRIED = 4;
 
   private final ModelFitter fitter;
@@ -52,10 +52,11 @@ final class PredictiveSelection {
    *
    * @param start fitted to the kicks
    * @param trace to which each step is added
-   * @return the same when nothing helps; else a fit in which kicks weigh less that it does not explain
+   * @return the start when nothing helps; otherwise a fit in which kicks that it does not explain weigh less
    */
   FittedModel from(FittedModel start, List<SearchStep> trace) {
-    // With the weights of all that follow: these alone may follow a usual kick more closely.
+    // // Fitted with the same weights as all that follow, because these alone may help to follow a
+    // usual kick more closely.
     Held best = held(start.resumed(), start);
     int most = start.model().components().size() + MOST_ADDED;
     boolean grown = false;

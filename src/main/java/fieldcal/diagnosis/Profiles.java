@@ -15,22 +15,22 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** What residuals depend on: their means over ranges of each variable. */
+/** Shows what residuals depend on, by their means over ranges of each variable. */
 final class Profiles {
   private static final int BINS = 14;
 
-  /** Fewer observations make no mean worth showing. */
+  /** Fewest observations of a range that is shown. */
   private static final int FEWEST = 12;
 
-  /** A dependence must stand out that far from what noise makes, in standard deviations. */
+  /** A dependence must exceed what noise makes by this many standard deviations. */
   private static final double SIGNIFICANT = 6;
 
-  /** And make up that share of what is not noise. */
+  /** It must also make up this share of what is not noise. */
   private static final double SHARE = 0.1;
 
   private static final int MOST_NAMED = 3;
 
-  /** A ball slower than that has no direction of its own, m/s: noise of a millimetre over a frame makes as much. */
+  /** A slower ball is taken to travel in the direction of the kick, m/s: noise of 1 mm from frame to frame makes such a speed. */
   private static final double SLOW = 0.05;
 
   private record Sample(double at, double along, double across, double variance) {}

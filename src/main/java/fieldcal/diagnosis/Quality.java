@@ -13,7 +13,7 @@ import java.util.TreeMap;
  * How well a model does.
  *
  * @param rmsMm residual per axis of all kicks in the joint fit, mm
- * @param noiseMm what it would be if the model were right: the cameras' noise, mm
+ * @param noiseMm what {@code rmsMm} would be if the model were right: the cameras' noise per axis, mm
  * @param holdoutRmsMm residual per axis of kicks that the shared parameters were not fitted to, mm; NaN with too few kicks
  * @param predictionErrorMm distance between predicted and seen position, root mean square, mm, by horizon in s: predicted from the first 0.3 s of kicks that were
  *     held out; horizons that no kick reaches are missing
@@ -30,7 +30,7 @@ public record Quality(
   /**
    * Copies the maps, in order. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when the two have other horizons
+   * @throws IllegalArgumentException when the two maps have different horizons
    */
   public Quality {
     predictionErrorMm = Collections.unmodifiableMap(new TreeMap<>(predictionErrorMm));
@@ -41,7 +41,7 @@ public record Quality(
     }
   }
 
-  /** How a model does that was fitted to all kicks, and is held to these. */
+  /** The quality of a model that was fitted to all kicks. */
   static Quality of(FittedModel f, HoldOut held) {
     ModelState state = f.solution().state();
     double squares = 0;

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The stage that lets curves without a name compete with names that have a place. A region, a seam or an instant is chosen where it absorbs most of whatever has no name; so it has its name only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
+ * The stage that lets curves without a name compete with names that have a place. A region, a seam or an instant is chosen where it absorbs most of whatever has no name; so it keeps its name only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
  */
 final class RivalCurves {
   private final ModelFitter fitter;
@@ -46,7 +46,7 @@ final class RivalCurves {
   }
 
   /**
-   * Compares with all names that have a place together, then with each: several may have taken the place of one curve.
+   * Lets curves compete with all names that have a place together, then with each: several names may have taken the place of one curve.
    *
    * @param found what was decided
    * @return the same where every name stands; with curves in the place of those that do not, or the same model without their names where no curve predicts as well
@@ -84,7 +84,7 @@ final class RivalCurves {
     return asGood ? rival : named.nameless(group::contains);
   }
 
-  /** What curves make of what some components explain; maps of the carpet are only asked for where curves explain half of it. */
+  /** The model with curves in place of some components. Maps of the carpet are searched only where curves explain more than half of what these components explain. */
   private FittedModel curved(Weighed named, List<Judgement> group) {
     progress.part("curves instead of causes");
     List<Judgement> rest = named.judged().stream().filter(j -> !group.contains(j)).toList();
@@ -94,7 +94,7 @@ final class RivalCurves {
     return near ? curves.withMaps(curved, CurveSearch.mostBeside(without)) : curved;
   }
 
-  /** Whether curves follow held-out kicks less closely: by three per cent, which is more than their many numbers cost there; or by less, where they do not follow the kicks that they were fitted to either. */
+  /** Whether curves follow held-out kicks less closely: by 3 %, which is more than their many numbers cost there; or by less, where they also follow the kicks that they were fitted to less closely. */
   private boolean explainsLess(FittedModel curved, Weighed named, List<Judgement> group) {
     int numbers = group.stream().mapToInt(j -> j.component().size()).sum();
     Weighed held = new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
@@ -102,7 +102,7 @@ final class RivalCurves {
         || missed(curved, named) > settings.beyondNoise(numbers) && !held.isAsGoodAs(named, 0);
   }
 
-  /** What a model does not explain that another one does, in units of what that one leaves; each number more explains one of noise. */
+  /** How much less a model explains than another one, in units of what the other leaves. Each additional number counts as one, since it explains as much of the noise. */
   private static double missed(FittedModel model, Weighed other) {
     double noise = Math.max(1, other.model().solution().reducedChiSquare());
     return (model.evenCost() - other.model().evenCost()) / noise

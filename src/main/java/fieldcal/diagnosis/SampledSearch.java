@@ -13,14 +13,14 @@ import java.util.stream.IntStream;
 
 /** Searches for components among as many kicks as a search needs, and fits what was found to all of them. Not thread-safe. */
 final class SampledSearch {
-  /** From more kicks on the search looks at that many, spread over the session; fits and decisions use all. */
+  /** With more kicks, the search uses this many, spread over the session; fits and decisions use all. */
   private static final int SEARCHED_KICKS = 60;
 
   private static final int COARSE_ITERATIONS = 15;
 
   private final SharedSolver solver;
 
-  /** Of a search only the differences between models count. */
+  /** A solver with coarse tolerance: in a search, only the differences between models count. */
   private final SharedSolver coarse;
 
   private final List<SearchStep> trace;
@@ -45,8 +45,8 @@ final class SampledSearch {
    * @param start model to add to, fitted to them
    * @param dictionary what may be proposed
    * @param most components
-   * @param revises whether other pursuits begin again while something is left
-   * @return the model that was found, fitted to all kicks, of which those weigh less that it does not explain
+   * @param revises whether further pursuits start while something is left
+   * @return the model that was found, fitted to all kicks, in which kicks that it does not explain weigh less
    */
   FittedModel search(
       ModelFitter fitter, FittedModel start, Dictionary dictionary, int most, boolean revises) {
@@ -59,7 +59,7 @@ final class SampledSearch {
     FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = found(few, begin, dictionary, most, revises);
     FittedModel all = fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);
-    // The weights were those of the other model.
+    // // The first fit had the weights of the start; this one has those of the model itself.
     return fitter.fit(all.resumed(), all, Weighing.EXPLAINED_FIRST, solver);
   }
 
@@ -71,7 +71,7 @@ final class SampledSearch {
    * @param dictionary what may be added
    * @param seed of the parts of the kicks that are held out
    * @param steps to which what was added is added
-   * @return the same when nothing helps; else a fit of all kicks, of which those weigh less that it does not explain
+   * @return the start when nothing helps; otherwise a fit of all kicks, in which kicks that it does not explain weigh less
    */
   FittedModel selected(
       ModelFitter fitter,
@@ -92,7 +92,7 @@ final class SampledSearch {
         : fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);
   }
 
-  /** Which of so many kicks a search looks at: all, or some that are spread over the session. */
+  /** Indices of the kicks that a search uses: all, or some that are spread over the session. */
   static IntStream sample(int kicks) {
     return kicks <= SEARCHED_KICKS
         ? IntStream.range(0, kicks)
@@ -108,7 +108,7 @@ final class SampledSearch {
   }
 
   /**
-   * The same model with all kicks weighing alike, as decisions need it: a search hardly hears kicks that are far from explained.
+   * The same model fitted with equal weights, as decisions need it: in a search, kicks that are far from explained hardly count.
    *
    * @param fitter of the kicks
    * @param found by a search of the same kicks

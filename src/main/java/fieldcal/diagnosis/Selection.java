@@ -17,12 +17,12 @@ import java.util.Optional;
 import java.util.function.BiPredicate;
 import java.util.stream.Stream;
 
-/** The stage that decides a second time where much is left: with what is selected by prediction alone, beside the simple model or beside what was found. Not thread-safe. */
+/** The stage that decides a second time where much is left, with components that are selected by prediction alone and added to the simple model or to what was found. Not thread-safe. */
 final class Selection {
-  /** Nothing is selected by prediction with fewer kicks: then each is held out alone, and drawing them again says little. */
+  /** Nothing is selected by prediction with fewer kicks: each would be held out alone, and a bootstrap over them would show little. */
   private static final int FEWEST_KICKS = 6;
 
-  /** What is left must be as large as the noise, in variances. */
+  /** What is left must be larger than this, in variances of the noise. */
   private static final double MUCH = 1;
 
   private final SampledSearch search;
@@ -40,7 +40,7 @@ final class Selection {
     this.trace = trace;
   }
 
-  /** Whether what is left is as large as the noise, and there are kicks enough to say so. */
+  /** Whether more than the noise is left, there are enough kicks to show it, and causes may be named at all. */
   static boolean leavesMuch(Decided first) {
     Leftover leftover = Leftover.of(first.model());
     return first.screened().problem().maxCauses() > 0
@@ -49,12 +49,12 @@ final class Selection {
         && leftover.systematic() > MUCH;
   }
 
-  /** Whether a selection may help, and there is still time for one. */
+  /** Whether a selection may help, and the limit of work allows one. */
   static boolean mayHelp(Decided first) {
     return leavesMuch(first) && !first.screened().fitter().effort().isSpent();
   }
 
-  /** What is decided with a model of these kicks that explains a part of them, if that follows a usual kick more closely, or proves more and is no worse; else what was decided first. */
+  /** What is decided with a model that explains a part of these kicks, if it follows a usual kick more closely, or proves more and is no worse; otherwise what was decided first. */
   Decided with(FittedModel model, Decided first) {
     FittedModel deaf = first.screened().fit(model, Weighing.EXPLAINED_ONLY);
     return decided(deaf, first, Selection::provesMore).orElse(first);
@@ -85,10 +85,10 @@ final class Selection {
   }
 
   /**
-   * What is decided with a selected model, if it follows a usual kick more closely than what was decided first: without the kicks that stand out while it explains all others; where it does not, with what it leaves of each kick taken
-   * for noise, beside the same simple model.
+   * What is decided with a selected model, if it follows a usual kick more closely than what was decided first. If the model nearly explains all kicks but a few, these are left out. Otherwise what it leaves of each kick is taken
+   * for that kick's noise, and the result is compared with the first simple model.
    *
-   * @param enough what is enough where the other follows a usual kick as closely
+   * @param enough what suffices if the new model does not follow a usual kick more closely
    */
   private Optional<Decided> decided(
       FittedModel selected, Decided first, BiPredicate<Decided, Decided> enough) {
@@ -104,7 +104,7 @@ final class Selection {
     return Optional.of(without ? next : next.beside(first));
   }
 
-  /** Whether what was decided for other kicks, or for the same with other noise, is better than what was decided first: not by their weights alone, but also where the first model is fitted to them. */
+  /** Whether what was decided with fewer kicks, or with other noise, is better than what was decided first. The first model is fitted to the same kicks with the same noise, so that their weights alone do not make the difference. */
   private static boolean isBetter(Decided next, Decided first, boolean without) {
     long seed = next.screened().seed();
     FittedModel same = next.screened().fit(first.model(), Weighing.ALIKE);

@@ -9,18 +9,18 @@ import java.util.Objects;
  * @param variable on what
  * @param bins in ascending order of the variable
  * @param share of the systematic part of the residuals that the bins' means make up, 0 to 1
- * @param deviation how many standard deviations of noise the bins' means are above what noise would make of them
+ * @param deviation by how much the bins' means together exceed what noise makes of them, in standard deviations of noise
  */
 public record StructureProfile(
     StructureVariable variable, List<Bin> bins, double share, double deviation) {
 
   /**
-   * Mean residual, seen minus predicted, over a range of the variable. Along and across the path of the ball; for the variables camera, image column and image row along x and y of
+   * Mean residual, seen minus predicted, over a range of the variable. It is given along and across the path of the ball, but for the variables camera, image column and image row along x and y of
    * the field.
    *
-   * @param at middle of the range; for cameras the id, for robots the number, plus 100 for blue ones
-   * @param alongMm mm
-   * @param acrossMm mm, to the left positive
+   * @param at mean of the variable over the bin's observations, in the unit of the variable; for cameras the id, for robots the number, plus 100 for blue ones
+   * @param alongMm along the path or x, mm
+   * @param acrossMm across the path, positive to its left, or along y, mm
    * @param errorMm standard error of both for the cameras' noise alone, mm
    * @param count how many observations
    */

@@ -12,9 +12,9 @@ public enum StructureVariable {
   X("m"),
   /** Place in the field. */
   Y("m"),
-  /** Direction of travel. */
+  /** Direction of travel in the field frame, 0 = along x, counter-clockwise. */
   DIRECTION("rad"),
-  /** Height of the ball. */
+  /** Height of the ball above the carpet; only while it flies. */
   HEIGHT("m"),
   /** Which camera. */
   CAMERA(""),
@@ -45,7 +45,7 @@ public enum StructureVariable {
   /**
    * Its unit.
    *
-   * @return empty for things that are counted or named
+   * @return empty for ids and numbers of robots
    */
   public String unit() {
     return unit;

@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param significant whether more is left than noise makes
  * @param systematicMm size of the systematic part, root mean square per axis, mm
- * @param deviation how many standard deviations of noise that is
+ * @param deviation the systematic part in standard deviations of what noise alone gives
  * @param dependsOn the variables that the residuals depend on, strongest first; empty when nothing significant is left
  */
 public record Unexplained(

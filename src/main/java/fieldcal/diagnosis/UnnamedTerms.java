@@ -18,17 +18,17 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The stage that describes what has no name: laws that values of the kicks follow, what differs from kick to kick by chance, and learned curves and maps. Each must pay on kicks that were held out, and none may predict worse than what it joins or replaces. Not
+ * The stage that describes what has no name: laws that values of the kicks follow, what differs from kick to kick by chance, and learned curves and maps. Each must follow or predict held-out kicks better. What is added to causes must not predict worse than the simple model, and what replaces something must not predict worse than that. Not
  * thread-safe.
  */
 final class UnnamedTerms {
-  /** A simpler model is taken unless a larger one predicts held-out kicks better by that share: a tenth of the noise's excess that matters. */
+  /** A simpler model is taken unless a larger one follows held-out kicks better by this share of their residual: a tenth of the smallest excess over the noise that matters. */
   private static final double CLEARLY_BETTER = 0.01;
 
-  /** Change of a cause's size by which a learned term beside it has taken its place, as a share. */
+  /** If the size of a cause changes by at least this share when a learned term is added, the term has taken its place. */
   private static final double SUPPLANTED = 0.5;
 
-  /** Curves alone must leave at most that share of the held-out variance that causes with names leave: by less they are another description of the same. */
+  /** Curves alone must leave less than this share of the held-out variance that named causes leave; otherwise they only describe the same in another form. */
   static final double IMITATED = 0.5;
 
   private final ModelChoice choice;
@@ -71,7 +71,7 @@ final class UnnamedTerms {
   /**
    * Describes.
    *
-   * @param named the model with causes that have names; the simple one without any
+   * @param named the model with named causes, or the simple one if there are none
    * @return the same where nothing is left and nothing follows a law
    */
   Weighed beside(Weighed named) {
@@ -88,7 +88,7 @@ final class UnnamedTerms {
     if (isSpent()) {
       return curved(found, true);
     }
-    // Beside none first: causes may have imitated a law.
+    // // Beside the simple model first: causes may have imitated a law.
     List<FittedModel> starts = new ArrayList<>(List.of(base));
     if (found.model() != base) {
       starts.add(laws.withoutValues(found.model()));
@@ -110,7 +110,7 @@ final class UnnamedTerms {
         : best;
   }
 
-  /** With curves in the place of everything else where these predict better, and what was found predicts most kicks worse than the simple model: values for each kick follow it without a law that predicts the next one. */
+  /** If what was found predicts most kicks worse than the simple model, curves replace everything else if they predict better. Values for each kick may follow it and still not predict the next one. */
   private Weighed predicting(Weighed found) {
     if (!found.held().predictsMostWorseThan(heldBase, seed)) {
       return found;
@@ -123,7 +123,7 @@ final class UnnamedTerms {
     return sound && curved.foretellsMoreThan(found, seed) ? curved : found;
   }
 
-  /** With laws for what kickers do: values that have a mean of their own and follow the kick are no chance, and a law predicts where values do not. */
+  /** With laws for what kickers do: values with a mean of their own that follow the kick do not differ by chance, and a law predicts where values do not. */
   private Weighed lawful(Weighed found) {
     Weighed best = found;
     for (Judgement j : found.judged()) {
@@ -135,7 +135,7 @@ final class UnnamedTerms {
     return best;
   }
 
-  /** With a law in the place of values, and of what else follows the same, since one law may be behind all of it; else in the place of these values alone. */
+  /** With a law in place of these values and of all others that follow the same quantity, since one law may explain all of them; otherwise in place of these values alone. */
   private Weighed withLawFor(Weighed before, Judgement values) {
     Dependence follows = values.follows().orElseThrow();
     List<Judgement> alike =
@@ -158,7 +158,7 @@ final class UnnamedTerms {
     return group.stream().map(of.judged()::indexOf).toList();
   }
 
-  /** With the laws that values of the kicks follow, one after another, as long as each takes most of what is left; as found where there is none. */
+  /** With the laws that values of the kicks follow, one after another, as long as each explains more than half of what is left; unchanged where there is none. */
   private Weighed withLaws(Weighed found, List<FittedModel> starts) {
     Weighed best = found;
     List<FittedModel> from = starts;
@@ -179,7 +179,7 @@ final class UnnamedTerms {
     return best;
   }
 
-  /** Without causes whose place a law took, unless they take most of what it leaves: beside it a cause may get its true size, or describe what the law's form misses. */
+  /** Without causes whose place a law took, unless they explain more than half of what it leaves: beside the law a cause may get its true size, or describe what the law's form misses. */
   private Weighed lean(FittedModel before, Weighed after) {
     FittedModel fewer = withoutSupplanted(before, after.model());
     if (fewer == after.model()) {
@@ -189,14 +189,14 @@ final class UnnamedTerms {
     return excess(after) < IMITATED * excess(lean) ? after : lean;
   }
 
-  /** With curves for what laws leave, unless that differs from kick to kick by chance. */
+  /** With curves for what laws leave, unless what is left differs from kick to kick by chance. */
   private Weighed besideLaws(Weighed lawful) {
     boolean done =
         !Leftover.of(lawful.model()).isSignificant() || laws.leavesChance(lawful.model());
     return done ? lawful : curved(lawful, false);
   }
 
-  /** With chance and learned terms. Several effects may have imitated one that has no name: then curves alone leave much less, and nothing is named. */
+  /** With chance and learned terms. Several effects may have imitated one that has no name. Therefore curves alone replace all names if they leave much less, or predict better. */
   private Weighed withoutLaws(Weighed found) {
     Weighed best = curved(found);
     boolean alreadyAlone = found.model().model().components().isEmpty();
@@ -218,7 +218,7 @@ final class UnnamedTerms {
     return Math.pow(weighed.held().rmsMm(), 2) - noise * noise;
   }
 
-  /** With curves and chance beside the causes, if that predicts better. A value for each kick can be any cause that differs between kicks: it takes the place of one that was named only where it explains much more. */
+  /** With curves and chance beside the causes, if that follows held-out kicks better. A value for each kick can imitate any cause that differs between kicks. So it takes the place of a named cause only where it explains much more. */
   private Weighed curved(Weighed named) {
     Weighed best = curved(named, true);
     boolean much = Math.pow(best.held().rmsMm(), 2) < IMITATED * Math.pow(named.held().rmsMm(), 2);
@@ -239,7 +239,7 @@ final class UnnamedTerms {
     return weighed.judged().stream().anyMatch(j -> isChance(j) && j.follows().isPresent());
   }
 
-  /** Whether nothing should be begun that can be left out. */
+  /** Whether nothing optional should be started any more. */
   private boolean isSpent() {
     return fitter.effort().isSpent();
   }
@@ -253,7 +253,7 @@ final class UnnamedTerms {
                     .noneMatch(k -> k.isName() && k.component().isSameCause(j.component())));
   }
 
-  /** With curves beside the causes, if that predicts better. Causes whose place a curve took stay where they are needed all the same: beside a curve a cause may get its true size. */
+  /** With curves beside the causes, if that follows held-out kicks better. Causes whose place a curve took stay where they are still needed: beside a curve a cause may get its true size. */
   private Weighed curved(Weighed named, boolean chance) {
     FittedModel curved = curves.beside(named.model(), named.judged(), chance);
     if (curved == named.model()) {
@@ -271,7 +271,7 @@ final class UnnamedTerms {
     return better ? best : named;
   }
 
-  /** Without causes that a curve took the place of: what is another number beside the curve was the curve's shadow. */
+  /** Without causes whose place a curve took: if the size of a cause changes much beside the curve, the cause had only imitated the curve. */
   private FittedModel withoutSupplanted(FittedModel before, FittedModel after) {
     double[] then = before.solution().values();
     double[] now = after.solution().values();

@@ -13,7 +13,7 @@ public record Area(double x0, double x1, double y0, double y1) {
    * The smallest rectangle around two.
    *
    * @param other another one
-   * @return both
+   * @return the smallest rectangle that contains both
    */
   public Area and(Area other) {
     return new Area(

@@ -3,8 +3,8 @@ package fieldcal.effect;
 /**
  * The ball as a body.
  *
- * @param mass kg
- * @param radius m
+ * @param mass mass, kg, positive
+ * @param radius radius, m, positive
  * @param inertiaFactor β in I = β·m·r². A force on a rolling ball accelerates it by 1/(1+β) of what it would do to a sliding one, because it must turn
  *     the ball, too. This is the body's own β; a fitted kSwitch, which also absorbs other causes, is deliberately not used for it
  */

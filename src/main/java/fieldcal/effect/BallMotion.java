@@ -130,7 +130,7 @@ public final class BallMotion {
   /**
    * Time since the beginning of the session.
    *
-   * @return s
+   * @return session time, s
    */
   public double sessionTime() {
     return sessionTime;

@@ -61,7 +61,7 @@ public interface Effect {
   }
 
   /**
-   * Whether it grows with the time since the beginning of the session, so that a clock is needed to predict with it.
+   * Whether it depends on the time since the beginning of the session, so that a clock is needed to predict with it.
    *
    * @return false unless an effect says otherwise
    */
@@ -80,7 +80,7 @@ public interface Effect {
   }
 
   /**
-   * Where it may act: absent copies with the cameras, robots, regions, lines or times at which a search begins. A search makes the best of them better by
+   * Where it may act: absent copies with the cameras, robots, regions, lines or times at which a search begins. A search improves the best of them by
    * changing the {@linkplain #places() place parameters}.
    *
    * @param arena what was recorded
@@ -119,7 +119,7 @@ public interface Effect {
   }
 
   /**
-   * Whether the mean of what differs from kick to kick has to be estimated. It has not if it is one of the ball's parameters, or zero by symmetry.
+   * Whether the mean of what differs from kick to kick has to be estimated. It is not estimated if it is one of the ball's parameters, or zero by symmetry.
    *
    * @return true unless an effect says otherwise
    */
@@ -192,9 +192,9 @@ public interface Effect {
   }
 
   /**
-   * What it acts on, where that is not all: a camera, a robot. Two effects of one id and one subject are one cause with other numbers.
+   * What it acts on, if not on everything: a camera, a robot. Two effects with the same id and subject are the same cause with other numbers.
    *
-   * @return a text for comparison; of what is neither estimated nor a place
+   * @return a text for comparison, made of the parameters that are neither estimated nor places
    */
   default String subject() {
     StringBuilder text = new StringBuilder();
@@ -207,7 +207,7 @@ public interface Effect {
   }
 
   /**
-   * The variables that what it does depends on, as learned terms name theirs.
+   * The variables on which its action depends, named as those of learned terms.
    *
    * @return empty unless an effect says otherwise
    */

@@ -120,7 +120,7 @@ public final class EffectFields {
         name + ": must be " + wanted + ", but is " + (value == null ? "missing" : found));
   }
 
-  /** A number that no estimator may answer comes from a damaged file or a wrong unit. */
+  /** A number out of the range of estimates comes from a damaged file or a wrong unit. */
   private static double within(Parameter p, double value) {
     if (value >= p.min() && value <= p.max()) {
       return value;

@@ -11,7 +11,7 @@ import java.util.Optional;
  * @param flat how the ball slides and rolls; absent when no flat kick was seen
  * @param chip how it bounces; absent when no chip was seen
  * @param effects all causes with their numbers, of the motion and of the cameras
- * @param sessionStart begin of the session on the AI's clock, s: the time stamp of the first frame of the first recording that was diagnosed; matters for effects that change with time only
+ * @param sessionStart beginning of the session on the AI's clock, s: the time stamp of the first frame of the first recording that was diagnosed; it matters only for effects that change with time
  */
 public record ExtendedModel(
     Optional<FlatModel> flat, Optional<ChipModel> chip, List<Effect> effects, double sessionStart) {
@@ -29,7 +29,7 @@ public record ExtendedModel(
   /**
    * The same model on another clock.
    *
-   * @param newSessionStart begin of the session on that clock, s
+   * @param newSessionStart beginning of the session on that clock, s
    * @return the changed copy
    */
   public ExtendedModel withSessionStart(double newSessionStart) {

@@ -14,17 +14,17 @@ import java.util.OptionalDouble;
  *
  * <p>The equations are those of the closed forms with forces added. With the spin as the velocity s at which a ball with that spin rolls without slip,
  * and the slip u = v − s: sliding, dv/dt = accSlide·û + f and ds/dt along û so that |u| shrinks at |accSlide|/(1 − kSwitch) where f = 0; rolling,
- * dv/dt = accRoll·v̂ + f/(1+β), s = v; in flight dv/dt = f − g. The horizontal part of f acts so, its vertical part scales all
- * friction by the pressure on the carpet, 1 − f_z/g. At an impact the models' fixed losses act, the lost momentum m·Δv turns the ball by Δs = −Δv/β, at most until it
- * rolls, and after the last flight the ball rolls.
+ * dv/dt = accRoll·v̂ + f/(1+β), s = v; in flight dv/dt = f − g. On the carpet only the horizontal part of f is added; its vertical part scales all
+ * friction by the pressure on the carpet, 1 − f_z/g. At an impact the models' fixed losses act, and the torque of the impulse m·Δv changes the spin by Δs = −Δv/β, at most until the ball
+ * rolls. After the last flight the ball rolls.
  *
  * <p>Spin that the kick gave the ball, q (as s), acts at impacts, too. The impulse along the ground follows from the slip of the contact point (R. L. Garwin, "Kinematics of an ultraelastic rough ball", Am. J. Phys.
  * 37, 1969; R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70, 2002): as long as the ball grips, Δv = −k·(v − s), which for a ball without spin is the model's loss with k = 1 − dampingXyFirstHop. So the path without q stays
- * the model's, and q is a linear perturbation of it with the same k: at each impact v gets k·q more, and q is used up by the torque, q ← q·max(0, 1 − k/β). A {@linkplain MotionEffect.ImpactLaw law of impacts} takes the place of both; the slip
- * that its impacts leave is taken when the ball begins to roll.
+ * the model's, and q is a linear perturbation of it with the same k: at each impact v gets k·q more, and q is used up by the torque, q ← q·max(0, 1 − k/β). A {@linkplain MotionEffect.ImpactLaw law of impacts} takes the place of both; friction removes the slip
+ * that its impacts leave when the ball begins to roll.
  *
- * <p>From the second impact on this is not the contact law itself, in which what v has gained slips, too. The simulation has that law; up to the last flight both differ by up to 1.3 mm in usual chips. It was tried here and taken back, since chips of another simulator, whose
- * impacts are integrated, were explained worse with it.
+ * <p>From the second impact on, this differs from the contact law itself, in which the velocity gained from q contributes to the slip, too. The simulation uses that law; until the last flight ends, the two differ by up to 1.3 mm in usual chips. It is not used here, because it explains the chips of another simulator, whose
+ * impacts are integrated, less well.
  *
  * <p>Without effects the path is {@link fieldcal.ball.FlatTrajectory}'s or {@link ChipTrajectory}'s.
  *
@@ -77,7 +77,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
-   * The path of a flat kick as far as it is wanted, which costs less than the whole where the ball was seen for a part of its way only.
+   * The path of a flat kick up to a given time, which takes less time than the whole path where the ball was seen only for a part of its way.
    *
    * @param model how the ball slides and rolls
    * @param effects what acts in addition
@@ -143,7 +143,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
-   * How many flights {@link ChipModel#lowestHop} allows, without the way that the ball then rolls.
+   * How many flights {@link ChipModel#lowestHop} allows, found without integrating the rolling that follows.
    *
    * @param model how the ball bounces
    * @param effects what acts in addition
@@ -206,7 +206,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
-   * The path of a chip with a given number of flights as far as it is wanted.
+   * The path of a chip with a given number of flights, up to a given time.
    *
    * @param model how the ball bounces and rolls
    * @param effects what acts in addition
@@ -218,9 +218,9 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * @param vy velocity right after the kick, m/s
    * @param vz velocity right after the kick, m/s, not negative
    * @param flights number of flights, the kick's own included, 0 to {@link ChipModel#MAX_FLIGHTS}
-   * @param until the latest time that will be asked about, s; after its flights the path may end at any time after it, as if the ball stopped there
+   * @param until the latest time that will be asked about, s; all flights are integrated, but on the carpet the path may end at any later time, as if the ball stopped there
    * @return the path, up to that time the same as the whole
-   * @throws IllegalArgumentException when a number is not finite; {@code until} may be infinite, {@code vz} is negative or {@code flights} out of its range
+   * @throws IllegalArgumentException when a number is not finite ({@code until} may be infinite), {@code vz} is negative or {@code flights} is out of its range
    */
   public static ExtendedTrajectory chipWithHops(
       ChipModel model,
@@ -270,7 +270,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   }
 
   /**
-   * How much work the path was.
+   * How much work it took to integrate the path.
    *
    * @return pieces that were integrated one by one
    */
@@ -281,7 +281,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
   /**
    * How many flights the path has.
    *
-   * @return 0 of a flat kick
+   * @return the number, 0 for a flat kick
    */
   public int flights() {
     return flights;

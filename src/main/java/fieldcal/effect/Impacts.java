@@ -83,8 +83,8 @@ final class Impacts {
   /**
    * The fixed loss of an impact, and what the kick's spin adds to it (see {@link ExtendedTrajectory}): the perturbation is taken out, and put back changed.
    *
-   * @param dampingXy what is left of the velocity along the ground
-   * @param grip slope of the contact law
+   * @param dampingXy share of the velocity along the ground that is left (–)
+   * @param grip change of velocity per slip in the contact law (–)
    * @param state is changed
    */
   private void lose(double dampingXy, double grip, double[] state) {

@@ -18,10 +18,10 @@ public final class MeasurementEffects {
 
   private final List<MeasurementEffect> effects;
 
-  /** Fastest ball for which the latest time is asked for, m/s: a kick of 6.5 m/s and what cameras make of it. */
+  /** Largest speed for which time stamps are corrected when the latest time is computed, m/s: a kick of 6.5 m/s, with the errors of cameras. */
   private static final double FASTEST = 8;
 
-  /** Half the distance of a learned curve's knots, m/s. */
+  /** Less than half the distance of the knots of a learned curve over the speed (1.3 m/s), m/s. */
   private static final double SPEED_STEP = 0.5;
 
   /** Whether the time stamps of any camera have an error. */
@@ -167,7 +167,7 @@ public final class MeasurementEffects {
    * Whether all cameras' time stamps have the same errors, so that {@link #lastBallTime} is the same.
    *
    * @param other for the same cameras
-   * @return false also where that cannot be told
+   * @return true when they have; false also where the cameras differ
    */
   public boolean isAsLateAs(MeasurementEffects other) {
     if (!late && !other.late) {

@@ -101,7 +101,7 @@ public interface MotionEffect extends Effect {
     double slidingFactor(BallMotion motion);
 
     /**
-     * Friction across the slip, which a carpet or an engine has whose friction is not the same in all directions.
+     * Friction across the slip, as on a carpet or in an engine whose friction is not the same in all directions.
      *
      * @param motion how the ball moves
      * @return as a part of the model's friction, positive to the left of the slip; 0 = as in the model
@@ -189,7 +189,7 @@ public interface MotionEffect extends Effect {
     /**
      * The longest step of an integrator that does not skip over how it varies.
      *
-     * @param motion how the ball moves at the step's begin
+     * @param motion how the ball moves at the beginning of the step
      * @return s, positive; infinite when it does not matter
      */
     double longestStep(BallMotion motion);
@@ -230,8 +230,8 @@ public interface MotionEffect extends Effect {
     /**
      * Whether a place is within.
      *
-     * @param x m
-     * @param y m
+     * @param x x in the field frame, m
+     * @param y y in the field frame, m
      * @return true within
      */
     boolean contains(double x, double y);
@@ -244,7 +244,7 @@ public interface MotionEffect extends Effect {
      * @param y0 begin, m
      * @param x1 end, m
      * @param y1 end, m
-     * @return a fraction of the way, above 0 and at most 1, at which it is on the other side, with one edge only between; NaN when it stays on its side
+     * @return a fraction of the way, above 0 and at most 1, at which it is on the other side, with exactly one edge in between; NaN when it stays on its side
      */
     double otherSide(boolean inside, double x0, double y0, double x1, double y1);
   }

@@ -23,7 +23,7 @@ final class Path {
   private double[] coefficients;
   private Phase[] phases;
 
-  /** Lengths before each piece; made when first asked for, because fits never do. Whoever makes them makes the same. */
+  /** Lengths before each piece, m; computed when first asked for, because fits never do. Threads that compute them at the same time get the same. */
   private volatile double[] ways;
 
   Path(int capacity) {
@@ -162,7 +162,7 @@ final class Path {
     return k[c] + s * (k[c + 1] + s * (k[c + 2] + s * (k[c + 3] + s * (k[c + 4] + s * k[c + 5]))));
   }
 
-  /** Height of the ball, m; 0 on the carpet, of which no piece that rolls knows. */
+  /** Height of the ball, m; 0 on the carpet, where the pieces have no height. */
   double height(int i, double s) {
     return phases[i] == Phase.FLYING ? Math.max(0, position(i, 2, s)) : 0;
   }
@@ -212,7 +212,7 @@ final class Path {
       if (!(next >= low && next <= high)) {
         next = 0.5 * (low + high);
       }
-      // The next step would be as this one squared.
+      // // The error that is left is about the square of this step.
       if (Math.abs(next - s) * duration[i] < 1e-7) {
         return next;
       }

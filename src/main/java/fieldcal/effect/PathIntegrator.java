@@ -36,7 +36,7 @@ final class PathIntegrator {
   /** Error constant of the method, for an acceleration that changes with time and velocity alike. */
   private static final double ORDER_5 = 120;
 
-  /** A look ahead of this length shows how fast the acceleration changes at a phase's begin, s. */
+  /** A look ahead of this length shows how fast the acceleration changes at the beginning of a phase, s. */
   private static final double LOOK_AHEAD = 0.05;
 
   /** Velocity (m/s) below which a phase has ended, and height (m) at which a ball has landed. */
@@ -326,7 +326,7 @@ final class PathIntegrator {
     }
   }
 
-  /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; returns whether it was made whole. */
+  /** The step just tried becomes the path's next piece, up to the edge of a zone when there is one; returns whether the whole step was made. */
   private boolean keep(Phase phase, double step) {
     if (!(step > 0)) {
       accept(step);
@@ -388,7 +388,7 @@ final class PathIntegrator {
     forces.derivative(phase, time + step, trial, end);
   }
 
-  /** The state after a step, in {@code trial}; {@code k1} is the rate at its begin. */
+  /** The state after a step, in {@code trial}; {@code k1} is the rate at its beginning. */
   private void rungeKutta(Phase phase, double step) {
     move(k1, 0.5 * step);
     forces.derivative(phase, time + 0.5 * step, at, k2);

@@ -1,7 +1,7 @@
 package fieldcal.effect;
 
 /**
- * What cameras report of a ball on a path, and from there of the same ball under other effects on the cameras, and of balls on paths close by. Fits ask for derivatives of a path in a hundred directions: each camera's picture of the path is worked out once for all of them. Immutable.
+ * What cameras report of a ball on a path, and from there of the same ball under other effects on the cameras, and of balls on paths close by. Fits ask for derivatives of a path in a hundred directions: what each camera reports of the path is computed once for all of them. Not thread-safe: derivatives are computed when first asked for.
  */
 public final class Reports {
   /** How far a ball is moved to see by how much its report moves, m: a rounding error of 1e-15 m is 1e-10 of it, and a camera at 4 m bends less. */
@@ -45,7 +45,7 @@ public final class Reports {
   /**
    * What is reported.
    *
-   * @param out receives x and y of each sighting, m; NaN where the ball is not below the camera or the stamp is no number
+   * @param out receives x and y of each sighting in turn, m; NaN where the ball is not below the camera or the stamp is NaN
    */
   public void copyTo(double[] out) {
     System.arraycopy(ground, 0, out, 0, ground.length);

@@ -83,9 +83,9 @@ public final class Sight {
   /**
    * Moves the true camera.
    *
-   * @param dx m
-   * @param dy m
-   * @param dz m
+   * @param dx shift along x, m
+   * @param dy shift along y, m
+   * @param dz shift upwards, m
    */
   public void moveCamera(double dx, double dy, double dz) {
     cameraX += dx;
@@ -94,11 +94,11 @@ public final class Sight {
   }
 
   /**
-   * Moves both the true camera and the one with which vision reckons: what is published is neither.
+   * Moves both the true camera and the one with which vision computes: for errors where vision is right about its camera and publishes another position.
    *
-   * @param dx m
-   * @param dy m
-   * @param dz m
+   * @param dx shift along x, m
+   * @param dy shift along y, m
+   * @param dz shift upwards, m
    */
   public void moveBelief(double dx, double dy, double dz) {
     moveCamera(dx, dy, dz);
@@ -148,9 +148,9 @@ public final class Sight {
   }
 
   /**
-   * Raises the plane that vision cuts the ray with.
+   * Raises the plane with which vision intersects the ray.
    *
-   * @param height m
+   * @param height by how much, m
    */
   public void raisePlane(double height) {
     plane += height;
@@ -159,8 +159,8 @@ public final class Sight {
   /**
    * Adds to the reported position.
    *
-   * @param dx m
-   * @param dy m
+   * @param dx shift along x, m
+   * @param dy shift along y, m
    */
   public void shiftReport(double dx, double dy) {
     offsetX += dx;

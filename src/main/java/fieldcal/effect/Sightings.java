@@ -3,7 +3,7 @@ package fieldcal.effect;
 import java.util.Arrays;
 
 /**
- * Through which cameras and when a ball was seen: what the reports of its place depend on apart from its path. Predictions are fastest when the stamps are in order. The arrays are not copied and must not be changed;
+ * By which cameras and when a ball was seen: what the reports of its place depend on apart from its path. Predictions are fastest when the stamps are in order. The arrays are not copied and must not be changed;
  * then it may be used by many threads.
  */
 public final class Sightings {

@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * How one camera reports balls under the effects that concern it. What is the same for every ball is worked out once: fits ask for hundreds of millions of
+ * How one camera reports balls under the effects that concern it. What is the same for every ball is computed once: fits ask for hundreds of millions of
  * reports. Immutable.
  */
 final class View {
@@ -24,7 +24,7 @@ final class View {
   private final Refraction[] refractions;
   private final Displacement[] displacements;
 
-  /** Where vision believes the camera, m. */
+  /** Where vision believes the camera to be, m. */
   private double believedX;
 
   private double believedY;

@@ -5,8 +5,8 @@ package fieldcal.simulation;
  *
  * @param name as in commands
  * @param kind how its value is written
- * @param min smallest number
- * @param max largest number
+ * @param min smallest number that is accepted, in the unit of the parameter
+ * @param max largest number that is accepted, in the unit of the parameter
  */
 public record EffectParameter(String name, Kind kind, double min, double max) {
 

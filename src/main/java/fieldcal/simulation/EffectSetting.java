@@ -205,7 +205,7 @@ public record EffectSetting(SimulatedEffect effect, Map<String, String> values) 
    * Whether a camera is meant.
    *
    * @param id the camera
-   * @return true when the setting names it or all; of a setting that names none, see {@link SimulatedEffect}
+   * @return true when the setting names it or all; if it names none, for camera 0 only, or for all cameras where {@link SimulatedEffect} says so
    */
   public boolean concernsCamera(int id) {
     String value = values.getOrDefault("camera", effect.allCamerasUnlessSaid() ? ALL : "0");

@@ -10,8 +10,8 @@ import java.util.List;
  * @param length along x, m
  * @param width along y, m
  * @param boundary width of the strip outside the lines, m
- * @param goalWidth m
- * @param goalDepth m
+ * @param goalWidth width of the goals along y, m
+ * @param goalDepth depth of the goals along x, m
  */
 public record FieldSize(
     double length, double width, double boundary, double goalWidth, double goalDepth) {
@@ -49,7 +49,7 @@ public record FieldSize(
   /**
    * The painted lines with the league's names.
    *
-   * @return touch, goal, halfway and centre line, penalty areas (a fifth of the width by 0.15 of the length on either side)
+   * @return touch, goal, halfway and centre lines, and penalty areas (0.15 of the length deep and 0.4 of the width wide)
    */
   List<FieldLine> lines() {
     double x = length / 2;

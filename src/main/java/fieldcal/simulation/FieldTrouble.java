@@ -10,8 +10,8 @@ import java.util.Objects;
  *
  * @param kind what
  * @param time session time when it begins, s
- * @param duration how long it lasts, s; those of a moment have none
- * @param robot which of the commanded robots it concerns, by its index
+ * @param duration how long it lasts, s; 0 for troubles of an instant
+ * @param robot index of the commanded robot that it concerns, 0 or more
  */
 public record FieldTrouble(Kind kind, double time, double duration, int robot) {
 
@@ -54,7 +54,7 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
   /**
    * Checks the ranges. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when a time is negative or NaN
+   * @throws IllegalArgumentException when a time or the index is negative, or a time is NaN
    */
   public FieldTrouble {
     Objects.requireNonNull(kind, "kind");
@@ -73,7 +73,7 @@ public record FieldTrouble(Kind kind, double time, double duration, int robot) {
    *
    * @param seed of the draw
    * @param count how many
-   * @param span within which time they begin, s
+   * @param span latest session time at which one begins, s, above 2; the earliest is 2 s
    * @return by time
    */
   public static List<FieldTrouble> random(long seed, int count, double span) {

@@ -25,11 +25,11 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * A simulated field whose robots are commanded from outside, tick by tick, while its cameras look on. Frames arrive with the delay of a real vision, commands with that of a radio. Same settings,
- * troubles and commands, same frames. Not thread-safe.
+ * A simulated field whose robots are commanded from outside, tick by tick, while its cameras look on. Frames arrive with the delay of a real vision, commands with that of a radio. The same settings,
+ * troubles and commands give the same frames. Not thread-safe.
  */
 public final class InteractiveField {
-  /** From the command to the robot, s: a radio at 60 Hz and half a period of waiting. */
+  /** Delay from the command to the robot, s: a radio at 60 Hz and half a period of waiting. */
   private static final double RADIO = 0.02;
 
   /** Where robots are put that are not on the field, m. */
@@ -112,7 +112,7 @@ public final class InteractiveField {
    * @param second the other
    * @param troubles what goes wrong
    * @return the field at time 0
-   * @throws IllegalArgumentException when an effect leaves the range of the physics, or two robots have one name
+   * @throws IllegalArgumentException when an effect leaves the range of the physics, or two robots have the same id
    */
   public static InteractiveField of(
       SimulationSettings settings, RobotId first, RobotId second, List<FieldTrouble> troubles) {
@@ -175,7 +175,7 @@ public final class InteractiveField {
   }
 
   /**
-   * What the robots are like from now on, beside the troubles.
+   * What the robots are like from now on, in addition to the troubles.
    *
    * @param like their characters
    * @return this field
@@ -279,7 +279,7 @@ public final class InteractiveField {
     return new RobotCommand(driven, command.kick(), command.dribbler());
   }
 
-  /** A velocity on the way from that of the robot to the commanded one. */
+  /** A velocity between that of the robot and the commanded one. */
   private RobotCommand sluggish(SimulatedRobot robot, RobotCommand command) {
     if (!players.contains(robot.id()) || !(command.motion() instanceof RobotCommand.Velocity v)) {
       return command;
@@ -342,7 +342,7 @@ public final class InteractiveField {
                 world.ball().x() + 0.35 * sideX, world.ball().y() + 0.35 * sideY * share
               };
       default -> {
-        // Lasts for a while, and is asked for when it matters.
+        // // Lasts for a while, and is checked where it matters.
       }
     }
   }
@@ -413,9 +413,9 @@ public final class InteractiveField {
    * Puts a robot somewhere at rest; one that is off the field comes back there when it comes back.
    *
    * @param robot who; unknown ones are ignored
-   * @param x m
-   * @param y m
-   * @param orientation rad
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
+   * @param orientation direction of its front, rad, 0 = along x, counter-clockwise
    */
   public void placeRobot(RobotId robot, double x, double y, double orientation) {
     if (absent.containsKey(robot)) {
@@ -430,10 +430,10 @@ public final class InteractiveField {
   }
 
   /**
-   * Somebody lays the ball down; until then it is in the hand.
+   * Somebody lays the ball down; until then it is in the hand, where no camera sees it.
    *
-   * @param x m
-   * @param y m
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
    * @param seconds how long that takes, s
    */
   public void handBall(double x, double y, double seconds) {
@@ -478,7 +478,7 @@ public final class InteractiveField {
   }
 
   /**
-   * Where session times count from.
+   * The beginning of session time.
    *
    * @return session time zero
    */

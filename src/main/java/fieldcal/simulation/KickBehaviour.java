@@ -10,15 +10,15 @@ import java.util.Optional;
  * How a kick differs from its command.
  *
  * @param speedScatter standard deviation of speed over commanded speed (–)
- * @param directionScatter standard deviation, rad
- * @param elevationScatter standard deviation, rad; chips only
+ * @param directionScatter standard deviation of the direction, rad
+ * @param elevationScatter standard deviation of the elevation, rad; chips only
  * @param rollSpin mean spin about the rolling axis in units of rolling spin, negative = backspin
- * @param rollSpinScatter its standard deviation from kick to kick
- * @param chipSpin what chips have beyond that mean
+ * @param rollSpinScatter its standard deviation from kick to kick, in the same unit
+ * @param chipSpin what chips have beyond that mean, in the same unit
  * @param sideSpin mean spin about the direction of travel in the same unit
- * @param sideSpinScatter its standard deviation from kick to kick
+ * @param sideSpinScatter its standard deviation from kick to kick, in the same unit
  * @param biases robots that kick faster than commanded, or in another direction
- * @param spinTables what is added to the mean spin about the rolling axis, measured and without a formula
+ * @param spinTables measured spins without a formula that are added to the mean spin about the rolling axis
  */
 public record KickBehaviour(
     double speedScatter,
@@ -39,7 +39,7 @@ public record KickBehaviour(
   /**
    * Copies the list and checks the scatters. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when a scatter is negative or NaN
+   * @throws IllegalArgumentException when a scatter is not in [0, 10) or NaN
    */
   public KickBehaviour {
     double[] scatters = {
@@ -55,10 +55,10 @@ public record KickBehaviour(
   }
 
   /**
-   * One robot's (or one team's) bias.
+   * The bias of one robot or of a whole team.
    *
    * @param speed relative excess of speed (–)
-   * @param yaw to the left, rad
+   * @param yaw turn of the direction to the left, rad
    * @param team whose
    * @param number which; empty = all of the team
    */

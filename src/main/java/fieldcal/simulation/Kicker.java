@@ -20,7 +20,8 @@ final class Kicker {
   }
 
   void kick(SimulatedRobot robot, KickCommand command, BallBody ball) {
-    // All draws happen for every kick, so that one kick's kind does not change the next one's luck.
+    // // All numbers are drawn for every kick, so that the kind of one kick does not change the
+    // next one.
     double speedError = scatter.gaussian(behaviour.speedScatter());
     double directionError = scatter.gaussian(behaviour.directionScatter());
     double elevationError = scatter.gaussian(behaviour.elevationScatter());

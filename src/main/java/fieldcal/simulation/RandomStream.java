@@ -3,8 +3,8 @@ package fieldcal.simulation;
 import java.util.SplittableRandom;
 
 /**
- * Seeded random numbers for one purpose. Every purpose has its own stream, so that switching one thing on does not change the luck of another: an effect of magnitude zero leaves a recording
- * as it was, to the last bit. Not thread-safe.
+ * Seeded random numbers for one purpose. Every purpose has its own stream, so that switching one thing on does not change the numbers of another: an effect of magnitude zero leaves a recording
+ * unchanged, to the last bit. Not thread-safe.
  */
 public final class RandomStream {
   private final SplittableRandom random;

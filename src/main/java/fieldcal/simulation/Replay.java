@@ -15,8 +15,8 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 
 /**
- * Makes given kicks again under a field's laws and before its cameras: the ball starts where, when and as fast as it did, robots are where they were, everything else is the field's. What spin a
- * kick gives is drawn from the field's kickers where it is not known. Runs once; not thread-safe.
+ * Repeats given kicks under the laws of a field and in view of its cameras. The ball starts at the same place, time and velocity, and robots are where they were; everything else is the field's. Where the spin of a
+ * kick is not known, it is drawn from the field's kickers. Runs once; not thread-safe.
  */
 public final class Replay {
   /** Step at which the cameras look, s. */
@@ -61,7 +61,7 @@ public final class Replay {
    * A replay.
    *
    * @param settings the field; its scenario does not count
-   * @param kicks in any order; one that begins before the one before has ended cuts that short
+   * @param kicks in any order; a kick that begins before the previous one has ended cuts it short
    * @param robots where they are
    * @param spans what is recorded, in order
    * @throws IllegalArgumentException when an effect leaves the range of the physics or nothing is to be recorded
@@ -127,7 +127,7 @@ public final class Replay {
     return false;
   }
 
-  /** Moves the ball over a tick, from one thing that happens to it to the next. */
+  /** Moves the ball over a tick, from event to event. */
   private void move(double from, double to) {
     double time = from;
     while (next < events.size() && events.get(next).time() <= to) {
@@ -160,7 +160,7 @@ public final class Replay {
   }
 
   private void happen(Event event, double now) {
-    // Two nodes of one time: what follows has nothing to do with what was before.
+    // // Two nodes at the same time: the path is not continuous here.
     node(now);
     switch (event.what()) {
       case APPEAR -> {

@@ -4,7 +4,7 @@ import java.util.Objects;
 import java.util.OptionalDouble;
 
 /**
- * A kick to be made again.
+ * A kick to be repeated.
  *
  * @param restFrom session time from which the ball lies at the kick's place, s; the kick's own time when it was moving already
  * @param time session time of the kick, s
@@ -12,8 +12,8 @@ import java.util.OptionalDouble;
  * @param y place of the kick, m
  * @param vx velocity right after the kick, m/s
  * @param vy velocity right after the kick, m/s
- * @param vz velocity right after the kick, m/s, above 0 of a chip
- * @param end session time of the end, s
+ * @param vz velocity right after the kick, m/s; 0 for a flat kick, positive for a chip
+ * @param end session time at which the kick ends, s
  * @param heldAtEnd whether somebody stops the ball then and holds it; else it goes on
  * @param hiddenFrom session time from which nobody sees the ball any more, s
  * @param rollSpin spin about the rolling axis that the kick gave, in units of rolling spin; empty = drawn from the field's kickers

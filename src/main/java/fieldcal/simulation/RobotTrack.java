@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
 
-/** Where a robot was, at some times; in between it moves evenly, and over long gaps it is away. Immutable. */
+/** Where a robot was at some times. In between it moves evenly; in longer gaps it is away. Immutable. */
 public final class RobotTrack {
   /** Longest gap between two places that is bridged, s: a robot of 3 m/s is then 1 m further. */
   private static final double GAP = 0.3;

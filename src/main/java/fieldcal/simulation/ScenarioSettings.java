@@ -7,15 +7,15 @@ import java.util.Objects;
  * Details of a scenario.
  *
  * @param kind what the robots do
- * @param kicks number of kicks to collect, those of both teams in a match, deflections not counted; 0 = a match ends after its time alone
- * @param flatSpeedMin slowest flat kick, m/s
- * @param flatSpeedMax fastest flat kick, m/s
- * @param chipSpeedMin slowest chip, m/s
- * @param chipSpeedMax fastest chip, m/s
- * @param elevation of chips, rad
- * @param reception share of the kicks that the receiver tries to stop
- * @param teamSize robots per team in a match
- * @param minutes length of a match, without breaks it adds; one with a number of kicks ends after the last of them if that comes first
+ * @param kicks number of kicks to collect, 0 to 100 000, in a match those of both teams; deflections do not count; 0 = a match ends only after its time
+ * @param flatSpeedMin slowest flat kick, m/s, 0.3 to 10
+ * @param flatSpeedMax fastest flat kick, m/s, not below the slowest, at most 10
+ * @param chipSpeedMin slowest chip, m/s, 1 to 10
+ * @param chipSpeedMax fastest chip, m/s, not below the slowest, at most 10
+ * @param elevation of chips, rad, 0.1 to 1.4
+ * @param reception share of the kicks that the receiver tries to stop, 0 to 1
+ * @param teamSize robots per team in a match, 1 to 16
+ * @param minutes length of a match, min, 0.1 to 10 000, without the break; a match with a number of kicks ends earlier, after the last of them
  * @param yellow limits of yellow robots
  * @param blue limits of blue robots
  * @param manner what the robots of both teams of a match are like beyond that
@@ -38,7 +38,7 @@ public record ScenarioSettings(
   /** Length of a match without a number of kicks, min; one with a number of kicks is not shorter. */
   private static final double USUAL_MINUTES = 2;
 
-  /** What a match may take for each of its kicks, min; usually one takes an eighth of it, with robots of 0.3 m/s half. */
+  /** Time for each kick of a match, min; usually a kick takes an eighth of it, with robots of 0.3 m/s half of it. */
   private static final double MINUTES_PER_KICK = 0.5;
 
   private static final double LONGEST_MINUTES = 10_000;

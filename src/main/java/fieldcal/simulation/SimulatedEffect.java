@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 
 /**
  * What can be switched on in the simulated field: the causes of the design's table with its names and parameters, the two of robots, and some that are in no catalogue. A parameter that is not
- * given is zero (camera: 0) if nothing else is said.
+ * given is zero (camera: 0) unless stated otherwise.
  */
 public enum SimulatedEffect {
   /** Drag on the ground and in flight. */
@@ -47,13 +47,13 @@ public enum SimulatedEffect {
       number("shift_x_mm", -500, 500),
       number("shift_y_mm", -500, 500),
       camera()),
-  /** One camera's position is published wrong, while vision itself reckons with the true one; without a camera that of all. */
+  /** One camera's position is published wrong, while vision itself computes with the true one; of all cameras if none is given. */
   CAMERA_POSITION_ERROR(
       number("x_mm", -1000, 1000),
       number("y_mm", -1000, 1000),
       number("height_mm", -1000, 1000),
       camera()),
-  /** One camera's published distortion differs from the true one; without a camera that of all. */
+  /** One camera's published distortion differs from the true one; of all cameras if none is given. */
   LENS_DISTORTION_ERROR(number("delta", -0.2, 0.2), camera()),
   /** Vision projects balls onto a plane that is too high. */
   BALL_HEIGHT_ERROR(number("mm", -100, 100)),
@@ -73,7 +73,7 @@ public enum SimulatedEffect {
   TORQUE_LIMITED(number("coefficient", 0, 0.95), team()),
   /** Robots accelerate less sideways. */
   DIRECTIONAL(number("coefficient", 0, 0.95), team()),
-  /** The air moves, towards a direction; nothing without drag. */
+  /** The air moves towards a direction; without drag this has no effect. */
   WIND(number("speed", -20, 20), number("direction", -10, 10)),
   /** Sliding friction depends on the speed of slipping. */
   SLIP_DEPENDENT_FRICTION(number("slope", -0.45, 1)),
@@ -82,7 +82,7 @@ public enum SimulatedEffect {
       number("x_mm", -500, 500), number("y_mm", -500, 500), number("at", 0, 1e6), camera()),
   /** Another ball from a time of the session on. */
   BALL_CHANGED(number("roll", -0.9, 5), number("slide", -0.9, 5), number("at", 0, 1e6)),
-  /** Impacts are contacts: the part 1 + reversed of the slip is undone, as far as friction can; speed and spin lose a share, and a spinning ball is resisted; hops end at the league's 10 mm unless said otherwise; nothing without friction. */
+  /** Impacts are contacts: the part 1 + reversed of the slip is undone, as far as friction can; speed and spin lose a share, and rolling resistance brakes a spinning ball; hops end at the league's 10 mm unless stated otherwise; without friction this has no effect. */
   CONTACT_IMPACTS(
       number("reversed", -1, 1),
       number("friction", 0, 5),
@@ -119,7 +119,7 @@ public enum SimulatedEffect {
   UNNAMED_SIDE_FORCE(number("rate", -2, 2)),
   /** Not in the catalogue: sticky patches in a grid, 0.8 m apart unless said otherwise. */
   UNNAMED_PATCHES(number("change", -0.9, 20), number("pitch", 0.3, 10)),
-  /** Not in the catalogue: an error of one camera's lens that is not radial, x shifted by that much times ξ²η. */
+  /** Not in the catalogue: an error of one camera's lens that is not radial: x is shifted by this length times ξ²η (see {@link fieldcal.simulation.imaging.CameraErrors#shear}). */
   UNNAMED_LENS_SHEAR(number("mm", -500, 500), camera());
 
   private static final Set<SimulatedEffect> ALL_CAMERAS_UNLESS_SAID =
@@ -157,7 +157,7 @@ public enum SimulatedEffect {
   }
 
   /**
-   * Whether the design's table lists it. The others exist to show that a diagnosis blames no known cause for an unknown one.
+   * Whether the design's table lists it. The others exist to show that a diagnosis does not name a known cause for an unknown one.
    *
    * @return false for causes that no diagnosis can name
    */

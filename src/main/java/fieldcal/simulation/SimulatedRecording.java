@@ -35,7 +35,7 @@ public record SimulatedRecording(
   }
 
   /**
-   * Where times count from.
+   * The beginning of session time.
    *
    * @return session time zero
    */

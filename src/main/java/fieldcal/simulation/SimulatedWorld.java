@@ -30,12 +30,12 @@ public final class SimulatedWorld implements Scene {
   /** Time between two commands, s. */
   public static final double TICK = 0.005;
 
-  /** How far outside the lines a ball has left the field, m. */
+  /** Distance beyond the lines at which a ball has left the field, m. */
   public static final double OUT = 0.25;
 
   private static final int SUBSTEPS = 5;
 
-  /** A kicker needs to recharge, s. */
+  /** Time that a kicker needs to recharge, s. */
   private static final double RECHARGE = 0.1;
 
   /** Height up to which a kicker and a dribbler reach the ball, m. */
@@ -113,7 +113,7 @@ public final class SimulatedWorld implements Scene {
   /** Moves everything by one tick. */
   public void tick() {
     for (int i = 1; i <= SUBSTEPS; i++) {
-      // From the tick's number, not by adding up: a day of ticks must not drift.
+      // // Computed from the tick's number, so that rounding errors do not add up.
       double next = (ticks * SUBSTEPS + i) * (TICK / SUBSTEPS);
       for (SimulatedRobot robot : robots) {
         robot.move(next - time);
@@ -153,7 +153,7 @@ public final class SimulatedWorld implements Scene {
     double y = holder.y() + ahead * sin + holdAside * cos;
     double vx = (x - ball.x()) / (next - time);
     double vy = (y - ball.y()) / (next - time);
-    // Within its first step the ball is put straight.
+    // // In the first step the ball is moved to its place at the dribbler.
     boolean slips = heldSteps++ > 0 && slips(vx, vy, next - time);
     heldVx = slips || heldSteps > 1 ? vx : holder.vx();
     heldVy = slips || heldSteps > 1 ? vy : holder.vy();
@@ -306,7 +306,7 @@ public final class SimulatedWorld implements Scene {
         0.5 * ball.spinY(),
         0.5 * ball.spinZ());
     history.node(time, ball);
-    // What robots do to a ball outside the field is nobody's kick.
+    // // Contacts outside the field do not count as kicks.
     if (isInside()) {
       kicks.deflect(time, ball, robot);
     }
@@ -349,9 +349,9 @@ public final class SimulatedWorld implements Scene {
   /**
    * Somebody takes the ball and lays it down elsewhere; cameras do not see it meanwhile.
    *
-   * @param x m
-   * @param y m
-   * @param duration s
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
+   * @param duration until the ball lies there, s
    */
   public void carryBall(double x, double y, double duration) {
     kicks.end(time, EndReason.PLACED, Optional.empty());
@@ -366,8 +366,8 @@ public final class SimulatedWorld implements Scene {
   /**
    * Lays the ball down at once.
    *
-   * @param x m
-   * @param y m
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
    */
   public void placeBall(double x, double y) {
     kicks.end(time, EndReason.PLACED, Optional.empty());

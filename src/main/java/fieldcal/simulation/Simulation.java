@@ -46,7 +46,7 @@ public final class Simulation {
         interactive ? new VisionSystem(settings, world, 0, 0) : new VisionSystem(settings, world);
   }
 
-  /** A simulation whose packets come without delay, for somebody who steers by them; it begins some seconds later than others of its seed. */
+  /** A simulation whose packets are delivered when they arrive, for programs that drive robots by them; it begins some seconds later than others of its seed. */
   static Simulation interactive(SimulationSettings settings, Scenario scenario, double later) {
     return new Simulation(settings, scenario, true, later);
   }
@@ -97,7 +97,7 @@ public final class Simulation {
   }
 
   /**
-   * Where session times count from.
+   * The beginning of session time.
    *
    * @return session time zero
    */
@@ -149,7 +149,7 @@ public final class Simulation {
    */
   public Truth run(Consumer<SimulatedPacket> sink) {
     while (tick(sink)) {
-      // The tick does it all.
+      // // All work is done in the tick.
     }
     return finish(sink);
   }

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
  * What is to be simulated. Start from {@link #DEFAULT} and change it with the with-methods.
  *
  * @param scenario what the robots do
- * @param seed of all luck
+ * @param seed of all random numbers
  * @param field the field
  * @param physics laws of the ball without effects
  * @param kickBehaviour how kicks differ from commands without effects
@@ -142,7 +142,7 @@ public record SimulationSettings(
   /**
    * Another seed.
    *
-   * @param newSeed of all luck
+   * @param newSeed of all random numbers
    * @return the changed settings
    */
   public SimulationSettings withSeed(long newSeed) {

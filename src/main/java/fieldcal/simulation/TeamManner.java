@@ -7,9 +7,9 @@ import java.util.Objects;
  *
  * @param facing where robots look that are not at the ball
  * @param weakRobot number of a robot in each team that accelerates and brakes less than the others; −1 for none
- * @param strength of that robot in parts of the others', above 0
- * @param difference standard deviation of the robots' acceleration and braking about their team's, in parts
- * @param settling time in which a robot's acceleration changes evenly from one value to another, s; 0: it changes at once
+ * @param strength acceleration and braking of that robot as a fraction of the others', above 0, at most 2
+ * @param difference relative standard deviation of the robots' acceleration and braking about their team's (–), 0 to 0.1
+ * @param settling time in which a robot's acceleration changes evenly from one value to another, s, 0 to 1; 0 = it changes at once
  */
 public record TeamManner(
     Facing facing, int weakRobot, double strength, double difference, double settling) {

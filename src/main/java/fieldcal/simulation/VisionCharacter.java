@@ -16,13 +16,13 @@ public enum VisionCharacter {
   IDEAL,
   /** All cameras stamp the same times, as those of other simulators do. */
   SIMULTANEOUS,
-  /** Neighbouring cameras see the same thing 40 mm apart, as those of a well-known simulator do. */
+  /** Neighbouring cameras report the same object 40 mm apart, as those of a well-known simulator do. */
   DISAGREEING,
-  /** Detections without noise to speak of, 0.01 mm, as those of simulators without a noise model. */
+  /** Detections have hardly any noise, 0.01 mm, as in simulators without a noise model. */
   NOISELESS,
   /** One frame of twenty is lost, and each camera stalls every ten seconds for 0.05 to 0.4 s, as on a busy network. */
   STALLING,
-  /** One robot's pattern of fifty is misread, as that of another number or as turned by 90°, as where the light is poor. */
+  /** One of fifty robot patterns is misread, as that of another number or as turned by 90°, as in poor light. */
   MISREADING;
 
   private static final double DISAGREEMENT = 0.04;

@@ -21,10 +21,10 @@ public final class VisionSystem {
   /** From vision to the recorder, s. */
   private static final double NETWORK = 0.0003;
 
-  /** How long after its exposure a frame may still be on its way, s: a recorder can wait that long to have all in order. */
+  /** Longest time from the exposure of a frame to its arrival, s: a recorder that waits this long has all frames in order. */
   static final double SAFE_LAG = 0.1;
 
-  /** When the first geometry is sent, s after the recording's begin. */
+  /** When the first geometry is sent, s after the beginning of the recording. */
   private static final double FIRST_GEOMETRY = 0.004;
 
   private static final double GEOMETRY_INTERVAL = 1;

@@ -82,7 +82,7 @@ final class Expectations {
     throw new IOException(place + ": expected numbers, value ± tolerance, but found " + text);
   }
 
-  /** What differs of the names that begin so, one line each; names that are missing on either side differ. */
+  /** The differences for names with a prefix, one line each; a name that is missing on either side counts as a difference. */
   List<String> differences(String prefix, Map<String, Value> now) {
     List<String> lines = new ArrayList<>();
     TreeMap<String, Value> all = new TreeMap<>(now);
@@ -120,7 +120,7 @@ final class Expectations {
     return "expected " + was.written() + ", but was " + is.text() + ", off by " + number(off);
   }
 
-  /** Writes the names that begin so again; tolerances that stand there stay, and so do all other lines. */
+  /** Writes new values for the names with a prefix; their tolerances and all other lines stay. */
   void accept(String prefix, Map<String, Value> now, String recording) throws IOException {
     TreeMap<String, Value> all = new TreeMap<>(values);
     all.keySet().removeIf(name -> name.startsWith(prefix));
@@ -147,7 +147,7 @@ final class Expectations {
     return file;
   }
 
-  /** Five digits are far below any tolerance. */
+  /** Five digits: what is rounded off is far below any tolerance. */
   private static String number(double value) {
     return String.format(Locale.ROOT, "%.5g", value);
   }

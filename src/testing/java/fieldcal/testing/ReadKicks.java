@@ -27,8 +27,8 @@ import java.util.TreeMap;
  * The kicks of one recording and the cameras that saw them, with the first geometry of the recording.
  *
  * @param kicks in order of time
- * @param cameras as published; those whose lens cannot be have none
- * @param observers what effects know of the cameras
+ * @param cameras as published; without the lens where the published one does not fit the kicks
+ * @param observers what is published of the cameras, for the effects
  * @param published models of the ball
  * @param epoch of the kicks' times
  * @param sessionStart time of the first frame, s since the epoch
@@ -80,7 +80,7 @@ record ReadKicks(
           try {
             cameras.put(calibration.id(), Camera.of(calibration));
           } catch (IllegalArgumentException unusable) {
-            // Used like a camera without a calibration.
+            // // The camera is used as one without a calibration.
           }
         }
       }

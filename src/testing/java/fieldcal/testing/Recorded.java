@@ -30,8 +30,8 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * The kicks of a recording, and whether what is made of them stays as it was. Each assertion compares with lines of a text file, {@code name = value ± tolerance}; run once with {@code
- * -Dfieldcal.accept=true}, it writes them. What is slow is done when it is asked for, once. For one thread at a time.
+ * The kicks of a recording, with assertions that calibration, predictions and diagnosis of them stay as they were. Each assertion compares with lines of a text file, {@code name = value ± tolerance}; run once with {@code
+ * -Dfieldcal.accept=true}, it writes them. Calibration and diagnosis are computed once, when first needed. Not thread-safe.
  */
 public final class Recorded {
   private static final String ACCEPT = "fieldcal.accept";
@@ -39,10 +39,10 @@ public final class Recorded {
   /** Horizons of the predictions, s: those of {@code diagnosis.json}. */
   private static final double[] HORIZONS = {0.5, 1, 2};
 
-  /** A prediction error may grow or shrink by that share until somebody wants to know; chosen, above what a refit on another machine changes. */
+  /** Tolerance of a prediction error, as a share of it; chosen, above what a refit on another machine changes. */
   private static final double SHARE = 0.05;
 
-  /** And by that much, mm: a tenth of a camera's noise. */
+  /** Added to this tolerance, mm: a tenth of a camera's noise. */
   private static final double LEAST_MM = 0.2;
 
   private final Path recording;
@@ -193,7 +193,7 @@ public final class Recorded {
    * A team's own code predicts these kicks as well as expected: the root mean square distance, in mm, from each kick's fitted path 0.5, 1 and 2 s after the kick.
    *
    * @param name of the predictor, letters and digits; its lines in the file begin with it
-   * @param predictor asked for every kick that was seen for so long
+   * @param predictor asked for every kick that was seen at least as long as the horizon
    * @throws AssertionError with one line for each horizon at which it does not, better ones included
    */
   public void assertPredictionsStay(String name, KickPredictor predictor) {

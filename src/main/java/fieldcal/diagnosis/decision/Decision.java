@@ -22,9 +22,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
-/** Judges the components of a model: each is taken out and all else fitted again. Immutable and thread-safe. */
+/** Judges the components of a model: each is taken out, and everything else is fitted again. Immutable and thread-safe. */
 public final class Decision {
-  /** What only so many kicks show may be theirs. */
+  /** What no more than this many kicks show may be an error of these kicks. */
   public static final int TOO_FEW_KICKS = 2;
 
   private final DecisionSettings settings;
@@ -35,11 +35,11 @@ public final class Decision {
   private final long seed;
 
   /**
-   * A judge.
+   * A decision.
    *
    * @param settings every number that decides
-   * @param fresh fits of the kicks from the simple model on
-   * @param alternatives what else could stand for a component
+   * @param fresh fits of the kicks that start from the simple model
+   * @param alternatives what else could explain the same as a component
    * @param seed of the parts of the kicks that are held out
    */
   public Decision(DecisionSettings settings, FreshFit fresh, Alternatives alternatives, long seed) {
@@ -78,7 +78,7 @@ public final class Decision {
    * @param excess what the model leaves, in the same units; 0 when that is noise
    * @param left whether it leaves more than the noise of the cameras, whatever noise the kicks were given
    * @param curves what learned curves explain together beside a law
-   * @param information what the kicks tell of each component beside the others
+   * @param information what the kicks determine of each component beside the others
    * @param held how the model does on kicks that were held out
    * @param heldWithoutChance the same with the mean of what differs from kick to kick by chance; null where nothing does
    */
@@ -186,25 +186,25 @@ public final class Decision {
           with.gainOn(without, seed), with.heardBy(model).gainOn(without.heardBy(model), seed));
     }
 
-    /** Beside what differs from kick to kick by chance, what acts within a kick shows where each has its value, and what differs between kicks shows where none has. */
+    /** The gain with the larger lower bound. Where kicks differ by chance, what acts within a kick shows if each kick has its own value, and what differs between kicks shows if all have the mean. */
     Gains orMoreCertain(Gains other) {
       return other.heard[HoldOut.LOWER] > heard[HoldOut.LOWER] ? other : this;
     }
   }
 
-  /** Whether kicks have spins of which nobody can say that they are the kickers': something is left that they may have taken a part of, or they follow from the kick. */
+  /** Whether the kicks have spins that may not come from the kickers: something is left, of which the spins may have absorbed a part, or the spins follow from the kick. */
   private static boolean isUnprovenSpin(Judgement j, boolean left) {
     boolean spin = j.effect() instanceof SpinAtKick && j.component().isPerKick();
     return spin && j.outcome() != Outcome.NAMED && (left || j.follows().isPresent());
   }
 
-  /** What acts through such spins is no better proven: both together are a free number for each kick. */
+  /** What acts through such spins gets no name either: with them it is one free number for each kick. */
   private static Judgement beyondSpin(Judgement j) {
     return j.outcome() == Outcome.NAMED && j.effect().actsThroughSpin() ? j.as(Outcome.FORM) : j;
   }
 
   /**
-   * What would explain the same as a component that was named.
+   * What would explain as much as a component that was named.
    *
    * @param model fitted to all kicks
    * @param i component
@@ -217,7 +217,7 @@ public final class Decision {
   }
 
   /**
-   * What the values of a component follow that has one for each kick.
+   * What the values of a component follow, if it has a value for each kick.
    *
    * @param model fitted to all kicks
    * @param i component
@@ -229,7 +229,7 @@ public final class Decision {
         : Optional.empty();
   }
 
-  /** What learned curves explain together beside a law, which is a form of that and has no name where it is more: each curve may be a part of one thing. 0 where there are not several of them beside a law. */
+  /** What learned curves explain together beside a law, in units of what is left. If this is more than the law explains, the law is only a form of it and gets no name. 0 unless there are several curves beside a law. */
   private double curvesBesideLaw(FittedModel model, double noise) {
     List<Effect> effects = model.effects();
     Set<Integer> curves = new HashSet<>();
@@ -258,7 +258,7 @@ public final class Decision {
     return law || fitted.evenCost() > fresh.simple().evenCost() ? refound(fitted) : fitted;
   }
 
-  /** The same components begun again: a law that stays, at each of its starts. What explains less than the simple model has led nowhere, and decides nothing about what was taken out. */
+  /** The same components fitted again from the simple model, and with each start of a law that stays. A fit that explains less than the simple model is a local minimum, and shows nothing about what was taken out. */
   private FittedModel refound(FittedModel fitted) {
     FittedModel best = fresh.orBetter(fitted);
     List<Component> all = best.started();
@@ -295,8 +295,8 @@ public final class Decision {
             && (proof.isUneven() || proof.wald() < settings.formShare() * evidence);
     boolean law = follows && c.template().hasOwnMean();
     if (c.isPerKick() && (evidence < scales.excess || small || law)) {
-      // A value for each kick takes up something of whatever is left, and is no kicker's doing
-      // where it follows from the kick.
+      // // A value for each kick absorbs a part of whatever is left, and does not come from a
+      // kicker where it follows from the kick.
       return Outcome.UNSTEADY;
     }
     FittedModel without = scales.without.get(i);
@@ -307,7 +307,7 @@ public final class Decision {
       return Outcome.FORM;
     }
     if (c.hasPlace() && evidence < scales.unnamed(i)) {
-      // A place is chosen where it takes up most of whatever has no name.
+      // // A place is chosen where it absorbs most of whatever has no name.
       return Outcome.FORM;
     }
     if (!c.isPerKick() && evidence < settings.imitation() * scales.excess) {
@@ -318,8 +318,8 @@ public final class Decision {
       // It helps to fit kicks, not to predict most of them: what is left may be another form of it.
       return Outcome.FORM;
     }
-    // A value for each kick takes up something of anything: it helps, too, where another cause has
-    // not its true form.
+    // // A value for each kick absorbs a part of anything: it also helps where another cause does
+    // not have its true form.
     boolean helps = !c.isPerKick() && gain[1] >= 100 * settings.formGain();
     double largest = scales.largest(i);
     if (evidence < settings.formShare() * largest && !helps) {

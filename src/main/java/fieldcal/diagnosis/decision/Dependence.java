@@ -4,17 +4,17 @@ import fieldcal.effect.learned.Variable;
 import java.util.Objects;
 
 /**
- * What a value follows that differs from kick to kick: something that is recorded of each kick, in a form.
+ * What a value that differs from kick to kick follows: a recorded quantity, and the form of the dependence.
  *
  * @param on the recorded quantity: session time, place, heading or speed of the kick
  * @param form how the value follows it
  * @param functions how many functions the form has beside a constant
  * @param place where a step is, halfway between the last kick before and the first after it, in the quantity's unit; NaN of other forms
- * @param change by which a step changes the value, or a straight line for each unit of the quantity; NaN of a curve
+ * @param change change of the value at a step, in the value's unit, or slope of a straight line, per unit of the quantity; NaN for a curve
  * @param lowest where the form is lowest among the kicks
  * @param highest where it is highest
  * @param explained share of the values' variance that the form explains, 0 to 1
- * @param chance that values without any order follow something as closely, everything considered that was tried
+ * @param chance that values without any order follow something as closely, given everything that was tried
  */
 public record Dependence(
     Variable on,
@@ -42,7 +42,7 @@ public record Dependence(
    *
    * @param x the quantity there; of a place its x
    * @param y y of a place; 0 of all else
-   * @param value the form's value there, from the mean of all kicks
+   * @param value the form's value there relative to the mean of all kicks, in the value's unit
    */
   public record Level(double x, double y, double value) {}
 

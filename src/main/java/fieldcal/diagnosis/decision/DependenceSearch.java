@@ -18,13 +18,12 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.apache.commons.math3.special.Beta;
 
 /**
- * Whether values that differ from kick to kick follow something that is recorded. If they do, a law is missing, and they do not differ by chance.
+ * Tests whether values that differ from kick to kick follow something that is recorded. If they do, the model lacks a law, and they do not differ by chance.
  *
- * <p>Tried are straight lines, curves of rising order and steps, of the values themselves and of their normal scores, to which a kick that is far off is only the last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often
- * chance alone makes it as small is counted by dealing the same values out to the kicks in other orders, so the level holds whatever the values' distribution, and however many forms are tried and overlap.
+ * <p>Tried are straight lines, curves of rising order and steps, of the values themselves and of their normal scores, in which a kick that is far off only comes last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often chance alone makes it as small is counted by assigning the same values to the kicks in other orders. So the level holds for any distribution of the values, and for any number of forms, even if they overlap.
  */
 final class DependenceSearch {
-  /** When that many other orders do as well, the chance is above the limit, and no more are needed (Besag and Clifford 1991): ten show it to a third. */
+  /** When this many other orders do as well, the chance is above the limit, and no more are drawn (Besag and Clifford 1991): with ten the chance is known to a third of itself. */
   private static final int ENOUGH_ORDERS = 10;
 
   /** Highest order of a curve over the session's time: six full waves. */
@@ -42,22 +41,22 @@ final class DependenceSearch {
   /** The same of what repeats every quarter turn: a friction box needs no other waves, and few kicks allow no more. */
   private static final int[] QUARTER_FUNCTIONS = {2, 4};
 
-  /** A form may have one function for so many kicks. */
+  /** Kicks for each function of a form, at least. */
   private static final int KICKS_PER_FUNCTION = 3;
 
-  /** Kicks that a step needs on each side: two may be bad for any reason. */
+  /** Kicks that a step needs on each side: two may be wrong for any reason. */
   private static final int FEWEST_ON_A_SIDE = 3;
 
-  /** A column that others explain but for that share of its square is no function of its own. */
+  /** A column of whose square the others leave no more than this share depends on them. */
   private static final double DEPENDENT = 1e-9;
 
   /** Rounds of a robust fit: it then moves by less than a per cent. */
   private static final int ROUNDS = 15;
 
-  /** Distance from which on a robust fit gives less weight, in standard deviations: 95 % as efficient where all is normal (Huber 1981). */
+  /** Distance beyond which a robust fit gives less weight, in standard deviations: 95 % efficiency for normal values (Huber 1981). */
   private static final double HUBER = 1.345;
 
-  /** Standard deviation of what is normal, in medians of the distance. */
+  /** Standard deviation of a normal variable over its median absolute deviation. */
   private static final double MEDIAN_TO_DEVIATION = 1.4826;
 
   /** Steps of a bisection: a double has 52 binary digits. */
@@ -86,8 +85,9 @@ final class DependenceSearch {
     for (int i = 0; i < n; i++) {
       Kick k = kicks.get(i);
       roots[i] = Math.sqrt(k.reliability());
-      // A value is drawn to the mean by its reliability r; the value that its detections alone give
-      // varies by 1/r. Times the root of r, all vary alike, and may be dealt out in any order.
+      // // A value is shrunk to the mean by its reliability r; the value that its detections alone
+      // give has a variance in proportion to 1/r. Multiplied by the root of r, all have the same
+      // variance, and may be assigned to the kicks in any order.
       values[i] = (k.value() - all.mean()) / roots[i];
       sum += values[i] * roots[i];
       total += k.reliability();
@@ -100,7 +100,7 @@ final class DependenceSearch {
     kinds[1] = centred(kinds[1]);
   }
 
-  /** What normally distributed values of the same order would be; equal ones share their mean. */
+  /** Normal scores: the values that normally distributed numbers of the same order would have; equal values share the mean of theirs. */
   private static double[] scores(double[] values) {
     double[] sorted = values.clone();
     Arrays.sort(sorted);
@@ -214,13 +214,13 @@ final class DependenceSearch {
     return sum;
   }
 
-  /** That noise explains that share with so many functions (F-test). */
+  /** Chance that noise explains a share of the squares with so many functions (F-test). */
   private double chance(double share, int functions) {
     double left = Math.max(0, Math.min(1, 1 - share));
     return Beta.regularizedBeta(left, 0.5 * (n - functions - 1), 0.5 * functions);
   }
 
-  /** The share whose chance that is. */
+  /** The share that noise explains with a given chance. */
   private double shareOf(double chance, int functions) {
     double low = 0;
     double high = 1;
@@ -232,7 +232,7 @@ final class DependenceSearch {
         high = middle;
       }
     }
-    // Orders that are equal but for rounding count.
+    // // Orders count that are equal except for rounding.
     return low * (1 - DEPENDENT);
   }
 
@@ -257,7 +257,8 @@ final class DependenceSearch {
       }
     }
     if (best == null || least > limit) {
-      // Several families find something by chance more often than one: this needs no counting.
+      // // Several families find something by chance more often than one does, so no orders need be
+      // counted.
       return Optional.empty();
     }
     double required = least;
@@ -408,7 +409,7 @@ final class DependenceSearch {
     return c;
   }
 
-  /** Weighs functions, takes the mean out and what the ones before explain, and gives each length 1 (Gram and Schmidt, twice for its rounding); how many of them are determined. */
+  /** Makes functions orthonormal: weights them, takes out the mean and what the functions before explain, and scales each to length 1 (Gram–Schmidt, twice because of rounding); returns how many are determined. */
   private int orthonormal(double[][] columns) {
     for (int c = 0; c < columns.length; c++) {
       double[] column = columns[c];
@@ -473,7 +474,7 @@ final class DependenceSearch {
         family.on, kind, functions, place, change, lowest, highest, explained, chance);
   }
 
-  /** The form at each kick, with less weight for kicks that it does not come near to (Huber 1964), or these would bend it. */
+  /** The form at each kick, fitted with less weight for kicks that are far from it (Huber 1964), which would bend it. */
   private double[] fitted(double[][] columns) {
     double[] fitted = new double[n];
     double[] weights = new double[n];

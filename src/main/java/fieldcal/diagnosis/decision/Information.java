@@ -12,7 +12,7 @@ import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
- * What the equations of a fitted model tell of its components when all other parameters follow: the efficient information (van der Vaart, Asymptotic Statistics, 1998, section 25.4), in units of chi-square. Immutable.
+ * What the equations of a fitted model determine of its components when all other parameters are fitted again: the efficient information (van der Vaart, Asymptotic Statistics, 1998, section 25.4), in units of chi-square. Immutable.
  */
 final class Information {
   private final EffectModel model;
@@ -43,7 +43,7 @@ final class Information {
     return new Information(fitted);
   }
 
-  /** Which share of what a component does others do once more; negative where they take it back. */
+  /** The share of a component's effect that other components have in common with it; negative where they act against it. */
   double shared(int component, int[] others) {
     int[] kept =
         IntStream.concat(
@@ -76,7 +76,7 @@ final class Information {
     return part;
   }
 
-  /** The same with the parameters that are not kept where they go when the component comes. */
+  /** The same, with all parameters that are not kept fitted again when the component is added. */
   private double[] whole(int component, int[] kept) {
     double[] change = part(component);
     boolean[] held = new boolean[change.length];

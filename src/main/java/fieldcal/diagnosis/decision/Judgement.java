@@ -11,8 +11,8 @@ import java.util.Optional;
  *
  * @param component which
  * @param effect with its fitted numbers
- * @param errors standard errors of its parameters, by name
- * @param scatter of its magnitude from kick to kick; 0 when it is the same for all
+ * @param errors standard errors of its parameters, by name, in their units; empty when the equations are singular
+ * @param scatter standard deviation of its magnitude from kick to kick, in the magnitude's unit; 0 when it is the same for all
  * @param evidence by how much chi-square rises without it, everything else fitted again, in units of what is left
  * @param gain on held-out kicks: mm, per cent, lower and upper bound in mm
  * @param follows what its values follow, if it has one for each kick and these do not differ by chance
@@ -32,22 +32,22 @@ public record Judgement(
   public enum Outcome {
     /** A cause. */
     NAMED,
-    /** Noise reaches as much among everything that was tried. */
+    /** Among everything that was tried, noise alone would reach its evidence. */
     CHANCE,
-    /** Its strength differs from kick to kick more than a cause's does. */
+    /** Its strength differs too much from kick to kick, or its values may come from something else. */
     UNSTEADY,
-    /** It differs from what the ball's own law may be by less than is known of that law. */
+    /** It cannot be distinguished from the ball's own law with what is known of that law. */
     BALL_ITSELF,
     /** Only one or two kicks gain by it. */
     FEW_KICKS,
-    /** It is little beside a larger cause of its kind: that one's form. */
+    /** It may be a form of something else: of a larger cause of its kind, of a learned curve, or of what is left. */
     FORM,
     /** Kicks that were held out do not gain by it. */
     NO_GAIN
   }
 
   /**
-   * Whether it is a cause that has a name: no curve, and no chance.
+   * Whether it is a cause with a name: neither a learned curve nor chance.
    *
    * @return true when it may be named
    */
@@ -68,9 +68,9 @@ public record Judgement(
   }
 
   /**
-   * The same, taken for something else.
+   * The same with another outcome.
    *
-   * @param other what for
+   * @param other the outcome
    * @return the changed copy
    */
   public Judgement as(Outcome other) {
@@ -78,7 +78,7 @@ public record Judgement(
   }
 
   /**
-   * The same, with what another one explained and gained whose place it took.
+   * The same, named, with the evidence and the gain of the judgement whose place it takes.
    *
    * @param other which
    * @return the changed copy

@@ -10,20 +10,20 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * A value that differs from kick to kick, beside what is recorded of each kick. Immutable.
+ * A value that differs from kick to kick, together with what is recorded of each kick. Immutable.
  *
- * @param mean of all kicks, to which values are drawn
+ * @param mean mean of all kicks, to which values are shrunk
  * @param kicks in the order of time
  */
 record KickValues(double mean, List<Kick> kicks) {
-  /** A kick whose detections tell less than that share of its value has only what the other kicks lead one to expect. */
+  /** A kick whose detections determine less than this share of its value is left out: its value is only what the other kicks lead one to expect. */
   private static final double LEAST_RELIABILITY = 0.1;
 
   /**
    * One kick.
    *
-   * @param value of the magnitude, estimated with the scatter of all kicks as what is known beforehand
-   * @param reliability share of the value's variance over the kicks that its detections determine, 0 to 1; the rest is drawn to the mean
+   * @param value value of the magnitude, estimated with the scatter of all kicks as the prior
+   * @param reliability share of the value's variance over the kicks that its detections determine, 0 to 1; by the rest the value is shrunk to the mean
    * @param time of the session, s
    * @param speed at the kick, m/s
    * @param heading direction of the kick, rad
@@ -53,7 +53,8 @@ record KickValues(double mean, List<Kick> kicks) {
     int random = model.model().random().indexOf(c);
     int mean = model.model().freeIndex(model.model().offset(component));
     double scatter = model.scatter(component);
-    // The kick's own value is eliminated from them: of the mean a kick tells 1/(scatter² + error²).
+    // // The kick's own value is eliminated: a kick determines the mean with a precision of
+    // 1/(scatter² + error²).
     ScoreSystem equations = model.solution().scores(List.of(), Weighing.ALIKE.of(model));
     List<Kick> all = new ArrayList<>();
     for (int k = 0; k < model.kickCount(); k++) {

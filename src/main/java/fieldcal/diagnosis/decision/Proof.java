@@ -17,15 +17,15 @@ import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.SingularMatrixException;
 
-/** What the kicks prove of one component of a model: whether they agree about it, and how many of them show it. Immutable and thread-safe. */
+/** What the kicks prove about one component of a model: whether they agree on it, and how many of them show it. Immutable and thread-safe. */
 final class Proof {
-  /** Hotelling's test needs more kicks than that times the numbers; with fewer it has little power. */
+  /** Hotelling's test needs more kicks than this times the number of magnitudes; with fewer it has little power. */
   private static final int KICKS_PER_NUMBER = 2;
 
-  /** A curve that takes back that share of what a cause does leaves less of it than it takes. */
+  /** Curves that take back this share of what a cause does leave no more of it than they take. */
   private static final double TAKEN_BACK = 0.5;
 
-  /** Standard errors that are no chance, as in every verdict. */
+  /** Distance from zero that is not due to chance, in standard errors. */
   private static final double BEYOND = 2;
 
   private final FittedModel model;
@@ -45,7 +45,7 @@ final class Proof {
     size = model.model().components().get(component).magnitudeCount();
   }
 
-  /** Whether learned curves undo most of what a cause does: together they are one curve, and its size is a matter of taste. */
+  /** Whether learned curves undo most of what a cause does: together they are one curve, and the size of either is arbitrary. */
   boolean isTakenBack(Information information) {
     List<Effect> effects = model.effects();
     int[] curves =
@@ -56,7 +56,7 @@ final class Proof {
         && information.shared(component, curves) < -TAKEN_BACK;
   }
 
-  /** Whether all kicks share its strength. A curve may have too many numbers for a test of them; kicks that were held out must then follow it. */
+  /** Whether all kicks share its strength. A curve may have too many numbers for the test; held-out kicks must then gain by it. */
   boolean isSteady(double[] gain) {
     return isTestable() ? !isUneven() : gain[HoldOut.LOWER] > 0;
   }
@@ -76,7 +76,7 @@ final class Proof {
     return !(wald() / size > limit);
   }
 
-  /** Whether the kicks have more in common than they differ by. What the mean is certain to be may hang on what is known of the ball, however much it explains. */
+  /** Whether the kicks have more in common than they differ by. The mean is compared with the scatter and not with its standard error, which may depend on what is known of the ball beforehand. */
   boolean isMostlyMean() {
     double[] values = model.solution().values();
     int from = model.model().offset(component);
@@ -87,7 +87,7 @@ final class Proof {
     return isTestable() && Math.sqrt(squares / size) > model.scatter(component);
   }
 
-  /** Squared distance of its numbers from zero, in their errors; 0 where these are not known. */
+  /** Wald statistic: squared distance of its numbers from zero, in units of their covariance; 0 where this is not known. */
   double wald() {
     Optional<double[][]> covariance = model.solution().covariance();
     if (covariance.isEmpty()) {
@@ -107,8 +107,8 @@ final class Proof {
   }
 
   /**
-   * Whether it may be the ball and not what it is named after: only what is known of the ball's own law tells the two apart. Neither its mean is two errors from what a sound ball seems to have, nor its scatter two errors of that knowledge: balls may differ from kick to kick by as
-   * much as from their textbook.
+   * Whether it may be the ball itself and not what it is named after, where only what is known of the ball's own law distinguishes the two: if its mean is within two errors of what a ball without the cause seems to have, and its scatter within two errors of that knowledge, since balls may differ from kick to kick by as
+   * much as from the textbook.
    */
   boolean isBallItself() {
     Effect effect = model.effects().get(component);
@@ -161,8 +161,8 @@ final class Proof {
   }
 
   /**
-   * Whether the kicks other than the two most informative ones would not show a cause of that size. What counts is what the equations let each kick tell, not by how much it was wrong: a kick that is metres wrong bends what all kicks share, and then
-   * others gain, too.
+   * Whether the kicks other than the two most informative ones would not show a cause of this size. What counts is the information of each kick and not its gain: a kick that is metres off bends what all kicks share, and then
+   * other kicks gain, too.
    */
   boolean isToldByFewKicks(double limit) {
     double[] ones = Weighing.ALIKE.of(model);
@@ -185,7 +185,7 @@ final class Proof {
     return !(others > limit * Math.max(1, model.solution().reducedChiSquare()));
   }
 
-  /** The same of values that each kick has of its own, whose mean may be nothing. */
+  /** The same for values that each kick has of its own, whose mean may be zero. */
   boolean isGainOfFewKicks(FittedModel without) {
     return model.shareOfMost(without, Decision.TOO_FEW_KICKS) < settings.fewKicks();
   }

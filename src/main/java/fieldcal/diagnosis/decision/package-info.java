@@ -1,4 +1,4 @@
 /**
- * The only place where names are given: which of the effects that a search kept are causes, which are the form of another, which cannot be told apart, under a false-alarm budget over everything that was tried.
+ * The only place where names are given: it decides which of the effects that a search kept are causes, which are only the form of another, and which cannot be distinguished, within a budget of false alarms over everything that was tried.
  */
 package fieldcal.diagnosis.decision;

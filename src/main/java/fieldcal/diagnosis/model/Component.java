@@ -17,10 +17,10 @@ import java.util.OptionalInt;
  * found, an effect's place (a region, a line, an instant) may be free, too. Immutable.
  */
 public final class Component {
-  /** Width of what is expected of a magnitude before seeing data, in the parameter's scales: a common value of the effect. */
+  /** Standard deviation of a magnitude's prior, in the parameter's scales: a common value of the effect. */
   private static final double EXPECTED = 4;
 
-  /** The same of a mean that is none: a parameter of the ball has its place. */
+  /** The same for a mean that is not estimated, because a parameter of the ball takes its place. */
   private static final double NO_MEAN = 0.001;
 
   /** One magnitude, with the index of its direction or -1. */
@@ -75,7 +75,7 @@ public final class Component {
     double min = axis.isEmpty() ? p.min() : -p.max();
     coordinates.add(named(p.withBounds(min, p.max()).withValue(value).free(), axis));
     double deviation = (isChance() ? NO_MEAN : EXPECTED) * p.scale();
-    // A law that replaces another has no absence to be near to: about where it starts.
+    // // A law that replaces another is not expected near its absence, but near where it starts.
     double mean = template.starts().isEmpty() ? 0 : value;
     priors.add(new Prior(mean, 1 / (deviation * deviation)));
   }
@@ -92,7 +92,7 @@ public final class Component {
         p.source());
   }
 
-  /** An angle that is estimated and no magnitude says where the magnitude before it points to. */
+  /** An angle that is estimated and is not a magnitude gives the direction of the magnitude before it. */
   private static boolean isDirection(Effect template, Parameter p) {
     return p.estimated() && p.unit().equals("rad") && !template.magnitudes().contains(p.name());
   }
@@ -147,7 +147,7 @@ public final class Component {
   }
 
   /**
-   * The same in another recording, which may tell more of values that each kick has of its own than the one in which it was found, or less.
+   * The same in another recording, which may determine more or fewer of the magnitudes that differ from kick to kick.
    *
    * @param arena what was recorded
    * @return the component with the magnitudes that can show there
@@ -230,7 +230,7 @@ public final class Component {
   /**
    * What is known of them before any data.
    *
-   * @return one each
+   * @return one prior for each coordinate
    */
   public List<Prior> priors() {
     return priors;

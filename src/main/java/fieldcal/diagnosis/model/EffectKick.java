@@ -29,16 +29,16 @@ public final class EffectKick implements KickTerm<ModelState> {
   /** Slowest rise of a chip, m/s. */
   private static final double SLOWEST_RISE = 0.05;
 
-  /** What a number of flights against the rule costs in chi-square; noise reaches it once in ten thousand kicks. */
+  /** Penalty of a number of flights against the rule, in units of chi-square; noise reaches it once in ten thousand kicks. */
   private static final double RULE_PENALTY = 15;
 
-  /** How far the vertical speed at a hop may be from the rule's limit by the errors of the fit alone, as a share. */
+  /** Share by which the vertical speed may be off because of errors of the fit when the rule is applied. */
   private static final double RULE_TOLERANCE = 0.025;
 
-  /** How many numbers of flights a restart tries; a chip of 6.5 m/s makes five or six. */
+  /** Largest difference of the numbers of flights that a restart tries; a chip of 6.5 m/s makes five or six. */
   private static final int MOST_TRIED = 6;
 
-  /** How near to a place a path counts as having come there, m: what it bends by between two sightings, and goes on while cameras are late. */
+  /** Distance from a place within which a path counts as passing it, m: allows for its bend between two sightings, and for its way while cameras are late. */
   private static final double PATH_MARGIN = 0.1;
 
   private final KickRecord record;
@@ -52,7 +52,7 @@ public final class EffectKick implements KickTerm<ModelState> {
    *
    * @param record its observations
    * @param model whose random effects the kick has values of
-   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param sessionStart beginning of the session on the kicks' clock, s
    * @param effort to which its paths are added
    */
   public EffectKick(KickRecord record, EffectModel model, double sessionStart, Effort effort) {
@@ -185,7 +185,7 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   /**
-   * How many flights the 10 mm rule says.
+   * How many flights the rule of the lowest hop gives.
    *
    * @param own the kick's own parameters
    * @param state of the model
@@ -228,7 +228,7 @@ public final class EffectKick implements KickTerm<ModelState> {
   }
 
   /**
-   * Residuals in the plane, seen minus predicted, of all detections, those included that do not count.
+   * Residuals in the plane, seen minus predicted, of all detections, including those that are not used.
    *
    * @param own the kick's own parameters
    * @param state of the model
@@ -252,7 +252,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     report(state, path, centre);
     double[] ball = new double[3];
     for (int b = 0; b < n; b++) {
-      // A kick elsewhere in the field moves its path along.
+      // // To first order, moving the kick moves its whole path.
       double h = record.blockHeight[b];
       double f = 1;
       if (record.kind == KickKind.CHIP) {
@@ -313,7 +313,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     }
   }
 
-  /** What is reported under states near one, of which much is the same. */
+  /** What is reported under states that differ little from one state; what they have in common is computed once. */
   private final class Surroundings {
     private final double[] own;
     private final ModelState state;

@@ -15,16 +15,16 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The simple ball model with effects: the layout of its global parameters (those of the ball first, then those of each component), and the state they amount to. Immutable.
+ * The simple ball model with effects: the layout of its global parameters (those of the ball first, then those of each component), and the state that results from them. Immutable.
  */
 public final class EffectModel implements SharedModel<ModelState> {
   /** Global parameters of the ball: three of flat kicks, three of bounces; chips roll as flat kicks do. */
   public static final int BALL = 6;
 
-  /** Weak knowledge about the ball, so that a parameter that no kick shows stays where it is: that many scales. */
+  /** Standard deviation of the weak prior of the ball's parameters, in their scales, so that a parameter that no kick shows stays where it is. */
   private static final double BALL_EXPECTED = 300;
 
-  /** A scatter smaller than that share of the magnitude's scale is none. */
+  /** Smallest scatter, in scales of the magnitude; the next two are the first and the largest one. */
   private static final double SMALLEST_SCATTER = 0.02;
 
   private static final double FIRST_SCATTER = 1;
@@ -98,9 +98,9 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   /**
-   * The same with another lowest hop, where no law of impacts says it.
+   * The same with another lowest hop; it has no effect where a law of impacts gives its own.
    *
-   * @param height of its apex, m
+   * @param height height of its apex, m, positive
    * @return the changed copy
    */
   public EffectModel withLowestHop(double height) {
@@ -120,7 +120,7 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   /**
-   * The same, started from a solution: its values for the ball, and for the effects that both have.
+   * The same model, starting from a solution of it.
    *
    * @param values global parameters of this layout
    * @param newScatters of its random effects
@@ -212,9 +212,9 @@ public final class EffectModel implements SharedModel<ModelState> {
   }
 
   /**
-   * What is known of them beforehand.
+   * What is known of the global parameters before any data.
    *
-   * @return one each
+   * @return one prior for each
    */
   public List<Prior> priors() {
     List<Prior> all = new ArrayList<>();

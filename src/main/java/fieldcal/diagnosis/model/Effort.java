@@ -3,7 +3,7 @@ package fieldcal.diagnosis.model;
 import java.util.concurrent.atomic.LongAdder;
 
 /**
- * How much a diagnosis has worked, and how much it may: what takes the time is integrating paths, so that their pieces are counted. Unlike a clock this gives the same answer on every machine. Thread-safe; what may still be done is asked between fits.
+ * How much work a diagnosis has done, and how much it may do. Integrating paths takes most of the time, so their pieces are counted. Unlike a clock this gives the same answer on every machine. Thread-safe; the limit is checked between fits.
  */
 public final class Effort {
   private final long most;

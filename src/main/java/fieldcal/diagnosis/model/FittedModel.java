@@ -45,7 +45,7 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
-   * The same fit, looked at for some of the kicks only: where other fits of them start.
+   * The same fit for some of the kicks only, from which other fits of them start.
    *
    * @param kept records of these kicks; a record of the same kick with other detections counts as the same
    * @return the kicks in that order
@@ -140,11 +140,11 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
-   * How much of what this gains in chi-square most kicks gain, and not a few.
+   * The share of the gain in chi-square that does not come from the few kicks that gain most.
    *
    * @param over another model of the same kicks
-   * @param few the kicks that gain most and do not count
-   * @return share of the whole gain
+   * @param few number of the kicks that gain most and do not count
+   * @return share of the whole gain; NaN when nothing is gained
    */
   public double shareOfMost(FittedModel over, int few) {
     double[] gained = new double[kickCount()];
@@ -157,16 +157,16 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
-   * Cost of the fit with all kicks weighing alike, whatever weights it was found with.
+   * Cost of the fit with equal weights, whatever weights it was found with.
    *
-   * @return chi-square and what priors and values of each kick's own cost
+   * @return chi-square, with the penalties of priors and of values that each kick has of its own
    */
   public double evenCost() {
     return solution.costWith(Weighing.ALIKE.of(this));
   }
 
   /**
-   * The model with values to start from that were found: where the next fit of the same begins.
+   * The model starting from the values that were found, for the next fit of the same model.
    *
    * @return the same model, with the scatters as well
    */
@@ -175,7 +175,7 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
   }
 
   /**
-   * The model with other components, at the parameters that were found: there the fit of a neighbouring model begins. Scatters are estimated from the beginning.
+   * The model with other components, starting from the parameters that were found, for the fit of a neighbouring model. Scatters are estimated from the beginning.
    *
    * @param components of the other model, with their values
    * @return the other model

@@ -4,7 +4,7 @@ import fieldcal.fit.joint.SharedSolver;
 import java.util.List;
 
 /**
- * Fits models from the simple model on, wherever another search had led. A law that takes the place of another bends the ball's parameters, the numbers of flights and the places of other causes; once it is gone, all of them together hold each other where they are.
+ * Fits models starting from the simple model, whatever another search had found. A law that takes the place of another bends the ball's parameters, the numbers of flights and the places of other causes; once it is removed, these hold each other in a local minimum.
  * Immutable and thread-safe.
  *
  * @param fitter of the kicks
@@ -14,10 +14,10 @@ import java.util.List;
 public record FreshFit(ModelFitter fitter, FittedModel simple, SharedSolver solver) {
 
   /**
-   * Fits a model of these components, their places with everything else.
+   * Fits a model of these components, with their places.
    *
    * @param components with the numbers to start from
-   * @return the fit, all kicks alike
+   * @return the fit with equal weights
    */
   public FittedModel of(List<Component> components) {
     SharedSolver settling = solver.settlingVariants();
@@ -29,7 +29,7 @@ public record FreshFit(ModelFitter fitter, FittedModel simple, SharedSolver solv
   /**
    * The better of a fit and of the same components fitted afresh.
    *
-   * @param fitted from where the other search had led
+   * @param fitted a fit that another search ended with
    * @return the one that leaves less
    */
   public FittedModel orBetter(FittedModel fitted) {

@@ -27,10 +27,13 @@ public final class KickRecord {
   /** Longest block, s: in that time a sliding ball (4 m/s²) departs from a straight line by 0.7 mm, below every camera's noise. */
   private static final double BLOCK_TIME = 0.05;
 
-  /** A fitted start that far from where the ball lay lost the rest, m; cameras disagree by less. */
+  /** If a fit starts farther than this from where the ball lay, it has lost the resting ball, m; cameras disagree by less. */
   private static final double LOST_REST = 0.1;
 
-  /** Detections from which on they tell where a ball lay. */
+  /** How long before the kick a detection must be to show the resting ball, s: the time of the kick is known more closely. */
+  private static final double BEFORE_KICK = 0.1;
+
+  /** Fewest detections that determine where a ball lay. */
   static final int LEAST_REST = 3;
 
   final Kick kick;
@@ -39,7 +42,7 @@ public final class KickRecord {
   /** Where the kick's own fit ended, cameras' offsets taken out: position, velocity, time. */
   final double[] start;
 
-  /** Chi-square for each residual that the kick's own fit leaves, with a ball of its own. */
+  /** Chi-square for each residual that the kick's own fit leaves, with its own ball parameters. */
   final double alone;
 
   final int flights;
@@ -195,7 +198,7 @@ public final class KickRecord {
     return n;
   }
 
-  /** A fit that lost the resting ball, because no path of its model leads from there, starts where that lay. */
+  /** Moves the start to where the ball lay, if the kick's own fit has lost the resting ball because no path of its model leads from there. */
   private void startAtRest() {
     double[] rest = rest();
     if (rest != null && Math.hypot(start[0] - rest[0], start[1] - rest[1]) > LOST_REST) {
@@ -205,11 +208,11 @@ public final class KickRecord {
     }
   }
 
-  /** Where the ball lay before the kick: the median of what the cameras saw, which no model of its flight can get wrong; null when it did not rest. */
+  /** Where the ball lay before the kick: the median of its detections, which does not depend on a model; null when it did not rest. */
   private double[] rest() {
     Observations seen = kick.observations();
     int n = 0;
-    while (n < seen.size() && seen.time(n) < kick.time() - LOST_REST) {
+    while (n < seen.size() && seen.time(n) < kick.time() - BEFORE_KICK) {
       n++;
     }
     if (!kick.fromRest() || n < LEAST_REST) {
@@ -301,7 +304,7 @@ public final class KickRecord {
   }
 
   /**
-   * What the kick's own fit leaves, with a ball of its own.
+   * What the kick's own fit leaves, with its own ball parameters.
    *
    * @return chi-square for each residual
    */
@@ -320,7 +323,7 @@ public final class KickRecord {
   }
 
   /**
-   * The kick with more noise: what a model leaves of it beyond the cameras' noise is then not asked to be explained.
+   * The kick with more noise: a model then need not explain what it leaves beyond the cameras' noise.
    *
    * @param times how many times the noise, at least 1
    * @return the changed copy
@@ -330,7 +333,7 @@ public final class KickRecord {
   }
 
   /**
-   * How many times the noise of the cameras this has.
+   * The noise of this record, as a multiple of the noise of the cameras.
    *
    * @return 1 unless it was given more
    */
@@ -390,7 +393,7 @@ public final class KickRecord {
   /**
    * How many detections it has.
    *
-   * @return those included that do not count
+   * @return their number, including those that are not used
    */
   public int size() {
     return size;

@@ -10,12 +10,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Fits models with effects to the same kicks, one from where another ended. Immutable, and as thread-safe as who watches. */
+/** Fits models with effects to the same kicks, each starting from where another fit ended. Immutable, and thread-safe if the watcher is. */
 public final class ModelFitter {
   /** By how much chi-square must fall for hops below the league's lowest; noise reaches that once in ten thousand recordings. */
   private static final double LOW_HOP_PRICE = 15;
 
-  /** What lower hops must explain of what is left, as a law of impacts must. */
+  /** Share of what is left that lower hops must explain; the same holds for a law of impacts. */
   private static final double LOW_HOP_SHARE = 0.1;
 
   /** Steps of a fit once the effort is spent; chosen: from another model's fit, a model that is right needs two or three. */
@@ -30,9 +30,9 @@ public final class ModelFitter {
    * A fitter.
    *
    * @param kicks at least one
-   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param sessionStart beginning of the session on the kicks' clock, s
    * @param effort to which all paths are added
-   * @param watcher told of every fit, from the thread that asked for it
+   * @param watcher receives every fit, in the thread that asked for it
    */
   public ModelFitter(
       List<KickRecord> kicks, double sessionStart, Effort effort, Consumer<FittedModel> watcher) {
@@ -46,14 +46,14 @@ public final class ModelFitter {
    * A fitter of other kicks of the same session.
    *
    * @param others at least one
-   * @return told of by the same watcher, and part of the same effort
+   * @return a fitter with the same watcher and effort
    */
   public ModelFitter among(List<KickRecord> others) {
     return new ModelFitter(others, sessionStart, effort, watcher);
   }
 
   /**
-   * How much was worked, and how much may be.
+   * How much work has been done, and how much may be done.
    *
    * @return the effort of all fits of the diagnosis
    */
@@ -71,8 +71,8 @@ public final class ModelFitter {
   }
 
   /**
-   * Fits a model from each kick's own fit. Each kick alone may have taken a wrong number of flights for what the model lacks, and kicks that disagree about it hold each other there: so the numbers that the model's start values suggest are
-   * tried, too; and, as balls may hop lower than the league's models have them, the numbers with which they do.
+   * Fits a model from each kick's own fit. What the model lacks may have led each kick alone to a wrong number of flights, and kicks that disagree about it hold each other there. So the numbers that the model's start values suggest are
+   * tried, too, and, since balls may hop lower than in the league's models, the numbers with lower hops.
    *
    * @param model with values to start from
    * @param solver how
@@ -93,7 +93,7 @@ public final class ModelFitter {
    *
    * @param from the model, fitted to the same kicks
    * @param solver how
-   * @return the same where hops are that low already, where a law of impacts says how low they are, and where lower ones do not explain a tenth of what is left
+   * @return the same where hops are already as low, where a law of impacts gives the lowest hop, and where lower hops do not explain a tenth of what is left
    */
   public FittedModel withLowHops(FittedModel from, SharedSolver solver) {
     if (!canHopLower(from)) {

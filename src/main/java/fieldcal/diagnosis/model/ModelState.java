@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** What kicks predict with at one setting of the global parameters: ball models and effects. Immutable. */
+/** Ball models and effects at one setting of the global parameters, with which kicks are predicted. Immutable. */
 public final class ModelState {
   private final FlatModel flat;
   private final ChipModel chip;
@@ -84,7 +84,7 @@ public final class ModelState {
         more.size() == 1 ? more.get(0).reach().orElse(null) : null);
   }
 
-  /** The same, with what is the same under another state taken from there, so that it need not be worked out or compared again. */
+  /** The same, sharing with another state what both have in common, so that it need not be computed or compared again. */
   ModelState sharing(ModelState other) {
     return new ModelState(
         flat,

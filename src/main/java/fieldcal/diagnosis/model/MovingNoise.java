@@ -18,8 +18,8 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 
 /**
- * The noise of a moving ball, from how much each residual differs from its two neighbours in the same camera: second differences feel noise, not what a wrong model does slowly. Across the path they give the camera's noise,
- * along it they also feel the noise of the time stamps, which grows with speed. A vision that smooths, or finds a ball in the picture before, makes successive errors alike: their differences are then less than those of detections that are farther apart.
+ * The noise of a moving ball, from how much each residual differs from its two neighbours in the same camera: second differences show noise, and not the slow error of a wrong model. Across the path they give the camera's noise;
+ * along it they also show the noise of the time stamps, which grows with speed. A vision that smooths, or starts from the picture before, makes successive errors alike: their differences are then smaller than those of detections that are farther apart.
  *
  * @param cameras with their noise
  * @param stampNoise standard deviation of time stamps, s
@@ -49,22 +49,22 @@ public record MovingNoise(
   /** Detections from one to the next of a second difference, for the correlation: the far ones have next to none. */
   private static final int[] STRIDES = {1, 2, 3, 4, 5};
 
-  /** A second difference of what a wrong model does slowly grows with the square of the stride, and its square with that power. */
+  /** The second difference of the slow error of a wrong model grows with the square of the stride, and its square with this power. */
   private static final int SLOW_POWER = 4;
 
   /** Decays of the correlation that are tried. */
   private static final double[] DECAYS = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
 
-  /** Errors of which each keeps a part of the one before have a correlation that decays with its own powers, and those of a moving average one that ends. What decays more slowly than that, by a step of the decays, is what a wrong model does, beside noise. */
+  /** If each error keeps a part of the one before, the correlation decays with its own powers; in a moving average it ends. A decay that is slower by more than a step of the decays comes from a wrong model and not from noise. */
   private static final double SLOWER = 0.1;
 
-  /** What the strides may differ by from the best decay, root of the sum of squares, relative: their medians are known to two per cent each, which makes half of it (0.05 at most in recordings with a memory). A camera that vibrates, at 7 to 13 hertz with a fifth of the variance, leaves 0.15 and more. */
+  /** Largest relative misfit of the strides to the best decay, as the root of the sum of squares. Their medians are known to 2 % each, which makes half of it (at most 0.05 in recordings with correlated noise). A camera that vibrates at 7 to 13 Hz with a fifth of the variance leaves 0.15 and more. */
   private static final double MISFIT = 0.1;
 
   /** Column of what a wrong model does slowly. */
   private static final int SLOW = 2;
 
-  /** Less correlation than that is none: models that are wrong by centimetres make as much. */
+  /** A smaller correlation counts as none: models that are wrong by centimetres make as much. */
   private static final double LEAST_CORRELATION = 0.15;
 
   /** Squared second differences across the path by stride, and along it of neighbours, with the speed. */
@@ -99,7 +99,7 @@ public record MovingNoise(
    * @param fits kicks, each with its own fit
    * @param kept which detections of each are the ball
    * @param views cameras with the noise of a resting ball
-   * @return their noise on a moving ball; that at rest where too little was seen
+   * @return their noise on a moving ball; where too little was seen, that of a resting ball
    */
   public static MovingNoise of(List<KickFit> fits, List<boolean[]> kept, CameraViews views) {
     Map<Integer, Samples> samples = new HashMap<>();
@@ -179,7 +179,7 @@ public record MovingNoise(
     return new QRDecomposition(columns).getSolver().solve(right);
   }
 
-  /** What each stride's second difference has of the variance, of the covariance of neighbours, and of what is slow; each row in what was seen, since larger ones are as much less certain. */
+  /** What each stride's second difference has of the variance, of the covariance of neighbours, and of what is slow; each row divided by what was seen, because the errors grow in proportion to it. */
   private static RealMatrix columns(double[] seen, double decay, boolean slow) {
     RealMatrix columns = new Array2DRowRealMatrix(seen.length, slow ? 3 : 2);
     for (int s = 0; s < seen.length; s++) {

@@ -4,7 +4,7 @@ import fieldcal.effect.MotionEffect;
 import java.util.Arrays;
 import java.util.List;
 
-/** An effect whose first magnitude each kick has of its own, with the others at one setting of the global parameters. Immutable. */
+/** An effect whose first magnitude differs from kick to kick; the others are those of one setting of the global parameters. Immutable. */
 final class OwnEffect {
   private final Component component;
   private final double[] coordinates;

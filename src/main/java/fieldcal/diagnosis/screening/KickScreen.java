@@ -27,22 +27,22 @@ import java.util.stream.IntStream;
 
 /** Looks again at kicks that a fitted model explains much worse than their fellows. Thread-safe; fits a kick as the other kind once, however often it is asked. */
 public final class KickScreen {
-  /** A kick that is explained that many times worse than the median kick is looked at. */
+  /** A kick whose reduced chi-square is this many times that of the median kick is screened again. */
   private static final double STANDS_OUT = 2.5;
 
-  /** What is left of it may be that many times the median kick's. */
+  /** After a change, its reduced chi-square must be less than this many times that of the median kick. */
   private static final double LIKE_THE_OTHERS = 1.5;
 
-  /** As the other kind a kick must leave less than that share of what it leaves now. */
+  /** As the other kind, a kick must leave less than this share of what it leaves now. */
   private static final double CLEARLY_BETTER = 0.5;
 
-  /** A kick with a ball of its own must leave that share as the other kind to be of that kind whatever the others say: an order of magnitude, since a ball of its own imitates the wrong kind to some extent. */
+  /** If a kick that is fitted alone leaves less than this share as the other kind, it is of that kind whatever the other kicks show: an order of magnitude, since ball parameters that fit one kick alone imitate the wrong kind to some extent. */
   private static final double BY_ITSELF = 0.1;
 
   /** Tangent of the flattest chip, 27°: chip kickers lift the ball by 30 to 60 degrees. */
   private static final double FLATTEST_CHIP = 0.5;
 
-  /** How much of a kick's end may be no free ball, s: a robot touches a ball for a tenth of a second before that is seen, and may hold it for longer. */
+  /** Lengths of a kick's end that are tried without, s, because the ball may not be free there: a robot touches a ball for a tenth of a second before this is noticed, and may hold it for longer. */
   private static final double[] ENDS = {0.1, 0.2, 0.4, 0.8, 1.6};
 
   /** How long before a kick the ball certainly rests, s: before that it may have been placed. */
@@ -51,10 +51,10 @@ public final class KickScreen {
   /** Share of the kicks that may be left out: more would be a finding. */
   private static final double MOST_LEFT_OUT = 0.1;
 
-  /** Kicks that leave so many times what all others leave together would drown any cause: an order of magnitude, since one of a dozen kicks may well leave as much as the others by chance. */
+  /** Kicks that leave this many times what all others leave together would hide any cause: an order of magnitude, since one of a dozen kicks may well leave as much as the others by chance. */
   private static final double LOUD = 10;
 
-  /** The others count as explained below that reduced chi-square. */
+  /** Most kicks count as explained if the median of their reduced chi-squares is below this. */
   private static final double EXPLAINED = 1.6;
 
   private final MovingNoise noise;
@@ -72,7 +72,7 @@ public final class KickScreen {
    *
    * @param noise the cameras with their noise
    * @param simple the simple model, whose ball fits start from
-   * @param sessionStart begin of the session on the kicks' clock, s
+   * @param sessionStart beginning of the session on the kicks' clock, s
    * @param settings of single fits
    */
   public KickScreen(
@@ -96,10 +96,10 @@ public final class KickScreen {
   }
 
   /**
-   * The kicks as a model explains them.
+   * The kicks, revised with a model: kicks that stand out are cut or taken for the other kind, and what was cut is used again where the model explains it.
    *
    * @param at the model, fitted to the kicks
-   * @param cuts whether ends may be cut, too: where the model is known to be wrong, they would look wrong because it is
+   * @param cuts whether beginnings and ends may be cut: false while the model is known to be wrong, because this would make them look wrong
    * @return an equal list when nothing changes
    */
   public List<KickRecord> revise(FittedModel at, boolean cuts) {
@@ -137,7 +137,7 @@ public final class KickScreen {
     double[] own = at.solution().own(k);
     double[] scatters = at.solution().scatters();
     double good = LIKE_THE_OTHERS * Math.max(1, median);
-    // Ends look wrong, too, where most kicks are not explained.
+    // // Where most kicks are not explained, their ends look wrong, too.
     List<KickRecord> parts = cuts && median < STANDS_OUT ? parts(now) : List.of();
     if (now.usedCount() < now.whole().usedCount()) {
       // What was cut because of a worse model comes back when this one explains it.
@@ -171,14 +171,15 @@ public final class KickScreen {
                   / Math.max(1, variant.rows()));
     }
     boolean better = left < CLEARLY_BETTER * at.reduced(k);
-    // A model that does not explain the others cannot say of which kind this one is, unless the
-    // other kind leaves less than this one with a ball of its own, or the kick says it by itself.
+    // // A model that does not explain the other kicks cannot tell the kind of this one, unless the
+    // other kind leaves // less than the present kind does in a fit of this kick alone, or the kick
+    // shows it by itself.
     double most = median < STANDS_OUT ? Math.max(good, now.alone()) : now.alone();
     boolean speaks = changed.alone() < BY_ITSELF * now.alone();
     return better && (left < most || speaks) ? changed : now;
   }
 
-  /** The kick without what may be no free ball: its end, its begin, its rest. */
+  /** The kick without a part in which the ball may not be free: its end, the time before it was certainly at rest, or all detections before the kick. */
   private static List<KickRecord> parts(KickRecord now) {
     List<KickRecord> parts = new ArrayList<>();
     double end = Double.NEGATIVE_INFINITY;
@@ -251,7 +252,7 @@ public final class KickScreen {
   }
 
   /**
-   * Whether a model explains most kicks: those that it does not may be none of a free ball.
+   * Whether a model explains most kicks. In those that it does not explain, the ball may not have been free.
    *
    * @param at the model, fitted to the kicks
    * @return whether the median kick is explained
@@ -261,7 +262,7 @@ public final class KickScreen {
   }
 
   /**
-   * The kicks without the few that stand out while all others are explained, or nearly: another ball, or one that hit something.
+   * The kicks without the few that stand out while all others are explained: another ball, or one that hit something.
    *
    * @param at the model, fitted to the kicks
    * @return the same list when all stay
@@ -275,7 +276,7 @@ public final class KickScreen {
   }
 
   /**
-   * The same where the usual kick is nearly explained: it would not stand out itself.
+   * The same if the median kick is only nearly explained: it would not stand out itself.
    *
    * @param at the model, fitted to the kicks
    * @return the same list when all stay
@@ -305,7 +306,7 @@ public final class KickScreen {
       rest -= left(at, byLeft.get(loud));
       loud++;
     }
-    // Beside kicks that leave nothing, even noise leaves much.
+    // // Compared with kicks that leave nothing, even noise would leave much.
     double most = STANDS_OUT * Math.max(1, median(at));
     boolean stand = byLeft.subList(0, loud).stream().allMatch(k -> at.reducedAsSeen(k) > most);
     if (rest * LOUD > all - rest || !stand) {
@@ -319,7 +320,7 @@ public final class KickScreen {
   }
 
   /**
-   * The kicks, of which each has so much noise that what a model leaves of it is none more: weights of a likelihood in which nobody knows a kick's noise.
+   * The kicks, each with so much noise that a model leaves no more than noise of it: the weights of a likelihood in which the noise of a kick is unknown.
    *
    * @param at the model, fitted to the kicks
    * @return records in the model's order

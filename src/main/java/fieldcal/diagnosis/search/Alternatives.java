@@ -18,7 +18,7 @@ import java.util.Set;
 
 /** What else would explain the same as a component of a model. Immutable and thread-safe. */
 public final class Alternatives {
-  /** How many are tried by a joint refit, best by the score test first. */
+  /** How many are tried by a joint refit, in the order of the score test. */
   private static final int TRIED = 4;
 
   private final ModelFitter fitter;
@@ -40,7 +40,7 @@ public final class Alternatives {
   /**
    * An effect with what it would gain.
    *
-   * @param effect with the numbers that the score test says
+   * @param effect with the numbers that the score test estimates
    * @param gain of chi-square by the score test
    */
   public record Scored(Effect effect, double gain) {}
@@ -86,7 +86,7 @@ public final class Alternatives {
    *
    * @param model fitted to all kicks
    * @param i component
-   * @param tolerance rise of the cost up to which they count as equal
+   * @param tolerance rise of the cost up to which they count as equal, in units of chi-square
    * @return ids of effects; of the same effect on another camera "id of camera n"
    */
   public List<String> equalTo(FittedModel model, int i, double tolerance) {
@@ -119,7 +119,7 @@ public final class Alternatives {
             .filter(p -> sweep.gain(scorer.columns(p)) > least)
             .sorted(Comparator.comparingDouble(p -> -sweep.gain(scorer.columns(p))))
             .toList();
-    // Of several forms of one thing the best stands for all.
+    // // Of several forms of one effect, only the best is tried.
     Map<String, Component> tried = new LinkedHashMap<>();
     for (Proposal p : near) {
       Component c = p.components().get(0);

@@ -13,17 +13,17 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * A search for the components that explain the kicks. Which are found first decides where the equations are made linear next, so that one pursuit may end in a local minimum: while something is left, others begin again in another manner (a
- * multi-start, as for any function with many minima), and the best of them is revised. Evidence is not divided by what is still unexplained, or the second of two strong causes would never look worth it. Not thread-safe; used once.
+ * A search for the components that explain the kicks. The components that are found first decide where the equations are linearized next, so one pursuit may end in a local minimum. While something is left, further pursuits begin again in another
+ * manner (a multi-start), and the best result is revised. Gains are not divided by what is still unexplained: otherwise the second of two strong causes would never seem worth adding. Not thread-safe; used once.
  */
 public final class CauseSearch {
-  /** A reduced chi-square below that is a tenth more than the noise, and not worth another search. */
+  /** A reduced chi-square below this needs no further search: the residuals are then less than a tenth above the noise. */
   private static final double EXPLAINED = 1.2;
 
   /** Share of the kicks that must be explained. */
   private static final double MOST_KICKS = 0.85;
 
-  /** A pursuit that begins again must leave that share at most of what an earlier one leaves: where no component is right, each leaves another rest, and the least of them means nothing. */
+  /** A further pursuit is preferred only if it leaves less than this share of what the best one so far leaves. Where no component is right, each pursuit leaves a different amount by chance. */
   private static final double ANEW = 0.5;
 
   /**
@@ -34,7 +34,7 @@ public final class CauseSearch {
    */
   private record Manner(Weighing weighing, Pursuit.Order order) {}
 
-  /** In the order in which they are tried: those first that ended most recordings. */
+  /** In the order in which they are tried. Those that explained most recordings come first. */
   private static final List<Manner> MANNERS =
       List.of(
           new Manner(Weighing.EXPLAINED_FIRST, Pursuit.Order.BEST),
@@ -44,21 +44,21 @@ public final class CauseSearch {
           new Manner(Weighing.BETWEEN, Pursuit.Order.SHARED),
           new Manner(Weighing.ALIKE, Pursuit.Order.SHARED));
 
-  /** Pursuits in a row that lead nowhere, beside an earlier one: where no cause is right they all do, and the last take longest. In 21 recordings of other generators the first or the second ended what any of the six ended. */
+  /** Pursuits in a row without success, after which no further one starts: where no cause is right, none succeeds, and the last ones take longest. In 21 recordings of other generators, the first or the second pursuit explained every recording that any of the six explained. */
   private static final int MOST_IN_VAIN = 3;
 
-  /** Kicks that do not make chance by themselves, and what all others must gain by it, as a share: as when a name is decided. */
+  /** Chance must matter in more than this many kicks: the kicks other than the ones that gain most need the following share of the gain. The numbers are those of the decision. */
   private static final int FEW_KICKS = 2;
 
   private static final double LEAST_SHARE = 0.15;
 
-  /** Of models that explain the kicks the one in which fewer things differ from kick to kick, since each of these takes up something of anything; of equals the one at the lower price. */
+  /** Among models that explain the kicks, prefers the one in which fewer things differ from kick to kick, since each of these absorbs a part of anything; then the one with the lower price. */
   private static final Comparator<FittedModel> FEWEST_VALUES =
       Comparator.<FittedModel>comparingLong(
               m -> m.model().components().stream().filter(Component::isPerKick).count())
           .thenComparingDouble(Price::total);
 
-  /** When not all is searched: what differs at random may be all there is, and curves would take up much of it. */
+  /** The manners of a search that only adds to a model. What differs from kick to kick may be all there is, and curves would absorb much of it. */
   private static final List<Manner> SHORT =
       List.of(
           new Manner(Weighing.EXPLAINED_FIRST, Pursuit.Order.BEST),
@@ -106,7 +106,7 @@ public final class CauseSearch {
    * Searches.
    *
    * @param start the model to begin with, fitted to the same kicks
-   * @param revises whether early choices are questioned when something is left, and simpler ones looked for; what is in the model already stays otherwise
+   * @param revises whether early choices are reconsidered when something is left, and simpler models are sought; otherwise what the model already has stays
    * @return the best model found
    */
   public FittedModel search(FittedModel start, boolean revises) {
@@ -139,7 +139,7 @@ public final class CauseSearch {
       return best;
     }
     if (free || best != start) {
-      // What an earlier search has exchanged and moved is not better now.
+      // // What an earlier search has exchanged and moved cannot be improved now.
       if (!isExplained(best)) {
         progress.accept("exchanging early choices");
         best = pursuit(refits).revised(best);
@@ -151,7 +151,7 @@ public final class CauseSearch {
     return chanceMayBeBehind(simplest) ? besideChance(start, simplest) : simplest;
   }
 
-  /** Whether several things move the ball otherwise than the start's model says, which may all follow what differs by chance. */
+  /** Whether the model has several effects on the motion, all of which may imitate something that differs from kick to kick by chance. */
   private static boolean chanceMayBeBehind(FittedModel model) {
     return model.model().components().stream()
             .filter(c -> c.template() instanceof MotionEffect && !c.isLaw())
@@ -160,8 +160,8 @@ public final class CauseSearch {
   }
 
   /**
-   * What is found beside something that differs from kick to kick by chance, where that explains the kicks at a lower price; else what was found. Both that and a search that begins with chance may end in a local minimum: the first keeps what follows chance only together, the second
-   * does not see a cause beside kicks that are far off for another reason.
+   * A model with something that differs from kick to kick by chance, if it explains the kicks at a lower price; otherwise what was found. Two such models are compared, because each may end in a local minimum. One is what was found, with chance added: it may keep effects that only together imitate chance.
+   * The other comes from a search that begins with chance: it does not see a cause beside kicks that are far off for another reason.
    */
   private FittedModel besideChance(FittedModel start, FittedModel found) {
     FittedModel best = found;
@@ -185,7 +185,7 @@ public final class CauseSearch {
     return best;
   }
 
-  /** Whether chance is needed beside what was found, or does as well as what else has a value for each kick. */
+  /** Whether chance is needed beside what was found, or explains as much as the other components with a value for each kick. */
   private static boolean mayBeBehind(
       Component chance, FittedModel found, FittedModel beside, Refits refits) {
     if (!isExplained(beside)) {
@@ -200,7 +200,7 @@ public final class CauseSearch {
     return shared.size() < all.size() && isExplained(refits.fit(found, shared));
   }
 
-  /** Whether chance is still needed, and not by a few kicks alone: these would be no free balls, or hide a cause. */
+  /** Whether chance is still needed, and not only by a few kicks: in these the ball may not have been free, or they may hide a cause. */
   private static boolean differsInMostKicks(Component chance, FittedModel needed, Refits refits) {
     List<Component> rest = new ArrayList<>(needed.model().components());
     return rest.removeIf(chance::isSameCause)
@@ -222,7 +222,7 @@ public final class CauseSearch {
   }
 
   /**
-   * Only lets simpler components stand for others, and laws for what they explain.
+   * Only simplifies: replaces components by simpler ones, or by a law that explains the same.
    *
    * @param model the model to begin with
    * @return the model, or a simpler one that explains as much
@@ -232,7 +232,7 @@ public final class CauseSearch {
     return new Simplification(refits, dictionary, trace).simplified(model, maxComponents);
   }
 
-  /** Whether what is left is hardly more than noise in all kicks but a few, which may be none of the ball's free flights. */
+  /** Whether hardly more than noise is left, over all kicks or in most of them. In the others the ball may not have been free. */
   private static boolean isExplained(FittedModel model) {
     int well = 0;
     for (int k = 0; k < model.kickCount(); k++) {

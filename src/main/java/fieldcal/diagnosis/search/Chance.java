@@ -23,7 +23,7 @@ final class Chance {
     this.trace = trace;
   }
 
-  /** Takes out what costs more than it explains, the weakest first: chance, too, where the rest explains the kicks. */
+  /** Takes out what costs more than it explains, the weakest first. This may be the chance itself, where the rest explains the kicks. */
   FittedModel onlyWhatIsNeeded(FittedModel model) {
     FittedModel at = model;
     while (true) {
@@ -55,7 +55,7 @@ final class Chance {
     return best;
   }
 
-  /** Of what moves the ball, what explains least to first order beside the rest, and all values of each kick's own, about which the first order decides nothing. */
+  /** Effects on the motion that may be taken out: the one that explains least beside the rest to first order, and all that have a value for each kick, about which the first order does not decide. */
   private static List<Component> candidates(FittedModel at) {
     List<Component> all = new ArrayList<>();
     Component weakest = null;

@@ -31,7 +31,7 @@ public final class Dictionary {
   }
 
   /**
-   * A dictionary of a search that looks at its findings beside chance.
+   * A dictionary for a search that also compares its findings with chance.
    *
    * @param effects absent ones
    * @param byChance absent ones that differ from kick to kick and have no mean of their own
@@ -42,7 +42,7 @@ public final class Dictionary {
     chance = byChance.stream().filter(e -> e.canShowIn(arena)).map(Component::perKick).toList();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
-        // A kicker's command is compared with what the kick's own velocity came out as.
+        // // Commands are compared with the fitted velocities of the kicks, outside this search.
         continue;
       }
       if (!effect.starts().isEmpty()) {
@@ -92,14 +92,14 @@ public final class Dictionary {
     return everywhere.stream().filter(p -> isPossible(p, model)).toList();
   }
 
-  /** Of these the values of each kick's own that have no mean of their own. */
+  /** Of these, the components that differ from kick to kick and have no mean of their own. */
   List<Proposal> random(EffectModel model) {
     return everywhere(model).stream()
         .filter(p -> !p.components().get(0).template().hasOwnMean())
         .toList();
   }
 
-  /** Proposals with a place, one list for each family. Of what a model has already, fuller versions at its place: elsewhere they would have to do what it does where it is, too. */
+  /** Proposals with a place, one list for each family. Versions with more freedom of a component that the model already has are proposed at its place only: elsewhere they would also have to do what it does where it is. */
   List<List<Proposal>> placed(EffectModel model) {
     return placed.values().stream()
         .map(list -> list.stream().filter(p -> isPossible(p, model)).toList())
@@ -131,7 +131,7 @@ public final class Dictionary {
     return c.startingAt(there);
   }
 
-  /** What may differ from kick to kick by chance behind what is found, of which a model has none. */
+  /** What may differ from kick to kick by chance, and the model does not have yet. */
   List<Component> chance(EffectModel model) {
     return chance.stream()
         .filter(c -> model.components().stream().noneMatch(c::isSameCause))

@@ -7,15 +7,15 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
-/** Moves of places and instants of a model's components, with everything else fitted again at each: what a {@link PlaceSearch} finds beside a fixed model is where a component was needed then. Not thread-safe. */
+/** Moves places and instants of a model's components, and fits everything else again at each step. A {@link PlaceSearch} keeps the rest of the model fixed, so what it finds is only where a component was needed then. Not thread-safe. */
 final class PlaceMoves {
   /** Steps of a place that is moved while all else is fitted again. */
   static final int MOST_STEPS = 6;
 
-  /** Gaps between kicks over which an instant is moved at once, at most: farther off the score test sees it. */
+  /** Most gaps between kicks over which an instant is moved at once. If the true instant is farther off, the score test shows it. */
   private static final int FARTHEST_GAP = 4;
 
-  /** What a move must gain at least: less than the unit of chi-square is rounding of the fits. */
+  /** What a move must gain at least, in units of chi-square: less may be due to where the fits stop. */
   private static final double LEAST_MOVE = 1;
 
   private final Refits refits;
@@ -32,7 +32,7 @@ final class PlaceMoves {
     price = new Price(refits.weighing());
   }
 
-  /** With a place moved step by step, all else fitted again at each: a descent of all places at once ends where an edge does not matter to first order. */
+  /** The model with one place moved step by step, everything else fitted again at each step. A joint fit of all places would stop wherever an edge does not matter to first order. */
   FittedModel relocated(FittedModel from, int index) {
     return relocated(from, index, MOST_STEPS);
   }
@@ -76,8 +76,8 @@ final class PlaceMoves {
   }
 
   /**
-   * With an instant moved from gap to gap between the kicks, all else fitted again at each. Kicks on the wrong side of a step bend what it is fitted to, so that the first order, which sees the bent model, keeps it where it is; and from one side of a
-   * kick to the other there is no derivative.
+   * The model with an instant moved from gap to gap between the kicks, everything else fitted again at each. Kicks on the wrong side of the instant bend the model, so that the score test at the bent model would keep the instant where it is; and there is
+   * no derivative with respect to an instant across a kick.
    */
   FittedModel atBestInstant(FittedModel from, int index) {
     if (!from.model().components().get(index).isInstant()) {
@@ -89,7 +89,7 @@ final class PlaceMoves {
       FittedModel top = at;
       for (int gaps : new int[] {-reach, reach}) {
         FittedModel tried = shifted(at, index, gaps);
-        // Weights that moved along could lead round in a circle.
+        // // If the weights changed with each step, the steps could go round in a circle.
         top = price.gain(from, top, tried) > LEAST_MOVE ? tried : top;
       }
       reach = top == at ? 2 * reach : 1;

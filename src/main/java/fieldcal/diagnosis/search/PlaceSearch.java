@@ -9,11 +9,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Moves the place of a proposed component (a region, a line, an instant) to where it would gain most: a compass search (Kolda et al. 2003) on the score test, whose steps shrink when no neighbour is better. Needs no derivative by the place, which
- * an instant between two kicks does not have.
+ * Moves the place of a proposed component (a region, a line, an instant) to where it would gain most: a compass search (Kolda et al. 2003) on the score test, whose steps shrink when no neighbour is better. It needs no derivative with respect to the place, which
+ * does not exist for an instant between two kicks.
  */
 final class PlaceSearch {
-  /** First step as a share of the distance of neighbouring places in the dictionary: of a field 9 m long cut into nine. */
+  /** First step, in scales of the place parameter (1 m, 1 rad or 1 s). For regions this is half the distance of neighbouring places on a field 9 m long that is cut into nine. */
   static final double FIRST_STEP = 0.5;
 
   static final double SHRINK = 0.4;

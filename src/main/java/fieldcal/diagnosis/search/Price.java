@@ -12,15 +12,15 @@ import java.util.List;
  */
 record Price(Weighing weighing) {
   /**
-   * What an effect must gain at least. Of a hundred independent columns noise makes the best gain 13 (the 99 % quantile of the largest of a hundred chi-square variables); the search may be generous, since the decision judges once
-   * more.
+   * Penalty of a component; with one coordinate it must gain 14. Noise lets the best of a hundred independent columns gain 15 in one of a hundred recordings (the 99 % quantile of the largest of a hundred chi-square variables). The search may be generous, since the decision judges
+   * again.
    */
   private static final double PENALTY = 8;
 
   /** What each coordinate must gain in addition: the logarithm of the number of blocks that determine it, some hundreds (Schwarz's criterion). */
   private static final double PENALTY_PER_COORDINATE = 6;
 
-  /** What a law must gain that has no absence to be compared with: as an effect of two coordinates. */
+  /** What a law must gain when it replaces another: as an effect of two coordinates. */
   static final double LAW = PENALTY + 2 * PENALTY_PER_COORDINATE;
 
   /** The least that a proposal must gain; a group must gain it for each member that is needed. */
@@ -55,13 +55,13 @@ record Price(Weighing weighing) {
     return from.solution().costWith(weights) - to.solution().costWith(weights);
   }
 
-  /** The same when both pay for their components. */
+  /** The same less the difference of the prices of their components. */
   double net(FittedModel from, FittedModel to) {
     return gain(from, to) - of(to.model().components()) + of(from.model().components());
   }
 
   /**
-   * What a model costs in all: the logarithm of what it leaves of each kick, as when each kick's noise were unknown, and the price of its components. Models that were found with different weights compare by it.
+   * The total cost of a model: for each kick the logarithm of its chi-square, as if the kick's noise were unknown, and the price of the components. It compares models that were found with different weights.
    */
   static double total(FittedModel model) {
     double sum = model.evenCost() + of(model.model().components());

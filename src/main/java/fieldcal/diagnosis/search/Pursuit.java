@@ -13,38 +13,38 @@ import java.util.Set;
 import java.util.function.Predicate;
 
 /**
- * A matching pursuit with joint refits (orthogonal matching pursuit; Pati et al. 1993): everything in a dictionary is score-tested beside the present model, the best are added, all is refitted, what is not needed any more is removed (Wald), until
- * nothing gains more than its penalty. Not thread-safe; used once.
+ * A matching pursuit with joint refits (orthogonal matching pursuit; Pati et al. 1993): everything in a dictionary is score-tested beside the present model, the best components are added, everything is refitted, and what is no longer needed is removed (Wald test), until
+ * nothing gains more than its penalty, several rounds in a row add nothing, or the model is full. Not thread-safe; used once.
  */
 final class Pursuit {
-  /** What else may come at once with the best: that share of its gain. What gains less may be its shadow, and waits for the refit. */
+  /** A component is added together with the best one only if its net gain is at least this share of that one's. What gains less may only imitate the best one, and waits for the refit. */
   private static final double TOGETHER = 0.2;
 
-  /** How many come at once: beyond that, columns at the old point do not describe the new one. */
+  /** How many components are added at once. With more, the columns at the old point would not describe the new one. */
   private static final int MOST_AT_ONCE = 3;
 
-  /** Joint refits of one manner after which early choices are neither exchanged nor moved any more: a recording whose physics the dictionary does not have would keep the search busy. */
+  /** Joint refits of one manner, after which early choices are neither exchanged nor moved: otherwise a recording whose physics is not in the dictionary would keep the search busy. */
   private static final int MOST_FITS = 60;
 
-  /** Rounds in a row that add nothing: in 500 steps of recordings that ended explained there were never more than two. Where more follow, the equations at this point do not describe the next one, and each of the many proposals would cost a joint fit. */
+  /** Rounds in a row without an addition that end the pursuit. In 500 steps of recordings that were explained in the end, there were never more than two. After more, the equations at this point do not describe the next one, and each of the many proposals would cost a joint fit. */
   private static final int MOST_IN_VAIN = 4;
 
-  /** How many others may come for one that is taken out: a shadow may hide two causes. */
+  /** How many components may replace one that is taken out: it may have imitated two causes together. */
   private static final int EXCHANGED = 2;
 
-  /** Where a component is taken out, the first steps of the other places must regain that share of what it explained: the way of all steps is ten times as long at most. */
+  /** Where a component is taken out, the first steps of the other places must regain this share of what it explained, or they are not moved further: all steps together lead about ten times as far at most. */
   private static final double REGAINED = 0.1;
 
-  /** Share of all residuals' variance that is worth having: three thousandths of the noise's variance are a twentieth of a millimetre. */
+  /** Least net gain, as a share of the number of residuals: three thousandths of the noise's variance are a twentieth of its standard deviation. */
   private static final double WORTH = 0.003;
 
-  /** A refit that gains less than that share of what the score test expects has met something that is not linear, and is not worth a place. */
+  /** Where a refit gains less than this share of what the score test expects, the model is not linear there, and the component is rejected. */
   private static final double REALISED = 0.1;
 
-  /** A law that replaces another, and what has as many numbers as there are kicks, must explain that share of what is left: they take up a part of anything. */
+  /** A law that replaces another, and a component with as many numbers as there are kicks, must explain this share of what is left: each of them absorbs a part of anything. */
   private static final double LAW_SHARE = 0.1;
 
-  /** What explains half of what is left is worth having, whatever it costs. */
+  /** No component has to explain more than this share of what is left, however many numbers it has. Its penalty counts in any case. */
   private static final double MOST_ASKED = 0.5;
 
   private final Dictionary dictionary;
@@ -59,7 +59,7 @@ final class Pursuit {
   private Predicate<Proposal> allowed = p -> true;
   private FittedModel best;
 
-  /** What was left when laws were tried last: a law that did not explain enough of it then explains not much more of what is left while that is nearly the same. */
+  /** What was left when laws were last tried. As long as nearly the same is left, a law that was rejected then would be rejected again. */
   private double leftByLaws = Double.POSITIVE_INFINITY;
 
   /**
@@ -81,13 +81,13 @@ final class Pursuit {
   enum Order {
     /** Whatever gains most. */
     BEST,
-    /** What all kicks share, and first what acts everywhere: places, and values of each kick's own, take up something of anything. */
+    /** What all kicks share, and of this first what acts everywhere: places, and values that each kick has of its own, absorb a part of anything. */
     SHARED,
     /** What differs from kick to kick and has no mean of its own. */
     RANDOM
   }
 
-  /** Adds to a model whatever gains more than its penalty; what it has already is questioned only if {@code revises}. */
+  /** Adds to a model whatever gains more than its penalty; what it already has may be removed only if {@code revises}. */
   FittedModel grown(FittedModel start, Order order, boolean revises) {
     best = start;
     held = revises ? List.of() : start.model().components();
@@ -96,7 +96,7 @@ final class Pursuit {
     }
     addLaws();
     if (order == Order.SHARED) {
-      // A place that is chosen early takes up something of anything, and stays where it was needed
+      // // A place that is chosen early absorbs a part of anything, and stays where it was needed
       // then.
       allowed = p -> isShared(p) && !p.components().get(0).hasPlace();
       addBest(MOST_AT_ONCE);
@@ -110,7 +110,7 @@ final class Pursuit {
     return best;
   }
 
-  /** Takes out what may have been the shadow of others, and lets these take its place. */
+  /** Takes out what may only have imitated others, and lets these take its place. */
   FittedModel revised(FittedModel start) {
     best = start;
     held = List.of();
@@ -120,7 +120,7 @@ final class Pursuit {
     return best;
   }
 
-  /** Moves what has a place to where it explains most, and takes out what was only needed beside a place that was wrong. */
+  /** Moves what has a place to where it explains most, and takes out what was needed only because a place was wrong. */
   FittedModel settled(FittedModel start) {
     best = start;
     held = List.of();
@@ -145,7 +145,7 @@ final class Pursuit {
     return best;
   }
 
-  /** Without a component, and everything else that has a place moved; only begun where that does not regain what the component explains. */
+  /** The model without a component, with the other places moved; after the first steps, only if these regain enough of what the component explained. */
   private FittedModel settledWithout(FittedModel from, int index) {
     List<Component> without = new ArrayList<>(from.model().components());
     without.remove(index);
@@ -157,7 +157,7 @@ final class Pursuit {
         : places.allRelocated(begun, PlaceMoves.MOST_STEPS);
   }
 
-  /** Each round adds something, or rejects or removes it; it ends, too, where the score test promises what no refit keeps. */
+  /** Adds components in rounds. It also ends where the score test promises gains that no refit confirms. */
   private void grow(int atOnce) {
     FittedModel before = best;
     List<Component> had = before.model().components();
@@ -182,7 +182,7 @@ final class Pursuit {
   }
 
   /**
-   * An early choice may have been the shadow of two causes, or have settled where it was needed before others came. Takes out each component in turn and lets others take its place, or moves it; keeps the best exchange if it is better than what was.
+   * Takes out each component in turn and lets others take its place, or moves it, and keeps the best exchange if it is an improvement. An early choice may have imitated two causes, or have a place where it was needed only before others were added.
    */
   private boolean revise() {
     FittedModel before = best;
@@ -234,7 +234,7 @@ final class Pursuit {
     banned = null;
   }
 
-  /** With a law begun again where it may lead elsewhere. */
+  /** The model with a law fitted again from its starts, which may lead to another minimum. */
   private FittedModel restartedLaw(FittedModel from, Component law, List<Component> without) {
     for (Effect start : law.template().starts()) {
       List<Component> with = new ArrayList<>(without);
@@ -301,7 +301,7 @@ final class Pursuit {
         }
       }
       if (chosen.get(chosen.size() - 1).isPerKick()) {
-        // Values of each kick's own change all equations.
+        // // Values that differ from kick to kick change all equations.
         break;
       }
     }
@@ -311,7 +311,7 @@ final class Pursuit {
     return tryAdding(placed(chosen), from, expected);
   }
 
-  /** What a proposal must explain of what is left: one of more numbers than there are kicks follows a part of anything, as a law does, and the more the more numbers it has. */
+  /** The share of what is left that a proposal must explain. One with more numbers than there are kicks absorbs a part of anything, as a law does, so the share grows with the numbers. */
   private double leastShare(Proposal p) {
     double perKick = (double) p.components().get(0).magnitudeCount() / best.kickCount();
     return perKick > 1 ? Math.min(MOST_ASKED, LAW_SHARE * perKick) : 0;
@@ -394,7 +394,7 @@ final class Pursuit {
     }
   }
 
-  /** Tries laws that replace another: they cannot be score-tested. What gains more than a law comes first, since a law with its several numbers takes up a part of anything that happens at impacts. */
+  /** Tries laws that replace another: they cannot be score-tested. What gains more than a law is added first, since a law with its several numbers absorbs a part of anything that happens at impacts. */
   private void addLaws() {
     while (best.model().components().size() < maxComponents) {
       FittedModel before = best;
@@ -436,12 +436,12 @@ final class Pursuit {
     }
   }
 
-  /** Whether the chips hop lower than the league's models have them: a law then begins in the form that does so, too, since it could not do without those hops. */
+  /** Whether the chips hop lower than in the league's models. A law then begins in the form with such low hops, because without them it would explain less. */
   private static boolean hopsLow(FittedModel model) {
     return model.solution().state().chip().lowestHop() < ChipModel.MIN_HOP_HEIGHT;
   }
 
-  /** Adds what all kicks share and gains most; whether there was any. */
+  /** Adds what gains most among what all kicks share; returns whether anything was added. */
   private boolean addRival() {
     Predicate<Proposal> before = allowed;
     FittedModel from = best;

@@ -9,7 +9,7 @@ import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Joint fits of a search, counted: from a model that says how much each kick weighs. Not thread-safe. */
+/** Makes and counts the joint fits of a search. The model from which a fit starts determines the weights of the kicks. Not thread-safe. */
 final class Refits {
   private final ModelFitter fitter;
   private final Weighing weighing;
@@ -37,7 +37,7 @@ final class Refits {
     return fit(from, components, solver);
   }
 
-  /** A model with another form of a law: the chips hop as often as this form says, since the other form's numbers of hops would hold it where they came from. */
+  /** A model with another form of a law. The chips start with as many hops as this form gives, since the numbers of hops of the other form would hold the fit near that form. */
   FittedModel fitForm(FittedModel from, List<Component> components) {
     return fit(from, components, solver.startingByRule());
   }

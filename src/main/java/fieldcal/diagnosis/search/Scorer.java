@@ -23,7 +23,7 @@ final class Scorer {
   /** Scatters at which a random effect is tried, in scales. */
   private static final double[] SCATTERS = {0.3, 1, 3};
 
-  /** Of the squares of values that differ by chance, no proposal explains more. */
+  /** Largest share of the squares of values that differ by chance that a proposal is taken to explain. */
   private static final double MOST_SHARE = 0.9;
 
   private final FittedModel model;
@@ -73,7 +73,7 @@ final class Scorer {
     }
   }
 
-  /** To both sides of an absent effect where it can be negative: what hardly differs from the model's own parameters would otherwise differ by the bend of the path. */
+  /** Central differences where the coordinate may be negative. With one-sided ones, an effect that hardly differs from the ball's own parameters would seem to explain the curvature of the path. */
   private static Probe<ModelState> probe(ModelState centre, Component c, int coordinate) {
     Parameter p = c.coordinates().get(coordinate);
     double h = STEP * p.scale();
@@ -93,12 +93,12 @@ final class Scorer {
     return (int) model.model().globals().stream().filter(p -> p.estimated()).count();
   }
 
-  /** The equations after the model's own parameters, for adding components one by one. */
+  /** The equations with the model's own parameters swept in, to which components can be added one by one. */
   Sweep sweep() {
     return sweep.copy();
   }
 
-  /** The equations at the point where some components of the model are absent, with their columns out again. */
+  /** The equations at the point where some components of the model are absent, without their columns. */
   Sweep without(Collection<Integer> components) {
     double[] removed = new double[system.size()];
     boolean[] out = new boolean[system.size()];
@@ -136,7 +136,7 @@ final class Scorer {
     return p.components().stream().flatMapToInt(c -> Arrays.stream(columns.get(c))).toArray();
   }
 
-  /** A component at the numbers that it would have beside what is swept in. */
+  /** A component with the numbers that it would have beside what is swept in. */
   Component estimated(Component c, Sweep at) {
     Sweep with = at.copy();
     int[] of = columns(c);
@@ -155,7 +155,7 @@ final class Scorer {
     return columns.get(c);
   }
 
-  /** What a proposal would gain beside what is swept in, values of each kick's own included. */
+  /** What a proposal would gain beside what is swept in, including its values for each kick. */
   double gain(Proposal p, Sweep at) {
     int[] of = columns(p);
     Component first = p.components().get(0);
@@ -185,7 +185,7 @@ final class Scorer {
     return n * (-Math.log1p(-share) - share);
   }
 
-  /** What values of each kick's own gain when the mean and everything swept in have been fitted again. */
+  /** What the values for each kick gain when the mean and everything swept in have been fitted again. */
   private double randomGain(int column, Component c, Sweep at) {
     Sweep with = at.copy();
     with.toggle(column);

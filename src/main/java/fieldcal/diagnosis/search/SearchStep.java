@@ -7,8 +7,8 @@ import java.util.Locale;
  *
  * @param what effects, as text
  * @param action what was done with them
- * @param expected gain of chi-square by the score test, kicks that the model does not explain weighing less
- * @param gained what the joint refit gained
+ * @param expected gain by the score test in units of chi-square, where kicks that the model does not explain weigh less; NaN where there was no such test
+ * @param gained gain of the joint refit, in the same units; negative where a component was removed
  */
 public record SearchStep(String what, Action action, double expected, double gained) {
 
@@ -22,7 +22,7 @@ public record SearchStep(String what, Action action, double expected, double gai
     REMOVED,
     /** Stands in the place of another that explained less. */
     SWAPPED,
-    /** Its place was made better. */
+    /** Was moved to a better place. */
     MOVED
   }
 

@@ -12,7 +12,7 @@ import java.util.function.Predicate;
 
 /** What a dictionary proposes beside a fitted model, by the score test. Immutable. */
 public final class Shortlist {
-  /** Places of a family that take part. */
+  /** How many places of each family take part. */
   private static final int PLACES_KEPT = 2;
 
   private final FittedModel model;
@@ -87,7 +87,7 @@ public final class Shortlist {
     return kept;
   }
 
-  /** The components of a group that are needed, best first, until what the others would add is not worth it. */
+  /** The components of a group that are needed, best first, until the others would gain less than their price. */
   static List<Component> members(Proposal group, Scorer scorer, Sweep at) {
     Sweep sweep = at.copy();
     List<Component> members = new ArrayList<>();

@@ -11,27 +11,27 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
-/** Lets simpler components stand for others, and laws for what they explain. Not thread-safe. */
+/** Replaces components by simpler ones, or by a law that explains the same. Not thread-safe. */
 final class Simplification {
-  /** Odds of a hundred to one, in units of chi-square, that a law of physics holds rather than that all kicks have the same fault. */
+  /** Prior odds in favour of a law over another cause, in units of chi-square: a hundred to one, since a law of physics is more likely than the same fault in all kicks. */
   private static final double LAW_PREFERRED = 9;
 
   /** How many simpler ones are refitted, best by the score test first. */
   private static final int SIMPLER_TRIED = 3;
 
-  /** Three standard deviations, squared. */
+  /** A component whose numbers are farther than this from zero is unusual, as a squared multiple of what is expected beforehand: three standard deviations. */
   private static final double UNUSUAL = 9;
 
-  /** Difference, as a share of what is explained, that errors of the model make between equals. */
+  /** By how much less an equal explanation may explain, as a share: errors of the model make such a difference. */
   private static final double EQUAL = 0.002;
 
-  /** The same where the simpler one is not also the more usual. */
+  /** The same where what is replaced is not unusual. */
   private static final double NEARLY_EQUAL = 5e-4;
 
-  /** What explains less than that of each residual's variance may be a shadow of a law that is not quite where it belongs. */
+  /** A component that explains less than this share of the residuals' variance may only make up for a law whose numbers are not quite right. */
   private static final double LITTLE = 0.2;
 
-  /** A simpler component may look that much worse to first order, as a share of what it explains, and be tried all the same. */
+  /** By how much worse a simpler component may seem to first order and still be tried, as a share of what is explained. */
   private static final double FIRST_ORDER = 0.02;
 
   private final Refits refits;
@@ -60,7 +60,7 @@ final class Simplification {
     return best;
   }
 
-  /** Whether a law, begun again, explains what another component was needed for: the two may share what the law alone would have. */
+  /** The model with a law in place of another component, if the law, fitted again from its starts, explains as much; empty if none does. Before, the two may have shared what the law alone explains. */
   Optional<FittedModel> withLawForOther(FittedModel best) {
     List<Component> had = best.model().components();
     for (Component out : had) {
@@ -160,7 +160,7 @@ final class Simplification {
     return sum;
   }
 
-  /** All components of one effect together first, then each alone; not those that are no linear parameters. */
+  /** All components of one effect together first, then each alone; without laws and values that each kick has of its own, which are not linear. */
   private static List<List<Integer>> sets(List<Component> components) {
     List<List<Integer>> sets = new ArrayList<>();
     for (int i = 0; i < components.size(); i++) {

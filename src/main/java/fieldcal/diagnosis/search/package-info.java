@@ -1,5 +1,5 @@
 /**
- * Which effects, named or learned, together explain what the simple model leaves: score tests of everything in a dictionary, the best added, all refitted jointly, weak ones removed, until nothing takes a share worth having. Gives no names:
- * what a search keeps is judged by {@code fieldcal.diagnosis.decision}. Knows effects by their interface alone.
+ * Which effects, named or learned, together explain what the simple model leaves: everything in a dictionary is score-tested, the best effects are added, all are refitted jointly and weak ones are removed, until nothing gains more than its penalty. The search gives no names:
+ * what it keeps is judged by {@code fieldcal.diagnosis.decision}. It knows effects by their interface alone.
  */
 package fieldcal.diagnosis.search;

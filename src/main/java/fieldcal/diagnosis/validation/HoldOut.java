@@ -24,15 +24,15 @@ import java.util.stream.IntStream;
  * How well a model does on kicks that its global parameters were not fitted to: the kicks are dealt into parts, each part is left out once (cross-validation), and only its kicks' own parameters are then fitted. Also predicts each of them
  * from its first 0.3 s.
  *
- * @param squares sum of squared residuals per kick, m²
- * @param counts residuals per kick
+ * @param squares sum of squared residuals of each kick, m²
+ * @param counts number of residuals of each kick, two for each detection
  * @param ahead predictions, by horizon in s
  */
 public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) {
   /** Parts of the kicks; with fewer kicks each is left out alone. */
   private static final int PARTS = 6;
 
-  /** What the prediction may see of a kick, s. */
+  /** Time after the kick up to which a prediction uses detections, s. */
   private static final double SEEN = 0.3;
 
   private static final double[] HORIZONS = {0.5, 1, 2};
@@ -40,7 +40,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   /** Detections that near to a horizon count for it, s. */
   private static final double HORIZON_TOLERANCE = 0.01;
 
-  /** Largest error of a prediction, m: one that leaves the field, or that no camera could see, is as wrong as can be. */
+  /** Largest error of a prediction, m. A predicted ball that leaves the field, or that no camera could see, counts as this far off. */
   private static final double WORST = 10;
 
   /** Smallest squared error in a geometric mean, m²: the floor of the cameras' noise. */
@@ -55,13 +55,13 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   /** Index of the lower bound in {@link #gainOn}. */
   public static final int LOWER = 2;
 
-  /** A scatter of that share of what it is leaves a kick's value at its mean. */
+  /** A scatter reduced to this share of its value holds the value of each kick at the mean. */
   private static final double NO_SCATTER = 1e-3;
 
   private static final int BOOTSTRAPS = 1000;
   private static final double LOW = 0.025;
 
-  /** A prediction that errs by that share more is as good: less than the spread of a kick's direction makes. */
+  /** A prediction whose error is larger by less than this share counts as equally good: the spread of a kick's direction makes more. */
   private static final double NO_WORSE = 0.02;
 
   /**
@@ -128,7 +128,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
-   * Validates with the mean of whatever differs from kick to kick by chance: a kick that was held out has a value of its own otherwise, and hides there what differs between the kicks by a cause.
+   * Validates with the mean of whatever differs from kick to kick by chance. Otherwise a held-out kick would have a value of its own, which would hide what differs between the kicks by a cause.
    *
    * @param model fitted to all kicks
    * @param seed of the parts
@@ -182,7 +182,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
     return new HoldOut(squares, counts, ahead);
   }
 
-  /** Flat kicks and chips are dealt apart, so that no part has only one of them. */
+  /** Flat kicks and chips are dealt separately, so that each part gets its share of both. */
   private static int[] parts(FittedModel model, long seed) {
     int[] part = new int[model.kickCount()];
     Random random = new Random(seed);
@@ -269,7 +269,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
-   * The same, each kick divided by how many times the cameras' noise it was given: what may be asked of a model that was fitted with this noise.
+   * The same, with the residuals of each kick divided by how many times the cameras' noise it was given: a model that was fitted with this noise need not explain more.
    *
    * @param model of these kicks
    * @return this where none was given more
@@ -311,8 +311,8 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   /**
    * Residual of one kick.
    *
-   * @param kick which
-   * @return root mean square per axis, mm
+   * @param kick index
+   * @return root mean square per axis, mm; NaN without detections
    */
   public double rmsMm(int kick) {
     return counts[kick] > 0 ? 1000 * Math.sqrt(squares[kick] / counts[kick]) : Double.NaN;
@@ -342,7 +342,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
-   * Whether this predicts worse than another model of the same kicks, at any horizon, by more than the choice of the kicks can do (bootstrap, Efron 1979). The root mean square decides, and so the worst kicks.
+   * Whether this predicts worse than another model of the same kicks, at any horizon, by more than the choice of the kicks can do (bootstrap, Efron 1979). The root mean square decides, to which the worst kicks contribute most.
    *
    * @param other the other model's, of the same kicks
    * @param seed of the bootstrap
@@ -364,10 +364,10 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   }
 
   /**
-   * By which factor this errs more than another model of the same kicks when it predicts.
+   * The factor by which the prediction errors of this are larger than those of another model of the same kicks.
    *
    * @param other the other model's, of the same kicks
-   * @return geometric mean over kicks and horizons; 1 when nothing was predicted
+   * @return geometric mean over kicks and horizons, below 1 where this is better; 1 when nothing was predicted
    */
   public double errorFactor(HoldOut other) {
     int[] all = IntStream.range(0, squares.length).toArray();
@@ -405,7 +405,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
     return false;
   }
 
-  /** A measure of kicks that are drawn again and again (bootstrap), ascending; 0 where it is no number. */
+  /** The values of a measure in bootstrap samples of the kicks, ascending; 0 where it is NaN. */
   private double[] drawn(Random random, ToDoubleFunction<int[]> measure) {
     int[] kicks = new int[squares.length];
     double[] values = new double[BOOTSTRAPS];
@@ -423,7 +423,7 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
   /**
    * Residual of a usual kick: each counts alike, and none decides alone.
    *
-   * @return geometric mean over the kicks of their root mean squares per axis, mm
+   * @return geometric mean over the kicks of their root mean squares per axis, mm; NaN without kicks
    */
   public double usualMm() {
     return 1000

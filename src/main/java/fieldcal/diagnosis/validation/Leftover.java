@@ -11,28 +11,28 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 
 /**
- * How much of the residuals is no noise. Noise differs from one detection to the next, what a wrong model makes of them does not: so the sums over blocks of successive detections of one camera are compared with what independent
- * residuals would give that differ as much from one to the next. Needs no model of what is wrong, nor of the noise, which may have heavier tails than a normal one.
+ * How much of the residuals is not noise. Noise changes from one detection to the next; the error of a wrong model does not. So the sums over blocks of successive detections of one camera are compared with those of independent
+ * residuals whose successive differences are as large. This needs no model of what is wrong, nor of the noise, whose tails may be heavier than those of a normal distribution.
  *
  * @param systematic mean square of the systematic part, in variances of the noise; may be negative by chance
  * @param deviation the same in standard deviations of what noise alone gives
  * @param chiSquare the systematic part of the sum of all squares, in variances of the noise
- * @param negligible a systematic part that matters to nobody, in variances of the noise
+ * @param negligible largest systematic part that does not matter, in variances of the noise
  */
 public record Leftover(double systematic, double deviation, double chiSquare, double negligible) {
-  /** Detections of a block: a tenth of a second. Longer blocks would miss what changes fast, shorter ones see less of what does not. */
+  /** Detections of a block: a tenth of a second. Longer blocks would miss what changes fast; shorter ones are less sensitive to what changes slowly. */
   private static final int BLOCK = 8;
 
-  /** Detections of the shortest block that noise leaves without a sum: a camera that vibrates at ten hertz comes back within a tenth of a second. */
+  /** Detections of the shortest block: a camera that vibrates at 10 Hz swings back within a tenth of a second, so that the sums over longer blocks do not show it. */
   private static final int PAIR = 2;
 
   /** Longest gap within a block, s. */
   private static final double GAP = 0.1;
 
-  /** More of that, in standard deviations, is no chance. */
+  /** A larger deviation, in standard deviations, is not due to chance. */
   private static final double SIGNIFICANT = 6;
 
-  /** A systematic part of less than that share of the noise's variance matters to nobody, a fifth of the noise; nor does what is smaller than the error of any model, {@link CameraNoise#FLOOR}. */
+  /** A systematic part below this share of the noise's variance, a fifth of the noise, does not matter; nor does one that is smaller than the error of any model, {@link CameraNoise#FLOOR}. */
   private static final double MATTERS = 0.04;
 
   /** The noise of each camera is known to about a per cent, its variance to two. */
@@ -75,7 +75,8 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       slow.add(against, rx, ry);
       fast.add(against, rx, ry);
     }
-    // What blocks have in common is a part of all; where all is noise, neighbours are only alike.
+    // // The systematic part of the blocks is at most all that is left beyond the noise. If nothing
+    // is, neighbours are only alike.
     double noise = fast.noise();
     double all = Math.max(0, reduced - noise + TOLERANCE);
     Leftover ofBlocks = slow.leftover(unknowns, noise, all);
@@ -90,7 +91,7 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
     private double sum;
     private double floor;
 
-    /** Of the differences of successive residuals, each in standard deviations of its own. */
+    /** Sum of squared differences of successive residuals, each divided by its variance. */
     private double differences;
 
     private int differing;
@@ -131,12 +132,18 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       }
     }
 
-    /** The variance of the noise, in units of what it is taken for; that is a robust estimate, which tails do not enter. */
+    /** The variance of the noise, tails included, relative to the robust estimate of it, which does not include tails; at least 1. */
     double noise() {
       return Math.max(1, differences / Math.max(1, differing));
     }
 
-    /** What they say when so many numbers were fitted and noise has a variance; the systematic part is at most a given one, in variances of the noise. */
+    /**
+     * What the sums show.
+     *
+     * @param unknowns how many numbers were fitted
+     * @param noise variance of the noise, in units of what it is taken for
+     * @param most largest systematic part, in variances of the noise
+     */
     Leftover leftover(double unknowns, double noise, double most) {
       double lost = Math.min(unknowns, 0.5 * blocks);
       double excess = sum - noise * (blocks - lost);
@@ -176,7 +183,7 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
   }
 
   /**
-   * Whether something is left that is neither chance nor without consequence.
+   * Whether something is left that is not due to chance and that matters.
    *
    * @return true when it is
    */

@@ -38,7 +38,7 @@ public sealed interface Basis permits Spline, Surface, Stripes, Harmonics, Polyn
   void values(double u, double v, double[] values);
 
   /**
-   * The curve of given coefficients, with all that does not depend on the place worked out.
+   * The curve of given coefficients, with everything computed that does not depend on the place.
    *
    * @param coefficients as many as functions from index {@code from} on; copied
    * @param from index of the first

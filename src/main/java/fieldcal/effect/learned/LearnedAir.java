@@ -7,7 +7,7 @@ import fieldcal.effect.MotionEffect.Varying;
 import fieldcal.effect.motion.AirDrag;
 import java.util.List;
 
-/** Learned velocities of air that does not move everywhere alike: a draught from one door. */
+/** Learned velocities of air that moves differently from place to place, such as a draught from one door. */
 final class LearnedAir extends LearnedTerm implements AirFlow, Varying {
 
   LearnedAir(LearnedFamily family, double[] coefficients) {

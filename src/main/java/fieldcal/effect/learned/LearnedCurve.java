@@ -9,12 +9,11 @@ import java.util.Optional;
 /**
  * A learned term with its errors over the range where data lie: points of a curve, or a table of a place. Immutable.
  *
- * <p>The mean over the points is taken out, of values and functions alike: it is a parameter of the simple model or of a named effect, and how badly a recording distinguishes the two does not concern the curve's shape. Only levels stay what they are,
- * relative to the first one. The error of a point is {@code √(φᵀCφ)} with the functions' values φ there and the covariance C of the coefficients; errors of neighbouring points go together, for a curve has no more independent numbers than
+ * <p>The mean over the points is taken out, of values and functions alike: it is a parameter of the simple model or of a named effect, and how well a recording distinguishes the two does not concern the shape of the curve. The mean of levels is not taken out: they are relative to what the model says of the impacts before. The error of a point is {@code √(φᵀCφ)} with the functions' values φ there and the covariance C of the coefficients; errors of neighbouring points go together, for a curve has no more independent numbers than
  * coefficients.
  *
  * @param family what depends on what
- * @param component 0, or 1 for the y of a shift
+ * @param component 0, or 1 for the second component of a quantity that has two (see {@link Quantity})
  * @param points by x, of a table by y and then by x
  */
 public record LearnedCurve(LearnedFamily family, int component, List<Point> points) {
@@ -93,7 +92,7 @@ public record LearnedCurve(LearnedFamily family, int component, List<Point> poin
    * The curve of a fitted term.
    *
    * @param term the term
-   * @param component 0, or 1 for the y of a shift
+   * @param component 0, or 1 for the second component of a quantity that has two (see {@link Quantity})
    * @param covariance of its coefficients, in their order; NaN where unknown
    * @param support where data lie
    * @return the curve

@@ -190,7 +190,7 @@ public final class LearnedFields {
     return range;
   }
 
-  /** A number that no estimator may answer comes from a damaged file or a wrong unit. */
+  /** A number out of the range of estimates comes from a damaged file or a wrong unit. */
   private static double[] coefficients(LearnedFamily family, Object value) {
     List<?> list = list(COEFFICIENTS, value);
     if (list.size() != family.size()) {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The families of smooth terms that a recording is searched for. None but the lateness over the speed has a constant part: that is a parameter of the simple model or a named effect's (camera offset,
+ * The families of smooth terms that a recording is searched for. Only the lateness over the speed and the maps have a constant part: elsewhere it is a parameter of the simple model or of a named effect (camera offset,
  * time offset).
  */
 public final class LearnedLibrary {
@@ -86,7 +86,7 @@ public final class LearnedLibrary {
     }
 
     /**
-     * What the league's rules allow: kicks of 6.5 m/s; a ball that starts with backspin slips faster than that, and one rolls for at most some ten seconds.
+     * What the league's rules allow: kicks of 6.5 m/s, and a faster slip for a ball with backspin. Few balls roll for longer than 8 s.
      *
      * @return the ranges
      */
@@ -143,7 +143,7 @@ public final class LearnedLibrary {
   }
 
   /**
-   * Maps of the carpet, for what curves leave: what is worn in lanes, rings or patches. Their many functions reach no farther than some knots, so that they are cheap where few are asked for at once, and are not among {@link #of(Arena)}.
+   * Maps of the carpet, for what curves leave: what is worn in lanes, rings or patches. They are not among {@link #of(Arena)}: they have many functions, each of which reaches only a few knots far, so a search of them alone is fast.
    *
    * @param arena what was recorded
    * @return absent terms

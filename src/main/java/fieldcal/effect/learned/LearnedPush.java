@@ -3,7 +3,7 @@ package fieldcal.effect.learned;
 import fieldcal.effect.BallMotion;
 import fieldcal.effect.MotionEffect.ExternalForce;
 
-/** A learned force along x and y of the field on a ball on the carpet: a floor that is not even, air that does not move everywhere alike. */
+/** A learned force along x and y of the field on a ball on the carpet: an uneven floor, or air that moves differently from place to place. */
 final class LearnedPush extends LearnedTerm implements ExternalForce {
 
   LearnedPush(LearnedFamily family, double[] coefficients) {

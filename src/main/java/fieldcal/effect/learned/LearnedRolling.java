@@ -4,7 +4,7 @@ import fieldcal.effect.BallMotion;
 import fieldcal.effect.MotionEffect.RollingResistance;
 import fieldcal.effect.MotionEffect.Varying;
 
-/** A learned factor on the rolling deceleration: what a ball's skin or the pile of the carpet does, and the slip of a sliding ball does not feel. */
+/** A learned factor on the rolling deceleration: due to the ball's skin or the pile of the carpet, without effect on a sliding ball. */
 sealed class LearnedRolling extends LearnedTerm implements RollingResistance, Varying
     permits LearnedFriction {
 

@@ -9,7 +9,7 @@ import fieldcal.effect.MotionEffect.Varying;
  * has its own limit, so between the axes the friction is up to √2 times as large and the path bends).
  */
 final class LearnedSliding extends LearnedTerm implements SlidingResistance, Varying {
-  /** A slip below that is over within 8 ms, whichever way it turns, m/s. */
+  /** A slower slip ends within 8 ms, so its turn does not limit the step, m/s. */
   private static final double SLOWEST = 0.1;
 
   LearnedSliding(LearnedFamily family, double[] coefficients) {

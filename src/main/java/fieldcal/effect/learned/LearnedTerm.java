@@ -98,7 +98,7 @@ public abstract sealed class LearnedTerm implements Effect
   /**
    * Its value for given variables.
    *
-   * @param component 0, or 1 for the y of a shift
+   * @param component 0, or 1 for the second component of a quantity that has two (see {@link Quantity})
    * @param u first number of the basis
    * @param v second number; not used when there is one
    * @return in the quantity's unit

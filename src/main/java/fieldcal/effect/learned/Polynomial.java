@@ -7,9 +7,9 @@ import java.util.Arrays;
  * rectangle's sides.
  *
  * @param degree 1 to 3
- * @param fromX begin of the first number's range
+ * @param fromX beginning of the first number's range
  * @param toX its end
- * @param fromY begin of the second number's range
+ * @param fromY beginning of the second number's range
  * @param toY its end
  */
 public record Polynomial(int degree, double fromX, double toX, double fromY, double toY)

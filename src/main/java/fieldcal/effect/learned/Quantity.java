@@ -133,7 +133,7 @@ public enum Quantity {
   }
 
   /**
-   * The largest coefficient that an estimator may answer.
+   * The largest coefficient, in absolute value, that a fit may return.
    *
    * @return in the unit
    */

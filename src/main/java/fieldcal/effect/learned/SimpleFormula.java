@@ -14,7 +14,7 @@ import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
  * The best simple formula for a learned curve. Each candidate has a free constant, since the mean of a term is a parameter of the simple model, and is fitted to the curve's
- * points by least squares weighted with their errors; the smallest {@code BIC = χ² + p·ln(n)} is chosen (Schwarz 1978), with p parameters and as many independent numbers n as
+ * points by least squares weighted with their errors; the smallest {@code BIC = χ² + p·ln(n)} is chosen (Schwarz 1978), with p parameters and n independent numbers, one more than
  * the curve has coefficients, to which χ² is scaled. What none of them describes better than the curve itself, χ² = 0 with p = n, is called {@link Kind#CURVE}.
  *
  * @param kind the form

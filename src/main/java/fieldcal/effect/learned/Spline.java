@@ -7,7 +7,7 @@ package fieldcal.effect.learned;
  * <p>Centred, the functions are {@code Σ_i cos(πji/(K − 1))·B_i} with i = 0 … K − 1 and j = 1 … K − 1: waves of rising frequency without the constant j = 0 (a discrete cosine
  * transform of the knots' values), each with mean 0 over the range, so that a coefficient is about an amplitude. De Boor, A Practical Guide to Splines, 1978, chapter IX.
  *
- * @param from begin of the range
+ * @param from beginning of the range, in the unit of the variable
  * @param to end of the range
  * @param knots number of knots K, the ends included, 3 to 32
  * @param centred whether the constant is left out
@@ -80,7 +80,7 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
     }
   }
 
-  /** Where the B-spline of a knot is not zero; it is constant beyond the ends of the range, so that one which is not zero there reaches on. */
+  /** Where the B-spline of a knot is not zero. Splines are constant beyond the ends of the range, so one that is not zero at an end has no bound there. */
   double[] support(int knot) {
     double spacing = (to - from) / (knots - 1);
     double begin = from + (knot - 2) * spacing;
@@ -127,7 +127,7 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
   }
 
   /**
-   * The cubic of each interval: sums are worked out once, since an integrator asks many thousand times.
+   * The cubic of each interval: the sums are computed once, since an integrator asks many thousand times.
    *
    * @param control values of the B-splines, one more at each end
    * @return four coefficients for each interval, of the powers of its share t

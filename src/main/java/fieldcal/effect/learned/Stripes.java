@@ -1,7 +1,7 @@
 package fieldcal.effect.learned;
 
 /**
- * Sum of a spline over x and one over y, for what depends on a place in stripes: an additive model (Hastie and Tibshirani, Generalized Additive Models, 1990). It resolves more than a {@link Surface} of as many coefficients, and no islands.
+ * Sum of a spline over x and one over y, for what depends on a place in stripes: an additive model (Hastie and Tibshirani, Generalized Additive Models, 1990). It resolves finer structures than a {@link Surface} with as many coefficients, but not isolated patches.
  *
  * @param x over the first number, centred
  * @param y over the second number, centred

@@ -8,7 +8,7 @@ import fieldcal.effect.Sight;
 import java.util.List;
 
 /**
- * Vision, in all cameras, intersects its ray through the ball's centre with a plane that is that much too high, so with a positive error it reports balls too near to the point below the camera.
+ * In all cameras, vision intersects the ray through the ball's centre with a plane at a wrong height. If this is too high, balls are reported too near to the point below the camera.
  *
  * @param mm assumed minus true height of a resting ball's centre, mm; the true height is 21.5 mm
  */

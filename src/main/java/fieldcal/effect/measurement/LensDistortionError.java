@@ -12,7 +12,7 @@ import java.util.List;
 
 /**
  * Published minus true radial distortion of one camera, or the same of all: the true lens (published − delta) draws the ball at radius rd, ru = rd·(1 + k·rd²) (SSL-Vision's model, radii in
- * focal lengths), and the published one reads that as another angle to the optical axis. Needs rotation and lens.
+ * focal lengths), and the published lens takes this for another angle to the optical axis. The effect needs the camera's rotation and lens.
  *
  * @param delta published minus true radial distortion (–)
  * @param camera which camera, by id; {@link #ALL_CAMERAS} = the same in all cameras

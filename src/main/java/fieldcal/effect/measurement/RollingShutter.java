@@ -7,7 +7,7 @@ import fieldcal.effect.ObservedCamera;
 import java.util.List;
 
 /**
- * Exposure moves from the first to the last image row in that time, in all cameras; time stamps are the first row's. So the ball was where it is reported at stamp + ms·row/rows, with the detection's row (0 = first, at the top of the image) and the
+ * The exposure moves from the first to the last image row within a given time, in all cameras; time stamps are those of the first row. So the ball was where it is reported at stamp + ms·row/rows, with the detection's row (0 = first, at the top of the image) and the
  * height of the image. A detection without pixels counts as first row.
  *
  * @param ms time from the first to the last row, ms; negative = exposed from the last row on, stamps still the first row's

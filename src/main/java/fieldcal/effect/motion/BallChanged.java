@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Another ball from some time on: decelerations × (1 + roll) and × (1 + slide). Balls are changed between kicks, so the time of the kick decides, for the whole of its path.
+ * Another ball from some time on: rolling deceleration × (1 + roll), sliding friction × (1 + slide). Balls are changed between kicks, so the time of the kick decides, for the whole of its path.
  *
  * @param roll relative change of the rolling deceleration (–), 0 = none
  * @param slide relative change of the sliding friction (–), 0 = none

@@ -8,7 +8,7 @@ import fieldcal.effect.MotionEffect.Bounce;
 import java.util.List;
 
 /**
- * Vertical damping × (1 + change), with another change in each kick: bounces that differ at random, for the carpet is rough, or since a simulator's steps meet the ground at random. It has no name and cannot be predicted. It is in the model so that chance does not pass for a cause that all kicks share. Its mean is the damping itself.
+ * Vertical damping × (1 + change), with another change in each kick: bounces differ at random because the carpet is rough, or because a simulator's steps meet the ground at random. It has no name and cannot be predicted. It is in the model so that chance does not pass for a cause that all kicks share. Its mean is the damping itself.
  *
  * @param change of the vertical damping of one kick (–)
  */

@@ -10,7 +10,7 @@ import java.util.List;
 /**
  * A field that is not level: acceleration g·percent/100 downhill, in flight as well as on the carpet; a rolling ball feels 1/(1+β) = 5/7 of it.
  *
- * @param percent slope, 100 × height over length (–), 0 = level
+ * @param percent slope, height over length in %, 0 = level
  * @param direction downhill in the field frame, rad, 0 = along x, counter-clockwise
  */
 public record FieldSlope(double percent, double direction) implements ExternalForce {

@@ -8,8 +8,8 @@ import fieldcal.effect.MotionEffect.ExternalForce;
 import java.util.List;
 
 /**
- * Lift of a spinning ball, ½ρπr²·C_L·|v|²/m along ω×v with C_L = cl·r|ω|/|v| for ω across v; so a = ½ρπr²·cl·(rω×v)/m, which is also right where it is
- * not. v is relative to the field, not to the air; ω is constant in flight. On the carpet it presses the ball down (topspin) or relieves it.
+ * Lift of a spinning ball, a = ½ρπr²·cl·(rω×v)/m, in all directions of ω. Where ω is across v, this is the usual ½ρπr²·C_L·|v|²/m along ω×v with C_L = cl·r|ω|/|v|.
+ * v is relative to the field, not to the air; ω is constant in flight. On the carpet it presses the ball down (topspin) or relieves it.
  *
  * @param cl lift coefficient per unit of r|ω|/|v| (–), positive = backspin lifts, 0 = no lift
  */

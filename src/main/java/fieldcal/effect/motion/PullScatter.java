@@ -7,8 +7,8 @@ import fieldcal.effect.MotionEffect.PathAcceleration;
 import java.util.List;
 
 /**
- * A pull across the path of a rolling ball, with another one in each kick. Where the centre of mass lies off the centre by d along the axis about which the ball rolls, the weight has a torque about the point of contact, 1.4·m·r² being the moment of inertia about it: the path turns with d·g/(1.4·r),
- * whatever the speed. How large d is, and to which side, depends on how the ball lay when it was kicked. It has no name and cannot be predicted. It is in the model so that chance does not pass for a cause that all kicks share. As often to one side as to the other, it has no mean.
+ * A pull across the path of a rolling ball that differs from kick to kick. Where the centre of mass lies off the centre by d along the axis about which the ball rolls, the weight has a torque about the point of contact, 1.4·m·r² being the moment of inertia about it: the path turns with d·g/(1.4·r),
+ * whatever the speed. How large d is, and to which side, depends on how the ball lay when it was kicked. It has no name and cannot be predicted. It is in the model so that chance does not pass for a cause that all kicks share. It has no mean, because it acts to either side equally often.
  *
  * @param pull across the path while the ball rolls, m/s²; positive turns it to its left
  */

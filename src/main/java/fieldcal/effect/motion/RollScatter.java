@@ -6,7 +6,7 @@ import fieldcal.effect.MotionEffect.FrictionOfKick;
 import java.util.List;
 
 /**
- * Rolling deceleration × (1 + change), with another change in each kick: what differs at random and no cause explains. It has no name and cannot be predicted. It is in the model so that chance does not pass for a cause that all kicks share. Its mean is the rolling deceleration itself.
+ * Rolling deceleration × (1 + change), with another change in each kick: differences at random that no cause explains. It has no name and cannot be predicted. It is in the model so that chance does not pass for a cause that all kicks share. Its mean is the rolling deceleration itself.
  *
  * @param change of the rolling deceleration of one kick (–)
  */

@@ -26,7 +26,7 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
   /** Into how many parts along x and y a search cuts the arena; chosen: a region of half the size of a part still overlaps it by a half. */
   private static final int[][] GRIDS = {{2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {3, 3}};
 
-  /** Shares of the arena before a goal: a defence area of division A is 1.8 m of 12 m deep, and 3.6 m of 9 m wide. */
+  /** Size of the area in front of a goal, as shares of the arena: a defence area of division A is 1.8 m of 12 m deep, and 3.6 m of 9 m wide. */
   private static final double GOAL_AREA_DEPTH = 0.15;
 
   private static final double GOAL_AREA_SIDE = 0.3;
@@ -34,7 +34,7 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
   /** How far bounds on the arena's rim lie outside, m; chosen: a predicted ball gets a little farther than those seen. */
   private static final double MARGIN = 0.5;
 
-  /** A way within shorter than this, m, is a rounding error of having just left. */
+  /** A chord shorter than this, m, is due to rounding after the ball has just left. */
   private static final double SHORTEST_CHORD = 1e-7;
 
   /**

@@ -11,7 +11,7 @@ import java.util.List;
  * @param heightError published minus true height, m
  * @param shiftX published minus true position, m
  * @param shiftY published minus true position, m
- * @param distortionError published minus true radial distortion
+ * @param distortionError published minus true radial distortion (–)
  * @param offsetX added to everything it reports, m
  * @param offsetY added to everything it reports, m
  * @param timeOffset added to its time stamps, s
@@ -21,7 +21,7 @@ import java.util.List;
  * @param knocks what moved it during the session
  * @param shear an error of the lens that is not radial: what it reports is shifted along x by shear·ξ²·η, with ξ, η = place relative to the point below the camera over its height, m
  * @param tables errors that were measured and have no formula
- * @param misstated by how much another position is announced than vision reckons with
+ * @param misstated announced minus the position with which vision computes
  */
 public record CameraErrors(
     double tilt,
@@ -62,11 +62,11 @@ public record CameraErrors(
   public record Knock(double x, double y, double at) {}
 
   /**
-   * Announced minus reckoned with.
+   * A position in the geometry messages with which vision itself does not compute: announced minus used.
    *
-   * @param x m
-   * @param y m
-   * @param height m
+   * @param x along x of the field, m
+   * @param y along y of the field, m
+   * @param height above the carpet, m
    */
   public record Misstated(double x, double y, double height) {}
 
@@ -271,7 +271,7 @@ public record CameraErrors(
   /**
    * Another announced position.
    *
-   * @param x announced minus that with which vision reckons, m
+   * @param x announced minus the one with which vision computes, m
    * @param y the same, m
    * @param height the same, m
    * @return the changed errors
@@ -331,7 +331,7 @@ public record CameraErrors(
         .withShake(shaken.shakeAmplitude, shaken.shakeRate);
   }
 
-  /** Where the swing is at a time, m. */
+  /** Shift along x by the swinging mount at a time, m. */
   double shakeAt(double time) {
     return shakeAmplitude == 0 ? 0 : shakeAmplitude * Math.sin(2 * Math.PI * shakeRate * time);
   }

@@ -91,7 +91,7 @@ public record CameraSettings(
    * Checks the ranges. {@inheritDoc}
    *
    * @throws IllegalArgumentException when a value is out of range or NaN
-   * @throws NullPointerException when the beat is null
+   * @throws NullPointerException when {@code exposure} is null
    */
   public CameraSettings {
     Objects.requireNonNull(exposure, "exposure");

@@ -4,7 +4,7 @@ import fieldcal.simulation.RandomStream;
 import fieldcal.vision.BallDetection;
 import java.util.List;
 
-/** Balls that are none: single ones anywhere, and series at one place near a robot (its pattern, a reflection). */
+/** False detections of balls: single ones anywhere, and series at one place near a robot (its pattern, a reflection). */
 final class FalseBalls {
   private final Nuisance nuisance;
   private final RandomStream random;

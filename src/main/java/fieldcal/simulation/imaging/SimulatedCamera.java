@@ -33,7 +33,7 @@ public final class SimulatedCamera {
   private final RandomStream misreads;
   private final boolean noiseInImage;
 
-  /** Pixels where it is in the image, else m. */
+  /** Standard deviation of a ball's position: pixels if the noise is added in the image, otherwise m. */
   private final double noise;
 
   private final RandomStream timing;
@@ -95,7 +95,7 @@ public final class SimulatedCamera {
    * When a camera takes its frames.
    *
    * @param exposure whether all cameras share the beat
-   * @param timing luck of the beat
+   * @param timing random numbers of the beat
    * @param from session time of the first frame, s
    */
   record Beat(CameraSettings.Exposure exposure, RandomStream timing, double from) {
@@ -153,7 +153,7 @@ public final class SimulatedCamera {
         seed);
   }
 
-  /** A camera of which is known what vision believes; its true pose follows from its errors. */
+  /** A camera whose calibration in vision is known; its true pose follows from its errors. */
   static SimulatedCamera create(
       InstalledCamera camera,
       CameraErrors more,
@@ -299,7 +299,7 @@ public final class SimulatedCamera {
   }
 
   private void seeBall(Scene scene, List<RobotView> robots, List<BallDetection> balls) {
-    // Draw first: what a frame shows must not change the luck of the next one.
+    // // All numbers are drawn first, so that what a frame shows does not change the next one.
     double noiseU = sensor.gaussian(noise);
     double noiseV = sensor.gaussian(noise);
     boolean missed = sensor.happens(nuisance.ballMiss());
@@ -367,7 +367,7 @@ public final class SimulatedCamera {
         pixels ? (float) v : 0);
   }
 
-  /** By how much what is seen at the present place on the ground is reported too far to one side. */
+  /** Computes by how much a report at the present place on the ground is shifted. */
   private void shift() {
     errors.shiftAt(
         exposure,

@@ -6,7 +6,7 @@ package fieldcal.simulation.physics;
  * @param mass kg
  * @param radius m
  * @param inertiaFactor β in I = β·m·r²: 0.4 for a solid sphere, 2/3 for a thin shell
- * @param slidingInertiaFactor the same against friction that turns a sliding ball: β, or another where the carpet resists or helps the turning; without spin at the kick a ball rolls at 1/(1 + this) of its kick speed
+ * @param slidingInertiaFactor the factor with which the friction of the carpet turns a sliding ball: β, or another value where the carpet resists or helps the turning; without spin at the kick a ball rolls at 1/(1 + this) of its kick speed
  */
 public record Ball(double mass, double radius, double inertiaFactor, double slidingInertiaFactor) {
 
@@ -16,7 +16,7 @@ public record Ball(double mass, double radius, double inertiaFactor, double slid
   /**
    * Checks the ranges. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when a value is not positive (or NaN)
+   * @throws IllegalArgumentException when a value is not positive, implausibly small or large, or NaN
    */
   public Ball {
     Check.range("mass", mass, 1e-3, 10);

@@ -24,8 +24,8 @@ public final class BallBody {
   /**
    * Lays the ball down at rest.
    *
-   * @param x m
-   * @param y m
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
    */
   public void place(double x, double y) {
     Check.finite("x", x);
@@ -48,12 +48,12 @@ public final class BallBody {
   /**
    * Gives the ball a new velocity and spin where it is, as a kick or a collision does.
    *
-   * @param vx m/s
-   * @param vy m/s
+   * @param vx velocity along x, m/s
+   * @param vy velocity along y, m/s
    * @param vz m/s, above 0 the ball flies
-   * @param spinX rad/s
-   * @param spinY rad/s
-   * @param spinZ rad/s
+   * @param spinX angular velocity about x, rad/s
+   * @param spinY angular velocity about y, rad/s
+   * @param spinZ angular velocity about z, rad/s
    */
   public void launch(double vx, double vy, double vz, double spinX, double spinY, double spinZ) {
     double[] values = {vx, vy, vz, spinX, spinY, spinZ};
@@ -75,9 +75,9 @@ public final class BallBody {
   /**
    * Kicks the ball with a spin given in units of rolling spin v/r, v = horizontal speed.
    *
-   * @param vx m/s
-   * @param vy m/s
-   * @param vz m/s
+   * @param vx velocity along x, m/s
+   * @param vy velocity along y, m/s
+   * @param vz velocity upwards, m/s
    * @param rollFraction spin about the rolling axis: 1 rolls, negative is backspin
    * @param sideFraction spin about the direction of travel
    * @param radius of the ball, m
@@ -96,7 +96,7 @@ public final class BallBody {
   /**
    * Position.
    *
-   * @return m
+   * @return x in the field frame, m
    */
   public double x() {
     return state[0];
@@ -105,7 +105,7 @@ public final class BallBody {
   /**
    * Position.
    *
-   * @return m
+   * @return y in the field frame, m
    */
   public double y() {
     return state[1];
@@ -123,7 +123,7 @@ public final class BallBody {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along x, m/s
    */
   public double vx() {
     return state[3];
@@ -132,7 +132,7 @@ public final class BallBody {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along y, m/s
    */
   public double vy() {
     return state[4];
@@ -141,7 +141,7 @@ public final class BallBody {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return upwards, m/s
    */
   public double vz() {
     return state[5];

@@ -5,7 +5,7 @@ import fieldcal.simulation.physics.ImpactLaw.FixedLoss;
 import java.util.Arrays;
 
 /**
- * Moves a ball: fourth-order Runge–Kutta of at most 1 ms, with impacts, the end of slipping, the stop and the edges of a worn region located inside the step. Not thread-safe.
+ * Moves a ball: fourth-order Runge–Kutta of at most 1 ms, with impacts, the end of slipping, the stop, seams and the edges of a worn region located inside the step. Not thread-safe.
  */
 public final class BallIntegrator {
   /** Longest step, s: at 7 m/s and all effects the error of a kick stays far below a micrometre. */
@@ -13,7 +13,7 @@ public final class BallIntegrator {
 
   private static final double TIME_RESOLUTION = 1e-12;
 
-  /** Slower slip is rounding, m/s. */
+  /** A slower slip is due to rounding, m/s. */
   private static final double ROLLING_SLIP = 1e-9;
 
   private final BallPhysics physics;
@@ -163,7 +163,7 @@ public final class BallIntegrator {
     if (seam == null) {
       return;
     }
-    // The jolt is between two nodes of the same time, as an impact is.
+    // // The change of velocity lies between two nodes at the same time, as at an impact.
     trace.node(time, ball);
     double vx = s[3];
     double vy = s[4];
@@ -295,8 +295,8 @@ public final class BallIntegrator {
     s[3] -= lostX;
     s[4] -= lostY;
     forces.addSpinOfImpulse(s, -lostX, -lostY);
-    // Friction can stop the slip, not turn it round; of a ball that rolled already rounding would
-    // say which of both it is.
+    // // Friction can stop the slip, but not reverse it. For a ball that already rolled, rounding
+    // would decide between the two.
     boolean rolled = Math.hypot(beforeX, beforeY) < ROLLING_SLIP;
     if (rolled || forces.slipX(s) * beforeX + forces.slipY(s) * beforeY < 0) {
       forces.makeRolling(s);
@@ -339,7 +339,7 @@ public final class BallIntegrator {
     s[7] += spin[1];
   }
 
-  /** Between no contact and a super ball's. */
+  /** Share of the slip that an impact takes from the velocity, limited to the range from no contact to a super ball. */
   private double spinShare(FixedLoss loss) {
     double superBall = 2 * forces.inertiaFactor() / (1 + forces.inertiaFactor());
     return Math.max(0, Math.min(superBall, 1 - loss.firstHop()));

@@ -20,7 +20,7 @@ public final class BallMoment {
   /**
    * Position.
    *
-   * @return m
+   * @return x in the field frame, m
    */
   public double x() {
     return x;
@@ -29,7 +29,7 @@ public final class BallMoment {
   /**
    * Position.
    *
-   * @return m
+   * @return y in the field frame, m
    */
   public double y() {
     return y;
@@ -38,7 +38,7 @@ public final class BallMoment {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along x, m/s
    */
   public double vx() {
     return vx;
@@ -47,16 +47,16 @@ public final class BallMoment {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along y, m/s
    */
   public double vy() {
     return vy;
   }
 
   /**
-   * Velocity, at an impact that before it.
+   * Velocity; at an impact, the one before it.
    *
-   * @return m/s
+   * @return upwards, m/s
    */
   public double vz() {
     return vz;
@@ -74,7 +74,7 @@ public final class BallMoment {
   /**
    * Direction of travel.
    *
-   * @return rad, 0 at standstill
+   * @return rad, 0 = along x, counter-clockwise; 0 at standstill
    */
   public double heading() {
     return Math.atan2(vy, vx);
@@ -126,7 +126,7 @@ public final class BallMoment {
   }
 
   /**
-   * Which impact comes next since the ball was launched last; at an impact, which it is.
+   * Number of the next impact since the ball was launched last; at an impact, its own number.
    *
    * @return 1 = the first
    */

@@ -24,7 +24,7 @@ public record BallPhysics(
   /** Acceleration of free fall, m/s². */
   public static final double GRAVITY = 9.81;
 
-  /** A carpet and ball as measured at tournaments of 2026 in an ideal world: −3.1, −0.28 m/s², 0.65; 0.75, 0.95, 0.52. */
+  /** The league's models with typical values of tournaments of 2026: accSlide −3.1 m/s², accRoll −0.28 m/s², kSwitch 0.65; e_xy1 0.75, e_xy 0.95, e_z 0.52. */
   public static final BallPhysics IDEAL = ideal(-3.1, -0.28, 0.65, 0.75, 0.95, 0.52);
 
   /** Copies the lists. {@inheritDoc} */

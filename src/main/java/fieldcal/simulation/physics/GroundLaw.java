@@ -2,7 +2,7 @@ package fieldcal.simulation.physics;
 
 /**
  * What the carpet does to a ball that touches it. Coulomb friction μ·N acts against the slip of the contact point until the ball rolls; then the rolling resistance acts against the velocity.
- * N is the weight, changed by a Magnus force. A tilted field and air drag accelerate a sliding ball fully and a rolling one by 1/(1+β), because friction has to turn it; a flying ball feels them fully, too.
+ * N is the weight less the upward part of the forces of the air. A tilted field and air drag accelerate a sliding ball fully and a rolling one by 1/(1+β), because friction has to turn it; a flying ball feels them fully, too.
  *
  * @param slidingFriction μ (–)
  * @param rollingDeceleration deceleration of a rolling ball at low speed, m/s², positive
@@ -11,14 +11,14 @@ package fieldcal.simulation.physics;
  * @param slopeX field slope: acceleration along x over g (–), positive = downhill along +x
  * @param slopeY field slope: acceleration along y over g (–)
  * @param napAmplitude rolling deceleration is multiplied by 1 + napAmplitude·cos(θ − napDirection), θ = direction of travel
- * @param napDirection rad
+ * @param napDirection direction of travel in the field frame with the largest deceleration (for a positive amplitude), rad, 0 = along x, counter-clockwise
  * @param worn rectangle in which all friction is multiplied by 1 + wornChange
  * @param wornChange relative change of friction in the rectangle (–)
  * @param driftPerSecond relative change of the rolling deceleration per second of session time, 1/s
  * @param verticalSpinDecay deceleration of spin about the vertical while on the ground, 1/s
  * @param slipSlope growth of μ with the slip speed about {@link #REFERENCE_SLIP}, relative, s/m
  * @param waveAmplitude rolling deceleration is multiplied by 1 + waveAmplitude·sin(2π·x/waveLength): strips of carpet laid side by side
- * @param waveLength m
+ * @param waveLength length of a period of the strips along x, m
  */
 public record GroundLaw(
     double slidingFriction,

@@ -46,7 +46,7 @@ public record ImpactLaw(
   public sealed interface Tangential permits FixedLoss, Contact {}
 
   /**
-   * Ideal: v_xy' = e·v_xy of a ball that was kicked without spin; the lost momentum turns the ball, at most until it rolls; a ball that stays down rolls at once. What spin given with the kick changes, a velocity u and a surface velocity w at the contact point, obeys
+   * Ideal: v_xy' = e·v_xy of a ball that was kicked without spin; the lost momentum turns the ball, at most until it rolls; a ball that stays down rolls at once. Spin given with the kick adds a velocity u and a surface velocity w at the contact point, which obey
    * the contact law with the share that gives e_xy1 to a ball without spin: u' = u − (1 − e_xy1)·(u − w) and w' = w + (1 − e_xy1)·(u − w)/β, as far as Coulomb friction of the impact, μ·(1+e_z)·|v_z| with the carpet's μ, allows.
    *
    * @param firstHop e at the first impact after a kick (–)

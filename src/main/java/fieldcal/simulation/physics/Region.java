@@ -1,7 +1,7 @@
 package fieldcal.simulation.physics;
 
 /**
- * A rectangle of the carpet whose friction differs.
+ * A rectangle of the field, such as a worn part of the carpet or the view of a camera.
  *
  * @param x0 smallest x, m
  * @param x1 largest x, m
@@ -10,7 +10,7 @@ package fieldcal.simulation.physics;
  */
 public record Region(double x0, double x1, double y0, double y1) {
 
-  /** Nowhere. */
+  /** No rectangle: nowhere, or no limit of a view. */
   public static final Region NONE = new Region(0, 0, 0, 0);
 
   /**
@@ -28,8 +28,8 @@ public record Region(double x0, double x1, double y0, double y1) {
   /**
    * Whether a place is inside.
    *
-   * @param x m
-   * @param y m
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
    * @return false on the edge
    */
   public boolean contains(double x, double y) {

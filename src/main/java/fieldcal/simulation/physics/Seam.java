@@ -3,9 +3,9 @@ package fieldcal.simulation.physics;
 /**
  * Where two pieces of carpet meet: a straight line that takes speed from a ball on the ground and turns its path.
  *
- * @param loss share of the speed across the line that a crossing costs (–)
+ * @param loss share of the speed across the line that a crossing takes (–), −0.9 to 0.9
  * @param turn of the path at each crossing, counter-clockwise, rad
- * @param normal direction perpendicular to the line, rad
+ * @param normal direction perpendicular to the line in the field frame, rad, 0 = along x, counter-clockwise
  * @param distance of the line from the field's centre along the normal, m
  */
 public record Seam(double loss, double turn, double normal, double distance) {

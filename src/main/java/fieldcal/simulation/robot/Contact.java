@@ -6,7 +6,7 @@ import fieldcal.simulation.physics.BallBody;
 public final class Contact {
   private static final double BODY = 0.09;
 
-  /** How far outside the mouth plane a ball still counts as touching, m. */
+  /** Largest gap between the mouth plane and a ball that still counts as touching, m. */
   private static final double REACH = 0.003;
 
   private final double penetration;

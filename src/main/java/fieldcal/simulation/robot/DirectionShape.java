@@ -1,6 +1,6 @@
 package fieldcal.simulation.robot;
 
-/** How acceleration and braking depend on the direction in the robot's own frame: the factor is 1 in the strongest direction and 1 − d in the weakest, d the {@linkplain RobotLimits#directionality directionality}. */
+/** How acceleration and braking depend on the direction in the robot's own frame: the factor is 1 in the strongest direction and 1 − d in the weakest, where d is the {@linkplain RobotLimits#directionality directionality} and φ the angle from the robot's front. */
 public enum DirectionShape {
   /** 1 − d·|sin φ|, the shape of {@code directional}: bends at the front and at the back. */
   SINE {

@@ -16,7 +16,7 @@ public enum RobotCharacter {
   LATE_KICKER,
   /** The robot drives 4° beside and 5 % slower than commanded, and creeps a little when it is to stand. */
   DRIFTING,
-  /** The robot hears its orders 50 ms later, follows them with a time constant of 0.1 s, and gains and loses no more than 1.5 m/s each second. */
+  /** The robot receives its orders 50 ms later, follows them with a time constant of 0.1 s, and accelerates and brakes with at most 1.5 m/s². */
   SLUGGISH,
   /** The kicker gives half of the kicks, drawn at random, a fifth less speed than the others: it strikes the ball twice, and the second stroke brakes it, as with grSim. */
   UNEVEN_KICKER;
@@ -27,37 +27,37 @@ public enum RobotCharacter {
   /** Largest speed at which a dribbler pulls a ball, m/s (chosen: a well-known simulator loses it at 1.2 m/s). */
   public static final double HELD_SPEED = 0.9;
 
-  /** A dribbler that has lost a ball does not catch it within that time, s. */
+  /** Time within which a dribbler that has lost a ball does not catch it again, s. */
   public static final double LOST_FOR = 0.3;
 
-  /** At which speed a ball leaves a front plate that lets go of it, m/s. */
+  /** Speed at which a ball leaves a front plate that lets go of it, m/s. */
   public static final double ROLLS_OFF = 0.12;
 
   /** From the touch to the kick, s (chosen: a light barrier, a radio's cycle of a slow robot). */
   public static final double DEAD_TIME = 0.05;
 
-  /** A kicker reaches so far before the plate, m. */
+  /** How far in front of the plate a kicker reaches, m. */
   public static final double KICKER_REACH = 0.012;
 
   /** Part of the speed that is left after a second stroke: grSim's kicker takes back a fifth of what the ball has ({@code KickerDampFactor} 0.2). */
   public static final double STRUCK_TWICE = 0.8;
 
-  /** Beside the direction that is commanded, rad. */
+  /** Angle between the driven and the commanded direction, rad. */
   public static final double BESIDE = Math.toRadians(4);
 
-  /** Part of the commanded speed that it drives. */
+  /** Fraction of the commanded speed that it drives (–). */
   public static final double SLOWER = 0.95;
 
   /** Speed of a robot that is to stand, m/s. */
   public static final double CREEP = 0.01;
 
-  /** What a slow radio and a slow control loop add to the way of an order, s (chosen). */
+  /** Delay that a slow radio and a slow control loop add to an order, s (chosen). */
   public static final double HEARS_LATER = 0.05;
 
   /** Time constant of a velocity control with a low gain, s (chosen). */
   public static final double FOLLOWS = 0.1;
 
-  /** What slipping wheels or weak motors leave, m/s² (chosen: half of what good robots do). */
+  /** Largest acceleration with slipping wheels or weak motors, m/s² (chosen: half of what good robots do). */
   public static final double WEAK = 1.5;
 
   /**

@@ -18,19 +18,19 @@ public record RobotCommand(Motion motion, Kick kick, boolean dribbler) {
   /**
    * A velocity in the field frame.
    *
-   * @param vx m/s
-   * @param vy m/s
-   * @param angular rad/s
+   * @param vx velocity along x, m/s
+   * @param vy velocity along y, m/s
+   * @param angular angular velocity, rad/s, counter-clockwise positive
    */
   public record Velocity(double vx, double vy, double angular) implements Motion {}
 
   /**
    * A pose to reach and stand at.
    *
-   * @param x m
-   * @param y m
-   * @param orientation rad
-   * @param maxSpeed m/s
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
+   * @param orientation direction of its front, rad, 0 = along x, counter-clockwise
+   * @param maxSpeed largest speed on the way, m/s
    */
   public record Target(double x, double y, double orientation, double maxSpeed) implements Motion {}
 
@@ -66,10 +66,10 @@ public record RobotCommand(Motion motion, Kick kick, boolean dribbler) {
   /**
    * Drive to a pose.
    *
-   * @param x m
-   * @param y m
-   * @param orientation rad
-   * @param maxSpeed m/s
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
+   * @param orientation direction of its front, rad, 0 = along x, counter-clockwise
+   * @param maxSpeed largest speed on the way, m/s
    * @return the command
    */
   public static RobotCommand driveTo(double x, double y, double orientation, double maxSpeed) {

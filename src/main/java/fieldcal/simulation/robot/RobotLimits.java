@@ -8,7 +8,7 @@ import java.util.Objects;
  * @param velocity largest speed, m/s
  * @param acceleration largest acceleration, m/s²
  * @param braking largest deceleration, m/s², positive
- * @param angularVelocity rad/s
+ * @param angularVelocity largest angular velocity, rad/s
  * @param angularAcceleration rad/s²
  * @param torqueLoss the acceleration falls linearly with speed: × (1 − torqueLoss·|v|/velocity)
  * @param directionality acceleration and braking are smaller in the weakest direction: × (1 − directionality)
@@ -33,10 +33,10 @@ public record RobotLimits(
   /**
    * Limits with the usual shape.
    *
-   * @param velocity m/s
-   * @param acceleration m/s²
+   * @param velocity largest speed, m/s
+   * @param acceleration largest acceleration, m/s²
    * @param braking m/s², positive
-   * @param angularVelocity rad/s
+   * @param angularVelocity largest angular velocity, rad/s
    * @param angularAcceleration rad/s²
    * @param torqueLoss 0 … 0.95
    * @param directionality 0 … 0.95
@@ -63,7 +63,7 @@ public record RobotLimits(
   /**
    * Checks the ranges. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when a limit is not positive or a share not in [0, 0.95] (or NaN)
+   * @throws IllegalArgumentException when a limit is not in (0, 1000) or a coefficient is not in [0, 0.95] (or NaN)
    */
   public RobotLimits {
     Objects.requireNonNull(shape, "shape");
@@ -82,9 +82,9 @@ public record RobotLimits(
   /**
    * Limits with one acceleration law.
    *
-   * @param velocity m/s
-   * @param acceleration m/s²
-   * @param braking m/s²
+   * @param velocity largest speed, m/s
+   * @param acceleration largest acceleration, m/s²
+   * @param braking largest deceleration, m/s², positive
    * @return the limits
    */
   public static RobotLimits uniform(double velocity, double acceleration, double braking) {
@@ -176,9 +176,9 @@ public record RobotLimits(
   }
 
   /**
-   * The part of acceleration and braking that is there in one direction.
+   * The factor on acceleration and braking in a direction.
    *
-   * @param phi against the robot's front, rad
+   * @param phi angle from the robot's front, rad
    * @return 1 − directionality … 1
    */
   public double directionFactor(double phi) {

@@ -23,7 +23,7 @@ public final class SimulatedRobot {
   private double vx;
   private double vy;
 
-  // What it would have if its acceleration changed at once.
+  // // The velocity that it would have if its acceleration changed at once, m/s.
   private double planX;
   private double planY;
   private double angular;
@@ -63,9 +63,9 @@ public final class SimulatedRobot {
    * @param id team and number
    * @param limits what it can do
    * @param height of its top, m
-   * @param x m
-   * @param y m
-   * @param orientation rad
+   * @param x x in the field frame, m
+   * @param y y in the field frame, m
+   * @param orientation direction of its front, rad, 0 = along x, counter-clockwise
    */
   public SimulatedRobot(
       RobotId id, RobotLimits limits, double height, double x, double y, double orientation) {
@@ -87,7 +87,7 @@ public final class SimulatedRobot {
   }
 
   /**
-   * Lets its acceleration change evenly from one value to another instead of at once, as with a limited jerk. It then comes to a target a little later than it plans.
+   * Lets its acceleration change evenly from one value to another instead of at once, as with a limited jerk. It then reaches a target a little later than it plans.
    *
    * @param seconds that a change takes, not negative; 0: it changes at once
    */
@@ -108,9 +108,9 @@ public final class SimulatedRobot {
   /**
    * Puts it somewhere at rest, as a person does by hand.
    *
-   * @param newX m
-   * @param newY m
-   * @param newOrientation rad
+   * @param newX x in the field frame, m
+   * @param newY y in the field frame, m
+   * @param newOrientation direction of its front, rad, 0 = along x, counter-clockwise
    */
   public void place(double newX, double newY, double newOrientation) {
     x = newX;
@@ -210,8 +210,8 @@ public final class SimulatedRobot {
   /**
    * Distance of a point ahead of the centre.
    *
-   * @param px m
-   * @param py m
+   * @param px x in the field frame, m
+   * @param py y in the field frame, m
    * @return m along the robot's front
    */
   public double ahead(double px, double py) {
@@ -221,8 +221,8 @@ public final class SimulatedRobot {
   /**
    * Distance of a point to the left of the centre.
    *
-   * @param px m
-   * @param py m
+   * @param px x in the field frame, m
+   * @param py y in the field frame, m
    * @return m across the robot's front
    */
   public double aside(double px, double py) {
@@ -268,7 +268,7 @@ public final class SimulatedRobot {
   /**
    * Position.
    *
-   * @return m
+   * @return x in the field frame, m
    */
   public double x() {
     return x;
@@ -277,7 +277,7 @@ public final class SimulatedRobot {
   /**
    * Position.
    *
-   * @return m
+   * @return y in the field frame, m
    */
   public double y() {
     return y;
@@ -295,7 +295,7 @@ public final class SimulatedRobot {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along x, m/s
    */
   public double vx() {
     return vx;
@@ -304,7 +304,7 @@ public final class SimulatedRobot {
   /**
    * Velocity.
    *
-   * @return m/s
+   * @return along y, m/s
    */
   public double vy() {
     return vy;

@@ -32,7 +32,7 @@ public final class CalibrationScenario implements Scenario {
   /** Time to get there, s. */
   private static final double SETTLING = 0.7;
 
-  /** A kick that fails this often is left out: a robot that cannot do it must not go on for ever. */
+  /** A kick that fails this often is left out, so that a robot that cannot make it does not try for ever. */
   private static final int MAX_ATTEMPTS = 4;
 
   private final ScenarioSettings settings;
@@ -241,7 +241,7 @@ public final class CalibrationScenario implements Scenario {
       enter(State.FOLLOW, world);
       return;
     }
-    // With the kick to come, up to the ball or just short of it; then, or on contact, the kick.
+    // // Drives up to the ball, or just short of it to stand there first; then kicks.
     boolean waits = world.time() - since < plan().standing() + SETTLING;
     boolean stands = plan().standing() > 0 && waits;
     double reach = SimulatedRobot.FRONT + (stands ? CLOSE : 0);

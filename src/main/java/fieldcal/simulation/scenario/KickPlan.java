@@ -12,8 +12,8 @@ import java.util.List;
  * @param chip whether the ball is to fly
  * @param speed m/s
  * @param elevation rad, 0 for a flat kick
- * @param mirrored flat kicks: along the other diagonal
- * @param aside aim beside the receiver, rad
+ * @param mirrored whether a flat kick goes along the other diagonal
+ * @param aside by how much it aims to the left of the receiver, rad
  * @param received whether the receiver tries to stop the ball
  * @param driveUpSpeed how fast the kicker drives to the ball, m/s
  * @param standing how long it stands at the ball before it kicks, s; 0 = it kicks on arrival

@@ -14,7 +14,7 @@ import java.util.List;
 final class TeamPlay {
   private static final double HYSTERESIS = 0.4;
 
-  /** Nearer to its target a robot looks at the ball in any case, m: half of what it drives in a hurry. */
+  /** Distance from its target within which a robot looks at the ball in any case, m; chosen, half of the way that it drives fast. */
   private static final double TURNS_WITHIN = 0.5;
 
   private final FieldSize field;

@@ -100,8 +100,8 @@ public record KickTruth(
    * What the robot was commanded.
    *
    * @param speed absolute speed, m/s
-   * @param direction rad
-   * @param elevation rad, 0 = flat
+   * @param direction direction in the field frame, rad, 0 = along x, counter-clockwise
+   * @param elevation angle above the ground, rad, 0 = flat
    */
   public record KickCommand(double speed, double direction, double elevation) {}
 

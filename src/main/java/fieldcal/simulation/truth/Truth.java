@@ -13,9 +13,9 @@ import java.util.List;
  * @param physics the laws that the ball obeyed, effects included
  * @param kickBehaviour how kicks differed from commands, effects included
  * @param ballPlane height of the ball's centre that vision assumed, m
- * @param rollingShutter s
+ * @param rollingShutter time from the first to the last image row, s
  * @param epoch session time zero
- * @param duration s
+ * @param duration length of the session, s
  * @param cameras by number
  * @param robots yellow first, by number
  * @param phases what the referee said
