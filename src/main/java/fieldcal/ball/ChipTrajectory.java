@@ -241,7 +241,8 @@ public final class ChipTrajectory extends SegmentedTrajectory {
       ChipTakeoff from = takeoffs[hops()];
       double r = model.accRoll();
       double sigma = Math.min(t, restTime()) - segment(hops() + 1).start;
-      // Zero once the ball rests: a later landing then no longer shortens the distance, since the ball also comes to
+      // Zero once the ball rests: a later landing then no longer shortens the distance, since the
+      // ball also comes to
       // rest later.
       double v = speed * from.pace() + r * sigma;
       double bySpeed = from.reach() + from.pace() * sigma;

@@ -245,8 +245,9 @@ public final class FlatTrajectory extends SegmentedTrajectory {
     double r = model.accRoll();
     double k = model.kSwitch();
     double s = speed;
-    // Zero once the ball rests: a later switch then no longer shortens the distance, since the ball also comes to
-      // rest later.
+    // Zero once the ball rests: a later switch then no longer shortens the distance, since the ball
+    // also comes to
+    // rest later.
     double v = k * s + r * sigma;
     double slideWay = s * s * (k * k - 1) / (2 * a);
     double slideTime = s * (k - 1) / a;

@@ -40,7 +40,8 @@ record HuberMean(double mean, double standardError, double scatter) {
     double low = 0;
     double high = IntStream.range(0, values.length).mapToDouble(i -> values[i]).max().orElse(0);
     high -= IntStream.range(0, values.length).mapToDouble(i -> values[i]).min().orElse(0);
-    // With a scatter as wide as all samples together none is cut, and the sum of squares is smaller than
+    // With a scatter as wide as all samples together none is cut, and the sum of squares is smaller
+    // than
     // expected.
     for (int i = 0; i < HALVINGS; i++) {
       double middle = 0.5 * (low + high);

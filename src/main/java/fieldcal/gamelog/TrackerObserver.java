@@ -60,7 +60,8 @@ final class TrackerObserver {
     while (bin < BINS - 1 && 2 * (below + delays[bin]) < frames) {
       below += delays[bin++];
     }
-    // The outermost bins also count all values beyond them: these are no delays, but clocks that differ.
+    // The outermost bins also count all values beyond them: these are no delays, but clocks that
+    // differ.
     return bin == 0 || bin == BINS - 1 ? Double.NaN : LEAST + (bin + 0.5) * BIN;
   }
 }

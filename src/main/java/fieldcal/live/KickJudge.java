@@ -86,7 +86,7 @@ final class KickJudge {
     }
     if (fit.kind() == KickKind.CHIP && roll.isPresent() && !counts(fit.estimate("accRoll"))) {
       // What a chip does not show of the rolling is known from the flat kicks; a wrong value would
-    // spoil the other estimates.
+      // spoil the other estimates.
       fit = fitter.refit(problem.withChipRollFixed(roll.getAsDouble()), fit);
     }
     String distrust = distrust(fit);

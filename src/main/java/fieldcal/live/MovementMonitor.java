@@ -196,7 +196,8 @@ public final class MovementMonitor {
         synchronized (shared) {
           if (forBreak) {
             limits.remove(team);
-            // When there was little play since the last break, the estimate before that break is better.
+            // When there was little play since the last break, the estimate before that break is
+            // better.
             if (next.velocity().known() || !beforeBreak.containsKey(team)) {
               beforeBreak.put(team, next);
             }

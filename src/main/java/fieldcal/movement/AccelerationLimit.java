@@ -144,8 +144,9 @@ final class AccelerationLimit {
       EnvelopeFit byDirection = envelopeFit(coefficient(MovementEffect.TORQUE_LIMITED));
       EnvelopeFit alone = fast ? envelopeFit(0) : null;
       if (alone != null && !(byDirection != null && byDirection.mass() > GAIN * alone.mass())) {
-        // A dependence on direction that has another shape explains the manoeuvres without a dependence on
-    // speed.
+        // A dependence on direction that has another shape explains the manoeuvres without a
+        // dependence on
+        // speed.
         select(List.of(List.of(MovementEffect.DIRECTIONAL)));
         byDirection = alone;
       }

@@ -67,7 +67,7 @@ public final class TeamStatistics {
     double a = Math.abs(t.angularAcceleration());
     double speed = t.rateAfter(0.5 * t.duration());
     // Where it reverses its sense of rotation it does both, one after the other, with the same
-      // motors.
+    // motors.
     if (t.growth() > LEAST_TURN) {
       turningFaster.of(robot).add(a, t.accelerationError(), speed, Double.NaN);
     } else if (t.growth() < -LEAST_TURN) {

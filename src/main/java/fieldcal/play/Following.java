@@ -71,7 +71,8 @@ final class Following {
     boolean turnsRound = along < -FASTER;
     boolean goesOn = next > reference + FASTER;
     if (turnsRound || goesOn) {
-      // A robot that is to turn round brakes harder than one that is to stop, and one that goes on may
+      // A robot that is to turn round brakes harder than one that is to stop, and one that goes on
+      // may
       // not have slowed down yet.
       boolean slowedDown = !turnsRound && speed < reference + FASTER;
       learn(slowedDown ? 0 : -lostNow);
