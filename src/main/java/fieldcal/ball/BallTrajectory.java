@@ -40,7 +40,7 @@ public interface BallTrajectory {
    * Where the ball is. Does not allocate.
    *
    * @param t time, s; may be infinite
-   * @param xyz receives x, y and z, m
+   * @param xyz receives x, y and z, m; at least three elements
    * @throws IllegalArgumentException when {@code t} is NaN
    */
   void positionAt(double t, double[] xyz);
@@ -64,19 +64,19 @@ public interface BallTrajectory {
   double distanceAt(double t);
 
   /**
-   * When the ball has come that far, in the air or on the carpet.
+   * When the ball has covered a distance, in the air or on the carpet.
    *
    * @param distance length of the path over the ground since the kick, m, not negative
-   * @return the first such time, s; empty when the ball rests before
+   * @return the first such time, s; empty when the ball comes to rest before that
    * @throws IllegalArgumentException when {@code distance} is negative or not finite
    */
   OptionalDouble timeAtDistance(double distance);
 
   /**
-   * How fast the ball is when it has come that far.
+   * How fast the ball is when it has covered a distance.
    *
    * @param distance length of the path over the ground since the kick, m, not negative
-   * @return speed over the ground, m/s; empty when the ball rests before
+   * @return speed over the ground, m/s; empty when the ball comes to rest before that
    * @throws IllegalArgumentException when {@code distance} is negative or not finite
    */
   OptionalDouble speedAtDistance(double distance);

@@ -5,8 +5,7 @@ import java.util.OptionalDouble;
 
 /**
  * How a chipped ball flies, bounces and rolls out: parabolas under gravity without drag; at each impact the horizontal velocity
- * shrinks to a fraction of itself and the vertical one is reversed and shrinks; a hop that would stay below
- * the lowest one does not take place: the ball rolls instead.
+ * shrinks to a fraction of itself and the vertical one is reversed and shrinks; a hop whose apex would lie below {@code lowestHop} does not take place: the ball rolls instead.
  *
  * <p>The model of the league's geometry message ({@code SSL_BallModelChipFixedLoss}).
  *
@@ -45,7 +44,7 @@ public record ChipModel(
   /**
    * Checks the numbers. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when a damping is not positive, {@code dampingZ} not below 1 or the acceleration not negative
+   * @throws IllegalArgumentException when a damping is not positive, {@code dampingZ} not below 1, the acceleration not negative or the lowest hop not positive
    */
   public ChipModel {
     Checks.positive("dampingXyFirstHop", dampingXyFirstHop);
@@ -118,7 +117,7 @@ public record ChipModel(
   /**
    * How fast to chip so that a given landing is at a given distance. Each flight's length grows with the square of the kick speed.
    *
-   * @param distance way over the ground from the kick, m, not negative
+   * @param distance distance over the ground from the kick, m, not negative
    * @param elevation angle between the kick and the ground, rad, above 0 and below π/2
    * @param landing which landing: 1 = the first
    * @return the speed of the kick (the length of its velocity, vertical part included), m/s; empty when a ball of that speed

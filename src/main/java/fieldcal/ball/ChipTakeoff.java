@@ -8,7 +8,7 @@ package fieldcal.ball;
  * @param time time of the takeoff, s
  * @param timeByVz derivative of the time by the kick's vertical velocity, s²/m
  * @param timeByDampingZ derivative of the time by dampingZ, s
- * @param reach way over the ground, per kick speed, s
+ * @param reach distance over the ground, per kick speed, s
  * @param reachByVz derivative of the reach
  * @param reachByFirst derivative of the reach by dampingXyFirstHop
  * @param reachByOther derivative of the reach by dampingXyOtherHops

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * The path of a chipped ball: flights and impacts as {@link ChipModel} has them, then rolling to rest; closed form, straight
+ * The path of a chipped ball: flights and impacts as {@link ChipModel} describes them, then rolling to rest; closed form, straight
  * over the ground. Impacts take no time; at the last one the horizontal velocity is damped like at any other, and the ball
  * rolls on.
  *
@@ -121,13 +121,12 @@ public final class ChipTrajectory extends SegmentedTrajectory {
   }
 
   /**
-   * The path of a chipped ball seen in motion. It begins at the time of the state, which becomes its kick time; what was before
-   * is not known to it. A ball on the carpet with too little vertical velocity for a hop rolls.
+   * The path of a chipped ball seen in motion. It begins at the time of the state, which becomes its kick time; the path does not contain what happened before. A ball on the carpet with too little vertical velocity for a hop rolls.
    *
    * @param model the model
    * @param t time of the state, s
    * @param state the state, not below the carpet; on the carpet not moving down
-   * @param impactsBefore how many impacts it has behind it: with 0 the next impact is damped as the first
+   * @param impactsBefore number of impacts before the state, not negative; with 0 the next impact is damped as the first
    * @return the path from {@code t} on
    * @throws IllegalArgumentException when a number is not finite or out of its range
    */
@@ -205,10 +204,10 @@ public final class ChipTrajectory extends SegmentedTrajectory {
   }
 
   /**
-   * Where the ball is, and how that changes with each number behind the path: the derivatives at a fixed time {@code t} and a
+   * Where the ball is, and how its position changes with each number that the path depends on: the derivatives at a fixed time {@code t} and a
    * fixed number of flights, in the order of the index constants. Does not allocate. They jump at the kick and at impacts.
    * Before the kick only the derivatives with respect to the place of the kick are not zero. For a chip straight up the
-   * direction of rolling is not defined; the derivatives by the horizontal velocity then are those of the flights alone.
+   * direction of rolling is not defined; the derivatives with respect to the horizontal velocity are then those of the flights alone.
    *
    * @param t time, s
    * @param xyz receives the position, m
@@ -242,8 +241,9 @@ public final class ChipTrajectory extends SegmentedTrajectory {
       ChipTakeoff from = takeoffs[hops()];
       double r = model.accRoll();
       double sigma = Math.min(t, restTime()) - segment(hops() + 1).start;
-      // Zero once the ball rests: a later landing then no longer costs way, since the rest comes
-      // later, too.
+      // Zero once the ball rests: a later landing then no longer shortens the distance, since the
+      // ball also comes to
+      // rest later.
       double v = speed * from.pace() + r * sigma;
       double bySpeed = from.reach() + from.pace() * sigma;
       double reach = speed > 0 ? bySpeed + 0.5 * r * sigma * sigma / speed : bySpeed;
@@ -253,11 +253,11 @@ public final class ChipTrajectory extends SegmentedTrajectory {
   }
 
   /**
-   * How the way over the ground changes with the damping at each single impact, all others as they are: the derivatives at a fixed time and number of flights. Those of all impacts but the first
-   * add up to that by {@link #DAMPING_XY_OTHER_HOPS}. Does not allocate.
+   * How the distance over the ground changes with the damping at each single impact while the others stay as they are: the derivatives at a fixed time and number of flights. Those of all impacts but the first
+   * add up to the derivative with respect to {@link #DAMPING_XY_OTHER_HOPS}. Does not allocate.
    *
    * @param t time, s
-   * @param byImpact receives the derivatives, m, that of the first impact first; what is beyond the last impact becomes 0
+   * @param byImpact receives the derivatives, m, that of the first impact first; elements beyond the last impact become 0
    * @throws IllegalArgumentException when {@code t} is NaN
    * @throws IllegalStateException when the path was continued from a state
    */
@@ -282,8 +282,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
   }
 
   /**
-   * Way over the ground; {@code reach} = way per kick speed, {@code bySpeed} = derivative of the way by the kick speed, v =
-   * present speed.
+   * Distance over the ground; {@code reach} = distance per kick speed, {@code bySpeed} = derivative of the distance by the kick speed, v = present speed.
    */
   private void overGround(
       ChipTakeoff from,
@@ -299,7 +298,7 @@ public final class ChipTrajectory extends SegmentedTrajectory {
     dy[VX0] = dx[VY0];
     dy[VY0] = reach + stretch * directionY * directionY;
     set(T0, -v, dx, dy);
-    // A takeoff that is later by one second has the ball back by v meters.
+    // If the takeoff is one second later, the ball is v metres behind.
     set(VZ0, speed * from.reachByVz() - v * from.timeByVz(), dx, dy);
     double byFirst = from.reachByFirst() + from.paceByFirst() * tau;
     double byOther = from.reachByOther() + from.paceByOther() * tau;

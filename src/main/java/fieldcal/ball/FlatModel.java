@@ -5,8 +5,7 @@ import java.util.List;
 /**
  * How a ball moves over the carpet: it slides until its surface no longer slips, then it rolls until it rests.
  *
- * <p>Both accelerations act against the motion and do not depend on the speed. A kick without spin is followed by sliding down
- * to the fraction {@code kSwitch} of the kick speed. For a ball with the moment of inertia {@code β·m·r²} the friction that
+ * <p>Both accelerations act against the motion and do not depend on the speed. A ball kicked without spin slides until its speed has fallen to the fraction {@code kSwitch} of the kick speed. For a ball with the moment of inertia {@code β·m·r²} the friction that
  * takes {@code Δv} from its speed gives it the rolling speed {@code Δv/β}; the two meet at {@code v = v_kick/(1 + β)}, hence
  * {@code kSwitch = 1/(1 + β)} (Coulomb friction on a sphere; G. G. Coriolis, Théorie mathématique des effets du jeu de billard,
  * 1835: 5/7 for a solid ball).
@@ -103,7 +102,7 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
    * How far a kick without spin goes.
    *
    * @param kickSpeed speed of the kick, m/s, not negative
-   * @return the distance from the kick to the rest, m
+   * @return the distance from the kick to where the ball rests, m
    * @throws IllegalArgumentException when the speed is negative or not finite
    */
   public double restDistance(double kickSpeed) {
@@ -114,7 +113,7 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
   /**
    * How fast to kick, without spin, so that the ball arrives with a given speed. The answer is unique: a faster kick is faster everywhere.
    *
-   * @param distance way from the kick, m, not negative
+   * @param distance from the kick, m, not negative
    * @param arrivalSpeed wanted speed there, m/s, not negative; 0 = the ball comes to rest there
    * @return the speed of the kick, m/s
    * @throws IllegalArgumentException when a number is negative or not finite
@@ -122,8 +121,8 @@ public record FlatModel(double accSlide, double accRoll, double kSwitch) {
   public double kickSpeedToArrive(double distance, double arrivalSpeed) {
     Checks.notNegative("distance", distance);
     Checks.notNegative("arrivalSpeed", arrivalSpeed);
-    // Arrives rolling: the way that is left there, v²/(2|accRoll|), is the rest distance less the
-    // distance.
+    // Arrives rolling: the distance that is left there, v²/(2|accRoll|), is the rest distance less
+    // the given one.
     double left = arrivalSpeed * arrivalSpeed / (-2 * accRoll);
     double rolling = Math.sqrt((distance + left) / restDistancePerSquaredSpeed());
     if (arrivalSpeed <= kSwitch * rolling) {

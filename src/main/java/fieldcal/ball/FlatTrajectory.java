@@ -120,11 +120,11 @@ public final class FlatTrajectory extends SegmentedTrajectory {
 
   /**
    * The path of a ball seen in motion: it slides straight on until it is as slow as the switch speed, then it rolls. The path
-   * begins at the time of the state, which becomes its kick time; what was before is not known to it.
+   * begins at the time of the state, which becomes its kick time; the path does not contain what happened before.
    *
    * @param model the model
    * @param t time of the state, s
-   * @param state the state; height and vertical velocity are left out
+   * @param state the state; height and vertical velocity are ignored
    * @param switchSpeed speed at which it will begin to roll, m/s, not negative: {@code kSwitch} times the speed of its kick;
    *     when it is not below the present speed, the ball rolls already
    * @return the path from {@code t} on
@@ -156,7 +156,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
    *
    * @param model the model
    * @param t time of the state, s
-   * @param state the state; height and vertical velocity are left out
+   * @param state the state; height and vertical velocity are ignored
    * @return the path from {@code t} on
    * @throws IllegalArgumentException when a number is not finite
    */
@@ -198,7 +198,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
   }
 
   /**
-   * Where the ball is, and how that changes with each number behind the path: the derivatives at a fixed time {@code t}, in the
+   * Where the ball is, and how its position changes with each number that the path depends on: the derivatives at a fixed time {@code t}, in the
    * order of the index constants. Does not allocate. The derivatives are continuous except those with respect to the kick time
    * at the kick. Before the kick only the derivatives with respect to the place of the kick are not zero. For a kick of zero
    * speed, where the velocity's direction is not defined, its derivatives are zero (the path's length grows with the square of
@@ -232,21 +232,22 @@ public final class FlatTrajectory extends SegmentedTrajectory {
     }
   }
 
-  /** Way since the kick: L = s·τ + ½·a·τ², s the kick speed. */
+  /** Distance since the kick: L = s·τ + ½·a·τ², s the kick speed. */
   private void slidingSensitivities(double tau, double[] dx, double[] dy) {
     double a = model.accSlide();
     alongDirection(tau * (speed + 0.5 * a * tau), tau, speed + a * tau, dx, dy);
     set(ACC_SLIDE, 0.5 * tau * tau, dx, dy);
   }
 
-  /** Way since the kick: L = s²(k² − 1)/(2a) + k·s·σ + ½·r·σ² with the rolling time σ = τ − s(k − 1)/a. */
+  /** Distance since the kick: L = s²(k² − 1)/(2a) + k·s·σ + ½·r·σ² with the rolling time σ = τ − s(k − 1)/a. */
   private void rollingSensitivities(double sigma, double[] dx, double[] dy) {
     double a = model.accSlide();
     double r = model.accRoll();
     double k = model.kSwitch();
     double s = speed;
-    // Zero once the ball rests: a later switch then no longer costs way, since the rest comes
-    // later, too.
+    // Zero once the ball rests: a later switch then no longer shortens the distance, since the ball
+    // also comes to
+    // rest later.
     double v = k * s + r * sigma;
     double slideWay = s * s * (k * k - 1) / (2 * a);
     double slideTime = s * (k - 1) / a;
@@ -258,7 +259,7 @@ public final class FlatTrajectory extends SegmentedTrajectory {
     set(K_SWITCH, s * s * k / a + s * sigma - v * s / a, dx, dy);
   }
 
-  /** Derivatives by the kick: its velocity turns the path (length {@code way}) and stretches it ({@code bySpeed}), its time shifts it. */
+  /** Derivatives by the kick: its velocity turns the path (of length {@code way}) and stretches it ({@code bySpeed}), its time shifts it. */
   private void alongDirection(double way, double bySpeed, double v, double[] dx, double[] dy) {
     double turn = way / speed;
     double stretch = bySpeed - turn;

@@ -3,7 +3,7 @@ package fieldcal.ball;
 import java.util.Objects;
 
 /**
- * One number of a model: what it is called, what it is worth, and what an estimator may do with it.
+ * One number of a model: its name, its value, and what an estimator may do with it.
  *
  * <p>The bounds limit what an estimator may answer, not what somebody may publish: a value from outside may lie beyond them;
  * {@link #clamp} brings it back before a search starts. Immutable: an estimate is a new parameter ({@link #withValue}).
@@ -51,6 +51,7 @@ public record Parameter(
    *
    * @param newValue the value, finite
    * @return the changed copy
+   * @throws IllegalArgumentException when the value is not finite
    */
   public Parameter withValue(double newValue) {
     return new Parameter(name, unit, newValue, scale, min, max, estimated, source);
@@ -60,8 +61,9 @@ public record Parameter(
    * The same parameter with other bounds.
    *
    * @param newMin the smallest value an estimator may answer
-   * @param newMax the largest value an estimator may answer
+   * @param newMax the largest value an estimator may answer, above {@code newMin}
    * @return the changed copy
+   * @throws IllegalArgumentException when a bound is not finite or the bounds are empty
    */
   public Parameter withBounds(double newMin, double newMax) {
     return new Parameter(name, unit, value, scale, newMin, newMax, estimated, source);

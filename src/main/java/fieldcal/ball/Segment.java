@@ -77,8 +77,7 @@ final class Segment {
   }
 
   /**
-   * Time since the start, for a time at which this piece holds; for a rest, which lasts no time of the path, always 0, at
-   * infinite times too.
+   * Time since the start, for a time at which this piece holds; always 0 for a rest, also at infinite times.
    */
   double tauAt(double t) {
     return duration > 0 ? t - start : 0;

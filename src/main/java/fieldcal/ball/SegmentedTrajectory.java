@@ -12,7 +12,7 @@ abstract class SegmentedTrajectory implements BallTrajectory {
 
   private final double[] ends;
 
-  /** Found when somebody asks for a distance, which fits never do. All threads that find it find the same, and a record's fields are seen by all. */
+  /** Computed when a distance is first asked for, which fits never do. All threads compute the same values, and the final fields of a record are visible to all of them. */
   private Distances distances;
 
   /** How far the ball has come where each piece begins, m. */

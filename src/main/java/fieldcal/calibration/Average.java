@@ -25,7 +25,7 @@ public record Average(double mean, double standardError, double scatter, int n) 
    *
    * @param values the samples, all in one unit
    * @param errors their standard errors in that unit, positive; same length
-   * @return mean, error and scatter in that unit; all NaN when empty, and a scatter of 0 of a single sample
+   * @return mean, error and scatter in that unit; all NaN when empty; the scatter of a single sample is 0
    */
   public static Average of(double[] values, double[] errors) {
     int n = values.length;
@@ -78,8 +78,7 @@ public record Average(double mean, double standardError, double scatter, int n) 
   /**
    * The same mean with an error that does not shrink with the samples that were excluded: a scatter that is cut at two standard deviations looks smaller than it is, and the mean of what is left moves about more than that of all.
    *
-   * <p>Of normal samples, the mean of all is independent of how they lie to each other (Basu 1955, Sankhyā 15, 377), and so of what the 2σ rule excludes. By how much the mean of what is left is off from it is known. So the error is both together: that of the mean of all
-   * ({@link HuberMean}), and the distance. Where the scatter was estimated from few samples, Student's distribution makes the error of the mean as wide as its 95 %.
+   * <p>For normal samples, the mean of all is independent of the distances between them (Basu 1955, Sankhyā 15, 377), and so of what the 2σ rule excludes. The distance between the mean of what is left and the mean of all is known. So the error combines both in quadrature: that of the mean of all ({@link HuberMean}) and this distance. Where the scatter was estimated from few samples, Student's distribution makes the error of the mean as wide as its 95 %.
    *
    * @param all the samples used and those that were excluded for their value
    * @return this average, or one with a larger standard error
@@ -112,7 +111,7 @@ public record Average(double mean, double standardError, double scatter, int n) 
   }
 
   /**
-   * The same, robust against samples that come from two sides ({@link RobustCentre}).
+   * The same average, robust against samples that form two groups ({@link RobustCentre}).
    *
    * @param samples from which it was averaged, and those that were not
    * @return this average, or another with a larger standard error
@@ -126,7 +125,7 @@ public record Average(double mean, double standardError, double scatter, int n) 
   }
 
   /**
-   * On what several samples agree beside others that scatter. Those that the 2σ rule excludes count, too: which side they are on would be hidden otherwise.
+   * The value on which several samples agree while others scatter. Those that the 2σ rule excludes count, too, since they may belong to one of the two groups.
    *
    * @param samples of one parameter
    * @return empty where they scatter about one mean
@@ -145,7 +144,7 @@ public record Average(double mean, double standardError, double scatter, int n) 
   public static Average judged(List<Sample> samples) {
     Average mean = of(samples);
     List<Sample> spread = spread(samples);
-    // Where an error covers two readings, what it covers does not scatter.
+    // An error that already covers both groups leaves no scatter between them.
     return agreement(samples).isPresent()
         ? mean.widened(spread).robust(samples)
         : mean.robust(samples).widened(spread);

@@ -7,8 +7,7 @@ import fieldcal.kick.KickKind;
 import java.util.List;
 
 /**
- * By how much the bounces of each chip may differ from each other, from how the chips differ: what makes one kick bounce differently from the others, as spin does, fades from bounce to bounce, and so differs by as much within the kick. A kick that bounces as the
- * others do has even bounces.
+ * By how much the bounces of each chip may differ from each other, estimated from how the chips differ. What makes one kick bounce differently from the others, as spin does, fades from bounce to bounce, so it changes by as much within the kick. A kick that bounces as the others do has equal bounces.
  */
 final class BounceScatter {
   private static final String OTHER_HOPS = "dampingXyOtherHops";
@@ -39,7 +38,7 @@ final class BounceScatter {
         .toList();
   }
 
-  /** Root mean square of what a kick differs from the average by, given its own value, which has an error, and that of the average. */
+  /** Expected root mean square of a kick's true difference from the average, given its own value with its error and the average. */
   private static double of(Estimate kick, Average average) {
     double variance = average.scatter() * average.scatter();
     double error = average.standardError();

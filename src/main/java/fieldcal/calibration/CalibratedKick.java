@@ -15,7 +15,11 @@ import java.util.Optional;
  */
 public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String> distrusted) {
 
-  /** Copies the samples. {@inheritDoc} */
+  /**
+   * Copies the samples. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public CalibratedKick {
     Objects.requireNonNull(fit, "fit");
     samples = List.copyOf(samples);

@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param kicks every kick, used or not, in order of time
  * @param flat average of each flat parameter by name; {@code n} is 0 where no kick determines it
  * @param chip average of each chip parameter by name
- * @param joint fit of all good kicks at once; empty when there is none
+ * @param joint fit of all trusted kicks at once; empty when there is none
  * @param cameras noise and offsets that the fits were made with
  * @param seed of the random search
  */
@@ -30,7 +30,11 @@ public record Calibration(
     CameraViews cameras,
     long seed) {
 
-  /** Copies the collections, keeping their order. {@inheritDoc} */
+  /**
+   * Copies the collections, keeping their order. {@inheritDoc}
+   *
+   * @throws NullPointerException when a collection is null
+   */
   public Calibration {
     kicks = List.copyOf(kicks);
     flat = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(flat));
@@ -48,10 +52,10 @@ public record Calibration(
   }
 
   /**
-   * Whether the recordings have kicks of a kind. A push that looks like a flat kick, among chips, determines no parameter of flat kicks.
+   * Whether the recordings have usable kicks of a kind. A push among chips, for example, looks like a flat kick but determines no parameter of flat kicks.
    *
    * @param kind flat or chip
-   * @return true when there are such kicks that determine a parameter, or no kicks that do
+   * @return true when there are such kicks, and they determine a parameter or no kick of the other kind does
    */
   public boolean tells(KickKind kind) {
     boolean other = determines(kind == KickKind.FLAT ? KickKind.CHIP : KickKind.FLAT);
@@ -93,7 +97,7 @@ public record Calibration(
   /**
    * The averaged chip model: for each damping the weighted mean of the chips that determine it.
    *
-   * @param accRoll rolling deceleration to go with it, m/s², negative, usually that of the flat kicks
+   * @param accRoll acceleration while rolling to go with it, m/s², negative, usually that of the flat kicks
    * @return empty unless every damping was determined by a kick
    */
   public Optional<ChipModel> chipModel(double accRoll) {
@@ -102,8 +106,7 @@ public record Calibration(
   }
 
   /**
-   * How well a parameter is known whichever kick is left out: the largest standard error of its average, of all kicks or of all but one, relative to that average. What few kicks show of a scatter is itself uncertain, and who stops as soon as
-   * the error is small stops where it is small by chance, which one kick more or less betrays.
+   * How well a parameter is known whichever kick is left out: the largest standard error of its average, of all kicks or of all but one, relative to that average. A scatter estimated from few kicks is itself uncertain, so a session that stops as soon as the error is small tends to stop when it is small by chance; leaving out one kick shows this.
    *
    * @param kind of the model
    * @param parameter name as in the model's record

@@ -15,7 +15,7 @@ import java.util.Optional;
  *
  * @param kicks all that were found, of one recording or several with the same epoch
  * @param epoch of their times
- * @param cameras geometry; noise and offsets are estimated
+ * @param cameras geometry of the cameras; noise and offsets are estimated
  * @param flat start of the flat model: the published one, or the typical
  * @param chip start of the chip model
  * @param kind when present, all kicks are taken to be of that kind
@@ -30,7 +30,11 @@ public record CalibrationProblem(
     Optional<KickKind> kind,
     HandSelection selection) {
 
-  /** Copies the kicks and checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Copies the kicks and checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public CalibrationProblem {
     kicks = List.copyOf(kicks);
     Objects.requireNonNull(epoch, "epoch");

@@ -36,10 +36,10 @@ import java.util.function.Consumer;
  * once more with them. Immutable and thread-safe; kicks are fitted in parallel, with the same result as one by one.
  */
 public final class Calibrator {
-  /** Offsets that move less than that are settled: a fourteenth of the noise of good cameras, m. */
+  /** Offsets that move less than this are settled: a fourteenth of the noise of good cameras, m. */
   private static final double OFFSET_SETTLED = 5e-5;
 
-  /** An accRoll that moves less than that is settled, m/s². */
+  /** An accRoll that moves less than this is settled, m/s². */
   private static final double ROLL_SETTLED = 1e-4;
 
   private static final int MAX_ROUNDS = 4;
@@ -114,7 +114,7 @@ public final class Calibrator {
    * @param calibration the fits
    * @param epoch of their times
    * @param selection the new decisions
-   * @return with the new selection and averages
+   * @return the calibration with the new selection and averages
    */
   public static Calibration reselect(
       Calibration calibration, Epoch epoch, HandSelection selection) {
@@ -157,7 +157,7 @@ public final class Calibrator {
    *
    * @param kicks all there are
    * @param cameras as published
-   * @return with noise and offsets; without unusable lenses
+   * @return the views with noise and offsets; without unusable lenses
    */
   public static CameraViews measured(List<Kick> kicks, CameraViews cameras) {
     CameraViews usable = LensCheck.usable(kicks, cameras);
@@ -206,7 +206,7 @@ public final class Calibrator {
         });
   }
 
-  /** What stands out may have been searched for with the wrong model, and in cameras whose offsets were not known: so it is searched for again, starting from what the other kicks determine. */
+  /** Fits the kicks that stand out again with a search, starting from what the other kicks determine: their first search may have had the wrong model, or cameras whose offsets were not known. */
   private List<KickFit> searchedAgain(
       CalibrationProblem problem,
       CameraViews views,

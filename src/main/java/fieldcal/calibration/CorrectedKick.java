@@ -5,8 +5,7 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.Observations;
 
 /**
- * One kick whose detections are corrected for effects: correct, fit again, correct, until the detections rest. Where an effect makes the path depend otherwise on the unknowns than the
- * simple model thinks (a ball with backspin slides longer), full steps swing or diverge; so the length of each step follows from what the last two achieved (Aitken's relaxation, B. M. Irons and
+ * One kick whose detections are corrected for effects: correct, fit again, correct, until the detections no longer move. Where an effect makes the path depend on the unknowns in another way than in the simple model (a ball with backspin slides longer), full steps oscillate or diverge; so the length of each step follows from what the last two achieved (Aitken's relaxation, B. M. Irons and
  * R. C. Tuck, Int. J. Numer. Meth. Engng. 1, 1969). Not thread-safe.
  */
 final class CorrectedKick {
@@ -31,11 +30,11 @@ final class CorrectedKick {
   }
 
   /**
-   * Corrects until the detections rest.
+   * Corrects until the detections no longer move.
    *
    * @param fitted fit of {@link #kick}
    * @param again fits a changed kick, from where the last fit of it ended
-   * @param rest a step shorter than that is none, m
+   * @param rest the detections have settled when a step is shorter than this, m
    * @return how far the detections were from their place before, root mean square, m; 0 when there is no fit
    */
   double correct(KickFit fitted, FitAgain again, double rest) {

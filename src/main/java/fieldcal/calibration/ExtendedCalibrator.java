@@ -18,11 +18,11 @@ import java.util.stream.IntStream;
 
 /**
  * Calibrates the simple parameters under a model with given effects, by deferred correction: each detection is moved by what the simple model predicts at the fitted unknowns minus what
- * the extended model predicts there, and everything is calibrated again, until the detections rest. Then the simple model explains the corrected detections as the extended one explains the
+ * the extended model predicts there, and everything is calibrated again, until the detections no longer move. Then the simple model explains the corrected detections as the extended one explains the
  * true ones, and every rule of the calibration (selection, averages, joint fit) holds unchanged. Immutable and thread-safe.
  */
 public final class ExtendedCalibrator {
-  /** Detections that move less than that are settled: a fourteenth of the noise of good cameras, m. */
+  /** Detections that move less than this are settled: a fourteenth of the noise of good cameras, m. */
   private static final double SETTLED = 5e-5;
 
   private static final int MAX_ROUNDS = 4;
@@ -36,7 +36,7 @@ public final class ExtendedCalibrator {
    * A calibrator.
    *
    * @param settings of the fits, with the seed
-   * @param model whose effects are taken out, with the session's begin on the clock of the kicks; its simple parameters are where the first round begins
+   * @param model whose effects are taken out, with the start of the session on the clock of the kicks; its simple parameters are where the first round begins
    * @param cameras as published, one for every camera that saw a kick
    */
   public ExtendedCalibrator(
@@ -70,7 +70,7 @@ public final class ExtendedCalibrator {
     return new ExtendedCalibration(calibration, model, rounds, 1000 * move, move <= SETTLED);
   }
 
-  /** How far the kick that moves most does, m; kicks that are not trusted do not count. */
+  /** How far the detections of the kick that moves most have moved, m; kicks that are not trusted do not count. */
   private double correct(
       CalibrationProblem problem, List<CorrectedKick> kicks, Calibration calibration) {
     List<CalibratedKick> fitted = calibration.kicks();

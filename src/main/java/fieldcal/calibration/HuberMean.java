@@ -4,15 +4,14 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.NormalDistribution;
 
 /**
- * Mean and scatter of samples of unequal precision of which none is excluded: one that lies farther than two standard deviations counts as one that lies so far.
+ * Mean and scatter of samples of unequal precision of which none is excluded: one that lies farther than two standard deviations away counts as if it lay exactly two away.
  *
- * <p>Huber's Proposal 2 (Huber 1964, Annals of Mathematical Statistics 35, 73), with the scatter between samples beside their own errors as in {@link Average}: the mean m and the scatter τ solve Σ ψ(dᵢ)/sᵢ = 0 and Σ ψ(dᵢ)² = (n − 1)·β with
- * sᵢ² = σᵢ² + τ², dᵢ = (xᵢ − m)/sᵢ, ψ(d) = d cut at ±2, and β the expectation of ψ² of normal samples. Of such, the scatter is not too small, as that of samples of which the outer ones are excluded is, and the mean is as good as the plain one to a per cent;
- * of twelve samples, two may lie anywhere.
+ * <p>Huber's Proposal 2 (Huber 1964, Annals of Mathematical Statistics 35, 73), with a scatter between samples in addition to their own errors as in {@link Average}: the mean m and the scatter τ solve Σ ψ(dᵢ)/sᵢ = 0 and Σ ψ(dᵢ)² = (n − 1)·β with
+ * sᵢ² = σᵢ² + τ², dᵢ = (xᵢ − m)/sᵢ, ψ(d) = d cut at ±2, and β the expectation of ψ² for normal samples. For these the scatter is not biased low, as it is when the outer samples are excluded, and the mean is as precise as the plain one to within a per cent; of twelve samples, two may lie anywhere.
  *
  * @param mean in the samples' unit
  * @param standardError of the mean of normal samples with this scatter, in the same unit
- * @param scatter τ, standard deviation between samples beyond their errors; 0 where their errors explain how they lie
+ * @param scatter τ, standard deviation between samples beyond their errors; 0 where their errors alone explain how far they lie apart
  */
 record HuberMean(double mean, double standardError, double scatter) {
   /** Where samples are cut, in standard deviations: where the 2σ rule excludes them. */
@@ -41,7 +40,9 @@ record HuberMean(double mean, double standardError, double scatter) {
     double low = 0;
     double high = IntStream.range(0, values.length).mapToDouble(i -> values[i]).max().orElse(0);
     high -= IntStream.range(0, values.length).mapToDouble(i -> values[i]).min().orElse(0);
-    // As wide as all samples together, none is cut, and their squares are fewer than expected.
+    // With a scatter as wide as all samples together none is cut, and the sum of squares is smaller
+    // than
+    // expected.
     for (int i = 0; i < HALVINGS; i++) {
       double middle = 0.5 * (low + high);
       if (within(values, errors, middle)) {
@@ -53,7 +54,7 @@ record HuberMean(double mean, double standardError, double scatter) {
     return at(values, errors, high);
   }
 
-  /** Whether so much scatter explains how the samples lie. */
+  /** Whether a scatter of this size explains how far the samples lie apart. */
   private static boolean within(double[] values, double[] errors, double scatter) {
     double mean = mean(values, errors, scatter);
     double squares = 0;
@@ -72,7 +73,7 @@ record HuberMean(double mean, double standardError, double scatter) {
     return new HuberMean(mean(values, errors, scatter), 1 / Math.sqrt(weights), scatter);
   }
 
-  /** The mean by repeated weighing, beginning with the weighted mean of all. */
+  /** The mean by iterated reweighting, beginning with the weighted mean of all. */
   private static double mean(double[] values, double[] errors, double scatter) {
     double mean = Double.NaN;
     for (int step = 0; step < STEPS; step++) {

@@ -8,16 +8,16 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
- * Work on many kicks on all processors, of which each takes the next kick that nobody has begun. A parallel stream hands out blocks instead, on two processors a quarter of all kicks at a time:
+ * Works on many kicks on all processors, each of which takes the next kick that has not been started. A parallel stream hands out blocks instead, on two processors a quarter of all kicks at a time:
  * a chip takes five times as long as a flat kick, and the processor that has the flat ones waits for the other.
  */
 final class OneByOne {
   private OneByOne() {}
 
   /**
-   * The results, in the order of what they are of.
+   * The results, in the order of the inputs.
    *
-   * @param work called from several threads; null is no result
+   * @param work called from several threads; must not return null
    */
   static <T, R> List<R> map(List<T> all, Function<T, R> work) {
     Object[] results = new Object[all.size()];

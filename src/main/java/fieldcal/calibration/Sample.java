@@ -16,7 +16,11 @@ import java.util.Optional;
 public record Sample(
     int kickId, String parameter, double value, double standardError, Optional<String> dropped) {
 
-  /** Checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when the parameter or the reason is null
+   */
   public Sample {
     Objects.requireNonNull(parameter, "parameter");
     Objects.requireNonNull(dropped, "dropped");

@@ -18,7 +18,7 @@ import java.util.Set;
 
 /** Which kicks and which of their samples a model is made from. */
 final class Selection {
-  /** A kick fitted that many times worse than its fellows is something else: a ball that hit a robot, two balls. */
+  /** A kick whose fit is this many times worse than the others shows something else: a ball that hit a robot, two balls. */
   private static final double WORSE_THAN_OTHERS = 3;
 
   /**
@@ -27,7 +27,7 @@ final class Selection {
    */
   private static final double GOOD_RMS_MM = 1.3;
 
-  /** More outliers than that, and the rest is not trusted either. */
+  /** When a larger share of the detections are outliers, the rest is not trusted either. */
   private static final double MOST_OUTLIERS = 0.25;
 
   /** What was decided by hand, and the epoch of the times that name kicks. */
@@ -80,7 +80,7 @@ final class Selection {
     return Optional.empty();
   }
 
-  /** Of the kicks of each kind that have a fit; NaN without any. */
+  /** Median RMS of the kicks of each kind that have a fit, mm; NaN without any. */
   private static Map<KickKind, Double> medianRms(List<KickFit> fits) {
     Map<KickKind, Double> medians = new EnumMap<>(KickKind.class);
     for (KickKind kind : KickKind.values()) {

@@ -13,7 +13,7 @@ import java.util.OptionalInt;
  * not dropped for being imprecise. Of Gaussian samples 5 % are excluded in the first round.
  */
 public final class TwoSigma {
-  /** Fewer samples have no scatter to speak of. */
+  /** Fewer samples do not determine a scatter. */
   private static final int FEWEST = 4;
 
   /** Standard deviations beyond which a sample is excluded. */
@@ -22,7 +22,7 @@ public final class TwoSigma {
   private TwoSigma() {}
 
   /**
-   * One round.
+   * Applies the rule once.
    *
    * @param samples of one parameter
    * @return the same samples in the same order, those that are excluded with a reason
@@ -42,7 +42,7 @@ public final class TwoSigma {
   }
 
   /**
-   * The same samples with reasons that speak of the mean that is given in the end. The mean by which a sample was excluded moves on with each sample that follows.
+   * The same samples with reasons that refer to the final mean. The mean by which a sample was excluded changes with every further sample that is excluded.
    *
    * @param samples of one parameter, after all rounds
    * @return the same samples in the same order
@@ -64,7 +64,7 @@ public final class TwoSigma {
   }
 
   /**
-   * So many rounds, or fewer when no sample is excluded any more.
+   * Applies the rule the given number of times, or fewer when no further sample is excluded.
    *
    * @param samples of one parameter
    * @param rounds 0 or more; empty for as many as it takes
@@ -86,7 +86,7 @@ public final class TwoSigma {
   }
 
   /**
-   * Rounds until no sample is excluded any more.
+   * Applies the rule until no further sample is excluded.
    *
    * @param samples of one parameter
    * @return the same samples in the same order, those that are excluded with a reason

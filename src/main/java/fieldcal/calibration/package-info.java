@@ -7,7 +7,7 @@
  *
  * <p>{@link fieldcal.calibration.ExtendedCalibrator} does the same under a model with {@link fieldcal.effect effects}.
  *
- * <p>Used by the operator tools and by {@code diagnosis}.
+ * <p>Used by the operator tools and by {@code verdict}.
  */
 @PublicApi
 package fieldcal.calibration;

@@ -34,7 +34,7 @@ public final class Camera {
   /** Lowest height at which a camera is believed to hang, m; chosen, because no league's robots (0.15 m) would fit under a lower one. */
   private static final double MIN_HEIGHT = 0.5;
 
-  /** Farther from the field's centre no camera hangs, m: eight times the largest field of the rules. */
+  /** No camera hangs farther from the field's centre, m: eight times the largest field of the rules. */
   private static final double MAX_DISTANCE = 100;
 
   private final int id;
@@ -143,7 +143,7 @@ public final class Camera {
     return new Camera(id, null, x, y, z, BALL_RADIUS, "only the position is known");
   }
 
-  /** Whether a camera can hang there: above the field, and not kilometres away. NaN is no place. */
+  /** Whether a camera can hang there: above the field and not too far away; false for NaN. */
   private static boolean isPlace(double x, double y, double z) {
     return z >= MIN_HEIGHT && z <= MAX_DISTANCE && Math.hypot(x, y) <= MAX_DISTANCE;
   }
@@ -249,7 +249,7 @@ public final class Camera {
   /**
    * One clause for the operator: whether the published values fit together and what was made of it.
    *
-   * @return the note, without the camera's number and a full stop
+   * @return the note, without the camera's number and without a full stop
    */
   public String consistency() {
     return consistency;
@@ -295,7 +295,7 @@ public final class Camera {
    * @param ballX position, m
    * @param ballY position, m
    * @param ballZ height, 0 at rest, m; for any other world point its height minus {@link #BALL_RADIUS}
-   * @param pixel gets the image coordinates, column and row, pixels, so two elements; also outside of the image's frame; NaN if the point is behind the camera or beyond the fold of the lens
+   * @param pixel gets the image coordinates, column and row, pixels, so two elements; may lie outside the image; NaN if the point is behind the camera or beyond the fold of the lens
    * @throws IllegalStateException if only the camera's position is known
    */
   public void worldToPixel(double ballX, double ballY, double ballZ, double[] pixel) {
@@ -303,7 +303,7 @@ public final class Camera {
   }
 
   /**
-   * Where the centre of a ball at a known height is that appears at a pixel. Vision's reported position is the answer at z = {@link #ballPlane()} −
+   * The position of a ball of known height whose centre appears at a pixel. Vision's reported position is the answer at z = {@link #ballPlane()} −
    * {@link #BALL_RADIUS}, which is 0 unless the camera was made with another plane.
    *
    * @param u image coordinate, pixels

@@ -5,46 +5,46 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * A value on which several samples agree within their own errors, while the others scatter: kicks without spin beside kicks each of which has a spin of its own, for example.
+ * A value on which several samples agree within their own errors, while the others scatter: for example kicks without spin among kicks that each have a different spin.
  *
- * <p>Two descriptions are compared by their likelihoods: all samples scatter about one mean (normal, beside their own errors), or a part of them has one value and only the others scatter. The second is a mixture whose likelihood is
- * maximised by expectation and maximisation (Dempster, Laird and Rubin 1977). How far it must be ahead was measured on samples that scatter about one mean ({@code AgreementTest}), since a mixture's likelihood ratio has no chi-square distribution. Immutable and thread-safe.
+ * <p>Two descriptions are compared by their likelihoods: either all samples scatter about one mean (normally, in addition to their own errors), or a part of them has one value and only the others scatter. The second is a mixture whose likelihood is
+ * maximised by expectation and maximisation (Dempster, Laird and Rubin 1977). How much more likely it must be was measured on samples that scatter about one mean ({@code AgreementTest}), since a mixture's likelihood ratio has no chi-square distribution. Immutable and thread-safe.
  *
  * @param value on which they agree, in the unit of the samples
  * @param share of the samples that agree, 0 to 1
- * @param others their mean
- * @param othersAgree whether the others are a group of their own, far from the first, neither much smaller nor determined much worse, so that nothing tells which of the two is meant
+ * @param others mean of the others, in the unit of the samples
+ * @param othersAgree whether the others are a group of their own, far from the first, neither much smaller nor determined much worse, so that it is not determined which of the two groups is meant
  */
 public record Agreement(double value, double share, double others, boolean othersAgree) {
-  /** As expected from their probabilities, so half a sample less than three: two that agree may do so by chance, however small their errors are. */
+  /** Least expected number of samples that agree (the sum of their probabilities), so half a sample less than three: two may agree by chance, however small their errors are. */
   private static final double FEWEST_AGREEING = 2.5;
 
-  /** Fewer samples do not show two sides. */
+  /** Fewer samples do not show two groups. */
   static final int FEWEST = 6;
 
-  /** By how much twice the logarithm of the likelihood must grow: of 6 to 48 samples about one mean, 1 to 7 of 100 sets do (AgreementTest). */
+  /** By how much twice the logarithm of the likelihood must grow; of sets of 6 to 48 samples about one mean, 1 to 7 in 100 reach this (AgreementTest). */
   static final double AHEAD = 10;
 
-  /** Two groups whose centres lie that many times their scatter apart do not overlap: one of 16 000 normal samples lies farther from its mean. */
+  /** Two groups whose centres lie this many times their scatter apart do not overlap: one of 16 000 normal samples lies farther from its mean. */
   private static final double APART = 4;
 
   /** A group that has a smaller share of the samples is one of outliers, chosen: the 2σ rule excludes a group of less than a fifth, and mostly one of a quarter. */
   private static final double LEAST_SIDE = 0.3;
 
-  /** Others whose errors are that many times as large are drawn to one side by what the model lacks rather than a second side, chosen: slow kicks hardly determine a sliding deceleration. */
+  /** Others whose errors are this many times as large are not a second group but are drawn to one side by what the model lacks, chosen: slow kicks hardly determine a sliding deceleration. */
   private static final double WORSE_DETERMINED = 3;
 
-  /** Steps of expectation and maximisation, chosen: one that has not ended has too small a likelihood, so that fewer agreements are found, never more. */
+  /** Steps of expectation and maximisation, chosen: a search that has not converged has too small a likelihood, so that fewer agreements are found, never more. */
   private static final int STEPS = 50;
 
-  /** Samples from which the search starts: those with which the others agree most. */
+  /** Number of samples from which the search starts: those with which the others agree most. */
   private static final int STARTS = 5;
 
   /** Shares that begin with 0 or 1 stay there. */
   private static final double LEAST_SHARE = 0.02;
 
   /**
-   * Looks for it.
+   * Looks for a value on which several samples agree.
    *
    * @param values the samples
    * @param errors their standard errors, positive and finite; same length
@@ -82,7 +82,7 @@ public record Agreement(double value, double share, double others, boolean other
     return best;
   }
 
-  /** How much better than the scatter of all its value explains the others. */
+  /** How much better the value of sample {@code i} explains the others than the scatter of all does. */
   private static double neighbours(double[] values, double[] errors, int i) {
     double spread = spread(values);
     double gain = 0;
@@ -95,7 +95,7 @@ public record Agreement(double value, double share, double others, boolean other
     return gain;
   }
 
-  /** The largest log likelihood of one normal scatter beside the errors, by golden section: of such samples it has one maximum between none and twice their spread. */
+  /** The largest log likelihood of one normal scatter in addition to the errors, by golden section: as a function of the scatter it has one maximum between zero and twice the spread of the samples. */
   private static double alone(double[] values, double[] errors) {
     double golden = (Math.sqrt(5) - 1) / 2;
     double low = 0;
@@ -148,7 +148,7 @@ public record Agreement(double value, double share, double others, boolean other
     return Math.sqrt(squares / values.length);
   }
 
-  /** Of a normal distribution, but for a constant. */
+  /** Logarithm of the density of a normal distribution, up to a constant. */
   private static double logDensity(double distance, double variance) {
     return -0.5 * (Math.log(variance) + distance * distance / variance);
   }
@@ -216,7 +216,7 @@ public record Agreement(double value, double share, double others, boolean other
       return new Agreement(agreed, share, mean, several && apart && alike);
     }
 
-    /** Of the samples that rather agree, or of the others; infinite without any. */
+    /** Median error of the samples that are more likely to agree, or of the others; infinite without any. */
     private double medianError(boolean agreeing) {
       double[] sorted =
           IntStream.range(0, errors.length)
@@ -227,7 +227,7 @@ public record Agreement(double value, double share, double others, boolean other
       return sorted.length == 0 ? Double.POSITIVE_INFINITY : sorted[sorted.length / 2];
     }
 
-    /** Each of the others deviates from their mean by what is left when its own error is taken into account. */
+    /** Scatter of the others about their mean beyond what their own errors explain. */
     private double scatterOfOthers() {
       double squares = 0;
       double weights = 0;

@@ -9,7 +9,7 @@ import java.util.List;
  * orthonormal contrasts (Helmert's), one fewer than the group has cameras, so that none of the cameras is special. Immutable.
  */
 final class CameraContrasts {
-  /** Per camera, its share of each contrast. */
+  /** Of each camera, its share of each contrast. */
   private final double[][] share;
 
   private CameraContrasts(double[][] share) {

@@ -15,16 +15,16 @@ import org.apache.commons.math3.fitting.PolynomialCurveFitter;
 import org.apache.commons.math3.fitting.WeightedObservedPoints;
 
 /**
- * Measures each camera's noise on the ball that rests before a kick: there every deviation from the mean is noise. Where no ball rested, since kickers pushed it first, deviations from short smooth stretches of its way are.
+ * Measures each camera's noise on the ball that rests before a kick: there every deviation from the mean is noise. Where no ball rested, because kickers pushed it first, {@link #inMotion} takes the deviations from short smooth stretches of its path.
  *
  * <p>The scale is the median of the squared whitened deviations, so that a few false detections do not matter. It is never below {@link #FLOOR}, nor below what a
- * grid of the coordinates adds: a ball that rests in one cell of a grid does not scatter at all, and is half a cell off.
+ * grid of the coordinates adds: a ball that rests in one cell of a grid does not scatter at all, and may be half a cell off.
  */
 public final class CameraNoise {
   /** Fewer resting detections per kick do not determine the noise, since their own mean is taken off. */
   private static final int FEWEST_PER_KICK = 8;
 
-  /** Fewer in all leave the noise 10 % uncertain. */
+  /** With fewer in all, the noise is more than 10 % uncertain. */
   private static final int FEWEST = 50;
 
   /**
@@ -36,13 +36,13 @@ public final class CameraNoise {
   /** Coordinates are compared in these units, m: the resolution of vision's 32-bit millimetres at the field's end. */
   private static final double RESOLUTION = 1e-6;
 
-  /** A finer grid adds less than a third of the floor, m. */
+  /** A finer grid is ignored, m: it adds less than a third of the floor. */
   private static final double FINEST_GRID = 3e-4;
 
-  /** So many different coordinates that have a common divisor by chance are all even once in four thousand cameras. */
+  /** Fewest different coordinates that show a grid: by chance this many are all even in one of four thousand cameras. */
   private static final int FEWEST_VALUES = 12;
 
-  /** Detections of a stretch of a moving ball; with fewer a parabola leaves little. */
+  /** Number of detections in a stretch of a moving ball; of fewer, a parabola leaves too little. */
   private static final int STRETCH = 8;
 
   /** Over a longer stretch a ball does not move on a parabola, s; eight detections at 50 Hz. */
@@ -56,7 +56,7 @@ public final class CameraNoise {
   private CameraNoise() {}
 
   /**
-   * The cameras with the noise that the kicks show; those that saw too little at rest keep theirs. None is below its least, see {@link #least}.
+   * The cameras with the noise that the kicks show; those that saw too few resting detections keep theirs. No camera's noise is below its {@link #least}.
    *
    * @param kicks any kind
    * @param views the cameras
@@ -80,7 +80,7 @@ public final class CameraNoise {
   }
 
   /**
-   * What a camera's noise cannot be below: {@link #FLOOR} and, where all its coordinates are multiples of a step q, the standard deviation q/√12 of rounding to it.
+   * The lower bound of a camera's noise: {@link #FLOOR} and, where all its coordinates are multiples of a step q, the standard deviation q/√12 of rounding to it.
    *
    * @param kicks any kind
    * @return m, by camera id
@@ -170,7 +170,7 @@ public final class CameraNoise {
       }
     }
 
-    /** m; 0 without a grid, or when too few different values were seen to tell. */
+    /** The step, m; 0 without a grid, or when too few different values were seen to determine it. */
     double step() {
       double step = divisor * RESOLUTION;
       return values.size() >= FEWEST_VALUES && step >= FINEST_GRID ? step : 0;
@@ -180,7 +180,7 @@ public final class CameraNoise {
   /**
    * Noise per axis, straight below each camera, at least its {@link #least}.
    *
-   * @param kicks any kind; those that did not begin at rest are passed over
+   * @param kicks any kind; those that did not begin at rest are ignored
    * @param views the cameras; their own noise is not used
    * @return m, by camera id; cameras that saw too little at rest are missing
    */
@@ -244,7 +244,7 @@ public final class CameraNoise {
     }
     double mx = median(x, n);
     double my = median(y, n);
-    // About the sample's own centre the deviations come out too small by (n − 1)/n.
+    // About the sample's own centre the squared deviations are too small by the factor (n − 1)/n.
     double correction = n / (n - 1.0);
     double[] squares = new double[n];
     for (int k = 0; k < n; k++) {
@@ -257,7 +257,7 @@ public final class CameraNoise {
   }
 
   /**
-   * Noise per axis on the moving ball, at least its {@link #least}: what is left of short stretches of each camera once a parabola was taken out. Slow stretches, if there are enough: jitter of the time stamps moves a fast ball.
+   * Noise per axis on the moving ball, at least its {@link #least}: the residuals of a parabola fitted to short stretches of each camera. Only slow stretches are used if there are enough, since jitter of the time stamps displaces a fast ball.
    *
    * @param kicks any kind
    * @param views the cameras; their own noise is not used
@@ -295,7 +295,7 @@ public final class CameraNoise {
     return Math.hypot(data.x[last] - data.x[first], data.y[last] - data.y[first]);
   }
 
-  /** Squared whitened distances from the parabola through a stretch; it takes three of its coordinates with it. */
+  /** Squared whitened distances from the parabola fitted to a stretch, enlarged since the fit takes three degrees of freedom per axis. */
   private static List<Double> offParabola(FlightData data, int[] stretch) {
     WeightedObservedPoints x = new WeightedObservedPoints();
     WeightedObservedPoints y = new WeightedObservedPoints();

@@ -4,7 +4,7 @@ import fieldcal.camera.Camera;
 import java.util.Optional;
 
 /**
- * What the fit knows of one camera: where it hangs, what it adds to every report, how noisy it is. Immutable.
+ * What the fit knows of one camera: where it hangs, what offset it adds to every report, and how noisy it is. Immutable.
  *
  * @param id camera id
  * @param camera its geometry; absent when none was published, then a ball is taken to be reported where it is
@@ -21,7 +21,11 @@ public record CameraView(
    */
   public static final double DEFAULT_NOISE = 0.0015;
 
-  /** Checks the numbers. {@inheritDoc} */
+  /**
+   * Checks the numbers. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when an offset is not finite, or the noise is not positive and finite
+   */
   public CameraView {
     if (!Double.isFinite(offsetX) || !Double.isFinite(offsetY)) {
       throw new IllegalArgumentException(

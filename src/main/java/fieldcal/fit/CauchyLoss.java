@@ -22,12 +22,12 @@ final class CauchyLoss {
   /** From this product on the sum is above the limit. */
   private double limitingProduct;
 
-  /** Begins again. */
+  /** Starts a new sum. */
   void reset(double scale) {
     reset(scale, Double.POSITIVE_INFINITY);
   }
 
-  /** Begins again, to find out whether the sum stays below a limit. */
+  /** Starts a new sum, to find out whether it stays below a limit. */
   void reset(double scale, double limit) {
     squaredScale = scale * scale;
     inverse = 1 / squaredScale;
@@ -63,7 +63,7 @@ final class CauchyLoss {
     return 1 / factor;
   }
 
-  /** What was added up. */
+  /** The sum so far. */
   double sum() {
     return product == 1 ? sum : sum + squaredScale * Math.log(product);
   }

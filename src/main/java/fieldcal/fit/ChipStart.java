@@ -16,7 +16,7 @@ import org.apache.commons.math3.linear.SingularMatrixException;
  * A start for the chip fit, hop by hop: the first flight from a linear system, then the dampings from a coarse grid.
  *
  * <p>A ball at {@code p = p0 + v·t}, {@code z = vz·t − g·t²/2} is reported at o with {@code (o − c)(H − z) = (p − c)·H}, which is
- * linear in p0, v and vz. No start from a wrong model can spoil it, and the search that follows begins near the right minimum.
+ * linear in p0, v and vz. It does not depend on initial values from a wrong model, and the search that follows begins near the right minimum.
  */
 final class ChipStart {
   private static final double[] DAMPING_Z = {0.3, 0.38, 0.46, 0.54, 0.62, 0.7, 0.78};
@@ -154,7 +154,7 @@ final class ChipStart {
     return best;
   }
 
-  /** What is tried of a parameter: the values of a grid within its bounds, or what it is held at. */
+  /** The values of a parameter that are tried: those of a grid within its bounds, or the one that it is held at. */
   private static double[] grid(List<Parameter> parameters, int index, double[] values) {
     Parameter p = parameters.get(index);
     return p.estimated()

@@ -8,7 +8,7 @@ import org.apache.commons.math3.distribution.TDistribution;
 /**
  * One parameter as a fit determines it.
  *
- * @param parameter with the estimated value; {@code estimated} tells whether it was free
+ * @param parameter with the estimated value; {@code estimated} says whether it was free
  * @param standardError of the value, same unit; NaN when it was fixed
  * @param undetermined why the data do not determine it; then the value is little more than the start and must not be averaged
  * @param atBound whether the estimate ran into a bound
@@ -18,7 +18,11 @@ public record Estimate(
   /** Share of a normal distribution below its mean plus two standard deviations. */
   private static final double TWO_SIGMA = 0.97725;
 
-  /** Checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when the parameter or the reason is null
+   */
   public Estimate {
     Objects.requireNonNull(parameter, "parameter");
     Objects.requireNonNull(undetermined, "undetermined");
@@ -55,11 +59,10 @@ public record Estimate(
   }
 
   /**
-   * By how much the error of a mean is larger when few samples have shown their scatter: so much that the truth is within two of them as often as with a known scatter (Student 1908, Biometrika 6, 1). No factor does so for every number of errors: with this one, the
-   * truth of twelve samples is within one of them in 72 instead of 68 %.
+   * Factor by which the error of a mean grows because its scatter was estimated from few samples: with it, the truth lies within two standard errors as often as with a known scatter (Student 1908, Biometrika 6, 1). No factor is right for every number of standard errors: with this one and twelve samples, the truth lies within one standard error in 72 instead of 68 % of cases.
    *
-   * @param samples how many, at least 2
-   * @return 7 for two samples, 1.3 for six, 1.13 for twelve, nearer to 1 the more there are
+   * @param samples number of samples, at least 2
+   * @return the factor (–): 7 for two samples, 1.3 for six, 1.13 for twelve, nearer to 1 the more there are
    */
   public static double student(int samples) {
     return new TDistribution(null, samples - 1.0).inverseCumulativeProbability(TWO_SIGMA) / 2;

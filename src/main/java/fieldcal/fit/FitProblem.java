@@ -12,13 +12,18 @@ import java.util.Objects;
  *
  * @param kick the observations
  * @param cameras geometry, offset and noise of the cameras
- * @param flat start, bounds and freedom of accSlide, accRoll, kSwitch
- * @param chip start, bounds and freedom of dampingXyFirstHop, dampingXyOtherHops, dampingZ, accRoll
+ * @param flat accSlide, accRoll (m/s²), kSwitch (–), in this order: initial value, bounds, and whether it is estimated
+ * @param chip dampingXyFirstHop, dampingXyOtherHops, dampingZ (–), accRoll (m/s²), in this order: initial value, bounds, and whether it is estimated
  */
 public record FitProblem(
     Kick kick, CameraViews cameras, List<Parameter> flat, List<Parameter> chip) {
 
-  /** Copies the lists and checks their length. {@inheritDoc} */
+  /**
+   * Copies the lists and checks their length. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   * @throws IllegalArgumentException when there are not three flat and four chip parameters
+   */
   public FitProblem {
     Objects.requireNonNull(kick, "kick");
     Objects.requireNonNull(cameras, "cameras");
@@ -31,7 +36,7 @@ public record FitProblem(
   }
 
   /**
-   * Everything free, starting from a model; an initial value outside of what an estimator may answer starts on the bound.
+   * The problem with all parameters free, starting from a model; an initial value beyond a bound is moved to that bound.
    *
    * @param kick the observations
    * @param cameras geometry, offset and noise of the cameras
@@ -58,7 +63,7 @@ public record FitProblem(
   }
 
   /**
-   * The same with accRoll of chips held at the value of the flat kicks.
+   * The same problem with the accRoll of chips held at a value, usually that of the flat kicks.
    *
    * @param accRoll m/s², negative
    * @return the changed copy

@@ -4,9 +4,9 @@ package fieldcal.fit;
  * How a kick is fitted.
  *
  * @param seed of the random search; the same seed and data give the same fit
- * @param searchEvaluations how often CMA-ES may evaluate a kick's objective
- * @param searchObservations how many observations CMA-ES looks at: it only has to come near the right minimum
- * @param outlierDistance an observation that many robust standard deviations away in the plane is left out of the last fit, positive
+ * @param searchEvaluations how often CMA-ES may evaluate a kick's objective, at least 50
+ * @param searchObservations how many observations CMA-ES uses, at least 20: it only has to come near the right minimum
+ * @param outlierDistance an observation that is more robust standard deviations away in the plane is left out of the last fit, at least 3 (–)
  * @param lossScale scale of Cauchy's loss before that, in standard deviations, positive
  */
 public record FitSettings(
@@ -16,7 +16,11 @@ public record FitSettings(
     double outlierDistance,
     double lossScale) {
 
-  /** Checks the ranges. {@inheritDoc} */
+  /**
+   * Checks the ranges. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when a value is out of its range or NaN
+   */
   public FitSettings {
     if (searchEvaluations < 50 || searchObservations < 20) {
       throw new IllegalArgumentException(

@@ -14,7 +14,7 @@ import java.util.Locale;
  * @param varianceFactor by how much the variances of the estimates are larger than the cameras' noise alone makes them: the reduced chi-square, but no less than {@link CameraNoise#FLOOR} leaves
  * @param robustScale how many times larger than the cameras' noise a typical residual is (–), from the median
  * @param flights number of flights of a chip, 0 for a flat kick
- * @param evaluations how often the objective was evaluated, derivatives counted once
+ * @param evaluations how often the objective was evaluated, an evaluation with derivatives counted once
  * @param iterations steps of the last Levenberg–Marquardt run
  * @param stop why that stopped
  * @param seed of the global search
@@ -34,10 +34,10 @@ public record FitStatistics(
     String stop,
     long seed) {
 
-  /** A model that explains a kick to within that many times the noise is right: no other one explains it better than noise lets it. */
+  /** A model explains a kick when its residuals are at most this many times the noise; no other model can then explain it much better. */
   public static final double EXPLAINED_SCALE = 1.5;
 
-  /** More than that share of the detections off the path are not false ones alone, of which good cameras report less than 1 %. */
+  /** When more than this share of the detections is off the path, false ones alone do not explain that: good cameras report less than 1 % of them. */
   private static final double FEW_UNEXPLAINED = 0.03;
 
   static FitStatistics none(long seed) {
@@ -55,7 +55,7 @@ public record FitStatistics(
   }
 
   /**
-   * Whether the model explains what was seen, and not only the most of it: few detections are far from the path, be they outliers or not.
+   * Whether the model explains nearly all that was seen: few detections are far from the path, whether or not they count as outliers.
    *
    * @return true when more than 97 % of the detections are on the path and the residuals, the typical ones and their mean square, are at most 1.5 times the cameras' noise
    */

@@ -7,14 +7,14 @@ import java.util.Arrays;
 
 /** A ball's path as a function of the unknowns. Holds one evaluation at a time; not thread-safe. */
 abstract class FlightCurve {
-  /** Puts the unknowns in place for the calls that follow. */
+  /** Sets the unknowns for the calls that follow. */
   abstract void set(double[] theta);
 
   abstract void position(double time, double[] xyz);
 
   abstract void sensitivities(double time, double[] xyz, double[] dx, double[] dy, double[] dz);
 
-  /** Derivatives of the way over the ground by the damping at each impact, m, that of the first impact first; only of chips, which fly straight on. */
+  /** Derivatives of the distance over the ground with respect to the damping at each impact, m, that of the first impact first; only for chips, which fly straight on. */
   void byImpact(double time, double[] byImpact) {
     Arrays.fill(byImpact, 0);
   }
@@ -30,7 +30,7 @@ abstract class FlightCurve {
     return fromRest ? curve : new UnderWay(curve, FlightLayout.timeIndex(kind));
   }
 
-  /** A kick without rest before it: nobody knows where the ball was, so its line goes on backwards. A ball that waited there would explain the first detection wherever it is, by a kick after it. */
+  /** A kick without rest before it. It is not known where the ball was, so the line is extended backwards: a ball that waited at the place of the kick would explain any first detection by a kick after it. */
   private static final class UnderWay extends FlightCurve {
     private static final int X = FlatTrajectory.X0;
     private static final int Y = FlatTrajectory.Y0;

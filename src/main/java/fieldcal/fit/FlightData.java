@@ -19,7 +19,7 @@ final class FlightData {
   final double[] w21;
   final double[] w22;
 
-  /** The least variance of a camera as a share of what is taken for its variance. */
+  /** The least variance of a camera as a share of its assumed variance. */
   final double[] floor;
 
   private FlightData(int size) {
@@ -61,7 +61,7 @@ final class FlightData {
     return data;
   }
 
-  /** How many times farther from below the camera a ball at that height is reported than it is. */
+  /** Factor by which a ball at height {@code z} is reported farther from the point below the camera than it is. */
   double stretch(int i, double z) {
     // Exactly one on the carpet, where most detections are and nothing has to be divided.
     return z == 0 ? 1 : cameraHeight[i] / (cameraHeight[i] - z);

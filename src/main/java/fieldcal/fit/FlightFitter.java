@@ -14,11 +14,11 @@ final class FlightFitter {
   /** An estimate that is nearer to a bound than this share of its error is at it; chosen far below 1, so that no estimate that merely lies beside a bound is meant. */
   private static final double AT_BOUND = 1e-3;
 
-  /** Start spread of the search in scales: 0.7 m/s² of accSlide, 70 mm/s …; chosen to cover published models that are 15 % off. */
+  /** Initial spread of the search in scales: 0.7 m/s² of accSlide, 70 mm/s …; chosen to cover published models that are 15 % off. */
   private static final double SPREAD = 0.7;
 
   /**
-   * Where all parameters of a flat kick are known to this part, both phases were seen, and a search finds no other minimum: of 876 drawn kicks that were known to 0.2, none came out elsewhere after a search by more than 0.006 standard errors; of 322 others ten did. Half of that, to be safe.
+   * When the errors of all parameters of a flat kick are below this share of their scales, both phases were seen, and a search finds no other minimum: of 876 drawn kicks with errors below 0.2, a search moved none by more than 0.006 standard errors; of 322 others it moved ten. Half of 0.2, to be safe.
    */
   private static final double WELL_DETERMINED = 0.1;
 
@@ -52,7 +52,7 @@ final class FlightFitter {
     finder = new MinimumFinder(problem, kind, data, parameters, settings);
   }
 
-  /** With a search from the best of the starts: position, velocity and time of the kick. A flat kick that a descent from there explains, and that shows sliding and rolling, needs no search. */
+  /** Fits with a search from the best of the starts, each of which is position, velocity and time of the kick. A flat kick that a descent from there explains, and that shows sliding and rolling, needs no search. */
   KickFit fit(List<double[]> starts) {
     int[] subset = SearchSubset.pick(data, problem.kick().time(), settings.searchObservations());
     FlightProblem coarse = finder.widely(data.pick(subset), 0);
@@ -107,12 +107,12 @@ final class FlightFitter {
     return all;
   }
 
-  /** Degrees of freedom that so many observations leave. */
+  /** Degrees of freedom that the used observations leave. */
   private int degrees(int used) {
     return Math.max(1, 2 * used - (int) parameters.stream().filter(Parameter::estimated).count());
   }
 
-  /** The kick of a start with the bounces that the problem's model has: what other kicks showed is right more often than what a part of the observations prefers. */
+  /** A start whose dampings are replaced by those of the problem's model: what other kicks showed is right more often than what a part of the observations prefers. */
   private double[] withModelOf(double[] start) {
     double[] theta = start.clone();
     for (int k = FlightLayout.timeIndex(kind) + 1; k < size; k++) {
@@ -142,7 +142,7 @@ final class FlightFitter {
     return best;
   }
 
-  /** Without a search: from the values of an earlier fit, those that are held replaced. */
+  /** Fits without a search, from the values of an earlier fit; parameters that are held get the problem's values. */
   KickFit refit(double[] values) {
     double[] start = values.clone();
     for (int k = 0; k < size; k++) {
@@ -237,7 +237,7 @@ final class FlightFitter {
     return scales;
   }
 
-  /** By how much the residuals say that the noise is larger than the cameras' own. */
+  /** Factor by which the residuals exceed the cameras' noise. */
   private double noiseScale(FlightProblem flight, LevenbergMarquardt solver) {
     int used = 0;
     for (boolean u : flight.used()) {
@@ -254,7 +254,7 @@ final class FlightFitter {
     return solver.equations().inverse(solver.scale(), free);
   }
 
-  /** What the floor of the cameras' noise leaves of a chi-square per degree of freedom: cleaner data do not make the closed forms right to less. */
+  /** The least chi-square per degree of freedom, from the floor of the cameras' noise: cleaner data do not make the closed forms more exact. */
   private double floor(boolean[] used) {
     double sum = 0;
     int n = 0;

@@ -19,7 +19,7 @@ import java.util.Locale;
 final class FlightLayout {
   private static final String KICK = "one kick's own unknown";
 
-  /** What a number of flights against the rule costs in chi-square; noise reaches it once in ten thousand kicks. */
+  /** Penalty in chi-square of a number of flights that contradicts the rule; noise reaches it once in ten thousand kicks. */
   private static final double RULE_PRICE = 15;
 
   /** How far a hop's height may be from the rule's limit by the errors of the fit alone, as a share. */
@@ -93,12 +93,12 @@ final class FlightLayout {
         flights);
   }
 
-  /** The cost of a chip, with the penalty of a number of flights that the 10 mm rule denies: noise alone must not buy it. */
+  /** The cost of a chip, with the penalty of a number of flights that contradicts the 10 mm rule: noise alone must not decide for it. */
   static double pricedCost(double[] theta, int flights, double cost) {
     return cost + rulePenalty(theta, flights);
   }
 
-  /** What a chip's number of flights costs in chi-square: 0 where the 10 mm rule allows it. */
+  /** Penalty of a chip's number of flights in chi-square; 0 where the 10 mm rule allows it. */
   static double rulePenalty(double[] theta, int flights) {
     double lift = theta[ChipTrajectory.DAMPING_Z];
     double last = theta[ChipTrajectory.VZ0] * Math.pow(lift, flights - 1.0);

@@ -13,7 +13,7 @@ import java.util.stream.IntStream;
  * least squares and hardly feels a detection that is metres away. With {@code k} infinite it is plain least squares.
  */
 final class FlightProblem {
-  /** So many observations are summed up at a time: a sum is loaded and stored once for all of them, and they are added in their order. */
+  /** Number of observations that are summed up at a time: a sum is loaded and stored once for all of them, and they are added in their order. */
   private static final int BLOCK = 4;
 
   private final FlightData data;
@@ -77,7 +77,7 @@ final class FlightProblem {
     return used;
   }
 
-  /** Leaves the columns of parameters that are held out of the normal equations: what nobody solves for, nobody needs to sum up. */
+  /** Leaves the columns of fixed parameters out of the normal equations. */
   void holdFixed(List<Parameter> parameters) {
     choose(Arrays.stream(columns).filter(k -> parameters.get(k).estimated()).toArray());
   }
@@ -100,7 +100,7 @@ final class FlightProblem {
     lossScale = scale;
   }
 
-  /** One unknown is known beforehand to this precision. */
+  /** Adds prior knowledge of one unknown, with its standard deviation. */
   void prior(int index, double value, double standardDeviation) {
     priorValue[index] = value;
     priorWeight[index] = 1 / (standardDeviation * standardDeviation);
@@ -223,7 +223,7 @@ final class FlightProblem {
     }
   }
 
-  /** The inner loop of all fits: over arrays without gaps, whose bounds the machine checks once. */
+  /** The inner loop of all fits, over contiguous arrays, so that the JVM checks bounds only once. */
   private void accumulateBlock() {
     double[] p1 = j1[0];
     double[] p2 = j2[0];
@@ -256,7 +256,7 @@ final class FlightProblem {
     }
   }
 
-  /** What does not fill a block. */
+  /** Sums up the observations of a block that is not full. */
   private void accumulate(int n) {
     double[] d1 = j1[n];
     double[] d2 = j2[n];

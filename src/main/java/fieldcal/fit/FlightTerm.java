@@ -12,10 +12,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * One kick under the closed forms, as a term of the kernel. Own parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s), then by how much the bounces of a chip differ from each other, if they may, then the kick's own values of those parameters of the model that differ from kick to
- * kick. A chip's number of flights is the discrete unknown. Derivatives are exact; only that the others change with the small differences of the bounces is left out. Immutable.
+ * One kick under the closed forms, as a term of the kernel. Per-kick parameters: position x, y (m), velocity vx, vy, for chips vz (m/s), time (s); then by how much the bounces of a chip differ from each other, if they may; then the kick's values of those model parameters that differ from kick to kick. A chip's number of flights is the discrete unknown. Derivatives are exact, except that their change with the small differences between the bounces is neglected. Immutable.
  *
- * <p>The state of the shared model: accSlide, accRoll, kSwitch of flat kicks, the four parameters of chips, then the offset x, y (m) of each camera.
+ * <p>The state of the global model: accSlide, accRoll, kSwitch of flat kicks, the four parameters of chips, then the offset x, y (m) of each camera.
  */
 final class FlightTerm implements KickTerm<double[]> {
   /** Where the parameters of chips begin in the state. */
@@ -27,7 +26,7 @@ final class FlightTerm implements KickTerm<double[]> {
   /** A number of flights may differ from the 10 mm rule's by so many, since a real ball does not stop hopping at exactly that height. */
   private static final int OFF_RULE = 1;
 
-  /** Of the parameters that say by how much bounces differ from each other. */
+  /** Prefix of the names of the parameters that say by how much bounces differ from each other. */
   private static final String BOUNCES = "difference between bounces ";
 
   /** Their scale: that of the dampings. */
@@ -39,7 +38,7 @@ final class FlightTerm implements KickTerm<double[]> {
   private final int[] used;
   private final int flights;
 
-  /** For each unknown of the trajectory, its index in the own parameters; negative where the state has it. */
+  /** For each unknown of the trajectory, its index in the per-kick parameters; negative where it is in the state. */
   private final int[] index;
 
   private final List<Parameter> own;
@@ -102,7 +101,7 @@ final class FlightTerm implements KickTerm<double[]> {
     return new FlightTerm(fit, data, slot, used, other, index, own);
   }
 
-  /** The same with outliers left out, as they are at a point; itself when they are the same as before. */
+  /** The same term with the outliers at the given parameters left out; this term itself when they are the same as before. */
   FlightTerm screened(double[] ownValues, double[] state, double outlierDistance) {
     double[] rx = new double[data.size];
     double[] ry = new double[data.size];
@@ -123,7 +122,7 @@ final class FlightTerm implements KickTerm<double[]> {
     return data.size;
   }
 
-  /** Where the kick's own fit ended; what it does not have, where the joint fit begins. */
+  /** The start of the per-kick parameters: where the kick's own fit ended; for those that it does not have, where the joint fit begins. */
   double[] start() {
     return own.stream().mapToDouble(Parameter::value).toArray();
   }
@@ -147,7 +146,7 @@ final class FlightTerm implements KickTerm<double[]> {
     return theta;
   }
 
-  /** Where the state has a parameter of the model. */
+  /** Index in the state of a parameter of the model. */
   private int inState(int unknown) {
     return unknown - FlightLayout.kickSize(kind()) + (kind() == KickKind.FLAT ? 0 : CHIP);
   }
@@ -158,12 +157,12 @@ final class FlightTerm implements KickTerm<double[]> {
     return curve;
   }
 
-  /** Where the ball is under one set of unknowns, its bounces differing from each other as the own parameters say. */
+  /** Where the ball is under one set of unknowns, with bounces that differ from each other as the per-kick parameters say. */
   private final class Path {
     final FlightCurve curve;
     private final double[] deviations;
 
-    /** Derivatives of the way by the damping at each impact, at the last position that was asked for, m. */
+    /** Derivatives of the distance with respect to the damping at each impact, at the last position that was asked for, m. */
     final double[] byImpact = new double[flights];
 
     final double ux;

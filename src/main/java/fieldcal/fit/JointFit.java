@@ -9,8 +9,8 @@ import java.util.Optional;
  *
  * @param flat accSlide and accRoll (m/s², negative), kSwitch (–); empty without flat kicks
  * @param chip dampingXyFirstHop, dampingXyOtherHops, dampingZ (–), accRoll (m/s², negative); empty without chips
- * @param offsets offset of each camera that saw a kick, by id, in total (those taken out before included)
- * @param rmsMm residual per axis over all used observations, mm
+ * @param offsets total offset of each camera that saw a kick, by id, including the offset taken out before
+ * @param rmsMm root mean square of the residuals per axis over all used observations, mm
  * @param rmsFlatMm the same over flat kicks, mm; NaN without any
  * @param rmsChipMm the same over chips, mm; NaN without any
  * @param used observations in the fit
@@ -42,7 +42,11 @@ public record JointFit(
    */
   public record Offset(double x, double y, double errorX, double errorY) {}
 
-  /** Copies the collections. {@inheritDoc} */
+  /**
+   * Copies the collections. {@inheritDoc}
+   *
+   * @throws NullPointerException when a collection or an element is null
+   */
   public JointFit {
     flat = List.copyOf(flat);
     chip = List.copyOf(chip);

@@ -29,22 +29,22 @@ import org.apache.commons.math3.distribution.ChiSquaredDistribution;
  * fieldcal.fit.joint}, which also says what the standard errors assume; outliers are judged again after each solution. Immutable and thread-safe.
  */
 public final class JointFitter {
-  /** Outliers settle within that many rounds. */
+  /** Largest number of rounds within which outliers settle. */
   private static final int OUTLIER_ROUNDS = 3;
 
-  /** Tolerance of a rough fit: what gains less than a unit of chi-square moves no offset by its error. */
+  /** Tolerance of a rough fit: a step that gains less than a unit of chi-square moves no offset by its error. */
   private static final double ROUGH = 1;
 
-  /** Weak knowledge of the model's parameters, so that one that no kick determines stays where it is: that many scales. */
+  /** Standard deviation of the weak prior of the model's parameters, in scales; it keeps a parameter that no kick determines where it is. */
   private static final double EXPECTED = 1000;
 
-  /** Fewer kicks do not show a scatter: its own error would be more than a third of it. */
+  /** Fewer kicks do not determine a scatter: its error would be more than a third of it. */
   private static final int FEWEST_FOR_SCATTER = 6;
 
   /** How often errors alone may look like a scatter. Chosen: small, since a needless scatter only makes errors larger. */
   private static final double SCATTER_BY_CHANCE = 0.01;
 
-  /** Range in which a scatter is looked for, in scales of the parameter: a smaller one is none, and with a larger one the parameter means nothing. */
+  /** Range in which a scatter is looked for, in scales of the parameter: a smaller one is taken as zero, and with a larger one the parameter has no meaning. */
   private static final double SMALLEST_SCATTER = 1e-3;
 
   private static final double LARGEST_SCATTER = 5;
@@ -52,13 +52,13 @@ public final class JointFitter {
   /** Halvings of an interval, until nothing is left of it. */
   private static final int HALVINGS = 40;
 
-  /** Weights that change by less are settled: they say how much larger than the cameras' noise the residuals are. */
+  /** Weights that change by less are settled; they describe how much the residuals exceed the cameras' noise. */
   private static final double WEIGHTS_SETTLED = 0.1;
 
   /** Scale of an offset, m: what cameras of the league disagree by once the first estimate was taken out. */
   private static final double OFFSET_SCALE = 0.01;
 
-  /** A parameter whose error is more than that share of its scale is not determined. */
+  /** A parameter whose error is more than this share of its scale is not determined. */
   private static final double DETERMINED = 0.5;
 
   private final FitSettings settings;
@@ -85,7 +85,7 @@ public final class JointFitter {
   }
 
   /**
-   * Fits as well as needed where kicks are fitted again with the offsets that come out: outliers are those of the kicks' own fits.
+   * Fits roughly, for offsets with which all kicks are then fitted again: outliers are those of the kicks' own fits.
    *
    * @param problem at least one fitted kick
    * @return the joint model
@@ -141,7 +141,7 @@ public final class JointFitter {
     }
 
     /**
-     * A first estimate of a parameter's scatter, from what the kicks' own fits differ by beyond their errors (Paule and Mandel 1982): the scatter at which the weighted squares about the weighted mean are as many as expected; 0
+     * A first estimate of a parameter's scatter, from what the kicks' own fits differ by beyond their errors (Paule and Mandel 1982): the scatter at which the sum of weighted squares about the weighted mean equals its expectation; 0
      * when their errors alone explain it (Cochran's test), or too few kicks determine the parameter.
      */
     private double scatter(int parameter) {
@@ -168,7 +168,7 @@ public final class JointFitter {
       return high;
     }
 
-    /** A parameter as the fits of single kicks determine it. */
+    /** The estimates of a parameter from those single kicks that determine it. */
     private List<Estimate> known(int parameter) {
       boolean flat = parameter < FlightTerm.CHIP;
       int k = flat ? parameter : parameter - FlightTerm.CHIP;
@@ -179,7 +179,7 @@ public final class JointFitter {
           .toList();
     }
 
-    /** By how much an error is larger whose scatter few kicks have shown. */
+    /** Factor by which an error grows because few kicks have shown the scatter, see {@link Estimate#student}. */
     private double student(int parameter) {
       return randomOf(parameter) >= 0 ? Estimate.student(known(parameter).size()) : 1;
     }
@@ -336,12 +336,12 @@ public final class JointFitter {
           .toList();
     }
 
-    /** A kick counts for as much as its own fit says that it is explained: what the model leaves in one that bends, for example, is the same sideways and pulls all of them to one side. */
+    /** The weight of a kick, smaller the less its own fit explains it: the residuals of a kick that curves, for example, are systematic and would pull the joint fit to one side. */
     private static double weight(KickFit fit) {
       return 1 / Math.max(1, fit.statistics().varianceFactor());
     }
 
-    /** What else one model for all leaves is taken for noise, of flat kicks and of chips, each by its reduced chi-square. */
+    /** The weights of flat kicks and of chips: the remaining misfit of one model for all kicks is taken for noise, by the reduced chi-square of each kind. */
     private double[] weights(SharedSolution<double[]> solution) {
       List<FlightTerm> kicks = kicks(solution);
       double[] squares = new double[2];

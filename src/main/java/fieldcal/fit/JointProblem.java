@@ -9,11 +9,11 @@ import java.util.OptionalDouble;
 /**
  * Many kicks, of both kinds, that share one model and the offsets of the cameras.
  *
- * @param fits each kick fitted on its own: the start, the observations to use and the number of flights; failed ones are left out
+ * @param fits each kick fitted on its own, which gives the start, the observations to use and the number of flights; failed fits are left out
  * @param cameras geometry, noise and the offsets already taken out; must be those of the fits
  * @param flat start of the flat model
  * @param chip start of the chip model
- * @param chipRoll accRoll that chips roll with, m/s², negative; free when absent
+ * @param chipRoll accRoll at which chips are held, m/s², negative; free when absent
  * @param offsets whether the cameras' offsets are estimated, too
  */
 public record JointProblem(
@@ -24,7 +24,11 @@ public record JointProblem(
     OptionalDouble chipRoll,
     boolean offsets) {
 
-  /** Leaves failed fits out and checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Leaves failed fits out and checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public JointProblem {
     fits = fits.stream().filter(f -> f.failure().isEmpty()).toList();
     Objects.requireNonNull(cameras, "cameras");

@@ -14,8 +14,7 @@ import java.util.Optional;
  *
  * <p>The covariance assumes that residuals are independent between detections, and scales the cameras' noise by what the
  * residuals of this kick show. It covers the free unknowns; rows and columns of others are zero. Parameters that the kick did not
- * determine were tied to their start with a standard deviation of one scale, so that the errors of the others contain what is not
- * known of them. Errors of chips whose bounces may differ from each other are those of {@link #withUnevenBounces}.
+ * determine were tied to their start with a standard deviation of one scale, so that the errors of the other parameters include their uncertainty. Errors of chips whose bounces may differ from each other are those of {@link #withUnevenBounces}.
  */
 public final class KickFit {
   private final Kick kick;
@@ -112,7 +111,7 @@ public final class KickFit {
   }
 
   /**
-   * The same fit with errors that cover bounces which differ from each other: the horizontal damping of each bounce after the first differs from the mean of the kick's by a normal scatter, as where the ball spins. Values stay. A fit to
+   * The same fit with errors that cover bounces which differ from each other: the horizontal damping of each bounce after the first differs from the kick's mean by a normal scatter, as it does when the ball spins. Values stay. A fit to
    * which that does not apply stays as it is: a flat kick, a chip with fewer than two such bounces.
    *
    * @param cameras with which it was made

@@ -13,32 +13,32 @@ import java.util.Objects;
  * Fits the two-phase flat or the bouncing chip trajectory to the detections of one kick.
  *
  * <p>CMA-ES finds the neighbourhood of the global minimum on a subset of the observations under a robust loss, and Levenberg–Marquardt the minimum on all of them;
- * then outliers are left out and plain least squares, which is efficient, has the last word. A flat kick that shows sliding and rolling needs no such search: it has one minimum. The number of flights of a chip is
+ * then outliers are left out, and plain least squares, which is efficient, gives the result. A flat kick that shows sliding and rolling needs no such search: it has one minimum. The number of flights of a chip is
  * discrete: each plausible one is fitted, and the residuals decide. Immutable and thread-safe.
  */
 public final class KickFitter {
   /** A kick with fewer detections after it determines nothing. */
   private static final int FEWEST = 12;
 
-  /** A ball that leaves slower upwards hops less than 13 mm: no chip, m/s. */
+  /** Least vertical speed of a chip, m/s: a slower ball rises less than 13 mm. */
   private static final double LOWEST_CHIP = 0.5;
 
   /** Tangent of the flattest chip: chip kickers lift the ball by 30 to 60 degrees; this is 17. */
   private static final double FLATTEST_CHIP = 0.3;
 
-  /** Carpets give a ball 0.38 to 0.57 of its vertical speed back (ten matches of 2026, simulators); no carpet gives it that much. */
+  /** Carpets give a ball 0.38 to 0.57 of its vertical speed back (ten matches of 2026, simulators); no carpet returns this much. */
   private static final double MOST_ELASTIC = 0.8;
 
-  /** The beginning of a kick, s: at most 6.5 m/s fast, a ball that rises by 60° flies 1.15 s until it first lands. */
+  /** Length of the first part of a kick that is looked at, s: a ball kicked at 6.5 m/s and 60° flies 1.15 s until it first lands. */
   private static final double FIRST = 1.2;
 
-  /** The shortest beginning that is looked at, s: a ball that rises at {@link #LOWEST_CHIP} has been 13 mm high and lands after 0.1 s; one of 30° and 3 m/s, the slowest that chip kickers make, lands after 0.3 s. */
+  /** The shortest first part that is looked at, s: a ball that rises at {@link #LOWEST_CHIP} has been 13 mm high and lands after 0.1 s; one of 30° and 3 m/s, the slowest that chip kickers make, lands after 0.3 s. */
   private static final double SHORTEST = 0.3;
 
-  /** A chip has two parameters more; it has to explain the kick clearly better. */
+  /** A chip has two more parameters, so it must reduce the loss to less than this part of the flat kick's. */
   private static final double CLEARLY = 0.8;
 
-  /** An order of magnitude: what a flat kick does otherwise than its model looks like a flight to some extent. */
+  /** A chip that reduces the sum of squares below this part of the flat kick's is certain: an order of magnitude, since a flat kick that departs from its model looks like a flight to some extent. */
   private static final double SURELY = 0.1;
 
   private final FitSettings settings;
@@ -46,7 +46,7 @@ public final class KickFitter {
   /**
    * A fitter; one is enough for all threads.
    *
-   * @param settings seed and effort
+   * @param settings seed, effort and outlier limits
    * @throws NullPointerException when there are none
    */
   public KickFitter(FitSettings settings) {
@@ -57,7 +57,7 @@ public final class KickFitter {
    * Fits a flat kick and, where that does not explain the detections, a chip, and decides between the two. Takes some 10 to 100 ms. Never throws on what a recording holds.
    *
    * @param problem kick, cameras and models
-   * @return the better fit; when both fail, the flat one with its {@link KickFit#failure}. Without the geometry of a camera a kick that is no simple flat one fails, since no chip can be fitted
+   * @return the better fit; when both fail, the flat one with its {@link KickFit#failure}. When no camera that saw the kick has a known geometry, no chip can be fitted, and a kick that the flat model does not explain fails
    */
   public KickFit fit(FitProblem problem) {
     KickFit flat = fit(problem, KickKind.FLAT);
@@ -77,8 +77,7 @@ public final class KickFitter {
   }
 
   /**
-   * Whether a chip stands for what was seen rather than a flat kick. When neither explains the kick, something else is wrong, too, and most of it is seen where the ball rolls, which is long and does not show whether it flew; a fit that follows the roll
-   * may even miss the hops. A ball that spins turns where it lands. So shorter and shorter beginnings are compared until one of the two explains what was seen, or the flat kick leaves far more than the chip.
+   * Whether the kick was a chip rather than a flat kick. When neither model explains the kick, something else is wrong as well. Most of it then shows where the ball rolls, which takes long and does not show whether the ball flew; a fit that follows the rolling may even miss the hops, and a ball that spins turns where it lands. So shorter and shorter first parts are compared until one of the two explains what was seen, or the flat kick leaves far more than the chip.
    */
   private boolean isChip(FitProblem problem, KickFit chip, KickFit flat) {
     boolean is = flies(chip) && isClearlyBetter(data(problem), chip, flat);
@@ -181,7 +180,7 @@ public final class KickFitter {
     }
   }
 
-  /** Whatever a recording holds, a fit that breaks costs its kick and nothing else. */
+  /** The failed fit of a kick whose fitting threw: whatever a recording holds, only this kick is lost. */
   private static KickFit broken(
       FitProblem problem, KickKind kind, long seed, RuntimeException cause) {
     return KickFit.failed(problem.kick(), kind, "the fit broke off: " + cause, seed);

@@ -9,18 +9,18 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * Finds cameras whose published lens cannot be theirs: it does not see the places where they report balls. Of such a camera the position alone is used.
+ * Finds cameras whose published lens must be wrong, because it does not see the places where they report balls. Of such a camera only the position is used.
  *
  * <p>A lens with negative distortion folds: beyond a radius no ground is seen, and just before it a pixel covers next to no ground, as if the camera had no noise there.
  */
 public final class LensCheck {
   /**
-   * A pixel covers that share of the ground below the camera at least. Off the axis it covers more, (1 + tan²)^1.5 times as much, and a barrel lens takes back a
+   * A pixel covers at least this share of what it covers straight below the camera. Off the axis it covers more, (1 + tan²)^1.5 times as much, and a barrel lens takes back a
    * third at most; a quarter is near a fold.
    */
   static final double LEAST_GROUND = 0.25;
 
-  /** Among the detections of a sound camera so many may be false ones outside of its image. */
+  /** Largest share of a sound camera's detections that may be false ones outside of its image. */
   private static final double MOST_UNSEEN = 0.01;
 
   private LensCheck() {}
@@ -31,7 +31,7 @@ public final class LensCheck {
     private int unseen;
   }
 
-  /** By the id of each camera with a lens. Offsets and noise of the cameras do not matter much: they are millimetres. */
+  /** Counts of each camera with a lens, by its id. Offsets and noise of the cameras hardly matter: they are millimetres. */
   static Map<Integer, Count> count(Kick kick, CameraViews views) {
     Map<Integer, Count> counts = new TreeMap<>();
     Whitening whitening = new Whitening();
@@ -49,7 +49,7 @@ public final class LensCheck {
   }
 
   /**
-   * Which share of a camera's detections its lens does not see.
+   * The share of its detections that the lens of a camera does not see.
    *
    * @param kicks any kind
    * @param views the cameras

@@ -12,7 +12,7 @@ final class LevenbergMarquardt {
   private static final int MAX_ITERATIONS = 60;
 
   /**
-   * Relative decrease of the cost that is no longer worth a step. With a thousand residuals a step that gains less moves no unknown
+   * A step that decreases the cost by a smaller part is the last. With a thousand residuals a step that gains less moves no unknown
    * by a hundredth of its error, and the next one would move it far less.
    */
   private static final double TOLERANCE = 1e-7;

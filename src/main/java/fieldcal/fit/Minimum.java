@@ -12,7 +12,7 @@ package fieldcal.fit;
 record Minimum(
     int flights, FlightProblem flight, double[] theta, double cost, NormalEquations equations) {
 
-  /** The cost, with what a number of flights costs that is not what the 10 mm rule says. */
+  /** The cost with the penalty of a number of flights that contradicts the 10 mm rule. */
   double priced() {
     return flights == 0 ? cost : FlightLayout.pricedCost(theta, flights, cost);
   }

@@ -9,12 +9,11 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * From the starts of one kick to its lowest minimum. Each start is first led down with a wide loss on part of the observations; only what ends in different minima
+ * Leads the starts of one kick to its lowest minimum. Each start is first led down with a wide loss on part of the observations; only what ends in different minima
  * there, and is not clearly worse than others, goes on to all observations.
  *
- * <p>The objective of a chip is smooth only at a fixed number of flights, and a wrong number has minima of its own, which neighbours
- * do not lead out of. So every number near what the 10 mm rule says is tried from every start. The number may differ by one from what the rule says of
- * the result, since a real ball does not stop hopping at exactly that height; not by more, or frictionless hops of a millimetre would be found to explain anything.
+ * <p>The objective of a chip is smooth only at a fixed number of flights, and a wrong number has its own minima, from which a descent does not find the right number. So every number near what the 10 mm rule says is tried from every start. The number may differ by one from what the rule says of
+ * the result, since a real ball does not stop hopping at exactly that height; it may not differ by more, or frictionless hops of a millimetre would explain anything.
  */
 final class MinimumFinder {
   /**
@@ -32,10 +31,10 @@ final class MinimumFinder {
   /** Points that are nearer to each other than one standard error are on the way to the same minimum: different ones are tens of errors apart, and a descent stops within 0.2 of its minimum. */
   private static final double SAME_MINIMUM = 1;
 
-  /** Where the wide loss leads to, the narrow one leaves at most that many times what it leaves at its own minimum: chosen; narrowing moves a minimum by a few standard errors, which cost a few units of some four hundred. */
+  /** At a minimum of the wide loss, the narrow loss is at most this many times that at its own minimum. Chosen: narrowing moves a minimum by a few standard errors, which cost a few units of some four hundred. */
   private static final double CLEARLY_WORSE = 2;
 
-  /** A number of flights that leaves so many times more of part of the observations is not tried on all of them: chosen; where it is right, it leaves less. */
+  /** A number of flights that leaves this many times more of part of the observations than another is not tried on all of them. Chosen: the right number leaves less. */
   private static final double WORSE_IN_PART = 1.2;
 
   private final FitProblem problem;
@@ -71,7 +70,7 @@ final class MinimumFinder {
     return made.stream().mapToInt(FlightProblem::evaluations).sum();
   }
 
-  /** The objective with the wide loss; its evaluations are the caller's to count. */
+  /** The objective with the wide loss; the caller must count its evaluations. */
   FlightProblem widely(FlightData on, int flights) {
     FlightCurve curve = FlightCurve.of(kind, flights, problem.kick().fromRest());
     FlightProblem flight = new FlightProblem(on, curve, parameters.size());

@@ -37,7 +37,7 @@ public final class OverlapOffsets {
     return estimateFrom(kicks.stream().map(kick -> compare(kick, views)).toList(), views);
   }
 
-  /** What each two of the cameras saw of a kick at once. */
+  /** What each pair of cameras saw of a kick at the same time. */
   static Map<Pair, SharedView> compare(Kick kick, CameraViews views) {
     Map<Pair, SharedView> shared = new LinkedHashMap<>();
     for (Pair pair : pairs(kick.observations().cameras())) {
@@ -46,7 +46,7 @@ public final class OverlapOffsets {
     return shared;
   }
 
-  /** The same from what each two cameras saw of each kick; only the noise of the views matters. */
+  /** The same from what each pair of cameras saw of each kick; only the noise of the views matters. */
   static CameraViews estimateFrom(List<Map<Pair, SharedView>> kicks, CameraViews views) {
     Map<Pair, List<Difference>> found = new LinkedHashMap<>();
     for (Map<Pair, SharedView> kick : kicks) {

@@ -13,7 +13,7 @@ import java.util.TreeSet;
 import java.util.function.Function;
 
 /**
- * What the last kicks of a match tell of the cameras: lenses that cannot be used, noise, and offsets. What one kick tells does not depend on the others, so it is worked out once; the result is that of {@link LensCheck#usable}, {@link CameraNoise#measured} and {@link OverlapOffsets#estimate} for these
+ * What the last kicks of a match determine about the cameras: lenses that cannot be used, noise, and offsets. What one kick contributes does not depend on the others, so it is computed once; the result is that of {@link LensCheck#usable}, {@link CameraNoise#measured} and {@link OverlapOffsets#estimate} for these
  * kicks. Mutable, for one thread.
  */
 public final class RecentKicks {
@@ -21,7 +21,7 @@ public final class RecentKicks {
   private final int memory;
   private final Deque<Evidence> kicks = new ArrayDeque<>();
 
-  /** What one kick tells. */
+  /** What one kick contributes. */
   private final class Evidence {
     private final Kick kick;
     private final int[] cameras;
@@ -79,8 +79,8 @@ public final class RecentKicks {
   /**
    * The cameras that are published or that saw one of the kicks.
    *
-   * @param before of which a camera that saw too little at rest keeps the noise
-   * @return with noise and offsets; without unusable lenses
+   * @param before views whose noise is kept for a camera that saw too few resting detections
+   * @return the views with noise and offsets; without unusable lenses
    */
   public CameraViews views(CameraViews before) {
     Set<Integer> unusable = LensCheck.unusable(all(e -> e.lenses)).keySet();

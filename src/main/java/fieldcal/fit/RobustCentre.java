@@ -7,8 +7,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * The centre of samples that may come from two sides: kicks with and without spin, for example. The value of the model then means one of two things, and nobody knows which: what the kicks have on average, or what most of them stand for
- * and the others are drawn away from. So the error covers both readings.
+ * The centre of samples that may form two groups: kicks with and without spin, for example. The value of the model may then mean either of two things: the average of all kicks, or the value of one group from which the others are drawn away. So the error covers both readings.
  *
  * <p>The second reading is the value on which several kicks agree within their own errors while the others scatter ({@link Agreement}), however many they are. Without such kicks it is the weighted median, where the mean
  * lies farther from it than nineteen in twenty symmetric scatters bring it. The value is that of most samples: the mean where less than half of them agree.
@@ -57,7 +56,7 @@ public record RobustCentre(double value, double standardError) {
         : new RobustCentre(median, Math.hypot(medianError, apart));
   }
 
-  /** Two standard errors reach a group of others that agree among themselves, one reaches the mean of all. */
+  /** The centre and its error when several samples agree: two standard errors reach a group of others that agree among themselves, one reaches the mean of all. */
   private static RobustCentre between(Agreement agreed, RobustCentre mean, double medianError) {
     double apart = Math.abs(mean.value() - agreed.value());
     if (agreed.share() < 0.5) {

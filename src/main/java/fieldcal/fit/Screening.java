@@ -4,8 +4,7 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * Data screening of one kick: tells detections of something else than the ball from what a wrong model makes of good ones. Calibration, live monitoring and
- * diagnosis all ask here.
+ * Data screening of one kick: distinguishes detections of something other than the ball from good ones that a wrong model does not explain. Calibration, live monitoring and diagnosis all use it.
  *
  * <p>An outlier stands alone: it is far from the fitted path and also from where the same camera saw the ball just before and after. A detection that is far
  * from the path while its neighbours are off alike is no outlier but lack of fit: it is kept, and counted. What the neighbours say needs no model of the
@@ -22,25 +21,25 @@ public final class Screening {
     OUTLIER
   }
 
-  /** Detections compared on each side. Of 5 the median is good as long as three are: with 5 % false ones, all but one side in 900. */
+  /** Number of detections compared on each side. The median of 5 is good as long as three of them are: with 5 % false ones, on all but one side in 900. */
   private static final int NEIGHBOURS = 5;
 
   /** With fewer on a side their median may be a false detection's. */
   private static final int FEWEST_NEIGHBOURS = 3;
 
-  /** A detection is off like its neighbours only if one of so many nearest ones on each side is off, too. */
+  /** A detection is off like its neighbours only if one of this many nearest ones on each side is off, too. */
   private static final int CLOSEST = 2;
 
-  /** Neighbours are not farther away than that, s: five frames at 60 Hz and four that are lost. */
+  /** Neighbours are not farther away in time than this, s: five frames at 60 Hz and four that are lost. */
   private static final double NEAR_IN_TIME = 0.15;
 
   /**
-   * Share of a residual that its neighbours may lack. Chosen: half. Less would cost detections where a model goes wrong fast, so that neighbours are off less or more; of a detection that stands
+   * Largest share of a residual that its neighbours may lack. Chosen: half. Less would cost detections where a model goes wrong fast, so that neighbours are off less or more; of a detection that stands
    * alone the neighbours lack nearly all.
    */
   private static final double NOT_SHARED = 0.5;
 
-  /** Beyond that distance from the path, m, nothing is the ball: no effect of DESIGN moves it so far from where the kick's own fit has it. */
+  /** A detection farther from the path is not the ball, m: no effect of DESIGN moves it so far from where the kick's own fit has it. */
   private static final double TOO_FAR = 0.25;
 
   private final Verdict[] verdicts;

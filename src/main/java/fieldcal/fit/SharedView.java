@@ -8,9 +8,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** What two cameras saw of the ball of one kick at once: by how much the second reports it off from the first, and when that is not the ball's height. */
+/** What two cameras saw of the ball of one kick at once: by how much the second reports it off from the first, and where the ball's height does not cause that. */
 final class SharedView {
-  /** Before that the ball is certainly not moving yet, s: the time of a kick is known to a few milliseconds. */
+  /** The ball certainly does not move until this long before the kick, s: the time of a kick is known to a few milliseconds. */
   private static final double BEFORE_KICK = 0.02;
 
   /** Positions of a camera that are further apart in time are not interpolated, s: two frames at 60 Hz, one of them lost. */
@@ -22,7 +22,7 @@ final class SharedView {
   /** Length of the stretches in which a moving ball is compared, s: cameras that overlap by a metre share it for that long up to 5 m/s. */
   private static final double STRETCH = 0.2;
 
-  /** A stretch must be filled to that part, or it is too short to tell a flight from a roll. */
+  /** A stretch must be filled to this part, or it is too short to distinguish flying from rolling. */
   private static final double FILLED = 0.7;
 
   /**
@@ -43,7 +43,7 @@ final class SharedView {
   private final CameraView second;
   private final Kick kick;
 
-  /** Of the moving ball. */
+  /** Stretches of the moving ball. */
   private final List<Stretch> stretches = new ArrayList<>();
 
   private Optional<Difference> atRest = Optional.empty();
@@ -177,7 +177,7 @@ final class SharedView {
     return stretch.get(stretch.size() - 1).to - stretch.get(0).from;
   }
 
-  /** By how much further apart the cameras report a ball at a place for each metre that it is higher. */
+  /** By how much farther apart the cameras report a ball at a place for each metre of its height (–). */
   private double parallax(double x, double y) {
     if (first.camera().isEmpty() || second.camera().isEmpty()) {
       return USUAL_PARALLAX;

@@ -10,8 +10,7 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 
 /**
- * How the bounces of one chip may differ from each other. The closed form damps all of them but the first alike. A ball that spins does not bounce like that: its spin fades from bounce to bounce (Cross 2002), and what it does to a kick's horizontal dampings as a whole is of the size of what
- * it does to them one by one. Unsaid, this moves {@code dampingZ}, since the place of a landing tells the length of a flight.
+ * How the bounces of one chip may differ from each other. The closed form damps all of them but the first alike. A ball that spins does not bounce like that: its spin fades from bounce to bounce (Cross 2002), and it changes the horizontal dampings of a kick relative to each other by as much as it changes their mean. If this is ignored, it biases {@code dampingZ}, since the place of a landing determines the length of a flight.
  *
  * <p>So the damping of each bounce after the first differs from their mean, which is the kick's own {@code dampingXyOtherHops}, by a normal scatter. These deviations are nuisance parameters: of a single kick they enlarge its errors, in a joint fit they are estimated with the rest. Immutable.
  */
@@ -19,7 +18,7 @@ final class UnevenBounces {
   /** All bounces alike. */
   static final UnevenBounces NONE = new UnevenBounces(new double[0][], 1);
 
-  /** What deviations of the usual size change chi-square by must be more than that: what changes it by less moves nothing by a tenth of its error. */
+  /** Deviations of the usual size must change chi-square by more than this: a smaller change moves no unknown by a tenth of its error. */
   private static final double VISIBLE = 0.01;
 
   private static final int OTHER = ChipTrajectory.DAMPING_XY_OTHER_HOPS;
@@ -61,10 +60,10 @@ final class UnevenBounces {
   }
 
   /**
-   * By how much a path is longer than without deviations, m.
+   * By how much a path is longer with the deviations than without, m.
    *
    * @param deviations of the damping at the second impact, the third and so on
-   * @param byImpact derivatives of the way by the damping at each impact, that of the first impact first
+   * @param byImpact derivatives of the distance with respect to the damping at each impact, that of the first impact first
    */
   static double longer(double[] deviations, double[] byImpact) {
     double sum = 0;
@@ -74,7 +73,7 @@ final class UnevenBounces {
     return sum;
   }
 
-  /** Derivative of the way by one of the parameters. */
+  /** Derivative of the distance with respect to one of the parameters. */
   double along(int k, double[] byImpact) {
     return longer(shapes[k], byImpact);
   }
@@ -101,7 +100,7 @@ final class UnevenBounces {
     private final double factor;
     private final RealMatrix covariance;
 
-    /** Of the whitened derivatives by the bounces: with those by the unknowns, with each other, with the residuals. */
+    /** Products of the whitened derivatives with respect to the bounces: with those with respect to the unknowns, with each other, and with the residuals. */
     private final RealMatrix withUnknowns;
 
     private final RealMatrix information;
@@ -160,7 +159,7 @@ final class UnevenBounces {
       }
     }
 
-    /** Adds to a column what is so many times the derivatives by the bounces. */
+    /** Adds the derivatives with respect to the bounces, times a factor, to a column. */
     private static void add(RealMatrix to, int column, double[] byImpact, double times) {
       for (int n = 0; n < to.getRowDimension(); n++) {
         to.addToEntry(n, column, byImpact[n + 1] * times);
@@ -195,7 +194,7 @@ final class UnevenBounces {
       return fit.with(more.getData(), new UnevenBounces(rows, scatter));
     }
 
-    /** Of orthonormal shapes those, turned so that they do not depend on each other, that the detections show. A hundred low hops in which a wrong fit may end show a few. */
+    /** The shapes that the detections determine, turned so that they do not depend on each other. A hundred low hops in which a wrong fit may end show a few. */
     private double[][] visible(double[][] rows, double scatter) {
       if (rows.length == 0) {
         return rows;
@@ -211,7 +210,7 @@ final class UnevenBounces {
           .toArray(double[][]::new);
     }
 
-    /** An orthonormal basis of what is perpendicular to a vector; empty for no vector. */
+    /** An orthonormal basis of the space perpendicular to a vector; empty for an empty vector. */
     private static double[][] complement(double[] vector) {
       if (!(dot(vector, vector) > 0)) {
         return new double[0][];

@@ -5,7 +5,7 @@ import fieldcal.camera.Camera;
 /**
  * Turns residuals in the ground plane into ones with unit variance per component, {@code (w11·rx, w21·rx + w22·ry)}.
  *
- * <p>A camera's noise is one of its pixels: towards the edge of the image a pixel covers more ground, and more along the line of sight than across it.
+ * <p>A camera's noise arises in its pixels: towards the edge of the image a pixel covers more ground, and more along the line of sight than across it.
  * Where the camera's pixels are unknown, or its lens does not see the place, the noise is taken to be that straight below it. Noise of the time stamp adds to it along the ball's velocity. A working object; not thread-safe.
  */
 public final class Whitening {
@@ -19,7 +19,7 @@ public final class Whitening {
   public Whitening() {}
 
   /**
-   * Looks up a place in a camera's view; a ball at rest, or time stamps without noise.
+   * Looks up a place in a camera's view, for a ball at rest or time stamps without noise.
    *
    * @param view the camera with its noise
    * @param x reported place, m

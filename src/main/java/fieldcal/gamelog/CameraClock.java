@@ -9,10 +9,10 @@ import fieldcal.vision.VisionFrame;
  * {@link #MAX_STEP} waits for the next: if that agrees with it, the clock jumped; if not, the frame's time was damaged.
  */
 final class CameraClock {
-  /** A larger step of the delay is one of a clock, s: networks and busy computers delay packets by tens of milliseconds. */
+  /** A larger step of the delay is a jump of a clock, s: networks and busy computers delay packets by tens of milliseconds. */
   static final double MAX_STEP = 0.5;
 
-  /** So many frames are remembered to recognise duplicates, which follow the original closely. */
+  /** Number of frames remembered to recognise duplicates, which follow the original closely. */
   private static final int REMEMBERED = 16;
 
   private final double[] captures = new double[REMEMBERED];
@@ -26,7 +26,7 @@ final class CameraClock {
   enum Verdict {
     /** As expected. */
     GOOD,
-    /** The camera's frame of this time was there already. */
+    /** A frame of this camera with the same time was received before. */
     DUPLICATE,
     /** Its time does not fit the frames before; the next one decides. */
     WAIT,
@@ -51,7 +51,7 @@ final class CameraClock {
     return Verdict.WAIT;
   }
 
-  /** How far the clock goes with this frame, s. */
+  /** How far the clock jumps with this frame, s. */
   double jump(VisionFrame frame, double received) {
     return delay - (received - frame.captureTime());
   }

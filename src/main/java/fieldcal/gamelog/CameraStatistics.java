@@ -8,7 +8,7 @@ package fieldcal.gamelog;
  * @param rate frames per second outside of gaps; NaN if too few
  * @param lostFrames how many are missing by their numbers, outside of gaps
  * @param gaps how often it was silent for more than {@link RecordingStatistics#GAP}
- * @param longestGap s; 0 without gaps
+ * @param longestGap longest gap, s; 0 without gaps
  * @param jitter standard deviation of the capture times about an even pace, robust, s; NaN if too few
  * @param latency median delay from capture to reception, s; NaN if too few, or if the clocks differ by more than a delay can be
  * @param clockDifference mean of reception, on the recorder's clock, minus capture, on the camera's, s; the latency is a part of it; NaN without frames
@@ -16,7 +16,7 @@ package fieldcal.gamelog;
  * @param ballDetections how many balls, true and false, it reported
  * @param robotDetections how many robots it reported
  * @param ballNoise standard deviation per axis of the position of a resting ball, robust, m; NaN if none rested long enough
- * @param restingBlocks how many stretches of the resting ball that noise is from
+ * @param restingBlocks number of stretches of a resting ball from which that noise was estimated
  */
 public record CameraStatistics(
     int id,

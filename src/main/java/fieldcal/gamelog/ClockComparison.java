@@ -12,10 +12,10 @@ public final class ClockComparison {
   /** Nothing is received before it was captured, but rounding may make it look so by this much, s. */
   private static final double ROUNDING = 1e-3;
 
-  /** A rate that is off by more than that is reported: it makes accelerations 1 % wrong. Quartz clocks are off by less than 0.0001. */
+  /** A rate that is off by more than this is reported: it makes accelerations 1 % wrong. Quartz clocks are off by less than 0.0001. */
   public static final double NOTABLE_RATE = 0.005;
 
-  /** Delays of single frames scatter by up to 0.05 s; over so many seconds that is a tenth of the notable rate. */
+  /** Delays of single frames scatter by up to 0.05 s; over this many seconds that is a tenth of the notable rate. */
   private static final double LEAST_SPAN = 100;
 
   /** With at least this many frames a tenth of that span is enough, since the scatter averages out. */

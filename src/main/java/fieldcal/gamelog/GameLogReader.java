@@ -16,8 +16,7 @@ import java.util.Optional;
  * message itself, all big endian. Compressed files are recognised by their first bytes, not by their names, and may consist of several
  * gzip members.
  *
- * <p>Damage does not end the reading: where no record can be, the next place is searched at which two records follow each other;
- * what was skipped is in {@link #problems()}. Not thread-safe.
+ * <p>Damage does not end the reading: where the bytes cannot be a record, the reader searches for the next place at which two records follow each other; {@link #problems()} says what was skipped. Not thread-safe.
  *
  * <pre>{@code
  * try (GameLogReader log = GameLogReader.open(file)) {
@@ -29,7 +28,7 @@ import java.util.Optional;
  */
 public final class GameLogReader implements Closeable {
   /**
-   * A packed log that unpacks to more than that many times its size is refused. Recordings of real and simulated fields reach 11; what is made to fill memory or time reaches the most that gzip can, 1030.
+   * Largest accepted ratio of a log's size to that of its compressed file. Recordings of real and simulated fields reach 11; a file made to exhaust memory or time reaches the maximum of gzip, 1030.
    */
   public static final double LARGEST_RATIO = 100;
 
@@ -70,10 +69,10 @@ public final class GameLogReader implements Closeable {
   }
 
   /**
-   * Opens a log with another limit of packing, and reads its header.
+   * Opens a log with another limit of the compression ratio, and reads its header.
    *
    * @param file the log
-   * @param largestRatio how many times a packed log's size it may unpack to; the limit counts from 16 MB on. {@link Double#POSITIVE_INFINITY}: no limit
+   * @param largestRatio largest accepted ratio of the log's size to that of its compressed file; a log of up to 16 MB is always accepted. {@link Double#POSITIVE_INFINITY}: no limit
    * @return a reader before the first record; {@link #next()} throws where the limit is reached
    * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
    * @throws IllegalArgumentException if the limit is below 1 or NaN
@@ -100,7 +99,7 @@ public final class GameLogReader implements Closeable {
    * Goes to the next record.
    *
    * @return false at the end of the log
-   * @throws GameLogException if the file system fails, or a packed log unpacks to too much
+   * @throws GameLogException if the file system fails, or a compressed log exceeds the limit of the compression ratio
    */
   public boolean next() throws GameLogException {
     while (true) {
@@ -218,8 +217,8 @@ public final class GameLogReader implements Closeable {
   /**
    * Goes to the next record and copies it; the convenient way for small logs.
    *
-   * @return the message, nothing at the end
-   * @throws GameLogException if the file system fails
+   * @return the message; empty at the end
+   * @throws GameLogException if the file system fails, or a compressed log exceeds the limit of the compression ratio
    */
   public Optional<LogMessage> readMessage() throws GameLogException {
     return next() ? Optional.of(message()) : Optional.empty();
@@ -374,7 +373,7 @@ public final class GameLogReader implements Closeable {
     }
   }
 
-  /** Has so many bytes in the buffer from the position on, if the log has them; returns how many there are. */
+  /** Fills the buffer until it holds the wanted number of bytes from the position on, if the log has as many; returns how many there are. */
   private int fill(int wanted) throws GameLogException {
     if (limit - position >= wanted) {
       return limit - position;

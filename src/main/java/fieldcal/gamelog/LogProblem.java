@@ -30,7 +30,7 @@ public enum LogProblem implements ProblemKind {
   FRAME_BEFORE_GEOMETRY("a frame comes before the first geometry"),
   /** A camera sends detections but the geometry does not know it. */
   UNCALIBRATED_CAMERA("a frame is of a camera that the geometry does not name"),
-  /** The geometry is not the one before. */
+  /** The geometry differs from the one before. */
   GEOMETRY_CHANGED("the geometry changes midway"),
   /** The recorder's clock, or a camera's against it, went back. */
   CLOCK_JUMP_BACK("a clock jumps back"),
@@ -38,7 +38,7 @@ public enum LogProblem implements ProblemKind {
   CLOCK_JUMP_FORWARD("a clock jumps forward"),
   /** A single frame's time agrees with no other. */
   STRAY_TIME("a frame's time is far from its neighbours'; it is skipped"),
-  /** The frame was there already. */
+  /** The frame was received before. */
   DUPLICATE_FRAME("a frame comes twice; the second one is skipped");
 
   private final String text;

@@ -31,7 +31,7 @@ import java.util.function.Supplier;
  * }</pre>
  */
 public final class RecordingReader implements Closeable {
-  /** How long after a frame that was captured later a frame may still be received to be put into order, s. Vision computers differ by some 10 ms. */
+  /** A frame is put into order unless one that was captured later by more than this was received before it, s. Vision computers differ by some 10 ms. */
   public static final double DEFAULT_TOLERANCE = 0.1;
 
   private static final long PROGRESS_STEP = 1 << 18;
@@ -98,11 +98,11 @@ public final class RecordingReader implements Closeable {
   }
 
   /**
-   * Opens a recording with another limit of packing.
+   * Opens a recording with another limit of the compression ratio.
    *
    * @param file a {@code .log} or {@code .log.gz}
    * @param epoch from which its times count; empty for the full second of its first message
-   * @param largestRatio how many times a packed log's size it may unpack to; {@link Double#POSITIVE_INFINITY}: no limit
+   * @param largestRatio largest accepted ratio of the log's size to that of its compressed file; {@link Double#POSITIVE_INFINITY}: no limit
    * @return a reader at the recording's start
    * @throws GameLogException if there is no such file, it cannot be read, is empty, or is no game log
    * @throws IllegalArgumentException if the limit is below 1 or NaN
@@ -129,7 +129,7 @@ public final class RecordingReader implements Closeable {
    *
    * @param to receives what is in it
    * @return what was read
-   * @throws GameLogException if the file system fails
+   * @throws GameLogException if the file system fails, or a compressed log exceeds the limit of the compression ratio
    * @throws IllegalStateException if it was read already
    */
   public RecordingSummary read(RecordingListener to) throws GameLogException {
@@ -142,7 +142,7 @@ public final class RecordingReader implements Closeable {
    * @param to receives what is in it
    * @param tolerance how long a frame waits for older ones, s of capture time; 0 keeps the order of reception
    * @return what was read
-   * @throws GameLogException if the file system fails
+   * @throws GameLogException if the file system fails, or a compressed log exceeds the limit of the compression ratio
    * @throws IllegalStateException if it was read already
    * @throws IllegalArgumentException if the tolerance is negative or NaN
    */

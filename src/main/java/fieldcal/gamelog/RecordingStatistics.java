@@ -94,7 +94,7 @@ public final class RecordingStatistics implements RecordingListener {
   /**
    * What the referee did.
    *
-   * @return nothing if it was silent
+   * @return empty if it was silent
    */
   public Optional<RefereeStatistics> referee() {
     return lastReferee == null

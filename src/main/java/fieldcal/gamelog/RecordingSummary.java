@@ -12,7 +12,7 @@ import java.util.Optional;
  * What was read of a recording.
  *
  * @param epoch the instant that the recording's times count from
- * @param firstTime when the first message was received, s; NaN without messages. a message whose time differs from its neighbours' by more than an hour does not count
+ * @param firstTime when the first message was received, s; NaN without messages; a message whose time differs from its neighbours' by more than an hour does not count
  * @param lastTime when the last message was received, s; NaN without messages
  * @param messages the number of messages of each type that occurs
  * @param frames the number of frames given to the listener

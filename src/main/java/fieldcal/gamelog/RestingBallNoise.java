@@ -22,7 +22,7 @@ final class RestingBallNoise {
   /** How many standard deviations the halves' means may differ; 2 keeps 95 % of the resting stretches per axis. */
   private static final double MAX_DRIFT = 2;
 
-  /** The mean variance of both axes has a χ² distribution of 2·(BLOCK − 1) degrees of freedom, whose median is that much below its mean (Wilson and Hilferty). */
+  /** The mean variance of both axes has a χ² distribution of 2·(BLOCK − 1) degrees of freedom, whose median is this part of its mean (Wilson and Hilferty). */
   private static final double MEDIAN_TO_MEAN = Math.pow(1 - 2 / (9.0 * 2 * (BLOCK - 1)), 3);
 
   private final double[] xs = new double[BLOCK];

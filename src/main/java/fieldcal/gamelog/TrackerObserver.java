@@ -2,7 +2,7 @@ package fieldcal.gamelog;
 
 /** Watches the frames of one tracker. Memory is constant. */
 final class TrackerObserver {
-  /** Kicks whose starts differ by less are the same one, reported again with a better estimate, s: no ball is kicked twice within. */
+  /** Kicks whose starts differ by less are the same one, reported again with a better estimate, s: no ball is kicked twice within this time. */
   static final double SAME_KICK = 0.15;
 
   /** Delays that are distinguished, s: from an instant 1 s after the reception to one 4 s before it. */
@@ -60,7 +60,8 @@ final class TrackerObserver {
     while (bin < BINS - 1 && 2 * (below + delays[bin]) < frames) {
       below += delays[bin++];
     }
-    // In the outermost bins lie all beyond: there is no delay, but clocks that differ.
+    // The outermost bins also count all values beyond them: these are no delays, but clocks that
+    // differ.
     return bin == 0 || bin == BINS - 1 ? Double.NaN : LEAST + (bin + 0.5) * BIN;
   }
 }

@@ -7,40 +7,40 @@ import java.util.Optional;
 
 /** A kick whose ball is still being followed. */
 final class ActiveKick {
-  /** Cameras whose newest detection is that old no longer see the ball, s. */
+  /** A camera whose newest detection is older no longer sees the ball, s. */
   private static final double LIVE = 0.06;
 
-  /** Twice the disagreement of cameras on the ground, and the noise, m; a height of some 0.2 m shifts as much. */
+  /** Reports farther apart show a ball in the air, m: twice what cameras disagree by on the ground, plus the noise; a height of some 0.2 m shifts them as much. */
   private static final double AIRBORNE = 0.1;
 
   /** Two cameras agree on a ball in the last 0.2 m of its fall; it takes that long at 2 m/s, s. */
   private static final double FALL = 0.1;
 
-  /** So many detections in a row must show it before a ball counts as in the air. */
+  /** Number of detections in a row that must show it before a ball counts as in the air. */
   private static final int SURELY = 3;
 
   /** A ball that was just kicked is still near the robots around its kicker, s. */
   private static final double SOON = 0.05;
 
-  /** A ball that comes back into view was not seen for longer, s. */
+  /** A ball that comes back into view was hidden for longer than this, s. */
   private static final double JUST_SEEN = 0.05;
 
-  /** A ball that ends nearer was nudged, or put elsewhere while it was hidden; the weakest kick rolls that far, m. */
+  /** A ball that ends nearer was nudged, or moved elsewhere while it was hidden; the weakest kick rolls this far, m. */
   private static final double SHORTEST = 0.3;
 
-  /** Less is no flight, s. */
+  /** A ball that was followed for less time was not kicked, s. */
   private static final double SHORTEST_FLIGHT = 0.04;
 
-  /** No ball rolls longer: from 4 m/s at 0.2 m/s² it takes 20 s. What lasts longer is no flight and must not fill the memory, s. */
+  /** No ball rolls longer: from 4 m/s at 0.2 m/s² it takes 20 s. What lasts longer is no kick and must not fill the memory, s. */
   private static final double LONGEST = 30;
 
-  /** A ball that is slower rests; it is known to, when its speed is known as well, m/s. */
+  /** A slower ball rests, m/s; this is certain only if the error of its speed is as small. */
   private static final double STILL = 0.01;
 
   /** A ball that is faster has not stopped, m/s. */
   private static final double MOVING = 0.2;
 
-  /** Fewer detections after the kick are no flight. */
+  /** Fewer detections after the kick do not make a kick. */
   private static final int FEWEST = 5;
 
   /** The kick itself is found to a few milliseconds, s. */
@@ -80,7 +80,7 @@ final class ActiveKick {
     return jump.time();
   }
 
-  /** Begins with the track in which the kick was found, a tenth of a second late: the ball may have met a robot meanwhile. */
+  /** Begins with the track in which the kick was found. The kick is found a tenth of a second late, so the ball may have met a robot meanwhile. */
   void startedBy(BallTrack track, RobotPoses robots) {
     source = track;
     join(track);
@@ -141,7 +141,7 @@ final class ActiveKick {
         : 0;
   }
 
-  /** Whether a ball that comes into view, or back into view, may well have come as it went. */
+  /** Whether a ball that comes into view, or back into view, may well have moved there as it moves on. */
   boolean goesOn(BallTrack track, JumpDetector.Jump jump) {
     int age = 0;
     while (age < track.size() && track.time(age) > jump.time() - JUST_SEEN) {
@@ -190,8 +190,7 @@ final class ActiveKick {
   }
 
   /**
-   * Since when the ball lay still before the kick, as far back as {@code restSpan} and without what a robot pushed; the kick's time when that is not known: robots often touch a ball before they kick it, and
-   * over a tenth of a second a slow ball looks like one at rest. Shortly before the kick is found it may already move: pushed, or as a chip that is projected to where it was.
+   * Since when the ball lay still before the kick, at most {@code restSpan} before it and not before a robot last pushed it; the kick's time when that is not known. Robots often touch a ball before they kick it, and over a tenth of a second a slow ball looks like one at rest. Shortly before the kick is found it may already move: pushed, or as a chip that is projected to where it was.
    */
   private double restStart(BallTrack track) {
     double still = jump.fromRest() ? restStart(track, JUST_BEFORE) : jump.time();
@@ -225,7 +224,7 @@ final class ActiveKick {
     return jump.time();
   }
 
-  /** A member's newest detection; says why the kick ends with it, or null. */
+  /** Takes a member's newest detection; returns why the kick ends with it, or null. */
   KickEnd update(BallTrack track, RobotPoses robots, PlayingArea area) {
     track.copyTo(0, observations);
     newest = track;
@@ -314,7 +313,7 @@ final class ActiveKick {
     return false;
   }
 
-  /** Why a kick ends whose ball no camera sees any more. */
+  /** Why the kick ends when no camera sees its ball any more. */
   KickEnd vanished(PlayingArea area, RobotPoses robots, KickEnd otherwise) {
     double t = newest.lastTime();
     double ahead = t + 0.1;
@@ -330,7 +329,7 @@ final class ActiveKick {
     return contact.watching() ? Math.min(contact.since(), lastTime()) : lastTime();
   }
 
-  /** The finished kick, or null when nothing sustained came of it. */
+  /** The finished kick, or null when it was too short. */
   Kick finish(KickEnd end, double endTime) {
     double last = endTime;
     boolean atRobot = end == KickEnd.TOUCHED_ROBOT || end == KickEnd.STOPPED;
@@ -365,7 +364,7 @@ final class ActiveKick {
             from.timeError());
   }
 
-  /** The jump at the time when the ball was kicked, and where: so long it took to be pushed there at the speed of the kick. */
+  /** The jump, moved to the time and the place of the kick; {@code pushed} is the length of the push as a time at the speed of the kick, s. */
   private JumpDetector.Jump at(Departure from, double pushed) {
     return new JumpDetector.Jump(
         from.time(),

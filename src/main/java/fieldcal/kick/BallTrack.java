@@ -11,7 +11,7 @@ final class BallTrack {
   /** 160 detections are two seconds at 75 Hz: more than the rest that a kick keeps plus the delay of its detection. */
   private static final int CAPACITY = 160;
 
-  /** Most tracks are single false detections. */
+  /** Initial capacity, small because most tracks are single false detections. */
   private static final int AT_FIRST = 4;
 
   private final int camera;

@@ -23,8 +23,7 @@ final class CameraTracks {
   private static final double MAX_SPEED = 10;
 
   /**
-   * So many tracks are followed at once. Ten false balls in each frame, far more than a bad lighting makes, leave some hundred tracks; beyond the limit is a broken vision or an attack, and the
-   * time for a frame must stay bounded.
+   * Largest number of tracks that are followed at once. Ten false balls in each frame, far more than bad lighting causes, leave some hundred tracks; more mean a broken vision or an attack, and the time for a frame must stay bounded.
    */
   private static final int MOST_TRACKS = 200;
 
@@ -109,7 +108,7 @@ final class CameraTracks {
         }
       }
     }
-    // Stable: of equals the older track and the earlier detection come first.
+    // Stable: among equals the older track and the earlier detection come first.
     pairs.sort(Comparator.comparingDouble(Pair::relative));
   }
 
@@ -130,7 +129,7 @@ final class CameraTracks {
     offered.removeIf(taken::contains);
   }
 
-  /** Among too many, those go that have the fewest detections, of equals the oldest: white spots come and go, a ball stays. */
+  /** When there are too many, those with the fewest detections are forgotten, among equals the oldest: white spots come and go, a ball stays. */
   private void forgetTooMany() {
     if (tracks.size() <= MOST_TRACKS) {
       return;

@@ -13,27 +13,27 @@ final class ContactWatch {
   /** Robot radius 90 mm, ball radius 21.5 mm, and 30 mm for cameras that disagree, m. */
   private static final double CONTACT_DISTANCE = 0.142;
 
-  /** So much farther away the encounter is over, m. */
+  /** Beyond this distance the encounter is over, m. */
   private static final double CLEAR = CONTACT_DISTANCE + 0.05;
 
-  /** A touch changes the velocity by more than this share, and than 0.3 m/s. */
+  /** A touch changes the velocity by more than this share of it, and by more than 0.3 m/s. */
   private static final double SHARE = 0.25;
 
   private static final double LEAST_CHANGE = 0.3;
 
-  /** And moves the ball off its path by this, m. */
+  /** A touch also moves the ball off its path by at least this, m. */
   private static final double LEAST_MISS = 0.03;
 
-  /** A sliding ball loses up to that much of its speed on its own, m/s². */
+  /** A sliding ball decelerates by up to this on its own, m/s². */
   private static final double SLIDING = 4;
 
-  /** Of a resting ball's place and of where it came near, m. */
+  /** Error of a resting ball's place and of the place where it came near a robot, m. */
   private static final double NOISE = 0.01;
 
   /** No carpet slows a rolling ball more, m/s²; twice what matches show. */
   private static final double ROLLING = 0.6;
 
-  /** But not more than that share of it while it passes a robot. */
+  /** Largest share of its speed that a rolling ball loses while it passes a robot. */
   private static final double MOST_LOSS = 0.4;
 
   /** Cameras whose newest detection is older do not see the ball, s. */
@@ -41,7 +41,7 @@ final class ContactWatch {
 
   private static final double SPAN = 0.2;
 
-  /** After a longer time it is not known any more how it came, s. */
+  /** When the ball was hidden for longer, it is no longer known how it came, s. */
   private static final double HIDDEN = 0.6;
 
   private static final int BEFORE = 8;
@@ -79,7 +79,7 @@ final class ContactWatch {
     return watching;
   }
 
-  /** The ball came near a robot before anybody knew of the kick. */
+  /** Watches from an earlier time on: the ball came near a robot before the kick was found. */
   void watchFrom(double t) {
     watching = true;
     since = t;
@@ -107,7 +107,7 @@ final class ContactWatch {
   /**
    * Looks at the newest detection.
    *
-   * @param track whose it is
+   * @param track that it belongs to
    * @param members all tracks of this ball
    * @param robotDistance from the nearest robot, m
    */
@@ -151,7 +151,7 @@ final class ContactWatch {
     return track.fit(0, Math.min(seenAfter, AFTER) - 1, after) && fitBefore(track, seenAfter);
   }
 
-  /** The way that this camera saw the ball come; it may have been hidden just before it came near. */
+  /** The line along which this camera saw the ball come; the ball may have been hidden just before it came near. */
   private boolean fitBefore(BallTrack track, int first) {
     if (first >= track.size() || since - track.time(first) > HIDDEN) {
       return false;
@@ -180,7 +180,7 @@ final class ContactWatch {
     return changed > Math.max(LEAST_CHANGE, SHARE * speed) && missed > LEAST_MISS;
   }
 
-  /** How much of a difference remains when the ball may have braked by up to {@code allowance} along its way. */
+  /** How much of a difference remains if the ball may have slowed down by up to {@code allowance} along its path. */
   private double beyondBraking(double dx, double dy, double allowance) {
     double speed = before.speed();
     if (!(speed > 0.05)) {

@@ -13,7 +13,7 @@ import java.util.Optional;
  * of a position of rest. And a chip that flies towards a camera seems to lie still at first, since its rise is projected away from the camera as fast as it comes nearer: it was kicked long before it seems to move.
  *
  * <p>Along the direction of the kick the ball lies still until it is touched. Then it either moves at one speed until the kick and at another after it (a push), or on a line (a kick), or on a parabola (a chip, projected). Times are found on a grid, the
- * rest by least squares, and what is not a plain kick is believed when it explains clearly more than what is simpler. Each camera has a place of rest and speeds of its own: cameras disagree, and project a chip differently.
+ * rest by least squares, and a push or a parabola is believed when it explains clearly more than a plain kick does. Each camera has its own place of rest and its own speeds, since cameras disagree and project a chip differently.
  *
  * @param time of the kick, s
  * @param timeError its standard error, s
@@ -21,33 +21,33 @@ import java.util.Optional;
  * @param fromRest whether the ball was kicked where it lay
  */
 record Departure(double time, double timeError, double length, boolean fromRest) {
-  /** Chi-square that what is not a plain kick explains at least; a push has three more parameters (touch, kick, speed), and noise reaches that in one of five hundred kicks, which then only lose the precision of their place. */
+  /** Least gain of chi-square for which a push or a parabola is believed; a push has three more parameters (touch, kick, speed). Noise alone reaches this in one of five hundred kicks, whose place is then merely known less precisely. */
   private static final double SURELY = 15;
 
   /** Good cameras see a resting ball to 0.7 mm (ten matches of 2026); few detections may agree better by chance, m. */
   private static final double LEAST_NOISE = 7e-4;
 
-  /** So long before the kick nothing touches the ball, s; dead times and a robot's delays are shorter. */
+  /** Longest time from the first touch of a push to the kick, s; dead times and a robot's delays are shorter. */
   private static final double LONGEST = 0.12;
 
-  /** So much earlier a kick may have been made than it was found, s: a chip at 53 degrees towards a camera that is 4.3 m high and 3.4 m away is found 0.12 s late. */
+  /** Longest time from a kick to when its jump was found, s: a chip at 53 degrees towards a camera that is 4.3 m high and 3.4 m away is found 0.12 s late. */
   static final double LATEST = 0.15;
 
   private static final double SHORTEST = 0.01;
 
-  /** For so long after the kick a ball that slides or flies moves on a line to within a camera's noise, s. */
+  /** Time after the kick during which a ball that slides or flies moves on a line to within a camera's noise, s. */
   private static final double STRAIGHT = 0.045;
 
-  /** How well the time of a kick is known before, s: 20 mm of push at 2 m/s. */
+  /** How far the time of a kick as found may be off, s: 20 mm of push at 2 m/s. */
   private static final double TIME_OFF = 0.012;
 
-  /** The time of a kick after a push is known to a millisecond or two; what is seen sooner after it may still be of the push, s. */
+  /** The time of a kick after a push is known to a millisecond or two; what is seen sooner after it may still belong to the push, s. */
   private static final double UNSURE = 0.005;
 
   /** A ball that was not seen for longer before the kick may have been pushed meanwhile, s: a frame at 30 Hz. */
   private static final double UNSEEN = 0.04;
 
-  /** The time is not known better, s: cameras' time stamps jitter by up to 1.3 ms (ten real matches of 2026), several detections by half of that. */
+  /** Least standard error of the time, s: cameras' time stamps jitter by up to 1.3 ms (ten real matches of 2026), several detections by half of that. */
   private static final double LEAST_ERROR = 7e-4;
 
   /** Steps of the grids, s: a millimetre at 2 m/s, and at the speed of a push. */
@@ -55,15 +55,15 @@ record Departure(double time, double timeError, double length, boolean fromRest)
 
   private static final double TOUCH_STEP = 5e-3;
 
-  /** What is faster is the kick itself, m/s: the finder's limit for kicks. */
+  /** Fastest push, m/s; a faster one is the kick itself, by the finder's limit for kicks. */
   private static final double FASTEST = 0.7;
 
   /**
-   * Half of the largest acceleration of a projected chip along its way, m/s²: 2·v·vz/h + g·r/h − 2·r·vz²/h² is 12 for a weak chip (v = vz = 1.5 m/s) towards a camera that is h = 4 m high and r = 5 m away. A push that ends in a kick looks several times as curved.
+   * Half of the largest acceleration of a projected chip along its path, m/s²: 2·v·vz/h + g·r/h − 2·r·vz²/h² is 12 for a weak chip (v = vz = 1.5 m/s) towards a camera that is h = 4 m high and r = 5 m away. A push that ends in a kick looks several times as curved.
    */
   private static final double MOST_CURVED = 6;
 
-  /** Detections that are farther from the resting ball before the kick are of something else, m; a chip that seems to lie still is found when it has come as far. */
+  /** Detections before the kick that are farther from the resting ball show something else, m; a chip that seems to lie still is found by the time it has moved this far. */
   private static final double ELSEWHERE = 0.12;
 
   /** Fewer detections of rest do not show where the ball lay, nor how noisy the camera is. */
@@ -75,7 +75,7 @@ record Departure(double time, double timeError, double length, boolean fromRest)
   /** Detections near the kick, and their noise, m. */
   private record Near(List<Seen> seen, int cameras, double noise) {}
 
-  /** From when on the ball surely moves as it was kicked, s. */
+  /** Time from which on the ball certainly moves as it was kicked, s. */
   double over() {
     return time + UNSURE;
   }
@@ -88,7 +88,7 @@ record Departure(double time, double timeError, double length, boolean fromRest)
    * @param vx velocity after the kick, m/s
    * @param vy m/s
    * @param still whether the ball seemed to lie still until then; otherwise it is believed to have been kicked where it lay only if that explains all that was seen
-   * @return the time as found where the ball was kicked where it lay, or too little was seen; no rest and a push of no length where a robot hid it or moved it, so that it is not known
+   * @return the time as found where the ball was kicked where it lay or too little was seen; {@code fromRest} false and {@code length} 0 where a robot hid or moved the ball, so that the place of the kick is not known
    */
   static Departure of(Observations all, double time, double vx, double vy, boolean still) {
     Departure unknown = new Departure(time, Kick.CROSSING_ERROR, 0, false);
@@ -159,7 +159,7 @@ record Departure(double time, double timeError, double length, boolean fromRest)
         : Optional.empty();
   }
 
-  /** With mean and spread of the times that explain what was seen about as well as the best. */
+  /** The same with the mean and the spread of the times that explain what was seen about as well as the best one. */
   private Departure timed(List<double[]> profile, double least, double variance) {
     double weights = 0;
     double mean = 0;

@@ -18,28 +18,28 @@ final class DribbleWatch {
 
   private static final double FARTHEST = 0.135;
 
-  /** The dribbler is some 70 mm to each side at most, m. */
+  /** Largest distance of the ball to the side of the dribbler's middle, m: dribblers reach some 70 mm to each side. */
   private static final double ASIDE = 0.08;
 
-  /** A robot that drives up to a resting ball at 0.4 m/s has it at its front for that long without holding it, s. */
+  /** A robot that drives up to a resting ball at 0.4 m/s has it at its front for this long without holding it, s. */
   private static final double LEAST_HOLD = 0.1;
 
-  /** A ball that moved that far while at the front was taken along, m: cameras see a resting one to a few millimetres. */
+  /** A ball that moved this far while at the front was taken along, m: cameras see a resting one to within a few millimetres. */
   private static final double LEAST_WAY = 0.025;
 
-  /** Older holds have ended otherwise; robots may hold a ball for 1 m of way only, s. */
+  /** Earlier contacts do not belong to this kick, s: the rules let a robot carry a ball for 1 m only. */
   private static final double MEMORY = 1.5;
 
-  /** The ball may be hidden for so long meanwhile, s. */
+  /** Longest time for which the ball may be hidden during one hold, s. */
   private static final double HIDDEN = 0.5;
 
   /** The kick's time is known to some milliseconds only, so the robot may have had the ball within this time of it, s. */
   private static final double BEFORE_KICK = 0.02;
 
-  /** Fewer may be false, or a ball that passes by. */
+  /** Fewer detections at the front may be false, or show a ball that passes by. */
   private static final int LEAST_SEEN = 3;
 
-  /** Two seconds of one camera at 75 Hz. */
+  /** Contacts remembered for each robot: two seconds of one camera at 75 Hz. */
   private static final int CAPACITY = 160;
 
   private final Map<RobotId, Contacts> contacts = new HashMap<>();
@@ -93,7 +93,7 @@ final class DribbleWatch {
     return contacts.computeIfAbsent(robot, id -> new Contacts());
   }
 
-  /** A ball that was under way ended at this robot. */
+  /** A kicked ball ended at this robot. */
   void caught(RobotId robot, double t) {
     of(robot).caught = t;
   }

@@ -12,13 +12,13 @@ final class JumpDetector {
   private static final double AFTER_SPAN = 0.2;
   private static final double BEFORE_SPAN = 0.35;
 
-  /** Lines worse than this are no lines: a window that straddles the kick, or false detections, m. */
+  /** Largest residual of a usable line, m; a larger one means that the window straddles the kick or holds false detections. */
   private static final double MAX_RMS = 0.025;
 
-  /** What was before is no longer comparable, s. */
+  /** After a longer gap the detections before it are no longer comparable, s. */
   private static final double LONG_HIDDEN = 0.25;
 
-  /** A jump is reported once it has not grown for so many detections. */
+  /** Number of detections for which a jump must not have grown before it is reported. */
   private static final int PATIENCE = 3;
 
   private final LineFit before = new LineFit();
@@ -31,15 +31,15 @@ final class JumpDetector {
   /**
    * A change of velocity.
    *
-   * @param time s
-   * @param x where, m
-   * @param y where, m
+   * @param time of the jump, s
+   * @param x of the place, m
+   * @param y of the place, m
    * @param vx velocity after, m/s
    * @param vy velocity after, m/s
    * @param vxBefore velocity before, m/s
    * @param vyBefore velocity before, m/s
    * @param fromRest whether the ball lay still before
-   * @param born whether the track begins with the ball already moving, or goes on so after it was hidden for long
+   * @param born whether the track begins with the ball already moving, or with the ball moving after it was hidden for long
    */
   record Jump(
       double time,
@@ -55,7 +55,7 @@ final class JumpDetector {
       return Math.hypot(vx, vy);
     }
 
-    /** The same ball, if it was kicked that much earlier and was hidden since. */
+    /** The jump of the same ball if it was kicked earlier by the given time and has been hidden since. */
     Jump earlier(double by) {
       return new Jump(
           time - by, x - vx * by, y - vy * by, vx, vy, vxBefore, vyBefore, fromRest, born);
@@ -127,7 +127,7 @@ final class JumpDetector {
     return jumpAt(track, rest && used >= 5);
   }
 
-  /** The instant at which both lines are nearest to each other. */
+  /** The jump at the instant at which both lines are nearest to each other. */
   private Jump jumpAt(BallTrack track, boolean rest) {
     double earliest = track.time(AFTER) - 0.03;
     double latest = track.time(AFTER - 1) + 0.03;

@@ -36,10 +36,15 @@ public record Kick(
     boolean afterDribbling,
     double timeError) {
 
-  /** How well the time of a kick is known from where the line before it and the line after it cross, s. */
+  /** Standard error of the time at which the line before a kick and the line after it cross, s. */
   public static final double CROSSING_ERROR = 0.004;
 
-  /** Checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when the robot, the end or the observations are null
+   * @throws IllegalArgumentException when {@code timeError} is not positive or {@code endTime} is before {@code time}
+   */
   public Kick {
     Objects.requireNonNull(robot, "robot");
     Objects.requireNonNull(end, "end");
@@ -54,18 +59,18 @@ public record Kick(
   }
 
   /**
-   * A kick without dribbling before, whose time is known as well as usual.
+   * A kick without dribbling before it, whose time has the usual error, {@link #CROSSING_ERROR}.
    *
    * @param id running number within the recording, from 1
-   * @param time s since the recording's epoch
-   * @param x m
-   * @param y m
-   * @param vx m/s
-   * @param vy m/s
-   * @param robot who kicked
+   * @param time estimated time of the kick, s since the recording's epoch
+   * @param x estimated position of the kick, m
+   * @param y estimated position of the kick, m
+   * @param vx apparent velocity right after the kick, m/s
+   * @param vy apparent velocity right after the kick, m/s
+   * @param robot who kicked, if a robot was near enough
    * @param fromRest whether the ball lay still before
    * @param end why the observations end
-   * @param endTime s
+   * @param endTime when they end, s since the recording's epoch; not before {@code time}
    * @param observations all detections of this ball
    */
   public Kick(

@@ -21,7 +21,7 @@ import java.util.function.Consumer;
  * frames of one camera must come in order, those of different cameras roughly so.
  */
 public final class KickFinder {
-  /** A camera that sends nothing for that long has a gap; if all do, the recording has, s. */
+  /** When no camera sends anything for longer, the recording has a gap, s. */
   private static final double RECORDING_GAP = 0.25;
 
   /** Robots also kick from the strip around the lines; beyond it, balls bounce off what is there, m. */
@@ -30,10 +30,10 @@ public final class KickFinder {
   /** No robot kicks the same ball again so soon; a chip's projection may jump while it leaves its kicker, s. */
   private static final double SAME_ROBOT_AGAIN = 0.3;
 
-  /** A robot that catches a ball may hide it on its last way, m. */
+  /** A robot that catches a ball may hide it over the last part of its path, m. */
   private static final double CATCHING = 0.35;
 
-  /** After a longer gap nothing is known of where the ball went, s. */
+  /** After a longer gap it is not known where the ball went, s. */
   private static final double LONG_GAP = 0.6;
 
   private final KickFinderSettings settings;
@@ -54,10 +54,10 @@ public final class KickFinder {
   private double gapEnd = Double.NEGATIVE_INFINITY;
 
   /**
-   * Starts with nothing seen; without {@link #geometry} it takes the field to have no end.
+   * Starts with nothing seen; until {@link #geometry} is called it takes the field to be unbounded.
    *
-   * @param settings thresholds
-   * @param sink receives each kick once its ball has stopped, left, been touched or been lost; numbered from 1 in that order
+   * @param settings thresholds of kick finding
+   * @param sink receives each kick once its ball has stopped, has left the field, was touched or was lost; kicks are numbered from 1 in that order
    */
   public KickFinder(KickFinderSettings settings, Consumer<Kick> sink) {
     this.settings = Objects.requireNonNull(settings, "settings");
@@ -200,7 +200,7 @@ public final class KickFinder {
     }
   }
 
-  /** Whether this is a kick's ball that comes into view, or another camera showed this kick already; then its track shows the same ball. */
+  /** Whether a known kick's ball comes into view here, or another camera has already shown this kick; then the track shows the same ball. */
   private boolean isKnown(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
     if (jump.born() && owner != null && owner.goesOn(track, jump)) {
       return true;
@@ -212,7 +212,7 @@ public final class KickFinder {
     return same != null || recent.isOver(jump, track);
   }
 
-  /** No robot is near a ball that suddenly moves: its kicker may have hidden it at first. */
+  /** Looks for the kicker of a ball that suddenly moves with no robot near it: its kicker may have hidden it at first. */
   private void considerHidden(JumpDetector.Jump jump, BallTrack track, ActiveKick owner) {
     RobotId robot = kickers.hiddenKicker(jump);
     if (robot == null) {
@@ -305,7 +305,7 @@ public final class KickFinder {
     }
   }
 
-  /** Remembers whose the ball is now. */
+  /** Remembers which robot has the ball now. */
   private void caught(ActiveKick kick) {
     double t = kick.touchTime();
     BallTrack track = kick.newest();

@@ -12,7 +12,7 @@ public final class KickFinderCounts {
   KickFinderCounts() {}
 
   /**
-   * Frames that were duplicates or older than one of the same camera before.
+   * Frames that were duplicates, or older than an earlier frame of the same camera.
    *
    * @return count
    */

@@ -5,11 +5,11 @@ package fieldcal.kick;
  *
  * @param minSpeed slower balls are pushed, not kicked, m/s
  * @param minJump smallest change of velocity that counts as a kick, m/s
- * @param robotReach a robot can have kicked a ball whose centre is that near to its own, m: 90 mm robot radius, 21.5 mm ball
+ * @param robotReach largest distance between the centres of a ball and of a robot that can have kicked it, m: 90 mm robot radius, 21.5 mm ball
  *     radius, and as much again for the offset between the cameras that saw them
- * @param stopSpeed slower than this over {@code stopSpan} counts as at rest, m/s
- * @param stopSpan s
- * @param lostAfter a ball that no camera sees for that long is lost, s
+ * @param stopSpeed a ball that is slower than this over {@code stopSpan} counts as at rest, m/s
+ * @param stopSpan time over which that speed is measured, s
+ * @param lostAfter a ball that no camera sees for longer is lost, s
  * @param restSpan how much of the rest before a kick is kept, s
  */
 public record KickFinderSettings(
@@ -21,7 +21,11 @@ public record KickFinderSettings(
     double lostAfter,
     double restSpan) {
 
-  /** Checks that all are positive. {@inheritDoc} */
+  /**
+   * Checks that all are positive. {@inheritDoc}
+   *
+   * @throws IllegalArgumentException when a value is not positive or is NaN
+   */
   public KickFinderSettings {
     for (double v :
         new double[] {minSpeed, minJump, robotReach, stopSpeed, stopSpan, lostAfter, restSpan}) {

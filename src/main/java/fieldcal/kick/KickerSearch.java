@@ -7,19 +7,19 @@ final class KickerSearch {
   /** A ball that is not faster than before bounced off a robot; a kick adds speed, m/s. */
   static final double LEAST_GAIN = 0.2;
 
-  /** A kick leaves a ball at least that share of its speed; a robot that runs into a ball from the side may not. */
+  /** A kick leaves a ball at least this share of its speed; a robot that runs into a ball from the side may leave less. */
   private static final double LEAST_SHARE = 0.6;
 
-  /** A kicked ball is that much farther from its robot some 0.1 s later, m. */
+  /** A kicked ball is farther from its robot by at least this some 0.1 s later, m. */
   private static final double LEAST_SEPARATION = 0.04;
 
-  /** Relative to its robot it is faster, m/s. */
+  /** A kicked ball is faster than this relative to its robot; a carried one is not, m/s. */
   private static final double CARRIED = 0.5;
 
-  /** A kicker hides the ball for up to that long, s: 0.5 m at 2.5 m/s. */
+  /** Longest time for which a kicker hides the ball, s: 0.5 m at 2.5 m/s. */
   private static final double HIDDEN = 0.2;
 
-  /** It had the ball within that time before, s. */
+  /** A hidden kicker had the ball within this time before, s. */
   private static final double HELD = 1.5;
 
   /** Centres of ball and robot are 112 mm apart when they touch; the rest is for cameras that disagree, m. */
@@ -55,7 +55,7 @@ final class KickerSearch {
   }
 
   /**
-   * The robot that may have kicked a ball that came into view only on its way: it had the ball, and the ball comes straight out of its mouth. {@link #hidden} is how long before.
+   * The robot that may have kicked a ball that came into view only on its way: it had the ball, and the ball comes straight out of its mouth. {@link #hidden} then tells for how long the ball was hidden.
    *
    * @return null when there is none
    */
@@ -75,19 +75,19 @@ final class KickerSearch {
     return start[0];
   }
 
-  /** Whether the ball grazed a robot. */
+  /** Whether the ball touched a robot. */
   boolean touched(JumpDetector.Jump jump) {
     return robots.nearest(jump.time(), jump.x(), jump.y(), TOUCHING, velocity) != null;
   }
 
-  /** Without a robot in reach only a ball that lay still can have been kicked, by one that no camera sees. */
+  /** Whether a ball with no robot in reach was kicked: only if it lay still, by a robot that no camera sees. */
   boolean startedAlone(JumpDetector.Jump jump) {
     return jump.fromRest()
         && jump.speed() > 1.5 * settings.minSpeed()
         && area.outside(jump.x(), jump.y()) <= 0;
   }
 
-  /** A ball that stays at the robot is dribbled or pushed, however fast both are. */
+  /** Whether the ball stays at the robot: then it is dribbled or pushed, however fast both are. */
   boolean carried(RobotId robot, JumpDetector.Jump jump, BallTrack track) {
     if (Math.hypot(jump.vx() - velocity[0], jump.vy() - velocity[1]) < CARRIED) {
       return true;
@@ -98,7 +98,7 @@ final class KickerSearch {
   }
 
   /**
-   * A ball that bounces off a robot has lost energy, a kicked one has won some: as the robot sees it, which may itself have run into the ball.
+   * Whether the ball bounced off a robot. A ball that bounces off loses energy, a kicked one gains some; both in the robot's frame, since the robot may itself have run into the ball.
    *
    * @param robot that was found last
    * @param speedBefore of the ball, m/s

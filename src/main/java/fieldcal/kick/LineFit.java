@@ -70,8 +70,9 @@ final class LineFit {
     y0 = originY + (sy - vy * st) / n;
     double chi2 = sxx - sx * sx / n - vx * cx + syy - sy * sy / n - vy * cy;
     rms = Math.sqrt(Math.max(0, chi2) / (2.0 * n));
-    // Per axis, with the two parameters per axis paid for; a floor keeps two exact points from
-    // claiming certainty.
+    // Per axis, with two degrees of freedom per axis taken by the line; a floor keeps two exact
+    // points
+    // from claiming certainty.
     double variance = n > 2 ? Math.max(0, chi2) / (2.0 * (n - 2)) : 0;
     velocityError = Math.sqrt(Math.max(variance, 1e-7) / spread);
     return true;

@@ -78,7 +78,7 @@ public final class Observations {
    * Column in the camera's image.
    *
    * @param i index, 0 to size − 1
-   * @return pixels; 0 where the source does not fill it in
+   * @return pixels; NaN where the source omits it, and often 0 where the source does not know it
    */
   public double pixelX(int i) {
     return pixelX[i];
@@ -88,7 +88,7 @@ public final class Observations {
    * Row in the camera's image.
    *
    * @param i index, 0 to size − 1
-   * @return pixels; 0 where the source does not fill it in
+   * @return pixels; NaN where the source omits it, and often 0 where the source does not know it
    */
   public double pixelY(int i) {
     return pixelY[i];
@@ -181,7 +181,7 @@ public final class Observations {
       return this;
     }
 
-    /** Takes a camera's detections from a time on out again. */
+    /** Removes a camera's detections from a time on. */
     void drop(int cameraId, double from) {
       int kept = 0;
       for (int i = 0; i < size; i++) {
@@ -209,7 +209,7 @@ public final class Observations {
     }
 
     /**
-     * Sorts by time, then camera.
+     * Sorts by time, then by camera, and builds.
      *
      * @return the observations added so far
      */

@@ -6,21 +6,21 @@ import java.util.List;
 
 /** What happened to the ball a moment ago, so that it is not reported again when another camera shows it later. */
 final class RecentEvents {
-  /** Two cameras see the same kick within that time and distance, s and m. */
+  /** Two cameras see the same kick within this time and the distance below, s and m. */
   private static final double SAME_TIME = 0.12;
 
   private static final double SAME_PLACE = 0.35;
 
-  /** More kicks and deflections do not happen within {@link #SAME_TIME}. */
+  /** Number of kicks and deflections remembered; no more happen within {@link #SAME_TIME}. */
   private static final int REMEMBERED = 4;
 
-  /** A ball that bounces off a robot is hidden by it for up to that long; after more the robot held it, and has kicked it, s. */
+  /** Longest time for which a ball that bounces off a robot is hidden by it, s; after a longer time the robot held it and then kicked it. */
   private static final double HIDDEN = 0.2;
 
-  /** So long after a deflection its ball may come into view again, s. */
+  /** Longest time after a deflection until its ball comes into view again, s. */
   private static final double LONG_HIDDEN = 0.6;
 
-  /** A ball that a robot stops reappears within that distance of where it was seen last, m. */
+  /** A ball that a robot stops reappears within this distance of where it was seen last, m. */
   static final double SAME_BALL = 0.5;
 
   private final Deque<ActiveKick> ended = new ArrayDeque<>();
@@ -56,7 +56,7 @@ final class RecentEvents {
   /** The kick that another camera showed already; null when there is none. */
   ActiveKick sameKick(Iterable<ActiveKick> kicks, JumpDetector.Jump jump, BallTrack track) {
     for (ActiveKick kick : kicks) {
-      // A track that has shown a kick shows another one next.
+      // A track that has already shown a kick can only show a new one.
       if (kick.source() != track && same(kick.jump(), jump)) {
         return kick;
       }
@@ -64,7 +64,7 @@ final class RecentEvents {
     return null;
   }
 
-  /** Whether another camera showed this kick, and its ball was stopped already; or this is what a camera, or a window that straddles it, makes of a deflection. */
+  /** Whether the jump is no new event: another camera has shown this kick and its ball was already stopped, or it is an earlier deflection as another camera, or a window that straddles it, shows it. */
   boolean isOver(JumpDetector.Jump jump, BallTrack track) {
     if (sameKick(ended, jump, track) != null) {
       return true;
@@ -78,7 +78,7 @@ final class RecentEvents {
     return false;
   }
 
-  /** Whether a ball that comes into view was on its way there before. */
+  /** Whether a ball that comes into view was already heading there after a known jump. */
   private static boolean leadsTo(JumpDetector.Jump known, JumpDetector.Jump jump) {
     double dt = jump.time() - known.time();
     double off =
@@ -92,8 +92,7 @@ final class RecentEvents {
   }
 
   /**
-   * Speed before a jump, m/s. A track that begins with a moving ball does not know it: but a kick whose ball was about to come by here does; then this is that ball, seen again after the robot
-   * that stopped it had hidden it.
+   * Speed before a jump, m/s. A track that begins with a moving ball does not show it. Then it is the speed of a kick whose ball was about to pass here, 0 without one; infinite when the ball of a kick just ended here, since this is that ball, seen again after the robot that stopped it had hidden it.
    */
   double speedBefore(JumpDetector.Jump jump, List<ActiveKick> active) {
     if (!jump.born()) {

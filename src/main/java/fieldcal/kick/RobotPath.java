@@ -8,19 +8,19 @@ import fieldcal.vision.RobotId;
  * <p>Two robots that swap their numbers for some frames make the path jump; nothing is interpolated across a jump, so a place is always one where some robot stood.
  */
 final class RobotPath {
-  /** A robot not seen for that long may be anywhere, s. */
+  /** A robot that was not seen for longer may be anywhere, s. */
   private static final double FORGET = 0.6;
 
   /** No robot is faster: more is a swapped number, m/s. */
   private static final double MAX_SPEED = 6;
 
-  /** Within that time before and after, a robot's velocity hardly changes, s. */
+  /** Within this time before and after, a robot's velocity hardly changes, s. */
   private static final double SMOOTH = 0.1;
 
   /** Fewer detections give no velocity. */
   private static final int FEWEST = 4;
 
-  /** A metre, and as much as a robot drives in the time that is remembered, m. */
+  /** A metre plus what a robot drives in the time that is remembered, m. */
   private static final double WIDE = 3;
 
   private static final int CAPACITY = 32;
@@ -70,7 +70,7 @@ final class RobotPath {
     return count > 0 && Math.abs(time[slot(age)] - t) < FORGET ? age : -1;
   }
 
-  /** Whether the robot can have been within a metre of a place lately; quick. */
+  /** A quick check of whether the robot can have been within a metre of a place lately. */
   boolean mayHaveBeenNear(double px, double py) {
     int i = slot(0);
     return Math.abs(px - x[i]) < WIDE && Math.abs(py - y[i]) < WIDE;

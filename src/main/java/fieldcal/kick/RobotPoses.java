@@ -14,16 +14,16 @@ import java.util.Map;
  * <p>Per camera, because cameras that disagree by centimetres would make a robot that both see look as if it jumped to and fro.
  */
 final class RobotPoses {
-  /** A ball's centre is that far ahead of a robot's when it is kicked: a front at 75 mm and the ball's radius, m. */
+  /** Distance of the ball's centre ahead of the robot's when it is kicked, m: a front at 75 mm plus the ball's radius. */
   private static final double MOUTH = 0.0965;
 
   /** Half of a kicker's width and an error of the pose, m. */
   private static final double HALF_MOUTH = 0.08;
 
-  /** A kicker sends a ball where the robot looks; cosine of 25°, for the robot's own motion and noise. */
+  /** Cosine of the largest angle between the ball's direction and the robot's front: a kicker sends the ball straight ahead, and 25° cover the robot's own motion and noise. */
   private static final double STRAIGHT = 0.906;
 
-  /** A ball that is not that much faster than its robot is carried, m/s. */
+  /** A ball that is not faster than its robot by at least this is carried, m/s. */
   private static final double LEAST_RELATIVE = 0.7;
 
   private final Map<Integer, Map<RobotId, RobotPath>> cameras = new HashMap<>();
@@ -50,7 +50,7 @@ final class RobotPoses {
     robots.clear();
   }
 
-  /** The paths of robots that may be near a place; of each robot those that know best, if any do. */
+  /** The paths of robots that may be near a place; of each robot only those from cameras that know it at that time, if there are any. */
   private List<RobotPath> near(double t, double x, double y) {
     near.clear();
     for (List<RobotPath> paths : robots.values()) {

@@ -10,13 +10,13 @@ import java.util.Map;
  * then the two rays must meet at one height.
  */
 final class TrackMatcher {
-  /** Cameras disagree by up to that much, and a ball moves between their frames, m. */
+  /** Largest distance between two cameras' reports of one ball, m: cameras disagree, and the ball moves between their frames. */
   private static final double TOLERANCE = 0.1;
 
   /** A frame and a half, since a kick's time is good to some milliseconds only, s. */
   private static final double JUST_BEFORE = 0.02;
 
-  /** A ball that another camera saw so far from there just before was not there, m. */
+  /** A ball that another camera saw farther away just before was not there, m. */
   private static final double ELSEWHERE = 0.2;
 
   /** No chip goes higher, m, or upwards faster, m/s: the rules allow 6.5. Before the kick the ball is on the ground. */
@@ -50,7 +50,7 @@ final class TrackMatcher {
     return !compared && continues(kick, track);
   }
 
-  /** Whether the detections of a track are where another camera sees its ball: the newest, and some of the last quarter of a second, otherwise a ball that passes something white would be confused with it. */
+  /** Whether the detections of a track are where another camera sees its ball: the newest ones, and some of the last quarter of a second, since otherwise a ball would be confused with something white that it passes. */
   boolean meets(BallTrack member, BallTrack track, double kicked) {
     for (int age = 0; age < track.size(); age += age < COMPARED - 1 ? 1 : STRIDE) {
       double t = track.time(age);
@@ -107,7 +107,7 @@ final class TrackMatcher {
     return off < TOLERANCE + ahead * (0.3 + 0.25 * speed);
   }
 
-  /** Whether another track saw this ball elsewhere before it can have been kicked here, so that it only comes into view. */
+  /** Whether another track shows this ball elsewhere just before the apparent kick, so that it merely comes into view here. */
   boolean underWay(Iterable<CameraTracks> cameras, BallTrack track, JumpDetector.Jump start) {
     for (CameraTracks camera : cameras) {
       for (BallTrack other : camera.tracks()) {

@@ -24,12 +24,12 @@ import java.util.OptionalDouble;
 /**
  * Finds every kick of a match, fits it, and keeps the median of each parameter that kicks determine.
  *
- * <p>Frames, geometry and phases come from one thread and take microseconds; {@link #poll} fits on another, some 10 to 100 ms a kick. What waits between them is bounded. {@link #snapshot} and {@link #samples}
+ * <p>Frames, geometry and phases come from one thread and take microseconds; {@link #poll} fits on another, some 10 to 100 ms a kick. The queue between them is bounded. {@link #snapshot} and {@link #samples}
  * may be called from any thread. Partial kicks count for what they determine. After dribbling the ball may spin;
  * then a parameter that spin changes counts only where it agrees with the other kicks ({@link BallParameter#spinSensitive}).
  */
 public final class BallMonitor {
-  /** From so many samples on, flat kicks know accRoll better than a chip that hardly rolls. */
+  /** With this many samples, flat kicks determine accRoll better than a chip that hardly rolls. */
   private static final int ENOUGH_FOR_CHIPS = 5;
 
   private static final int REMEMBERED_KICKS = 50;
@@ -71,9 +71,9 @@ public final class BallMonitor {
   private int aside;
 
   /**
-   * Watches from now on.
+   * Creates a monitor that has seen nothing.
    *
-   * @param settings how
+   * @param settings how to watch
    * @param epoch of the frames' times
    * @param listener receives kicks, medians and warnings, in the thread that calls {@link #poll}
    */
@@ -92,7 +92,7 @@ public final class BallMonitor {
    * Learns the field, the cameras and the published models.
    *
    * @param geometry as published; may come again and may change
-   * @param usable the cameras by id
+   * @param usable the usable cameras, by id
    */
   public void geometry(FieldGeometry geometry, Map<Integer, Camera> usable) {
     finder.geometry(geometry, usable);
@@ -137,7 +137,7 @@ public final class BallMonitor {
     finder.accept(frame);
   }
 
-  /** Time begins again: kicks under way end, and what comes is on another clock. */
+  /** The clock has restarted: kicks under way end, and later frames are on the new clock. */
   public void restart() {
     finder.finish();
     now = Double.NEGATIVE_INFINITY;
@@ -229,7 +229,7 @@ public final class BallMonitor {
           alignment.flush().forEach(this::fit);
         }
       } catch (RuntimeException e) {
-        // A kick that nothing can be made of must not end the watching: what was learnt with it is
+        // A kick whose processing fails must not end the watching: what was learnt with it is
         // forgotten, and it counts as dropped.
         int lost = alignment.restart(known);
         synchronized (shared) {
@@ -296,7 +296,7 @@ public final class BallMonitor {
   }
 
   /**
-   * The samples that the medians are from, to be kept or pooled with other matches'.
+   * The samples behind the medians, to be stored or pooled with those of other matches.
    *
    * @return a copy
    */

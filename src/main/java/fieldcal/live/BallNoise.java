@@ -10,13 +10,13 @@ import fieldcal.vision.VisionFrame;
  * 75 Hz, a chip by 0.9 mm), and kicks and bounces hardly change the median. So it is known within seconds, also where no ball rests before a kick. Constant memory.
  */
 final class BallNoise {
-  /** Detections in a row that are further apart may lack one between them, s: two and a half frames at 75 Hz. */
+  /** Longest time between detections in a row, s; in a longer one a detection may be missing: two and a half frames at 75 Hz. */
   private static final double LONGEST_STEP = 0.033;
 
-  /** A ball flies no faster, m/s; what is further off is another ball. */
+  /** No ball flies faster, m/s; a detection farther away is another ball. */
   private static final double FASTEST = 10;
 
-  /** So many triples leave the noise 10 % uncertain. */
+  /** With fewer triples the noise is more than 10 % uncertain. */
   private static final int FEWEST = 50;
 
   /** Of two Gaussian deviations with the variance 1, the sum of squares has the median 2 ln 2. */
@@ -69,7 +69,7 @@ final class BallNoise {
     squares.add(Math.log(Math.max(square, SMALLEST) / SMALLEST));
   }
 
-  /** The next detection is on another clock. */
+  /** The clock has restarted: the next detection is on the new clock. */
   void restart() {
     known = 0;
   }

@@ -5,7 +5,7 @@ import fieldcal.vision.BallModels;
 import java.util.Locale;
 import java.util.Optional;
 
-/** The parameters of the ball that are watched. */
+/** The parameters of the ball model that are watched. */
 public enum BallParameter {
   /** Acceleration while the ball slides, m/s². */
   ACC_SLIDE(KickKind.FLAT, "accSlide", "m/s²", false),
@@ -70,10 +70,9 @@ public enum BallParameter {
 
   /**
    * Whether spin that the ball had before it was kicked changes the value that a kick seems to show. A spinning ball slides longer or shorter, so that it rolls at another fraction of its speed, and leaves its
-   * bounces faster or slower along the carpet; while it slides or rolls, and upwards, it is braked as any other.
+   * bounces faster or slower along the carpet; its accelerations while it slides or rolls, and its vertical speed after a bounce, are those of any other ball.
    *
-   * <p>In matches four of five kicks come after dribbling or catching, so leaving them out would leave too few. So samples of such kicks count as well, unless they differ from those of the others: by more than
-   * 2.5 standard errors of the difference of both medians, and 5 % of their value. As long as there are too few of the others to compare with (fewer than five, or
+   * <p>In matches four of five kicks come after dribbling or catching, so leaving them out would leave too few. So samples of such kicks count as well, unless their median differs from that of the others by more than 2.5 standard errors of the difference and by more than 5 % of the value. As long as there are too few of the others to compare with (fewer than five, or
    * than three where samples scatter so little that a difference of 5 % would show), they count, but begin a warning only where they are larger than published ({@link ParameterEstimate#maybeSpun}): a dribbler gives the ball backspin, which makes all of these parameters smaller.
    *
    * @return true for {@code kSwitch} and the horizontal dampings
@@ -83,8 +82,8 @@ public enum BallParameter {
   }
 
   /**
-   * Whether it differs with the ball's speed on every carpet, though models have one value for all speeds: in ten matches of 2026 a ball rolled at −0.27 m/s² at 1 m/s and at −0.42 at 3 m/s. The samples of
-   * slow and fast kicks then differ, and a change of the carpet shows much earlier when that is taken out.
+   * Whether the parameter depends on the ball's speed on every carpet, although models have one value for all speeds: in ten matches of 2026 a ball rolled at −0.27 m/s² at 1 m/s and at −0.42 at 3 m/s. The samples of
+   * slow and fast kicks then differ, and a change of the carpet shows much earlier when this dependence is taken out.
    *
    * @return true for {@code accRoll}
    */
@@ -110,7 +109,7 @@ public enum BallParameter {
   }
 
   /**
-   * The parameter of a name.
+   * The parameter with a given name.
    *
    * @param id as {@link #id}
    * @return empty when there is none

@@ -9,7 +9,7 @@ import java.util.Comparator;
  * @param value in the parameter's unit
  * @param standardError of the value, in the same unit, positive
  * @param possiblySpinning whether spin from a dribbler may have changed it, see {@link BallParameter#spinSensitive}
- * @param speed how fast the ball was on average while it showed that, m/s; NaN where it is not known, or where it is not expected to matter ({@link BallParameter#speedSensitive})
+ * @param speed mean speed of the ball while it showed the parameter, m/s; NaN where it is not known, or where it is not expected to matter ({@link BallParameter#speedSensitive})
  */
 public record BallSample(
     double time, double value, double standardError, boolean possiblySpinning, double speed) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeSet;
 
 /**
- * The samples of all parameters: what is kept of one match or several. Immutable.
+ * The samples of all parameters, from one match or several. Immutable.
  *
  * <p>Pooling is exact: merged states give the trees of one long match, in whichever order they are merged, and a state that is merged twice counts once.
  *
@@ -16,7 +16,11 @@ public record BallSamples(Map<BallParameter, List<BallSample>> samples) {
   /** No samples. */
   public static final BallSamples NONE = new BallSamples(Map.of());
 
-  /** Copies and sorts. {@inheritDoc} */
+  /**
+   * Copies and sorts. {@inheritDoc}
+   *
+   * @throws NullPointerException when the map, a list or an element is null
+   */
   public BallSamples {
     Map<BallParameter, List<BallSample>> copy = new EnumMap<>(BallParameter.class);
     samples.forEach(

@@ -11,7 +11,7 @@ import java.util.Objects;
  * @param published the models it is compared with
  * @param parameters one estimate each, in the order of {@link BallParameter}
  * @param kicks the newest kicks, oldest first
- * @param warnings those that are on
+ * @param warnings the active warnings
  */
 public record BallSnapshot(
     KickCounts counts,
@@ -20,7 +20,11 @@ public record BallSnapshot(
     List<LiveKick> kicks,
     List<LiveWarning> warnings) {
 
-  /** Copies the lists. {@inheritDoc} */
+  /**
+   * Copies the lists. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public BallSnapshot {
     Objects.requireNonNull(counts, "counts");
     Objects.requireNonNull(published, "published");

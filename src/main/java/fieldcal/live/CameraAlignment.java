@@ -14,16 +14,16 @@ import java.util.TreeSet;
 
 /**
  * What the cameras add to their reports, learnt from the kicks of the match, and taken out before a kick is judged: cameras disagree by centimetres on every field, and a step of that size in the middle of a
- * kick is worth 25 % in accSlide. A kick that several cameras saw waits until the offsets between them are settled, some kicks at most.
+ * kick changes accSlide by 25 %. A kick that several cameras saw waits until the offsets between them are settled, but only for some kicks.
  */
 final class CameraAlignment {
-  /** The kicks that offsets and noise are estimated from; cameras move when somebody bumps into a mount, so not all of a match. */
+  /** Number of kicks from which offsets and noise are estimated; not all of a match, since cameras move when somebody bumps into a mount. */
   private static final int MEMORY = 60;
 
   /** Offsets that moved less with the last kick are settled, m: the noise of a camera. */
   private static final double SETTLED = 0.002;
 
-  /** Cameras that share no ball never settle; after so many further kicks a kick is judged as it is, and later ones of the same cameras do not wait. */
+  /** Cameras that share no ball never settle; after this many further kicks a kick is judged as it is, and later ones of the same cameras do not wait. */
   private static final int PATIENCE = 8;
 
   private final Deque<Waiting> waiting = new ArrayDeque<>();
@@ -34,7 +34,7 @@ final class CameraAlignment {
   /** Read by other threads. */
   private volatile CameraViews views = before;
 
-  /** A kick that waits since some kicks. */
+  /** A kick that waits, and since which kick. */
   private static final class Waiting {
     private final Kick kick;
     private final Set<Integer> cameras = new TreeSet<>();
@@ -48,15 +48,15 @@ final class CameraAlignment {
     }
   }
 
-  /** What is known of one camera. NaN where it is not. */
+  /** What is known of one camera; NaN where it is not known. */
   record Known(double offsetX, double offsetY, boolean calibrated) {
-    /** From another camera, m; NaN when one of the two is not known. */
+    /** Distance between the offsets of this camera and another one, m; NaN when one of the two is not known. */
     double distance(Known other) {
       return Math.hypot(offsetX - other.offsetX, offsetY - other.offsetY);
     }
   }
 
-  /** The cameras' geometry changed: what was learnt of the old one is forgotten, and kicks that wait are dropped; how many is returned. */
+  /** The cameras' geometry changed: what was learnt with the old one is forgotten, and the kicks that wait are dropped; returns their number. */
   int restart(CameraViews geometry) {
     int lost = waiting.size();
     waiting.clear();
@@ -88,7 +88,7 @@ final class CameraAlignment {
       return true;
     }
     if (first.since >= PATIENCE) {
-      // What was waited for in vain is not waited for again.
+      // Offsets that were waited for in vain are not waited for again.
       hopeless.add(first.cameras);
       return true;
     }

@@ -6,18 +6,18 @@ import java.util.OptionalInt;
  * How well one camera works.
  *
  * @param id camera id
- * @param frames received, repeated ones not counted
+ * @param frames number of frames received, without repeated ones
  * @param repeated frames that came twice or after a later one of this camera
  * @param rateHz mean rate of the last second or so outside of gaps; NaN before the second frame
  * @param silentFor how long ago the last frame was captured, measured by the newest frame of all cameras, s
  * @param gaps how often it was silent for more than a quarter of a second
- * @param longestGap s; 0 without one
+ * @param longestGap longest gap, s; 0 without one
  * @param balls detections of balls, true and false
  * @param robots detections of robots
- * @param noiseMm noise of the ball per axis, mm; NaN before some fifty detections of one ball
- * @param offsetXMm what it adds to every x, against the mean of the cameras that see the same balls, mm; NaN before it was compared
+ * @param noiseMm noise of the ball per axis, mm; NaN until some fifty triples of detections of one ball were seen
+ * @param offsetXMm offset that it adds to every x, relative to the mean of the cameras that see the same balls, mm; NaN before it was compared
  * @param offsetYMm the same for y, mm
- * @param apartMm how far it is off from the camera that it disagrees with most, mm; NaN before two were compared
+ * @param apartMm distance between its offset and that of the camera that it disagrees with most, mm; NaN before two were compared
  * @param apartFrom that camera; empty before two were compared
  * @param calibrated whether usable geometry of it is published
  */

@@ -42,14 +42,14 @@ final class CameraWatch {
       gaps++;
       longestGap = Math.max(longestGap, step);
     } else if (step > 0) {
-      // The plain mean until there are enough frames for the running one.
+      // The arithmetic mean until there are enough frames for the running one.
       intervals++;
       double gain = Math.max(GAIN, 1.0 / intervals);
       interval = intervals == 1 ? step : interval + gain * (step - interval);
     }
   }
 
-  /** The next frame is on another clock. */
+  /** The clock has restarted: the next frame is on the new clock. */
   void restart() {
     last = Double.NaN;
     noise.restart();

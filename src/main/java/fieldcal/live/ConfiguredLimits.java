@@ -3,9 +3,9 @@ package fieldcal.live;
 /**
  * What the robots of a team are configured to do, to be compared with what they do.
  *
- * @param velocity m/s; NaN when it shall not be compared
- * @param acceleration m/s²; NaN when it shall not be compared
- * @param braking m/s², positive; NaN when it shall not be compared
+ * @param velocity highest speed, m/s; NaN when it is not to be compared
+ * @param acceleration strongest speeding up, m/s², positive; NaN when it is not to be compared
+ * @param braking strongest slowing down, m/s², positive; NaN when it is not to be compared
  */
 public record ConfiguredLimits(double velocity, double acceleration, double braking) {
 

@@ -11,10 +11,10 @@ import org.apache.commons.math3.special.Beta;
  * <ul>
  *   <li>The likelihood ratio of a Gaussian sample of unknown scatter σ with the centre δσ, δ ~ N(0, g), against the centre 0, with the right Haar prior on σ (Robbins 1970; Lai 1976; Wang and Ramdas 2024, <i>Anytime-valid t-tests</i>): (1+ng)^(−1/2) · ((1 + t²/ν) / (1 + t²/(ν(1+ng))))^(n/2), where t is Student's and ν = n − 1.
  *       It holds for every scatter, and proves a clear deviation of samples that scatter little within six.
- *   <li>The likelihood ratio of the number k of positive samples with a probability of q, q uniform on [½, 1], against ½: 2ⁿ⁺¹ ∫ qᵏ(1−q)ⁿ⁻ᵏ dq. It holds for every distribution with the median 0, and needs some seventeen samples, but minds a wrong one little.
+ *   <li>The likelihood ratio of the number k of positive samples with a probability of q, q uniform on [½, 1], against ½: 2ⁿ⁺¹ ∫ qᵏ(1−q)ⁿ⁻ᵏ dq. It holds for every distribution with the median 0, and needs some seventeen samples, but is hardly affected by a wrong one.
  * </ul>
  *
- * <p>A centre below zero gives fewer alarms still: a shift of all samples downwards lowers t and k, and asks for an alarm only where t is positive. So does a scatter that is taken larger than it is: it is taken to be at least the samples' own standard errors.
+ * <p>A centre below zero gives fewer alarms still: a shift of all samples downwards lowers t and k, and asks for an alarm only where t is positive. So does an overestimated scatter: the scatter is taken to be at least the samples' own standard errors.
  *
  * <p>The values g only decide which deviations are found soonest, not how many alarms are false.
  */
@@ -34,7 +34,7 @@ final class EarlyProof {
   }
 
   /**
-   * Whether the samples prove it.
+   * Whether the samples prove that their centre lies above zero.
    *
    * @param samples all from the first on, in any order
    * @param error standard error of one sample by itself, root mean square

@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * Older and newer samples of a parameter as they would be, had all balls been equally fast.
  *
- * <p>What differs with the ball's speed (accRoll does on every carpet: a = a₀ + b·v²) scatters from kick to kick, and its median wanders with the mix of slow and fast kicks. The slope b is the median of the
+ * <p>A parameter that depends on the ball's speed (accRoll does on every carpet: a = a₀ + b·v²) scatters from kick to kick, and its median wanders with the mix of slow and fast kicks. The slope b is the median of the
  * slopes between all pairs within the older and within the newer samples (Theil and Sen), so that a step between the two does not move it and single wrong samples do not either.
  */
 final class EqualSpeeds {
@@ -53,7 +53,7 @@ final class EqualSpeeds {
     return Arrays.copyOf(slopes, n);
   }
 
-  /** By how much the parts' speeds differ, in units of what the slope is known from: its error times that is an error of the step. */
+  /** Difference between the squared speeds of the two parts, over the root of the sum of their squared deviations. Times the scatter of the values it is the error of the step that comes from the slope. */
   private double leverage() {
     double first = median(squares, 0, older);
     double second = median(squares, older, squares.length);

@@ -1,13 +1,13 @@
 package fieldcal.live;
 
 /**
- * Keeps out frames whose time does not fit to that of others, and recognises when time begins again: a vision that was off, a clock that was set, a recording that starts again.
+ * Rejects frames whose time does not fit those of the others, and recognises when the clock has restarted: after vision was off, a clock was set, or a recording started again.
  */
 final class FrameGuard {
-  /** Cameras and the network are never that far apart; a longer silence is a new beginning, s. */
+  /** The times of two cameras never differ by more through delays, s; after a longer silence time is taken to restart. */
   private static final double APART = 1;
 
-  /** So many frames in a row that agree with each other but not with those before are a new time; a stray one is alone. */
+  /** Number of frames in a row that agree with each other but not with those before, after which the clock has restarted; a stray frame stands alone. */
   private static final int AGREE = 3;
 
   private double now = Double.NaN;

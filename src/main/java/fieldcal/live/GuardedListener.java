@@ -5,7 +5,7 @@ import fieldcal.vision.Team;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Passes on to the host's listener; what that throws must not end the watching. */
+/** Passes everything on to the host's listener; an exception of that listener must not end the watching. */
 final class GuardedListener implements LiveListener {
   private final LiveListener host;
   private final AtomicLong failures = new AtomicLong();
@@ -14,7 +14,7 @@ final class GuardedListener implements LiveListener {
     this.host = Objects.requireNonNull(host, "listener");
   }
 
-  /** Something else than the host's listener broke. */
+  /** Counts a failure outside of the host's listener. */
   void countFailure() {
     failures.incrementAndGet();
   }

@@ -25,23 +25,23 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** Fits kicks and says what each of them determines well enough to count. For one thread. */
+/** Fits kicks and decides which parameters each of them determines well enough to count. For one thread. */
 final class KickJudge {
-  /** A kick fitted that many times worse than the last ones of its kind is something else: a ball that hit a robot, two balls. */
+  /** A kick whose fit is this many times worse than the last ones of its kind shows something else: a ball that hit a robot, two balls. */
   private static final double WORSE_THAN_OTHERS = 3;
 
-  /** With fewer kicks before, nothing is known of what is usual. */
+  /** With fewer earlier kicks it is not known what is usual. */
   private static final int FEWEST_OTHERS = 5;
 
   private static final int OTHERS = 31;
 
-  /** More outliers than that, and the rest is not trusted either. */
+  /** When a larger share of the detections are outliers, the rest is not trusted either. */
   private static final double MOST_OUTLIERS = 0.25;
 
   /** Evaluations of a search near the published model. */
   private static final int SHORT_SEARCH = 50;
 
-  /** So precisely the beginning of rolling is looked for, s. */
+  /** Precision with which the beginning of rolling is looked for, s. */
   private static final double ROLLING_STEP = 0.01;
 
   private final LiveSettings settings;
@@ -71,7 +71,7 @@ final class KickJudge {
   /**
    * Judges a kick.
    *
-   * @param roll accRoll as flat kicks say, for chips that do not show it
+   * @param roll accRoll of the flat kicks, m/s², for chips that do not determine it
    */
   LiveKick judge(Kick kick, CameraViews cameras, BallModels start, OptionalDouble roll) {
     FitProblem problem =
@@ -85,8 +85,8 @@ final class KickJudge {
       return kick(kick, fit, Map.of(), fit.failure().get());
     }
     if (fit.kind() == KickKind.CHIP && roll.isPresent() && !counts(fit.estimate("accRoll"))) {
-      // What the chip does not show of the rolling, the flat kicks know; a wrong one spoils the
-      // rest.
+      // What a chip does not show of the rolling is known from the flat kicks; a wrong value would
+      // spoil the other estimates.
       fit = fitter.refit(problem.withChipRollFixed(roll.getAsDouble()), fit);
     }
     String distrust = distrust(fit);

@@ -11,9 +11,9 @@ import java.util.Objects;
  *
  * @param team whose
  * @param limit which of their limits
- * @param time up to when the estimate counts, Unix time, s
+ * @param time end of the data behind the estimate, Unix time, s
  * @param estimate what they do
- * @param configured what they are configured to do, in the limit's unit; NaN when a warning ends because nothing is any more
+ * @param configured what they are configured to do, in the limit's unit; NaN when a warning ends because nothing is configured any more
  */
 public record LimitWarning(
     Team team, Limit limit, double time, LimitEstimate estimate, double configured) {
@@ -68,7 +68,11 @@ public record LimitWarning(
     }
   }
 
-  /** Checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when the team, the limit or the estimate is null
+   */
   public LimitWarning {
     Objects.requireNonNull(team, "team");
     Objects.requireNonNull(limit, "limit");
@@ -78,7 +82,7 @@ public record LimitWarning(
   /**
    * How far the robots are off.
    *
-   * @return as a part of what is configured; positive when they do more
+   * @return as a part of what is configured (–); positive when they do more
    */
   public double deviation() {
     return estimate.value() / configured - 1;

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Compares the limits of one team with what its robots are configured to do, by the rule of the ball's parameters: a warning above 20 %, once, that ends below 15 %. What is compared is sure to three standard errors; where the robots never reached a limit, only a lower bound is
+ * Compares the limits of one team with what its robots are configured to do, by the rule of the ball's parameters: one warning above 20 %, which ends below 15 %. A warning begins only when the difference exceeds three standard errors; where the robots never reached a limit, only a lower bound is
  * known, so that a warning begins only when the bound is too high.
  */
 final class LimitWatch {
@@ -29,7 +29,7 @@ final class LimitWatch {
     configured = limits;
   }
 
-  /** The warnings that are on. */
+  /** The active warnings. */
   List<LimitWarning> warnings() {
     return List.copyOf(on.values());
   }
@@ -41,7 +41,7 @@ final class LimitWatch {
       LimitWarning now =
           new LimitWarning(team, limit, time, limit.of(limits), limit.of(configured));
       boolean before = on.containsKey(limit);
-      // After a break nothing is known at first; what was wrong before it is not right for that.
+      // After a break nothing is known at first; that alone does not end a warning.
       boolean unknown = !now.estimate().known() && !Double.isNaN(now.configured());
       boolean warn = unknown ? before : off(now, before);
       if (warn != before) {

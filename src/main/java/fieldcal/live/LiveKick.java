@@ -14,8 +14,8 @@ import java.util.Optional;
  *
  * @param id running number within the watched match, from 1
  * @param time Unix time, s
- * @param x where, m
- * @param y where, m
+ * @param x place of the kick, m
+ * @param y place of the kick, m
  * @param vx velocity after the kick, m/s; of a chip over the ground
  * @param vy velocity after the kick, m/s
  * @param endX where the ball was seen last, m
@@ -25,8 +25,8 @@ import java.util.Optional;
  * @param end why it ended
  * @param possiblySpinning whether the kicker dribbled or caught the ball before; see {@link BallParameter#spinSensitive} for what that means
  * @param rmsMm residual of the fit per axis, mm; NaN without a fit
- * @param samples what counts, by parameter; empty when nothing does
- * @param unused why nothing counts; empty when something does
+ * @param samples the samples that count, by parameter; empty when none does
+ * @param unused why no sample counts; empty when one does
  */
 public record LiveKick(
     int id,
@@ -45,7 +45,11 @@ public record LiveKick(
     Map<BallParameter, BallSample> samples,
     Optional<String> unused) {
 
-  /** Copies the map. {@inheritDoc} */
+  /**
+   * Copies the map. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public LiveKick {
     Objects.requireNonNull(robot, "robot");
     Objects.requireNonNull(kind, "kind");

@@ -50,7 +50,7 @@ public interface LiveListener {
   default void limits(Team team, TeamLimits limits) {}
 
   /**
-   * Robots do not move as they are configured to ({@link LiveMonitor#configured}). Called once, until the warning is cleared. Nothing is changed; whether to do so is the host's.
+   * Robots do not move as they are configured to ({@link LiveMonitor#configured}). Called once, until the warning is cleared. Nothing is changed; that is for the host to decide.
    *
    * @param warning which limit and by how much
    */

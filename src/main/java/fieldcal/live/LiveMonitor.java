@@ -44,9 +44,9 @@ public final class LiveMonitor {
   private long jumps;
 
   /**
-   * Watches from now on; the host calls {@link #poll}.
+   * Creates a monitor without an executor; the host calls {@link #poll}.
    *
-   * @param settings how
+   * @param settings how to watch
    * @param epoch of the frames' times
    * @param listener receives what changes
    */
@@ -55,9 +55,9 @@ public final class LiveMonitor {
   }
 
   /**
-   * Watches from now on.
+   * Creates a monitor with an executor.
    *
-   * @param settings how
+   * @param settings how to watch
    * @param epoch of the frames' times
    * @param listener receives what changes
    * @param executor runs what takes long, for example a single thread of low priority; with {@code Runnable::run} it is done within {@link #accept}, as for reading recordings
@@ -95,7 +95,7 @@ public final class LiveMonitor {
     schedule();
   }
 
-  /** A camera whose calibration makes no sense is used like one without. */
+  /** A camera whose calibration cannot be used is treated like one without. */
   private static Optional<Camera> camera(CameraCalibration calibration) {
     try {
       return Optional.of(Camera.of(calibration));
@@ -164,7 +164,7 @@ public final class LiveMonitor {
     try {
       executor.get().execute(this::work);
     } catch (RejectedExecutionException e) {
-      // A host that shuts down; what waits is dropped and counted when the queue is full.
+      // The host is shutting down; when the queue is full, kicks that wait are dropped and counted.
       scheduled.set(false);
     }
   }
@@ -186,7 +186,8 @@ public final class LiveMonitor {
     try {
       return ball.poll() || movement.poll();
     } catch (RuntimeException e) {
-      // Both take a piece from what waits before they work on it, so that the next call goes on.
+      // Both take a piece from their queue before they work on it, so that the next call continues
+      // with the rest.
       listener.countFailure();
       return true;
     }
@@ -203,7 +204,7 @@ public final class LiveMonitor {
   }
 
   /**
-   * The samples that the ball's medians are from, to be kept or pooled with other matches', see {@link LiveStateDocument}.
+   * The samples behind the ball's medians, to be stored or pooled with those of other matches, see {@link LiveStateDocument}.
    *
    * @return a copy
    */

@@ -12,8 +12,8 @@ import java.util.Optional;
  * @param published the ball models to compare with; empty: those that vision publishes
  * @param samples how many of the newest samples of a parameter count, at least {@link SampleTree#ENOUGH}
  * @param warnAbove a median that is off by a larger part of the published value is warned about (–)
- * @param clearBelow the warning ends when it is off by a smaller part (–), at most {@code warnAbove}; where samples scatter much a little below, down to half of {@code warnAbove}
- * @param falseWarnings in which part of all matches a warning from fewer than {@link SampleTree#ENOUGH} samples may begin though no parameter is off by more than {@code warnAbove} (–, at most 0.5); at most, where all of them are off by just that
+ * @param clearBelow the warning ends when it is off by a smaller part (–), at most {@code warnAbove}; where samples scatter much, somewhat lower, down to half of {@code warnAbove}
+ * @param falseWarnings largest share of matches in which a warning from fewer than {@link SampleTree#ENOUGH} samples begins although no parameter is off by more than {@code warnAbove} (–, at most 0.5); the share is smaller unless all parameters are off by exactly that
  * @param maxRelativeError a sample with a larger standard error, as a part of its value, does not count (–)
  * @param waitingKicks how many kicks may wait to be fitted before the oldest of them is dropped
  * @param limitsInterval time between two estimates of the movement limits, s of the frames' time
@@ -64,7 +64,7 @@ public record LiveSettings(
   }
 
   /**
-   * What was measured to do well. A warning above 20 % is the rule of the league's teams. It ends below 15 %: of series of 150 samples of accRoll
+   * Settings that were measured to work well. A warning above 20 % is the rule of the league's teams. It ends below 15 %: of series of 150 samples of accRoll
    * whose model is off by just 20 %, 4 % are warned about more than once then, 14 % where it ends at 17 %; after a change of the carpet it is raised once in either case ({@code ./gradlew benchmark
    * -PbenchmarkArgs="live-carpets sample-tree"}). One match in a thousand with a false early warning is one in some ten tournaments, and a budget ten times as large would
    * save less than two samples. A sample whose error is more than half of what is warned about proves little. Kicks come at

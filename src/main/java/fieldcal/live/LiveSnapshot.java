@@ -15,9 +15,9 @@ import java.util.Optional;
  * @param ball the ball
  * @param movement the robots
  * @param cameras each camera that sent frames, by id
- * @param frames taken from all cameras
- * @param strayFrames left out because their time fits to no other camera's
- * @param clockJumps how often time began again
+ * @param frames number of frames taken from all cameras
+ * @param strayFrames number of frames left out because their time fits no other camera's
+ * @param clockJumps how often the clock restarted
  * @param listenerFailures how often a listener threw, or a piece of the work of {@link LiveMonitor#poll} broke
  */
 public record LiveSnapshot(
@@ -32,7 +32,11 @@ public record LiveSnapshot(
     long clockJumps,
     long listenerFailures) {
 
-  /** Copies the list. {@inheritDoc} */
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public LiveSnapshot {
     Objects.requireNonNull(phase, "phase");
     Objects.requireNonNull(field, "field");

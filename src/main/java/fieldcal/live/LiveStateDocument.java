@@ -14,10 +14,10 @@ import java.util.Map;
  * standard_error}, {@code possibly_spinning} (may be missing, then false) and {@code speed} (m/s, may be missing).
  */
 public final class LiveStateDocument {
-  /** Name and version of the form. */
+  /** Name and version of the document's format. */
   public static final String SCHEMA = "fieldcal.live_state/1";
 
-  /** More samples than that are no state that was written by this class. */
+  /** A document with more samples was not written by this class. */
   private static final int MOST_SAMPLES = 10_000;
 
   private LiveStateDocument() {}

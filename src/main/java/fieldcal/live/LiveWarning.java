@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Objects;
 
 /**
- * The ball no longer does what is published.
+ * The ball no longer moves as published.
  *
  * @param parameter which parameter is off
  * @param time of the kick that showed it, Unix time, s
@@ -15,7 +15,11 @@ import java.util.Objects;
 public record LiveWarning(
     BallParameter parameter, double time, double median, double published, int samples) {
 
-  /** Checks that the parameter is there. {@inheritDoc} */
+  /**
+   * Checks that the parameter is there. {@inheritDoc}
+   *
+   * @throws NullPointerException when the parameter is null
+   */
   public LiveWarning {
     Objects.requireNonNull(parameter, "parameter");
   }
@@ -23,7 +27,7 @@ public record LiveWarning(
   /**
    * How far the median is off.
    *
-   * @return as a part of the published value; positive when the median has the larger magnitude
+   * @return as a part of the published value (–); positive when the median has the larger magnitude
    */
   public double deviation() {
     return median / published - 1;

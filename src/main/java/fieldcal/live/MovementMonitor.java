@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Measures the movement limits of both teams while they play, own robots like others: it reports and changes nothing.
+ * Measures the movement limits of both teams while they play, whether the robots are the host's own or not. It only reports and changes nothing.
  *
  * <p>Frames and phases come from one thread; {@link #poll} estimates on another, some tenths of a second each time. In breaks and timeouts, when robots may be changed, counting begins again; the last estimate
  * before stays beside the new one. Without a referee everything counts. {@link #snapshot} may be called from any thread.
@@ -53,7 +53,7 @@ public final class MovementMonitor {
   private record Request(MovementStatistics statistics, double time) {}
 
   /**
-   * Watches from now on.
+   * Creates a monitor that has seen nothing.
    *
    * @param settings how often to estimate
    * @param epoch of the frames' times
@@ -125,7 +125,7 @@ public final class MovementMonitor {
     }
   }
 
-  /** Time begins again: nothing is concluded from what was before to what comes. */
+  /** The clock has restarted: no movement connects earlier frames with later ones. */
   public void restart() {
     observer.finish();
     due = Double.NEGATIVE_INFINITY;
@@ -145,7 +145,7 @@ public final class MovementMonitor {
     countedBefore = total;
     Request next = request();
     synchronized (shared) {
-      // An older one that nobody found time for is of no use any more.
+      // An older request that has not been served yet is obsolete.
       waiting = next;
       counted = total;
       refused = observer.statistics().refused();
@@ -196,7 +196,8 @@ public final class MovementMonitor {
         synchronized (shared) {
           if (forBreak) {
             limits.remove(team);
-            // After two breaks with little play between them the one before is the better one.
+            // When there was little play since the last break, the estimate before that break is
+            // better.
             if (next.velocity().known() || !beforeBreak.containsKey(team)) {
               beforeBreak.put(team, next);
             }

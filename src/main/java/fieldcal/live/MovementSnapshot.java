@@ -11,10 +11,10 @@ import java.util.Map;
  * @param limits newest estimate of each team; a team is missing before its first
  * @param beforeBreak last estimate before the last break, when counting began again; empty before the first
  * @param countingSince when counting began, Unix time, s; NaN before the first frame
- * @param estimatedAt up to when the newest estimate counts, Unix time, s; NaN without one
+ * @param estimatedAt end of the data behind the newest estimate, Unix time, s; NaN without one
  * @param breaks how often counting began again
- * @param counted detections since then while movements counted
- * @param refused detections since then that cannot have been the robot they name
+ * @param counted number of detections since then while movements counted
+ * @param refused number of detections since then that cannot have been the robot they name
  * @param warnings limits that are not as configured, see {@link LiveMonitor#configured}
  * @param noiseMm noise of one coordinate of a driving robot's detections, mm; NaN when not measured yet
  */
@@ -29,7 +29,11 @@ public record MovementSnapshot(
     List<LimitWarning> warnings,
     double noiseMm) {
 
-  /** Copies the collections. {@inheritDoc} */
+  /**
+   * Copies the collections. {@inheritDoc}
+   *
+   * @throws NullPointerException when a collection or an element is null
+   */
   public MovementSnapshot {
     limits = Map.copyOf(limits);
     beforeBreak = Map.copyOf(beforeBreak);

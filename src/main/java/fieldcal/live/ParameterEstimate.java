@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param samples how many count
  * @param maybeSpun whether most of them are of kicks after dribbling, with too few others to find out whether their balls spun; then a warning begins only where they are larger than published, which backspin does not explain
  * @param published the value it is compared with, in the parameter's unit; empty when none is known
- * @param warning whether a warning is on
+ * @param warning whether a warning is active
  * @param history medians after earlier kicks, oldest first; thinned out when there are many
  */
 public record ParameterEstimate(
@@ -28,7 +28,11 @@ public record ParameterEstimate(
     boolean warning,
     List<MedianPoint> history) {
 
-  /** Copies the list. {@inheritDoc} */
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws NullPointerException when the parameter, the published value or the history is null
+   */
   public ParameterEstimate {
     Objects.requireNonNull(parameter, "parameter");
     Objects.requireNonNull(published, "published");
@@ -38,7 +42,7 @@ public record ParameterEstimate(
   /**
    * Whether the median is an estimate.
    *
-   * @return true from {@link SampleTree#ENOUGH} samples on; with fewer it is shown, and not to be used
+   * @return true from {@link SampleTree#ENOUGH} samples on; with fewer it may be shown but must not be used
    */
   public boolean enough() {
     return samples >= SampleTree.ENOUGH;

@@ -5,21 +5,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** One parameter through a match: its samples, how the median went, whether a warning is on. */
+/** One parameter through a match: its samples, the history of its median, and whether a warning is active. */
 final class ParameterTrack {
-  /** Medians that are remembered for pictures; when there are more, every other one is forgotten. */
+  /** Largest number of medians that are remembered for plots; when there are more, every other one is forgotten. */
   private static final int HISTORY = 240;
 
-  /** From so many samples of either kind on they are compared … */
+  /** Samples of both kinds are compared from this many of each on … */
   private static final int COMPARABLE = 5;
 
-  /** … and from so many on where as many in all scatter so little that a difference that matters would show. One ball that spun unnoticed does not move the median of three. */
+  /** … or from this many of each on, if there are as many in all and they scatter so little that a difference that matters would show. One ball that spun unnoticed does not move the median of three. */
   private static final int FEWEST_COMPARABLE = 3;
 
-  /** Samples that differ by more than so many standard errors are not of the same kind … */
+  /** Samples that differ by more than this many standard errors are not of the same kind … */
   private static final double DIFFERENT = 2.5;
 
-  /** … if they also differ by that part of their value: less matters for no warning, and of few samples the error is known badly. */
+  /** … if they also differ by this part of their value: a smaller difference affects no warning, and the error of few samples is poorly known. */
   private static final double MATTERS = 0.05;
 
   private final BallParameter parameter;
@@ -122,7 +122,7 @@ final class ParameterTrack {
     return Optional.ofNullable(warning);
   }
 
-  /** Compares with what is published; a warning that begins or ends thereby is returned. */
+  /** Compares with the published models; returns the warning that this begins or ends. */
   Optional<LiveWarning> compare(BallModels published) {
     double value = parameter.of(published).orElse(Double.NaN);
     boolean on = warning != null;

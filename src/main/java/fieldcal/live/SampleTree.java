@@ -5,18 +5,17 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The newest samples of one parameter, sorted by value, with their median. Above the capacity the oldest leaves. Equal values all count.
+ * The newest samples of one parameter, sorted by value, with their median. When it is full, the oldest sample is removed. Equal values all count.
  *
  * <p>The league's teams remove the smallest and the largest sample instead. Then the samples of an old carpet stay too long: those of a new one all lie on one side, so every other one is removed at once. Measured on series of
- * samples that scatter by 12 % from kick to kick, one in twenty wrong, on a carpet whose rolling deceleration grows by 30 % (300 series each; samples until the median is 20 % off): smallest and largest leave
- * 64 (in 5 % more than 96), the same and none older than 45 samples 29 (40), none older than 62 samples 37 (57), a ring of 61 samples 40 (49), of 31 samples 21 (27). None of them was ever 20 % off
+ * samples that scatter by 12 % from kick to kick, one in twenty wrong, on a carpet whose rolling deceleration grows by 30 % (300 series each; samples until the median is 20 % off): removing the smallest and the largest takes 64 (in 5 % more than 96), the same with none older than 45 samples 29 (40), none older than 62 samples 37 (57), a ring of 61 samples 40 (49), of 31 samples 21 (27). None of them was ever 20 % off
  * without a change, where the published model was up to 8 % off. So the ring of 31 is used. Outliers need not be removed, since they hardly move a median. {@code ./gradlew benchmark
  * -PbenchmarkArgs=sample-tree} prints the table.
  *
  * <p>The order of adding does not matter: samples of several matches that are pooled give the same tree as one long match. Mutable; for one thread.
  */
 public final class SampleTree {
-  /** From that many samples on the median is an estimate; the rule of the league's teams: of 31 samples that scatter by 12 % it is good to 2.7 %. */
+  /** From this many samples on the median is an estimate, by the rule of the league's teams: the median of 31 samples that scatter by 12 % has an error of 2.7 %. */
   public static final int ENOUGH = 31;
 
   private final BallSample[] byTime;
@@ -24,7 +23,7 @@ public final class SampleTree {
   private int size;
 
   /**
-   * Empty.
+   * Creates an empty tree.
    *
    * @param capacity how many samples are kept, at least {@link #ENOUGH}
    * @throws IllegalArgumentException when it is less
@@ -39,7 +38,7 @@ public final class SampleTree {
   }
 
   /**
-   * Adds a sample; when there are more than the capacity then, the oldest leaves, which may be this one.
+   * Adds a sample; when this exceeds the capacity, the oldest one is removed, which may be this one.
    *
    * @param sample any
    */
@@ -103,7 +102,7 @@ public final class SampleTree {
   }
 
   /**
-   * Below which part of the samples lie.
+   * The value below which a share of the samples lies.
    *
    * @param share 0 … 1
    * @return the sample at that place; NaN when empty

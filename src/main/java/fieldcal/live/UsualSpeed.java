@@ -4,13 +4,13 @@ import java.util.Arrays;
 
 /** How fast balls usually are while they show a parameter: the median of some hundred kicks, which hardly depends on who plays at the moment. */
 final class UsualSpeed {
-  /** Ten times as many as a median of a parameter is from: its own scatter then matters little. */
+  /** Number of speeds remembered: ten times as many as the samples behind a parameter's median, so that the scatter of the usual speed matters little. */
   private static final int MEMORY = 310;
 
   private final double[] squares = new double[MEMORY];
   private int added;
 
-  /** A ball's speed, m/s; not known when NaN. */
+  /** Adds a ball's speed, m/s; NaN does not count. */
   void add(double speed) {
     if (!Double.isNaN(speed)) {
       squares[added++ % MEMORY] = speed * speed;

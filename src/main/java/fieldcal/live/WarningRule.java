@@ -3,21 +3,21 @@ package fieldcal.live;
 import java.util.Arrays;
 
 /**
- * When the ball no longer does what is published.
+ * Decides when the ball no longer moves as published.
  *
  * <p>The rule of the league's teams is that the median of 31 samples is more than 20 % off. After a change of the carpet by 30 % that takes 16 to 21 samples, and only about half of a match's kicks are long
- * enough to show how the ball rolls. So a warning also begins when the median of the newest 15 is that far off and the step from the older ones cannot be scatter: 5 standard errors of the difference of both
+ * enough to show how the ball rolls. So a warning also begins when the median of the newest 15 is that far off and the step from the older ones cannot be due to scatter: 5 standard errors of the difference of both
  * medians, from the median deviation of each part. Measured as in {@link SampleTree}: samples until the warning (in 5 % more than) fall from 16 (17) to 8 (9) where samples scatter by 3 %, from 19 (23) to 11
  * (16) at 8 %, from 21 (27) to 15 (26) at 12 %. Series of 200 samples without a change that were warned about: none at 3 and 8 % of scatter; at 12 % 0.3 % where the model is as published and 0.7 % where it is 8 %
  * off. Four standard errors gain one sample.
  *
- * <p>On real carpets most of that scatter of accRoll is none: the faster the ball rolls, the more it is braked, and kicks differ in speed. So the step is looked for in samples as they would be at the speed that is
+ * <p>On real carpets most of that scatter of accRoll is not random: the faster the ball rolls, the more it is braked, and kicks differ in speed. So the step is looked for in samples as they would be at the speed that is
  * usual in this match ({@link EqualSpeeds}, {@link UsualSpeed}), and the median of all must be 20 % off at that speed, too: who happens to pass faster than usual has not changed the carpet. Measured on twelve matches
  * each on the simulated carpets of two tournaments of 2026, where a rolling ball is braked 30 % more from half time on: 10 … 21 and 9 … 22 kicks until the warning, and none before ({@code ./gradlew benchmark
  * -PbenchmarkArgs="live-carpets --runs 6"}). Of series of 150 samples whose model is 10 % off, and whose balls
  * roll at 1 to 3 m/s, 6 % are warned about instead of 48 %.
  *
- * <p>Before there are 31 samples, a warning begins as soon as those that there are prove that the parameter is more than 20 % off ({@link EarlyProof}). What such warnings may do wrong is a budget, not a number of samples: in
+ * <p>Before there are 31 samples, a warning begins as soon as those that there are prove that the parameter is more than 20 % off ({@link EarlyProof}). The limit for such warnings is a budget of false alarms, not a number of samples: in
  * {@link LiveSettings#falseWarnings} of the matches, at most, one begins though no parameter is more than 20 % off, where the worst case is that all of them are off by just that. The budget is divided among the parameters and the two signs of a deviation.
  *
  * <p>A warning ends when all these medians are back below another limit, by two standard errors where samples scatter much, so that a parameter near the limit does not flicker.
@@ -26,7 +26,7 @@ final class WarningRule {
   static final int NEWEST = 15;
   private static final double SIGNIFICANT = 5;
 
-  /** So many standard errors of its median a parameter must have come back before a warning ends. */
+  /** Number of standard errors of its median by which a parameter must have come back before a warning ends. */
   private static final double BACK = 2;
 
   /** Standard deviation of a Gaussian over the median of its absolute deviations. */
@@ -35,7 +35,7 @@ final class WarningRule {
   /** Standard error of a Gaussian's median over that of its mean. */
   static final double MEDIAN_ERROR = 1.2533;
 
-  /** A parameter may be too large or too small. */
+  /** Signs of a deviation: a parameter may be too large or too small. */
   private static final int SIGNS = 2;
 
   private final LiveSettings settings;
@@ -49,7 +49,7 @@ final class WarningRule {
   /**
    * What the samples say.
    *
-   * @param warn whether a warning is on now
+   * @param warn whether a warning is active now
    * @param median the median that says so
    * @param samples how many it is from
    */
@@ -101,7 +101,7 @@ final class WarningRule {
     return proof.isAboveZero(beyond, Math.sqrt(variance));
   }
 
-  /** Below which deviation a warning ends. */
+  /** The deviation below which a warning ends. */
   private double end(EqualSpeeds parts, double published) {
     double back = settings.warnAbove() - BACK * parts.errorOfMedian() / Math.abs(published);
     return Math.min(settings.clearBelow(), Math.max(0.5 * settings.warnAbove(), back));

@@ -32,7 +32,7 @@ final class AccelerationLimit {
    */
   private static final double DOUBTFUL_GAIN = 1.04;
 
-  /** Standard errors from zero. */
+  /** Standard errors by which a significant coefficient differs from zero. */
   private static final double SIGNIFICANT = 5;
 
   private static final double SMALLEST = 0.08;
@@ -42,21 +42,21 @@ final class AccelerationLimit {
   private static final double REACHED = 0.1;
 
   /**
-   * What the method is off by apart from noise, as a part of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
+   * Error of the method apart from noise, as a part of the limit: corners of other shapes than a {@link Rounding} describes, and robots of a team that differ by 1 %. Half a per cent rms over 60 teams of another simulator (trapezoids, limited jerk, controllers that lag or plan with a
    * margin). It goes into the standard error.
    */
   static final double SYSTEMATIC = 0.006;
 
-  /** The same for a limit that few manoeuvres reach: pieces that were cut wrongly made small heaps up to 3 % above the limit of two of these teams. */
+  /** The same for a limit that few manoeuvres reach: wrongly cut pieces made small clusters up to 3 % above the limit of two of these teams. */
   private static final double SYSTEMATIC_OF_FEW = 0.015;
 
   /**
-   * How far off a mode is, in mean errors of its manoeuvres: pieces that were cut wrongly are mostly too weak, so that a measured limit tends to be too small. Turns of 0.1 s with errors of 8 % came out 6 % too small in simulated matches; well measured manoeuvres show no such error.
+   * How far off a mode is, in mean errors of its manoeuvres: wrongly cut pieces are mostly too weak, so that a measured limit tends to be too small. Turns of 0.1 s with errors of 8 % came out 6 % too small in simulated matches; well measured manoeuvres show no such error.
    */
   private static final double LEANING = 0.3;
 
   /**
-   * What a coefficient of {@link MovementEffect#TORQUE_LIMITED} is off by apart from noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
+   * Error of a coefficient of {@link MovementEffect#TORQUE_LIMITED} apart from noise, since pieces of constant acceleration stand for one that falls with speed: root mean square of 60 in simulated matches of ten minutes, whose errors by noise are 0.002.
    */
   private static final double SYSTEMATIC_TORQUE = 0.013;
 
@@ -105,10 +105,10 @@ final class AccelerationLimit {
   }
 
   /**
-   * Looks at manoeuvres of one kind.
+   * Estimates the limit from manoeuvres of one kind.
    *
    * @param velocity the team's limit, m/s; NaN when unknown or without meaning
-   * @param robots how many were seen to manoeuvre
+   * @param robots number of robots that were seen to manoeuvre
    */
   AccelerationLimit(ManoeuvreTable table, Kind kind, double velocity, int robots) {
     this(table.columns(), table.samples(), kind, velocity, robots, Reduction.NONE);
@@ -144,7 +144,9 @@ final class AccelerationLimit {
       EnvelopeFit byDirection = envelopeFit(coefficient(MovementEffect.TORQUE_LIMITED));
       EnvelopeFit alone = fast ? envelopeFit(0) : null;
       if (alone != null && !(byDirection != null && byDirection.mass() > GAIN * alone.mass())) {
-        // A dependence on direction of another shape explains it without one on speed.
+        // A dependence on direction that has another shape explains the manoeuvres without a
+        // dependence on
+        // speed.
         select(List.of(List.of(MovementEffect.DIRECTIONAL)));
         byDirection = alone;
       }
@@ -376,7 +378,7 @@ final class AccelerationLimit {
     return -mode.beta()[effect + 1] / mode.beta()[0];
   }
 
-  /** 0 when it is not named. */
+  /** The coefficient of an effect; 0 when it is not named. */
   private double coefficient(MovementEffect effect) {
     int known = named.indexOf(effect);
     return known < 0 ? 0 : coefficient(known);

@@ -7,11 +7,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * A limit of acceleration or braking by direction in the robot's own frame, of whatever shape: a closed polygon over {@link #DIRECTIONS} directions, from standstill, with a standard error at each. Directions in which robots hardly ever
- * used all they have are left out.
+ * A limit of acceleration or braking by direction in the robot's own frame, of whatever shape: a closed polygon over {@link #DIRECTIONS} directions, from standstill, with a standard error at each. Directions in which robots hardly ever accelerated at their limit are left out.
  *
  * @param seenIn {@code acceleration} or {@code braking}
- * @param points what is known, by angle; empty when no direction is
+ * @param points the known directions, by angle; empty when none is known
  * @param shareWithout share of the manoeuvres of known direction that lie at the limit without this envelope
  * @param shareWith share of them that lie at it
  * @param shaped whether the envelope describes the manoeuvres clearly better than one limit does, with or without {@link MovementEffect#DIRECTIONAL}. Then its largest value is the team's limit
@@ -29,8 +28,8 @@ public record Envelope(
    *
    * @param angle of the acceleration against the robot's front, rad, 0 … 2π, positive to the left
    * @param value m/s²
-   * @param standardError of the value, m/s², from noise and number of manoeuvres, and what the method itself is off by
-   * @param manoeuvres how many lie at the limit about this direction, weighted with their distance
+   * @param standardError of the value, m/s², from the noise, the number of manoeuvres, and the error of the method itself
+   * @param manoeuvres number of manoeuvres at the limit about this direction, weighted with their distance from it
    */
   public record Point(double angle, double value, double standardError, double manoeuvres) {}
 

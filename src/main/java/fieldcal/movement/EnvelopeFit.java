@@ -20,7 +20,7 @@ import org.apache.commons.math3.linear.RealMatrix;
 final class EnvelopeFit {
   private static final int KNOTS = Envelope.DIRECTIONS;
 
-  /** Before data, neighbouring sides of the polygon differ in slope by this part of the limit per direction: a limit that falls to half as |sin φ| does, bends by 0.17 at its corner. */
+  /** Prior standard deviation of the difference between the slopes of neighbouring sides of the polygon, as a part of the limit per direction: a limit that falls to half as |sin φ| does, bends by 0.17 at its corner. */
   private static final double BEND = 0.1;
 
   /** As {@link SaturationFit}'s kernel, in standard errors of a manoeuvre … */
@@ -50,7 +50,7 @@ final class EnvelopeFit {
   /** … with a smaller standard error, in parts. */
   private static final double WORST = 0.08;
 
-  /** What the method is off by apart from noise, as a part of the limit: the straight sides of the polygon, and 5° of the table's classes. */
+  /** Error of the method apart from noise, as a part of the limit: the straight sides of the polygon, and 5° of the table's classes. */
   private static final double SYSTEMATIC = 0.01;
 
   private final double[] acceleration;
@@ -198,7 +198,7 @@ final class EnvelopeFit {
     return own * own + spread * spread * value * value;
   }
 
-  /** Adds w·B(φᵢ)·B(φᵢ)ᵀ. */
+  /** Adds w·B(φᵢ)·B(φᵢ)ᵀ to {@code a}. */
   private void add(double[][] a, int i, double w) {
     int l = left[i];
     int r = (l + 1) % KNOTS;

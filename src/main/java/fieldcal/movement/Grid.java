@@ -4,7 +4,7 @@ import java.io.Serializable;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
-/** A two-dimensional histogram of cells of equal size. Two of the same cells merge exactly. Mutable, for one thread. */
+/** A two-dimensional histogram of cells of equal size. Two grids with the same cells merge exactly. Mutable, for one thread. */
 public final class Grid {
   private final double minX;
   private final double minY;
@@ -24,7 +24,7 @@ public final class Grid {
    * @param minY lower end in y
    * @param widthY width of a cell in y
    * @param rows cells in y
-   * @throws IllegalArgumentException when a width or a number is not positive
+   * @throws IllegalArgumentException when a width or a number of cells is not positive
    */
   public Grid(double minX, double widthX, int columns, double minY, double widthY, int rows) {
     if (!(widthX > 0 && widthY > 0) || columns < 1 || rows < 1) {
@@ -87,7 +87,7 @@ public final class Grid {
     outside += other.outside;
   }
 
-  /** Reports each cell that is not empty, and at last what lay outside. */
+  /** Reports each cell that is not empty, and finally the count outside. */
   void cells(MovementCells.Sink sink) {
     for (int i = 0; i < counts.length; i++) {
       if (counts[i] > 0) {
@@ -119,7 +119,7 @@ public final class Grid {
   }
 
   /**
-   * What a cell has counted.
+   * The count of a cell.
    *
    * @param column 0 … {@link #columns} − 1
    * @param row 0 … {@link #rows} − 1
@@ -130,7 +130,7 @@ public final class Grid {
   }
 
   /**
-   * What lay outside of all cells.
+   * The count outside of all cells.
    *
    * @return the sum of weights
    */
@@ -139,7 +139,7 @@ public final class Grid {
   }
 
   /**
-   * What all cells have counted.
+   * The count of all cells together.
    *
    * @return the sum of weights, without what lay outside
    */

@@ -3,10 +3,9 @@ package fieldcal.movement;
 import java.util.Arrays;
 
 /**
- * Counts values in bins of equal width from zero on. Two histograms of the same bins merge exactly, in any order. Mutable, for one thread.
+ * Counts values in bins of equal width from zero on. Two histograms with the same bins merge exactly, in any order. Mutable, for one thread.
  *
- * <p>A value belongs to the bin that it lies in, not to the nearest left edge, and a percentile is interpolated within its bin: neither is
- * half a bin off. Values beyond the last bin are counted as such and belong to every percentile; those below zero and NaN are refused.
+ * <p>A value belongs to the bin that it lies in, not to the nearest left edge, and a percentile is interpolated within its bin, so neither is off by half a bin. Values beyond the last bin are counted as such and belong to every percentile; those below zero and NaN are refused.
  */
 public final class Histogram {
   private final double width;
@@ -69,7 +68,7 @@ public final class Histogram {
     samples += other.samples;
   }
 
-  /** Reports each bin that is not empty, and at last, with the number {@link #bins}, what lay beyond the last bin. */
+  /** Reports each bin that is not empty, and finally, with the number {@link #bins}, the count beyond the last bin. */
   void cells(MovementCells.Sink sink) {
     for (int i = 0; i < counts.length; i++) {
       if (counts[i] > 0) {

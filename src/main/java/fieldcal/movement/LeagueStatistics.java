@@ -2,9 +2,9 @@ package fieldcal.movement;
 
 /**
  * The league's estimator: velocities from frames of one camera that lie five apart, accelerations from two such velocities in a row, three histograms, fixed percentiles. Its percentiles were chosen so
- * that the effects of noise and of idling robots roughly cancel; they are reported beside our own estimate because teams know them.
+ * that the effects of noise and of idling robots roughly cancel; they are reported beside our estimate because teams know them.
  *
- * <p>The method as in TIGERs Mannheim's team movement observer: acceleration is the length of the difference of the velocity vectors over the time of the later one; it brakes when the later one is shorter.
+ * <p>The method as in TIGERs Mannheim's team movement observer: acceleration is the length of the difference of the velocity vectors over the time of the later one; the robot brakes when the later one is shorter.
  */
 public final class LeagueStatistics {
   /** A histogram of fewer values determines no percentile. */

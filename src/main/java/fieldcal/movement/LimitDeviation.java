@@ -7,7 +7,7 @@ import java.util.Objects;
  *
  * @param effect what it is
  * @param coefficient its size, as in {@link MovementEffect} (–)
- * @param standardError of the coefficient, from noise and number of manoeuvres, and what the method itself is off by
+ * @param standardError of the coefficient, from the noise, the number of manoeuvres, and the error of the method itself (–)
  * @param seenIn {@code acceleration} or {@code braking}
  * @param shareBefore share of the manoeuvres that lie at a uniform limit
  * @param shareAfter share of the manoeuvres that lie at the limit with this effect

@@ -6,9 +6,9 @@ import java.util.Objects;
  * A limit of a team's robots, or why it is not known.
  *
  * @param value m/s or m/s², positive; NaN when undetermined
- * @param standardError in the same unit, from the noise and the number of samples, and for accelerations what the method itself is off by; NaN when unknown
- * @param samples how many observations it rests on
- * @param reached false when the robots were never seen at their limit: then the value is the most they did, a lower bound
+ * @param standardError in the same unit, from the noise and the number of samples, and for accelerations the error of the method itself; NaN when unknown
+ * @param samples number of observations behind the estimate
+ * @param reached false when the robots were never seen at their limit: then the value is only a lower bound
  * @param note why it is undetermined or only a bound; empty otherwise
  */
 public record LimitEstimate(

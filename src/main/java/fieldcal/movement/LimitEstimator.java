@@ -4,16 +4,16 @@ import fieldcal.vision.Team;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Estimates a team's limits from what was counted of it. */
+/** Estimates a team's limits from its statistics. */
 public final class LimitEstimator {
   private LimitEstimator() {}
 
   /**
-   * Estimates the limits of a team. This takes from 20 ms to some tenths of a second, longer if more is named. So do not call it on the thread that reads frames: copy the statistics there by merging them into new ones, and estimate from the copy on another thread.
+   * Estimates the limits of a team. This takes from 20 ms to some tenths of a second, longer when effects are named. So do not call it on the thread that reads frames: copy the statistics there by merging them into new ones, and estimate from the copy on another thread.
    *
    * @param team which
    * @param statistics what was counted; stays as it is
-   * @return limits with standard errors or the reason why there are none, beside the league's
+   * @return limits with standard errors or the reason why there are none, and the league's estimates
    */
   public static TeamLimits estimate(Team team, TeamStatistics statistics) {
     VelocityLimit speeds =

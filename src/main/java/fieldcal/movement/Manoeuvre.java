@@ -3,7 +3,7 @@ package fieldcal.movement;
 import fieldcal.vision.RobotId;
 
 /**
- * A part of a robot's path in which its acceleration was constant, with the noise of the cameras fitted away. Velocities in the field frame.
+ * A part of a robot's path in which its acceleration was constant, fitted to the detections to reduce their noise. Velocities in the field frame.
  *
  * @param robot who drove
  * @param start when it began, s since the recording's epoch
@@ -13,11 +13,11 @@ import fieldcal.vision.RobotId;
  * @param ax acceleration along x, m/s²
  * @param ay acceleration along y, m/s²
  * @param accelerationError standard error of the acceleration along its own direction, m/s²
- * @param velocityError standard error of each component of the velocity in the middle, m/s
+ * @param velocityError standard error of each component of the velocity in the middle of the manoeuvre, m/s
  * @param corner time at its beginning and at its end in which the acceleration was still changing, s
- * @param overshoot by how much the speed at an end may exceed what the robot had, m/s: a stay at its highest speed may be too short to be distinguished from the noise, and two pieces then meet in a peak above it
- * @param orientation of the robot's front on average, rad; NaN when it turned by more than a radian or was not reported
- * @param detections in it
+ * @param overshoot by how much the speed at an end may exceed the robot's true speed, m/s: a stay at its highest speed may be too short to be distinguished from the noise, and two pieces then meet in a peak above it
+ * @param orientation mean direction of the robot's front, rad, counter-clockwise from x; NaN when it turned by more than a radian or was not reported
+ * @param detections number of detections in it
  */
 public record Manoeuvre(
     RobotId robot,
@@ -35,7 +35,7 @@ public record Manoeuvre(
     int detections) {
 
   /**
-   * Size of the acceleration. The error of two components makes the length of their sum too long; that is taken off.
+   * Size of the acceleration. The errors of the two components make the length of the vector too large; this bias is removed.
    *
    * @return m/s², not negative
    */

@@ -33,7 +33,7 @@ final class ManoeuvreFinder {
 
   private double variance;
 
-  /** Finds manoeuvres of paths of one kind; a path of an angle has the angle as x, and 0 as y. */
+  /** Finds manoeuvres of paths of one kind; the path of an angle has the angle as x, and 0 as y. */
   ManoeuvreFinder(PathKind kind, Consumer<Manoeuvre> sink) {
     this.kind = kind;
     this.sink = sink;

@@ -43,10 +43,10 @@ public final class MovementCells {
       double y,
       long count) {}
 
-  /** Takes cells. */
+  /** Receives cells. */
   public interface Visitor {
     /**
-     * One more.
+     * Receives one cell.
      *
      * @param cell that has counted something
      */
@@ -56,10 +56,10 @@ public final class MovementCells {
   private MovementCells() {}
 
   /**
-   * Takes statistics apart.
+   * Visits the cells of statistics.
    *
    * @param statistics stay as they are
-   * @param visitor gets all cells that have counted something, always in the same order
+   * @param visitor receives all cells that have counted something, always in the same order
    */
   public static void of(MovementStatistics statistics, Visitor visitor) {
     for (Team team : Team.values()) {

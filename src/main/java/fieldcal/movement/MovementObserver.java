@@ -61,7 +61,7 @@ public final class MovementObserver {
     }
   }
 
-  /** Nothing seen yet, no referee. */
+  /** Creates an observer that has seen nothing, without a referee. */
   public MovementObserver() {}
 
   /**
@@ -149,16 +149,16 @@ public final class MovementObserver {
   /**
    * What was counted so far.
    *
-   * @return the living statistics, which go on counting; merge them into others to keep a copy
+   * @return the live statistics, which go on counting; merge them into others to keep a copy
    */
   public MovementStatistics statistics() {
     return statistics;
   }
 
   /**
-   * Noise of one coordinate of a moving robot's detections, as the fits leave it.
+   * Noise of one coordinate of a moving robot's detections, from the residuals of the fits.
    *
-   * @return m; 2.5 mm before anything was fitted
+   * @return standard deviation, m; 2.5 mm before anything was fitted
    */
   public double noise() {
     return driving.noise();
@@ -167,7 +167,7 @@ public final class MovementObserver {
   /**
    * Whether {@link #noise} was measured.
    *
-   * @return false when it is only what is usual
+   * @return false when it is only the usual value
    */
   public boolean noiseKnown() {
     return driving.noiseKnown();

@@ -2,7 +2,7 @@ package fieldcal.movement;
 
 import fieldcal.vision.Team;
 
-/** What was counted of both teams, and of the detections themselves. Statistics of several recordings merge exactly, in any order. Mutable, for one thread. */
+/** The counts of both teams, and of the detections themselves. Statistics of several recordings merge exactly, in any order. Mutable, for one thread. */
 public final class MovementStatistics {
   private final TeamStatistics yellow = new TeamStatistics();
   private final TeamStatistics blue = new TeamStatistics();
@@ -14,11 +14,11 @@ public final class MovementStatistics {
   long repeatedFrames;
   boolean refereeSeen;
 
-  /** Nothing counted yet. */
+  /** Creates empty statistics. */
   public MovementStatistics() {}
 
   /**
-   * One team's share.
+   * The statistics of one team.
    *
    * @param team which
    * @return its statistics
@@ -28,7 +28,7 @@ public final class MovementStatistics {
   }
 
   /**
-   * Adds all that others have counted.
+   * Adds all that other statistics have counted.
    *
    * @param other stays as it is
    */
@@ -59,7 +59,7 @@ public final class MovementStatistics {
   /**
    * Deviations of standing robots' detections from their mean while the referee says halt, mm.
    *
-   * @return the picture
+   * @return the live histogram, x and y in mm
    */
   public Grid standing() {
     return standing;
@@ -72,14 +72,14 @@ public final class MovementStatistics {
   /**
    * Noise of one coordinate of standing robots' detections.
    *
-   * @return mm; NaN when none stood in a halt
+   * @return standard deviation, mm; NaN when none stood in a halt
    */
   public double standingNoiseMm() {
     return Math.sqrt(standingSquares.percentile(0.5));
   }
 
   /**
-   * Robots in frames.
+   * Detections of robots.
    *
    * @return all detections, counted or not
    */

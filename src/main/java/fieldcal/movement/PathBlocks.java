@@ -32,8 +32,9 @@ final class PathBlocks {
   void add(double at, double x, double y, double orientation, int camera) {
     stretch.add(at, x, y, orientation, camera);
     if (stretch.span() >= due || stretch.full()) {
-      // What is not finished is cut again with the next block, together with a piece of what was
-      // before it.
+      // What is not finished is cut again with the next block, together with a piece of the path
+      // before
+      // it.
       double keep = finder.find(id, stretch) - FLANK;
       boolean tooLong = stretch.full() || stretch.span() - keep > LONGEST;
       stretch.forgetBefore(tooLong ? stretch.span() - FLANK : keep);

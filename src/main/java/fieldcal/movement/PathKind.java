@@ -1,11 +1,11 @@
 package fieldcal.movement;
 
-/** What a path is of, and what is usual there. */
+/** What a path describes, and the usual values for it. */
 enum PathKind {
   /** Where a robot is: two coordinates, m. */
   POSITION(2, 0.0025, 1e-5, 1, 0),
   /**
-   * How it is turned: an unwrapped angle, rad. An orientation has a noise of 5 to 15 mrad: that of its five patches of colour, 3 mm each, over their distances of 80 mm. Robots that face a moving ball turn all the time. A turn by less than half a radian does not use all that a robot can do.
+   * A robot's orientation: an unwrapped angle, rad. Its noise is 5 to 15 mrad: that of the five patches of colour, 3 mm each, over their distances of 80 mm. Robots that face a moving ball turn all the time. A turn by less than half a radian does not reach a robot's limits.
    */
   ORIENTATION(1, 0.01, 1e-4, 8, 0.5);
 

@@ -11,12 +11,12 @@ final class PathSums {
   /** n, t, t², t³, t⁴, x, xt, xt², x², y, yt, yt², y². */
   static final int SUMS = 13;
 
-  /** What {@link #products} are of: 1, t, t²/2, x, y. */
+  /** Number of functions whose {@link #products} are formed: 1, t, t²/2, x, y. */
   static final int BASIS = 5;
 
   private static final int TIME = 3;
 
-  /** Of the powers of t in the basis. */
+  /** Factors of the powers of t in the basis. */
   private static final double[] FACTOR = {1, 1, 0.5};
 
   private static final int POWERS = 5;
@@ -27,7 +27,7 @@ final class PathSums {
   private final double[] x = new double[Stretch.CAPACITY];
   private final double[] y = new double[Stretch.CAPACITY];
 
-  /** Before the first detection of each camera, and after each detection. */
+  /** The sums before the first detection of each camera, and after each detection. */
   private final double[] sums = new double[(Stretch.CAPACITY + Stretch.CAMERAS) * SUMS];
 
   /** Where the detections of each camera begin. */

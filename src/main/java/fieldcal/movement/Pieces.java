@@ -17,7 +17,7 @@ final class Pieces {
 
   static final int MAX_CELLS = 150;
 
-  /** A piece that is to be measured lasts at least so many cells. */
+  /** Least length of a piece that is to be measured, in cells. */
   private static final int SHORTEST = 2;
 
   /**
@@ -26,7 +26,7 @@ final class Pieces {
    */
   private static final double[] PRICES = {21, 28};
 
-  /** Over the detections of a camera before each cell edge. */
+  /** Sums over the detections of a camera before each cell edge. */
   private final double[][][] sums = new double[Stretch.CAMERAS][MAX_CELLS + 1][PathSums.SUMS];
 
   private final double[] best = new double[MAX_CELLS + 1];
@@ -36,7 +36,7 @@ final class Pieces {
   /** Edges at which the last piece may begin, in their order. */
   private final int[] candidate = new int[MAX_CELLS + 1];
 
-  /** Of each such edge: what is reached with a last piece from there on, without its price; and the last edge at which it may end. */
+  /** Of each such edge: what is reached with a last piece from there on, without its penalty; and the last edge at which it may end. */
   private final double[] reached = new double[MAX_CELLS + 1];
 
   private final int[] lastEnd = new int[MAX_CELLS + 1];
@@ -46,7 +46,7 @@ final class Pieces {
   private int count;
   private int cameras;
 
-  /** Cuts paths of one or two dimensions; of what has one, y must be 0. */
+  /** Cuts paths of one or two dimensions; in one dimension, y must be 0. */
   Pieces(int dimensions) {
     plane = dimensions == 2;
     price = PRICES[dimensions - 1];
@@ -57,7 +57,7 @@ final class Pieces {
     return count;
   }
 
-  /** What one more piece must explain, in variances of the noise. */
+  /** Penalty of one more piece, in variances of the noise. */
   double price() {
     return price;
   }

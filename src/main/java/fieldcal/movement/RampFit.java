@@ -3,7 +3,7 @@ package fieldcal.movement;
 import java.util.Arrays;
 
 /**
- * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too, and at each not at once but with a {@link Rounding} that is fitted about what is usual. So what lies beyond a knot does not lower the piece's acceleration, as it would in a window that slides over the path.
+ * Fits a piece of constant acceleration together with its two neighbours: velocity is continuous, the acceleration changes at two knots whose times are fitted too, and at each not at once but with a {@link Rounding} that is fitted about what is usual. So the path beyond a knot does not lower the piece's acceleration, as it would in a sliding window.
  *
  * <p>Least squares on the positions, each with its own time; a constant for each camera is projected out, so that cameras may disagree. For given knots the
  * problem is linear, so only the knots and their roundings are iterated (variable projection, Golub and Pereyra 1973, in Kaufman's form). The errors of the result contain those of knots and roundings.
@@ -62,7 +62,7 @@ final class RampFit {
   /**
    * A fit of paths.
    *
-   * @param dimensions 1 or 2; of what has one, y must be 0
+   * @param dimensions 1 or 2; in one dimension, y must be 0
    */
   RampFit(int dimensions) {
     this.dimensions = dimensions;
@@ -73,7 +73,7 @@ final class RampFit {
    *
    * @param first what is usual at the first knot
    * @param second what is usual at the second knot
-   * @return false when there are too few, or the knots run away
+   * @return false when there are too few, or the knots diverge
    */
   boolean fit(
       Stretch s,

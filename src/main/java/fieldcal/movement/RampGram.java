@@ -8,8 +8,8 @@ import java.util.Arrays;
  * <p>Within the width of a corner the functions are cubic, and detections are added one by one. Between the corners they are of second degree, and come from {@link PathSums} at once. For one thread.
  */
 final class RampGram {
-  // What is zero before the first knot comes after what is not, and what is zero before the second
-  // comes last.
+  // Functions that are zero before the first knot come after the others, and those that are zero
+  // before the second knot come last.
   static final int X = 0;
   static final int Y = 1;
   static final int T = 2;
@@ -42,7 +42,7 @@ final class RampGram {
    *
    * @param knot relative time, s
    * @param width time in which it changes evenly, s
-   * @param more what its rounding is more than that, s²
+   * @param more by how much its rounding exceeds that of the width, s²
    */
   record Corner(double knot, double width, double more) {
     double begin() {
@@ -108,7 +108,7 @@ final class RampGram {
     }
   }
 
-  /** What follows a corner that is some time after the first knot. */
+  /** The polynomials after a corner that lies the given time after the first knot. */
   private void corner(int q, double later, Corner corner) {
     polynomial[q][0] = 0.5 * later * later + corner.width * corner.width / 24 + corner.more;
     polynomial[q][1] = -later;
@@ -180,7 +180,7 @@ final class RampGram {
     }
   }
 
-  /** The three functions of a corner: over its width the acceleration changes evenly; what the rounding is more than that comes as a step spread over the same time. */
+  /** The three functions of a corner: over its width the acceleration changes evenly; the part of the rounding that exceeds this is a step spread over the same time. */
   private void within(int q, double after, Corner corner) {
     double width = corner.width;
     double more = corner.more;

@@ -1,7 +1,7 @@
 package fieldcal.movement;
 
 /**
- * By how much speed and direction reduce a limit: to (1 − torque·v/v_max)·(1 − directional·|sin φ|) of what it is from standstill along the front. Coefficients have standard errors; 0 where an effect is not named.
+ * How speed and direction reduce a limit: to (1 − torque·v/v_max)·(1 − directional·|sin φ|) of its value at standstill along the front. Coefficients have standard errors; 0 where an effect is not named.
  *
  * @param velocity v_max, m/s; of no meaning without {@code torque}
  */

@@ -6,19 +6,19 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Compares the limits of a team's robots with each other. Each robot's limit is the mode of its own manoeuvres, with what the team's limit loses by speed and direction taken out. A robot differs when its limit clearly differs from the median of the others, and when many of its manoeuvres reach this limit. A robot that is merely never in a hurry, such as a keeper, stays below the others, but its manoeuvres do not cluster anywhere.
+ * Compares the limits of a team's robots with each other. Each robot's limit is the mode of its own manoeuvres, corrected for how the team's limit depends on speed and direction. A robot differs when its limit clearly differs from the median of the others, and when many of its manoeuvres reach this limit. A robot that is merely never in a hurry, such as a keeper, stays below the others, but its manoeuvres do not cluster anywhere.
  */
 final class RobotComparison {
-  /** So many manoeuvres of a robot must lie at its limit … */
+  /** Least number of a robot's manoeuvres at its limit … */
   private static final double FEWEST = 15;
 
-  /** … and this part of all it made; robots of simulated matches that stay below theirs have up to 0.2 at any one value. */
+  /** … and least part of all its manoeuvres; robots of simulated matches that stay below their limit have up to 0.2 at any one value. */
   private static final double SHARE = 0.3;
 
-  /** At most this part may be clearly above. */
+  /** Largest part of its manoeuvres that may lie clearly above its limit. */
   private static final double ABOVE = 0.05;
 
-  /** Clearly above: this part, and so many standard errors of the manoeuvre. */
+  /** A manoeuvre is clearly above when it exceeds the limit by this part and by {@link #SURE} of its standard errors. */
   private static final double MARGIN = 0.06;
 
   private static final double SURE = 3;
@@ -26,10 +26,10 @@ final class RobotComparison {
   /** Limits that differ by less are usual among robots of a team. */
   private static final double SMALLEST = 0.07;
 
-  /** Standard errors of the difference. */
+  /** Standard errors by which a significant difference exceeds zero. */
   private static final double SIGNIFICANT = 5;
 
-  /** A robot is compared with at least so many others. */
+  /** Least number of other robots that a robot is compared with. */
   private static final int OTHERS = 2;
 
   private RobotComparison() {}

@@ -10,7 +10,7 @@ import java.util.Objects;
  * @param value its own limit, m/s², along the front and from standstill where the team's depends on direction or speed
  * @param standardError of the value, m/s²
  * @param ofOthers the median of its team mates' limits, m/s²
- * @param manoeuvres that lie at its limit
+ * @param manoeuvres number of its manoeuvres that lie at its limit
  */
 public record RobotDifference(
     int robot,
@@ -30,9 +30,9 @@ public record RobotDifference(
   }
 
   /**
-   * Its limit in parts of that of its team mates.
+   * The ratio of its limit to that of its team mates.
    *
-   * @return below 1 for a weak robot
+   * @return the ratio (–), below 1 for a weak robot
    */
   public double ratio() {
     return value / ofOthers;

@@ -10,10 +10,10 @@ import fieldcal.vision.RobotId;
  * moved, and a new stretch begins. No manoeuvre spans a break.
  */
 final class RobotTrack {
-  /** A robot that is not seen for so long may have done anything, s. */
+  /** A robot that was not seen for longer may have moved in any way, s. */
   private static final double LONGEST_GAP = 0.2;
 
-  /** Robots do not accelerate more, m/s² (twice of what the league's strongest do). */
+  /** Robots do not accelerate more, m/s²: twice what the league's strongest do. */
   private static final double STRONGEST = 20;
 
   /** How far a detection may be off for other reasons: cameras that disagree by 26 mm, and noise, m. */

@@ -17,7 +17,7 @@ final class Rounding {
   /** … or within up to some 80 ms. */
   private static final double USUAL_SCATTER = 2e-4;
 
-  /** Corners of one kind never differ by less, s²: a smaller scatter than that of changes within 0 to 60 ms is not measured but chance. */
+  /** Least scatter of corners of one kind, s²: a measured scatter below that of changes within 0 to 60 ms is due to chance. */
   private static final double LEAST_SCATTER = 1.5e-4;
 
   /** A corner further from the mean, in standard deviations, counts as one there (Huber 1964): pieces that were cut wrongly show any rounding, mostly too large ones. */
@@ -55,7 +55,7 @@ final class Rounding {
     return Math.max(NARROWEST, Math.sqrt(24 * mean()));
   }
 
-  /** Learns from a corner: κ as its detections alone say it, s², and the variance of that. */
+  /** Learns from a corner: κ as its detections alone determine it, s², and its variance, s⁴. */
   void add(double rounding, double variance) {
     double expected = variance + USUAL_SCATTER * USUAL_SCATTER;
     double most = CLIPPED * Math.sqrt(expected);

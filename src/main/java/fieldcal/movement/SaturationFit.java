@@ -10,14 +10,14 @@ import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
- * Finds where manoeuvres pile up. Robots that are in a hurry use all they have, so the accelerations of a team gather at its limit, while milder ones are spread below: the limit is a mode, and may
+ * Finds where manoeuvres pile up. Robots that are in a hurry accelerate as much as they can, so the accelerations of a team gather at its limit, while milder ones are spread below: the limit is a mode, and may
  * depend linearly on a few columns (speed, direction).
  *
  * <p>Modal linear regression (Yao and Li 2014): the {@linkplain #mass mass} Σ exp(−r²/2h²) is climbed by iterated weighted least squares. Each manoeuvre has a kernel of its own width h, twice its standard error
  * and three per cent of the limit, so that the noise of a manoeuvre neither moves nor hides the mode, and what is not at the limit has no weight.
  */
 final class SaturationFit {
-  /** The kernel in standard errors of a manoeuvre: wide enough to hold nearly all that noise does. */
+  /** The kernel in standard errors of a manoeuvre: wide enough to hold nearly all of the noise. */
   private static final double ERRORS = 2;
 
   /** Width of the kernel as a fraction of the limit: robots of a team differ by this much. */
@@ -26,7 +26,7 @@ final class SaturationFit {
   /** A higher mode counts as the limit when it holds at least this part of the largest one's mass … */
   private static final double SECOND_MODE = 0.12;
 
-  /** … and at least so many manoeuvres. */
+  /** … and at least this many manoeuvres. */
   private static final double SECOND_MODE_MASS = 8;
 
   private static final double[] QUANTILES = {0.15, 0.3, 0.45, 0.6, 0.75, 0.85, 0.92, 0.97};
@@ -37,7 +37,7 @@ final class SaturationFit {
   private static final int ITERATIONS = 80;
   private static final double SETTLED = 1e-6;
 
-  /** Places that are no farther apart, relative to the limit, are the same: climbs stop this near to a mode, which are apart by kernels, some per cent. */
+  /** Places that are no farther apart, relative to the limit, are the same: climbs stop this near to a mode, and modes are some per cent apart, the width of a kernel. */
   private static final double SAME = 1e-4;
 
   private final ManoeuvreTable.Columns data;
@@ -54,9 +54,9 @@ final class SaturationFit {
   /**
    * A mode.
    *
-   * @param beta value without, and change per unit of each column
+   * @param beta the limit where all columns are 0, and its change per unit of each column
    * @param errors standard errors of beta
-   * @param mass how much lies there, in manoeuvres
+   * @param mass number of manoeuvres that lie there, weighted by the kernel
    * @param share of all manoeuvres
    * @param noise mean standard error of the manoeuvres that lie there
    */
@@ -79,8 +79,8 @@ final class SaturationFit {
   /**
    * Modes of a uniform limit.
    *
-   * @param largest at which most manoeuvres lie
-   * @param highest at which a fair part of what the largest one holds lies
+   * @param largest the one at which most manoeuvres lie
+   * @param highest the highest one that holds a fair part of the largest one's mass
    */
   record Uniform(Mode largest, Mode highest) {}
 
@@ -130,7 +130,7 @@ final class SaturationFit {
   }
 
   /**
-   * Climbs to the largest mode of a limit that depends on columns, from many starts; null when there is none. A wide kernel leaves few modes: those that meet there go on as one.
+   * Climbs to the largest mode of a limit that depends on columns, from many starts; null when there is none. A wide kernel leaves few modes: climbs that meet there continue as one.
    *
    * @param spreads widths of kernels before the proper one, as fractions of the limit, the widest first
    */
@@ -156,7 +156,7 @@ final class SaturationFit {
         .orElse(null);
   }
 
-  /** Where the starts lead to, each place once. */
+  /** The places that the starts lead to, each once. */
   private List<double[]> climb(List<double[]> starts, double spread) {
     List<double[]> ends = new ArrayList<>();
     for (double[] start : starts) {

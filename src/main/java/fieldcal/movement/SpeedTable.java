@@ -25,8 +25,8 @@ final class SpeedTable {
    * @param bin width of a bin of the histograms
    * @param bins number of bins
    * @param uncertain speeds with a larger standard error do not count
-   * @param cruising at constant speed there is less acceleration
-   * @param slowest slower is creeping
+   * @param cruising largest acceleration at constant speed
+   * @param slowest least speed that counts; slower robots creep
    */
   record Scale(double bin, int bins, double uncertain, double cruising, double slowest) {
     /** Of driving, m/s and m/s². */
@@ -56,7 +56,7 @@ final class SpeedTable {
    * @param speed in the middle
    * @param speedError standard error of the speed in the middle
    * @param top the higher speed of both ends
-   * @param overshoot by how much that may exceed what the robot had, in addition to its error
+   * @param overshoot by how much that may exceed the robot's true speed, in addition to its error
    */
   void add(
       int robot,
@@ -103,12 +103,12 @@ final class SpeedTable {
     return tops;
   }
 
-  /** Of the same manoeuvres, a speed that each certainly had. */
+  /** A speed that the robot certainly had, of each of the same manoeuvres. */
   Histogram sure() {
     return sure;
   }
 
-  /** Made when it is not there. */
+  /** The speeds of one robot at constant speed; made when it is not there. */
   Histogram cruisingOf(int robot) {
     return cruising.computeIfAbsent(robot, key -> histogram());
   }

@@ -4,7 +4,7 @@ package fieldcal.movement;
 final class StandingNoise {
   private static final int GROUP = 16;
 
-  /** The halves of a group of standing robots agree to within this, m: four standard errors of 3.5 mm. */
+  /** The means of both halves of a standing robot's group agree to within this, m: four standard errors of a mean of eight detections with 3.5 mm of noise. */
   private static final double STANDS = 0.005;
 
   private final double[] x = new double[GROUP];

@@ -11,7 +11,7 @@ final class Stretch {
   /** Four cameras at 75 Hz for five seconds; when more see the robot, the stretch is analysed earlier. */
   static final int CAPACITY = 1536;
 
-  /** More cameras never see one robot at once. */
+  /** Largest number of cameras that see one robot at once. */
   static final int CAMERAS = 8;
 
   final double[] t = new double[CAPACITY];
@@ -46,12 +46,12 @@ final class Stretch {
     return baseTime;
   }
 
-  /** From the first detection to the last, s. */
+  /** Time from the first detection to the last, s. */
   double span() {
     return size == 0 ? 0 : t[size - 1] - t[0];
   }
 
-  /** From the least x to the largest. */
+  /** Range of x, m or rad. */
   double extent() {
     double low = Double.POSITIVE_INFINITY;
     double high = Double.NEGATIVE_INFINITY;

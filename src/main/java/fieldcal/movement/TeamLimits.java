@@ -9,8 +9,8 @@ import java.util.Objects;
  *
  * @param team which
  * @param velocity m/s
- * @param acceleration m/s²; with a named effect that at standstill and along the front, with an envelope of another shape that of the strongest direction
- * @param braking m/s², positive; with a named effect that along the front, with an envelope of another shape that of the strongest direction
+ * @param acceleration limit of speeding up, m/s²; where an effect is named, the limit at standstill and along the front; with an envelope of another shape, that of the strongest direction
+ * @param braking limit of slowing down, m/s², positive; where an effect is named, the limit along the front; with an envelope of another shape, that of the strongest direction
  * @param leagueVelocity the league's estimate, m/s
  * @param leagueAcceleration the league's estimate, m/s²
  * @param leagueBraking the league's estimate, m/s², positive
@@ -19,7 +19,7 @@ import java.util.Objects;
  * @param turning how fast they turn
  * @param envelopes the limits of acceleration and of braking by direction in the robot's own frame; empty with too few manoeuvres
  * @param robots that accelerate or brake clearly differently from their team mates
- * @param manoeuvres pieces of constant acceleration that were fitted
+ * @param manoeuvres number of pieces of constant acceleration that were fitted
  */
 public record TeamLimits(
     Team team,

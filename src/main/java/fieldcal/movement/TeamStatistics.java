@@ -2,7 +2,7 @@ package fieldcal.movement;
 
 import fieldcal.vision.RobotId;
 
-/** All that is counted of one team's robots: manoeuvres, speeds, pictures, and the league's histograms. Two of them merge exactly, and memory is bounded. Mutable, for one thread. */
+/** All that is counted of one team's robots: manoeuvres, speeds, two-dimensional histograms, and the league's histograms. Two of them merge exactly, and memory is bounded. Mutable, for one thread. */
 public final class TeamStatistics {
   /** Turns that change the rate of turning by less do not count, rad/s: a robot that faces a ball which passes it at 2 m/s, 1 m away, turns so fast without any hurry. */
   public static final double LEAST_TURN = 2;
@@ -10,7 +10,7 @@ public final class TeamStatistics {
   /** A manoeuvre counts as accelerating or braking if at least this part of its change of velocity changes the speed; otherwise it is a curve. */
   private static final double SHARE_OF_SPEED = 0.5;
 
-  /** Numbers of robots that are kept apart: those of the rules. */
+  /** Number of robots that are kept apart: those of the rules. */
   private static final int ROBOTS = 16;
 
   private final ManoeuvreTables accelerating = new ManoeuvreTables(ManoeuvreTable.Scale.DRIVING);
@@ -43,7 +43,7 @@ public final class TeamStatistics {
     } else if (share < -SHARE_OF_SPEED) {
       braking.of(robot).add(a, m.accelerationError(), m.speed(), direction);
     }
-    // Where corners are round, the speeds of the sharp ones are never reached.
+    // Where corners are round, the speeds of sharp corners are never reached.
     double inside = Math.min(m.corner(), 0.5 * m.duration());
     double top = Math.max(m.speedAfter(inside), m.speedAfter(m.duration() - inside));
     speeds.add(
@@ -66,7 +66,7 @@ public final class TeamStatistics {
     int robot = number(t.robot());
     double a = Math.abs(t.angularAcceleration());
     double speed = t.rateAfter(0.5 * t.duration());
-    // Where it changes its sense of rotation it does both, one after the other, with the same
+    // Where it reverses its sense of rotation it does both, one after the other, with the same
     // motors.
     if (t.growth() > LEAST_TURN) {
       turningFaster.of(robot).add(a, t.accelerationError(), speed, Double.NaN);
@@ -193,7 +193,7 @@ public final class TeamStatistics {
   /**
    * Accelerations in the robot's own frame: x along its front, y to its left, m/s²; counted in detections.
    *
-   * @return the picture
+   * @return the live histogram
    */
   public Grid ownFrame() {
     return ownFrame;
@@ -202,14 +202,14 @@ public final class TeamStatistics {
   /**
    * Change of speed (y, m/s², negative when braking) against speed (x, m/s).
    *
-   * @return the picture
+   * @return the live histogram
    */
   public Grid againstSpeed() {
     return againstSpeed;
   }
 
   /**
-   * What the league's estimator counts.
+   * The counts of the league's estimator.
    *
    * @return its three histograms
    */

@@ -3,7 +3,7 @@ package fieldcal.movement;
 import fieldcal.vision.RobotId;
 
 /**
- * A part of a robot's turning in which its angular acceleration was constant, with the noise of the orientations fitted away. Positive is counter-clockwise.
+ * A part of a robot's turning in which its angular acceleration was constant, fitted to the orientations to reduce their noise. Positive is counter-clockwise.
  *
  * @param robot who turned
  * @param start when it began, s since the recording's epoch
@@ -13,7 +13,7 @@ import fieldcal.vision.RobotId;
  * @param accelerationError standard error of the angular acceleration, rad/s²
  * @param velocityError standard error of the angular velocity in the middle, rad/s
  * @param corner time at its beginning and at its end in which the angular acceleration was still changing, s
- * @param overshoot by how much the rate at an end may exceed what the robot had, rad/s; see {@link Manoeuvre#overshoot}
+ * @param overshoot by how much the rate at an end may exceed the robot's true rate, rad/s; see {@link Manoeuvre#overshoot}
  */
 public record Turn(
     RobotId robot,

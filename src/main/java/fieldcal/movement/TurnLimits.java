@@ -6,10 +6,10 @@ import java.util.Objects;
 /**
  * How fast a team's robots turn, from the orientations that vision reports, with their noise taken out. In most matches these are not determined: robots that face the ball seldom turn by much, and never at a constant rate.
  *
- * @param velocity rad/s
- * @param acceleration rad/s²
- * @param braking rad/s², positive
- * @param turns pieces of constant angular acceleration that changed the rate of turning by at least {@link TeamStatistics#LEAST_TURN}
+ * @param velocity highest rate of turning, rad/s
+ * @param acceleration limit of turning faster, rad/s²
+ * @param braking limit of turning slower, rad/s², positive
+ * @param turns number of pieces of constant angular acceleration that changed the rate of turning by at least {@link TeamStatistics#LEAST_TURN}
  */
 public record TurnLimits(
     LimitEstimate velocity, LimitEstimate acceleration, LimitEstimate braking, long turns) {

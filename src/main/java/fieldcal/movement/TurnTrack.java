@@ -8,16 +8,16 @@ import fieldcal.vision.RobotId;
  * <p>Orientations that the robot cannot have turned to since the last one are misread patterns and are left out; when such orientations agree for a while, the angle begins again.
  */
 final class TurnTrack {
-  /** Robots do not turn faster, rad/s (twice of what the league's fastest do). */
+  /** Robots do not turn faster, rad/s: twice what the league's fastest do. */
   private static final double FASTEST = 40;
 
-  /** A robot that is not seen for so long may have turned by more than π either way, s. */
+  /** A robot that was not seen for longer may have turned by more than π either way, s. */
   private static final double LONGEST_GAP = Math.PI / FASTEST;
 
   /** How far an orientation may be off for other reasons: noise, and cameras that disagree, rad. */
   private static final double TOLERANCE = 0.3;
 
-  /** Orientations refused in a row after which the robot is believed to be turned otherwise. */
+  /** Orientations refused in a row after which the robot is believed to have turned. */
   private static final int PERSISTENT = 6;
 
   private final PathBlocks path;

@@ -4,16 +4,16 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * The highest value that many of a team's manoeuvres have. This is their limit, whatever the others do that stay below it.
+ * The highest value that many of a team's manoeuvres have. This is their limit, however many others stay below it.
  *
- * <p>What robots do is the distribution of measured values with their errors taken out: the nonparametric maximum likelihood (Kiefer and Wolfowitz 1956) over a fine grid, by expectation maximization (Laird 1978). Controllers that plan with 85 %
- * of what a robot can do leave one heap there, and a smaller one at the limit, where robots that were surprised used all of it; a kernel wide enough for the noise would merge both. The limit is the highest window of {@link
+ * <p>The values that robots reach are the distribution of the measured values, deconvolved from their errors: the nonparametric maximum likelihood (Kiefer and Wolfowitz 1956) over a fine grid, by expectation maximization (Laird 1978). Controllers that plan with 85 %
+ * of what a robot can do leave one cluster there, and a smaller one at the limit, where robots that had to react used all of it; a kernel wide enough for the noise would merge both. The limit is the highest window of {@link
  * #HALF_WIDTH} to either side that holds a fair part of the manoeuvres.
  *
- * @param value the mean of what lies there, in the unit of the values
+ * @param value the mean of the manoeuvres that lie there, in the unit of the values
  * @param error its standard error from the errors of the manoeuvres
- * @param scatter how much the manoeuvres there differ beyond their errors, for example since robots do
- * @param hidden how far above the value the limit may lie unnoticed (rms): where the errors of the manoeuvres are larger than the distance of two heaps, both look like one between them
+ * @param scatter how much the manoeuvres there differ beyond their errors, for example because the robots differ
+ * @param hidden how far above the value the limit may lie unnoticed (rms): where the errors of the manoeuvres are larger than the distance between two clusters, both look like one between them
  * @param mass how many manoeuvres lie there
  * @param share of all that were well measured
  */
@@ -28,33 +28,33 @@ record UpperEdge(
   /** Manoeuvres with a larger error cannot show how values that are some per cent apart are distributed, in parts. */
   static final double WORST = 0.03;
 
-  /** A window holds the limit from so many manoeuvres on … */
+  /** Least number of manoeuvres in a window that holds the limit … */
   private static final double FEWEST = 8;
 
-  /** … and this part of all: less than a hundred manoeuvres have no heap of fewer than {@link #FEWEST} then. */
+  /** … and least part of all manoeuvres; with fewer than 80 of them, {@link #FEWEST} decides. */
   private static final double SHARE = 0.1;
 
-  /** Robots that plan with a margin use all they have in 6 to 10 % of their manoeuvres, in matches of another simulator. So a smaller heap counts as well, of this part, … */
+  /** Robots that plan with a margin use all they have in 6 to 10 % of their manoeuvres, in matches of another simulator. So a smaller cluster with at least this part counts as well, … */
   private static final double SMALL_SHARE = 0.04;
 
-  /** … when it lies by more than this part above: pieces that were cut wrongly make such heaps up to 6.5 % above the limit. */
+  /** … when it lies higher by more than this part: wrongly cut pieces make such clusters up to 6.5 % above the limit. */
   private static final double APART = 0.08;
 
-  /** A heap that lies by less above the largest one is a limit only from this part of that one's mass on: pieces that were cut wrongly made up to 0.18 in simulated matches. */
+  /** A cluster that lies above the largest one by less is the limit only if it has at least this part of its mass: wrongly cut pieces made up to 0.18 in simulated matches. */
   private static final double CLEAR = 0.25;
 
   /**
-   * Degrees of freedom of Student's distribution, which the errors follow: pieces that are cut wrongly give tails that are heavier than a Gaussian's, and with a Gaussian these tails became heaps of their own above the limit.
+   * Degrees of freedom of Student's distribution, which the errors follow: wrongly cut pieces give tails that are heavier than a Gaussian's, and with a Gaussian these tails became separate clusters above the limit.
    */
   private static final double FREEDOM = 4;
 
-  /** In errors of a manoeuvre: it does not contribute to values farther off. */
+  /** Reach of a manoeuvre, in its errors: it does not contribute to values farther off. */
   private static final double REACH = 8;
 
-  /** Then the heaps no longer move by a tenth of a step. */
+  /** Number of iterations after which the clusters no longer move by a tenth of a step. */
   private static final int ITERATIONS = 200;
 
-  /** From one level above the heap to the next, the distribution of the rest hardly changes: so few iterations adapt it. */
+  /** From one level above the heap to the next, the distribution of the rest hardly changes: so a few iterations adapt it. */
   private static final int ADAPTING = 25;
 
   /** A level whose likelihood is smaller by this factor, as a logarithm, and all above it do not matter: a thousandth. */
@@ -93,13 +93,13 @@ record UpperEdge(
   }
 
   /**
-   * How much too small a limit that was found in another way may be, as a standard error. Where the errors of the manoeuvres are as large as the distance of two heaps, both look like one between them: robots that end turns with 80 % of what they
-   * can do, and use all of it when they turn back, have their limit anywhere from 80 to 100 %. With the errors taken out, what the strongest manoeuvres have is seen even from few.
+   * How much too small a limit that was found in another way may be, as a standard error. Where the errors of the manoeuvres are as large as the distance between two clusters, both look like one between them: robots that end turns with 80 % of what they
+   * can do, and use all of it when they turn back, have their limit anywhere from 80 to 100 %. After deconvolution, even a few manoeuvres show how strong the strongest are.
    *
    * @param value of manoeuvres, well measured or not; NaN does not count
    * @param error their standard errors
    * @param count how many have them
-   * @param limit what was found
+   * @param limit the limit that was found
    * @param share the part of all manoeuvres that a limit must have or exceed
    * @return in the unit of the values; 0 where no more than that part lie above
    */
@@ -220,7 +220,7 @@ record UpperEdge(
       }
     }
 
-    /** In four sums, since a single one would wait for each addition. */
+    /** In four partial sums, so that the processor need not wait for each addition. */
     private double expected(int i) {
       double[] row = likelihood[i];
       int from = first[i];
@@ -257,7 +257,7 @@ record UpperEdge(
       return describe(tail ? main : large).orUpTo(small.value());
     }
 
-    /** The value that this share has or exceeds. */
+    /** The value that the given share of the manoeuvres has or exceeds. */
     double strongest(double share) {
       deconvolve();
       double above = 0;

@@ -18,24 +18,24 @@ final class VelocityLimit {
   /** Robots that creep up to their highest speed show this part less, measured in matches of another simulator. */
   private static final double CREEPING = 0.0003;
 
-  /** What a plateau is off by apart from noise, as a part of it. A value that may lie anywhere within a bound has the standard deviation bound/√3. */
+  /** Error of a plateau apart from noise, as a part of it. A value that may lie anywhere within a bound has the standard deviation bound/√3. */
   private static final double SYSTEMATIC = Math.hypot(ENLARGED / Math.sqrt(3), CREEPING);
 
-  /** A plateau holds so many manoeuvres … */
+  /** Least number of manoeuvres in a plateau … */
   private static final long FEWEST = 3;
 
-  /** … and this part of all that cruise. */
+  /** … and least part of all manoeuvres at constant speed. */
   private static final double SHARE = 0.02;
 
   /** Speeds at the ends of manoeuvres exceed the cap by errors of the knots, by this at most … */
   private static final double BEYOND = 1.08;
 
-  /** … but for this part of the plateau's number, and this many. */
+  /** … except for as many as this part of the plateau's manoeuvres, plus {@link #BEYOND_ANYWAY}. */
   private static final double BEYOND_SHARE = 0.3;
 
   private static final long BEYOND_ANYWAY = 3;
 
-  /** As a lower bound, the speed that so many manoeuvres exceed. */
+  /** The lower bound is the speed that this many manoeuvres exceed. */
   private static final int BOUND = 2;
 
   private static final long FEWEST_FOR_BOUND = 40;
@@ -43,7 +43,7 @@ final class VelocityLimit {
   /** A robot's own cap lies below this part of the team's limit … */
   private static final double CAPPED = 0.93;
 
-  /** … and holds so many of its manoeuvres. */
+  /** … and holds at least this many of its manoeuvres. */
   private static final long CAP_SAMPLES = 10;
 
   private final SpeedTable speeds;
@@ -87,7 +87,7 @@ final class VelocityLimit {
         notReached + "; they certainly reached this one");
   }
 
-  /** Robots that never exceed a speed of their own. */
+  /** Robots that never exceed a speed clearly below the team's limit. */
   List<SpeedCap> caps(LimitEstimate limit) {
     List<SpeedCap> caps = new ArrayList<>();
     for (Map.Entry<Integer, Histogram> robot : speeds.cruising().entrySet()) {

@@ -12,13 +12,13 @@ import java.util.function.Consumer;
  * Two robots collect kicks. It is given the world each tick and returns what both robots are to do.
  *
  * <p>Call {@link #tick} at 30 Hz or more, always from one thread, and send the answered orders at once. Tell {@link #judge} how each kick turned out: one that does not count is made again. Nothing
- * is thrown once it runs: what goes wrong is waited out, or ends the play with a reason in {@link #state}. Not thread-safe.
+ * is thrown once it runs: the play waits until a problem is over, or ends with a reason in {@link #state}. Not thread-safe.
  */
 public final class CalibrationPlay {
-  /** Without a frame for that long it is not known where robots are, s. */
+  /** When there was no frame for longer, it is not known where the robots are, s. */
   private static final double NO_VISION = 0.15;
 
-  /** Waits for the last fits that long, s. */
+  /** Longest wait for the last fits, s. */
   private static final double LAST_FITS = 60;
 
   private final PlayPlan plan;
@@ -45,7 +45,7 @@ public final class CalibrationPlay {
    * A play that has not begun.
    *
    * @param plan what is to be played
-   * @param chooser which kicks
+   * @param chooser decides which kicks are played
    * @param listener gets each kick when its ball is no longer left alone, from within {@link #tick}; it may call {@link #judge} at once
    * @throws NullPointerException when an argument is null
    */
@@ -84,14 +84,14 @@ public final class CalibrationPlay {
     Step next = step.tick(s);
     step = next;
     waiting = s.waiting();
-    // What it waited for last is what it ends for.
+    // The play ends with the reason that it last waited for.
     waitingFor = step.phase().over() ? waitingFor : s.waitingFor();
     PlayAnswer answer = s.answer();
     watchProgress(s, answer, Double.isNaN(span) ? 0 : span);
     return followed(s, step.phase().over() ? standStill() : answer, span);
   }
 
-  /** The answer, after it was noted how robots follow it. */
+  /** The answer; also records how the robots follow it. */
   private PlayAnswer followed(Situation s, PlayAnswer answer, double span) {
     for (int i = 0; i < 2; i++) {
       following
@@ -110,7 +110,7 @@ public final class CalibrationPlay {
         List.of(RobotOrder.stop(plan.first()), RobotOrder.stop(plan.second())), Optional.empty());
   }
 
-  /** Why both robots stand, and what that is about. */
+  /** Why both robots stand, and the robot or place that this is about. */
   private record Hold(String reason, WaitingFor object) {}
 
   private Optional<Hold> reasonToHold(Situation s) {
@@ -156,7 +156,7 @@ public final class CalibrationPlay {
     }
     boolean allowed = paused || s.world().permission() != Permission.RUN;
     if (allowed) {
-      // Somebody wants it so: wait as long as it takes.
+      // Somebody asked for it: wait as long as it takes.
       heldSince = s.time();
     } else if (s.time() - heldSince > plan.limits().patience()) {
       stop(String.format(Locale.ROOT, "%s for %.0f s", reason, s.time() - heldSince));
@@ -170,7 +170,7 @@ public final class CalibrationPlay {
     }
     holding = null;
     if (!(step instanceof WatchStep)) {
-      // Who knows what happened meanwhile.
+      // It is not known what happened meanwhile.
       step = new CheckStep(ledger, -1);
     }
   }
@@ -249,13 +249,13 @@ public final class CalibrationPlay {
     ledger.conclude();
   }
 
-  /** Both robots stand from the next tick on, until {@link #resume}. A ball that rolls is watched all the same. */
+  /** Both robots stand from the next tick on, until {@link #resume}. A rolling ball is still watched. */
   public void pause() {
     paused = true;
   }
 
   /**
-   * Both robots stand while there is a reason, for example that the program that drives them does not answer; after the play's patience the play ends. A ball that rolls is watched all the same.
+   * Both robots stand while there is a reason, for example that the program that drives them does not answer; after the play's patience the play ends. A rolling ball is still watched.
    *
    * @param reason for the operator; empty to go on
    */
@@ -290,7 +290,7 @@ public final class CalibrationPlay {
   }
 
   /**
-   * How far it is.
+   * How far the play is.
    *
    * @return a snapshot: phase, kicks that counted, and what is waited for
    */

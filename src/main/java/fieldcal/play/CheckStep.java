@@ -9,16 +9,16 @@ final class CheckStep implements Step {
   /** A ball that is out of sight for longer does not come back by itself, s. */
   private static final double LOST = 2;
 
-  /** A ball that was seen lying still for so long rests, s. */
+  /** A ball that was seen lying still for longer rests, s. */
   private static final double RESTS = 0.15;
 
-  /** After so many attempts in vain to take the ball somebody has to lay it down elsewhere. */
+  /** Number of failed attempts to take the ball after which somebody has to place it elsewhere. */
   private static final int FETCHES = 3;
 
   /** A robot that is in the way is given time to leave by itself, s. */
   private static final double POLITE = 2;
 
-  /** It has room to leave when ours are that far away, m. */
+  /** A robot has room to leave when ours are at least this far away, m. */
   private static final double ROOM = 1;
 
   private final Ledger ledger;

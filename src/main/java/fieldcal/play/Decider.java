@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
 
-/** Who kicks the ball next, and from where: best from where it lies, else from the end of the line. */
+/** Decides which robot kicks the ball next, and from where: preferably from where it lies, otherwise from the end of the line. */
 final class Decider {
   /** Aims beside the receiver that are tried when a robot is in the way, rad. */
   private static final double[] ASIDE = {0, 0.08, -0.08, 0.18, -0.18, 0.3, -0.3};
@@ -14,16 +14,16 @@ final class Decider {
   /** Width of carpet along the kick that must be free, to either side, m. */
   private static final double CORRIDOR = 0.28;
 
-  /** A chip must start that near to the line where the cameras overlap, m. */
+  /** Largest distance of a chip's start from the line where the cameras overlap, m. */
   private static final double CHIP_ASIDE = 0.45;
 
-  /** How much of a flat kick's way a model of the carpet gives it, s²/m: it slides to 0.65 of its speed at 3.1 m/s², then rolls at 0.28. */
+  /** Length of a flat kick's path over the square of its speed, s²/m: it slides to 0.65 of its speed at 3.1 m/s², then rolls at 0.28. */
   private static final double WAY_PER_SPEED_SQUARED = 0.85;
 
   /** How far a chip's hops go in all, in lengths of its first hop: an impact leaves 0.7 of the speed along the carpet, later ones 0.87, and each 0.5 of that upwards. */
   private static final double WAY_PER_HOP = 1.7;
 
-  /** Carpet that a chip is left to roll on, m: cameras are compared where it rolls. */
+  /** Distance that a chip must have left to roll, m: cameras are compared where it rolls. */
   private static final double CHIP_ROLLS = 1;
 
   private static final double GRAVITY = 9.81;
@@ -31,7 +31,7 @@ final class Decider {
   /** A ball that a robot would carry for longer is kicked from where it lies, s. Chosen: less than half of the 4 s that taking it, turning it, letting go and backing off take. */
   private static final double LONG_CARRY = 1.5;
 
-  /** What a robot that does not move costs against any drive of the other, m. */
+  /** Penalty of a robot that does not move, m: longer than any drive of the other. */
   private static final double STUCK = 100;
 
   private Decider() {}

@@ -8,7 +8,7 @@ import fieldcal.play.RobotOrder.Velocity;
 import java.util.List;
 import java.util.Optional;
 
-/** From a pose to reach to a velocity now. */
+/** Turns a pose to reach into a velocity now. */
 final class Driver {
   /** Speed per distance close to the target, 1/s: slow enough for 60 ms from camera to wheel. */
   private static final double GAIN = 5;
@@ -25,7 +25,7 @@ final class Driver {
     this.braking = braking;
   }
 
-  /** Empty when there is no way. With the part of the usual gains that the robot bears. */
+  /** The velocity towards a pose; empty when there is no way. {@code calm} is the part of the usual gains that the robot tolerates. */
   Optional<Velocity> to(
       Robot robot, Pose target, double maxSpeed, double calm, List<Circle> obstacles) {
     return to(robot, target, maxSpeed, braking, calm, obstacles);

@@ -10,7 +10,7 @@ final class FetchStep extends TaskStep {
   private static final int DIRECTIONS = 16;
   private static final double TIMEOUT = 15;
 
-  /** Between the centres of a robot that takes the ball and of any other, m. */
+  /** Least distance between the centres of a robot that takes the ball and of any other, m. */
   private static final double APART = 0.26;
 
   /** A robot whose centre is nearer to the ball touches it, m. */
@@ -19,7 +19,7 @@ final class FetchStep extends TaskStep {
   /** A robot that stands too close, or in the only way, for longer is avoided by taking another direction, s. */
   private static final double BLOCKED = 3;
 
-  /** A ball that lies nearer to its place is not turned to, m. */
+  /** A ball that lies nearer to its place is fetched from the direction of the kick instead of being pushed there, m. */
   private static final double PUSHED = 0.15;
 
   private final double ballX;
@@ -36,12 +36,12 @@ final class FetchStep extends TaskStep {
     this.facing = facing;
   }
 
-  /** Fetching with the first direction that is free; best the one of the kick to come. */
+  /** Fetching from the first direction that is free, beginning with that of the next kick. */
   static Optional<FetchStep> of(Situation s, Ledger ledger, Task task) {
     BallMemory ball = s.ball();
     double toX = task.x() - ball.x();
     double toY = task.y() - ball.y();
-    // Who has lost it before pushes it where it is to lie.
+    // A robot that has lost the ball before pushes it to its place.
     boolean pushes =
         ledger.grip(task.kicker(), true, s.limits()).gentle() && Math.hypot(toX, toY) > PUSHED;
     double best = pushes ? Math.atan2(toY, toX) : task.aim();
@@ -60,7 +60,7 @@ final class FetchStep extends TaskStep {
         barred = barred == null ? fetch : barred;
       }
     }
-    // Who bars the way may go away.
+    // The robot that is in the way may leave.
     return Optional.ofNullable(barred);
   }
 

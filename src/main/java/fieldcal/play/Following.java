@@ -4,29 +4,28 @@ import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.RobotOrder.Velocity;
 
 /**
- * How late a robot follows its orders, measured while it slows down: the way that it goes too far, per speed that it was ordered to lose. Radios, motors and weak brakes all count, and so does what
- * vision is late. Who follows late is driven more calmly: the same gains would make it overshoot.
+ * How late a robot follows its orders, measured while it slows down: the way that it goes too far, per speed that it was ordered to lose. Radios, motors, weak brakes and the delay of vision all contribute. A robot that follows late is driven more calmly: the usual gains would make it overshoot.
  */
 final class Following {
-  /** What the gains of {@link Driver} are made for, s: robots that hear after 20 ms measure 0.05 to 0.13, of which vision's filter is half. */
+  /** The delay that the gains of {@link Driver} are made for, s: robots that hear after 20 ms measure 0.05 to 0.13, of which vision's filter is half. */
   static final double USUAL = 0.13;
 
   /** What is assumed of a robot until it has slowed down, s: the delays of a slow radio and weak brakes. */
   private static final double FEARED = 0.25;
 
-  /** What that counts as, in speed lost, m/s: a quarter of a drive across the field. */
+  /** Weight of that assumption, as a loss of speed, m/s: a quarter of a drive across the field. */
   private static final double KNOWN = 0.5;
 
-  /** What was lost in speed since then has made a measurement half as old, m/s: two drives across the field. */
+  /** Loss of speed after which an older measurement has half its weight, m/s: two drives across the field. */
   private static final double MEMORY = 5;
 
-  /** A robot that goes on for longer than that after it was to stand is pushed or carried, s. */
+  /** A robot that moves for longer after it was ordered to stand is pushed or carried, s. */
   private static final double AFTERWARDS = 1;
 
   /** A slower robot's direction is noise, m/s. */
   private static final double SLOW = 0.1;
 
-  /** Nobody is driven more calmly than that. */
+  /** Least part of the usual gains: no robot is driven more calmly. */
   private static final double CALMEST = 0.2;
 
   /** A rise by more is an order to drive faster again, not noise, m/s. */
@@ -40,16 +39,16 @@ final class Following {
   private double overrunNow;
   private double lostNow;
 
-  /** With the deceleration that robots are ordered and counted on, m/s². */
+  /** Creates it with the deceleration, m/s², that robots are ordered and expected to reach. */
   Following(double braking) {
     this.braking = braking;
   }
 
   /**
-   * One tick more.
+   * Takes the next tick.
    *
    * @param robot as it was seen last; null when it was never seen
-   * @param seen whether it is seen now; else nothing is learned of what it does
+   * @param seen whether it is seen now; otherwise nothing is learned
    * @param ordered its velocity, m/s
    * @param span since the last tick, s
    */
@@ -61,19 +60,20 @@ final class Following {
     }
     double speed = robot.speed();
     if (speed < SLOW) {
-      // Only if it was to stop.
+      // It counts only if the robot was ordered to stop.
       learn(lostNow > 0 ? reference : 0);
       reference = 0;
       return;
     }
     double along = (ordered.vx() * robot.vx() + ordered.vy() * robot.vy()) / speed;
-    // An order to stop at once is one to brake as hard as is counted on.
+    // An order to stop at once is taken as one to brake with the expected deceleration.
     double next = Math.max(Math.max(0, along), reference - braking * span);
     boolean turnsRound = along < -FASTER;
     boolean goesOn = next > reference + FASTER;
     if (turnsRound || goesOn) {
-      // Who is to turn round brakes harder than who is to stop, and who goes on has not slowed down
-      // yet, perhaps.
+      // A robot that is to turn round brakes harder than one that is to stop, and one that goes on
+      // may
+      // not have slowed down yet.
       boolean slowedDown = !turnsRound && speed < reference + FASTER;
       learn(slowedDown ? 0 : -lostNow);
       reference = Math.min(next, speed);
@@ -88,7 +88,7 @@ final class Following {
     }
   }
 
-  /** From what it did since it was ordered to slow down, and a last loss of speed. */
+  /** Learns from what the robot did since it was ordered to slow down, and from a last loss of speed. */
   private void learn(double more) {
     double loses = lostNow + more;
     if (loses > SLOW) {
@@ -106,7 +106,7 @@ final class Following {
     return overrun / lost;
   }
 
-  /** The part of the usual gains and decelerations that it bears: 1 for who follows as usual or better. */
+  /** The part of the usual gains and decelerations that the robot tolerates: 1 if it follows as usual or better. */
   double calm() {
     return Math.max(CALMEST, Math.min(1, USUAL / late()));
   }

@@ -9,20 +9,20 @@ package fieldcal.play;
  * @param gentle whether it pushes the ball rather than pulls it, and does not turn with it more than it must
  */
 record Grip(double speed, double acceleration, double turn, boolean gentle) {
-  /** Part of the speed that is left after 0, 1, 2 … losses. */
+  /** Part of the usual speed after 0, 1, 2 … losses. */
   private static final double[] SPEEDS = {1, 0.5, 0.3, 0.2};
 
-  /** What a ball that foam presses on the carpet follows at first, and after each loss, m/s²; the last is what rolling takes from a ball. */
+  /** Accelerations without and after each loss, m/s²: a ball that the foam presses onto the carpet follows the first; the last is the deceleration of a rolling ball. */
   private static final double[] ACCELERATIONS = {1.5, 0.7, 0.4, 0.25};
 
-  /** A ball 0.1 m before the centre then needs 3.6, 0.4, 0.2 and 0.1 m/s² to stay, rad/s. */
+  /** Rates of turning without and after each loss, rad/s: a ball 0.1 m ahead of the centre then needs 3.6, 0.4, 0.2 and 0.1 m/s² to stay. */
   private static final double[] TURNS = {6, 2, 1.4, 1};
 
   /**
-   * After losses.
+   * The grip after losses of the ball.
    *
-   * @param losses all
-   * @param atSpeed those that show that it was too fast: all of them for a robot that pulls. A ball that is pushed straight ahead follows at any speed, as long as its robot neither brakes nor turns
+   * @param losses number of all losses
+   * @param atSpeed number of losses that show that it was too fast: all of them for a robot that pulls. A ball that is pushed straight ahead follows at any speed, as long as its robot neither brakes nor turns
    *     much; to it only the losses of pushed balls show that
    * @param limits of the play
    */

@@ -8,10 +8,10 @@ import java.util.Optional;
 final class HelpStep implements Step {
   private static final double[] PLACES = {0.05, 0.3, 0.5, 0.7, 0.95, 0.15, 0.85};
 
-  /** A ball that lies farther off than this was laid down elsewhere, m. */
+  /** A ball that lies farther away than this was placed elsewhere, m. */
   private static final double ELSEWHERE = 0.3;
 
-  /** Robots that near to the ball may be why nobody gets at it, m. */
+  /** Robots nearer to the ball may be the reason why it cannot be reached, m. */
   private static final double CROWD = 1;
 
   private final Ledger ledger;
@@ -42,8 +42,8 @@ final class HelpStep implements Step {
     BallMemory ball = s.ball();
     boolean back = ball.known() && s.ballUnseen() < 0.2 && ball.resting() > 0.3;
     boolean well = back && s.area().reachable(ball.x(), ball.y()) && s.time() - since > 0.5;
-    // A ball that could be reached and yet was not got hold of must not be found where it was,
-    // unless those who stood about it are gone.
+    // A ball that could be reached but was not taken must have been moved, unless the robots that
+    // stood around it have left.
     boolean helped = !reachable || ball.distance(ballX, ballY) > ELSEWHERE;
     if (well && (helped || crowded && !isCrowded(s))) {
       ledger.helped();
@@ -70,7 +70,7 @@ final class HelpStep implements Step {
     return s.others().stream().anyMatch(r -> Math.hypot(r.x() - ballX, r.y() - ballY) < CROWD);
   }
 
-  /** On the line of the next kick, away from all robots and from where the ball was of no use; best where a robot can kick it soonest. */
+  /** Chooses a place on the line of the next kick, away from all robots and from where the ball could not be reached, where a robot can kick it soonest. */
   private void choosePlace(Situation s) {
     PlannedKick kick = ledger.next(s);
     PlayLine line = s.plan().lineOf(kick);

@@ -6,10 +6,10 @@ import fieldcal.play.PlayWorld.Robot;
 final class KickStep extends TaskStep {
   private static final double TIMEOUT = 3;
 
-  /** A slow ball that far from the dribbler was not pushed there by it, m. */
+  /** A slow ball farther from the dribbler was not pushed there by it, m. */
   private static final double ELSEWHERE = 0.5;
 
-  /** A kicker may fire for so long after it was disarmed, s: 70 ms until a slow robot hears of it, 60 ms until the ball is seen to leave, and three frames that show its speed. */
+  /** Longest time after it was disarmed in which a kicker may still fire, s: 70 ms until a slow robot hears of it, 60 ms until the ball is seen to leave, and three frames that show its speed. */
   private static final double ON_ITS_WAY = 0.2;
 
   private double disarmed = Double.NaN;
@@ -50,7 +50,7 @@ final class KickStep extends TaskStep {
     return this;
   }
 
-  /** The robot stands. A kick that comes late all the same is one. */
+  /** The robot stands, disarmed. A kick that still happens counts as one. */
   private Step disarm(Situation s, String why) {
     disarmed = s.time();
     reason = why;

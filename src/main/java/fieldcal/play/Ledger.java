@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 
 /** Counts the kicks, and asks for the next one when the last has been made. */
 final class Ledger {
-  /** After a failed kick the kicker may have to charge, s; after several, for longer. What else went wrong needs no pause. */
+  /** Time to charge the kicker after a failed kick, s; longer after several. Other failures need no pause. */
   private static final double CHARGE = 1;
 
   private static final int MOST_CHARGES = 4;
@@ -45,7 +45,7 @@ final class Ledger {
     this.listener = listener;
   }
 
-  /** What is there is enough. */
+  /** No more kicks are wanted. */
   void conclude() {
     wanted = good;
   }
@@ -59,7 +59,7 @@ final class Ledger {
     return good >= wanted;
   }
 
-  /** The kick that is due; best one that can be made from where the ball lies. */
+  /** The kick that is due; preferably one that can be made from where the ball lies. */
   PlannedKick next(Situation s) {
     if (next == null) {
       BallMemory ball = s.ball();
@@ -127,19 +127,19 @@ final class Ledger {
     lastReason = reason;
   }
 
-  /** A kicker was fired in vain. */
+  /** A kicker fired, but the ball was not kicked. */
   void misfired(String reason, double time) {
     failed(reason);
     misfires++;
     lastMisfire = time;
   }
 
-  /** A robot tried to take the ball in vain. */
+  /** A robot failed to take the ball. */
   void notFetched() {
     notFetched++;
   }
 
-  /** The ball moved away before a robot had got at it. */
+  /** The ball moved away before a robot reached it. */
   void movedAway(String reason) {
     notFetched++;
     lastReason = reason;
@@ -153,7 +153,7 @@ final class Ledger {
     lastReason = reason;
   }
 
-  /** How a robot is to drive with the ball. What has happened to the other once will happen to this one, too: robots that play together are mostly of one make. */
+  /** How a robot is to drive with the ball. What happened to one robot will happen to the other, too: robots that play together are mostly of the same design. */
   Grip grip(int robot, boolean pushes, PlayLimits limits) {
     int known = Math.max(losses[robot], Math.min(1, losses[1 - robot]));
     return Grip.after(known, pushes ? pushedLosses[robot] : known, limits);
@@ -164,22 +164,22 @@ final class Ledger {
     return i -> grip(i, true, s.limits());
   }
 
-  /** Something did not work that is no kick in vain. */
+  /** Remembers why something failed that was not a kick. */
   void remember(String reason) {
     lastReason = reason;
   }
 
-  /** Why the last thing that did not work did not; empty when all has worked since the last kick. */
+  /** Why the last attempt failed; empty when nothing has failed since the last kick. */
   String lastReason() {
     return lastReason;
   }
 
-  /** The ball was laid down somewhere else. */
+  /** The ball was placed somewhere else. */
   void helped() {
     notFetched = 0;
   }
 
-  /** How often the ball was not got hold of since the last kick, or since somebody laid it down. */
+  /** How often the ball could not be taken since the last kick, or since somebody placed it. */
   int timesNotFetched() {
     return notFetched;
   }
@@ -201,7 +201,7 @@ final class Ledger {
     return Optional.empty();
   }
 
-  /** What kicks that do not count lack most often, and how many of them; empty when nobody has said. */
+  /** The most frequent reason why kicks do not count, and how many have it; empty when no reason was given. */
   private String mostFrequentReason() {
     Map<String, Long> reasons =
         judged.values().stream()
@@ -219,7 +219,7 @@ final class Ledger {
         .orElse("");
   }
 
-  /** Whether the kicker may still have to charge after it was fired in vain, which takes no longer for what is done meanwhile. */
+  /** Whether the kicker may still be charging after it fired without a kick; it charges while other things are done. */
   boolean charges(double time) {
     return time - lastMisfire < CHARGE * Math.min(MOST_CHARGES, misfires);
   }

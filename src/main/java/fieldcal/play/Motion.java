@@ -4,13 +4,13 @@ import fieldcal.play.PlayWorld.Robot;
 
 /** Whether a robot moves when it is commanded to. */
 final class Motion {
-  /** A robot that is commanded to drive and does not for that long is stuck, s. */
+  /** A robot that is commanded to drive but does not move for this long is stuck, s. */
   private static final double STUCK = 3;
 
-  /** A robot that is commanded to drive and does not for that long ends the play, s. */
+  /** A robot that is commanded to drive but does not move for this long ends the play, s. */
   private static final double STUCK_FOR_GOOD = 20;
 
-  /** What is nearer than that to where it was may be the noise of vision, m. */
+  /** A shorter displacement may be the noise of vision, m. */
   private static final double MOVED = 0.03;
 
   /** A slower drive may end before it shows, m/s. */
@@ -21,7 +21,7 @@ final class Motion {
   private double stuck;
 
   /**
-   * One tick more.
+   * Takes the next tick.
    *
    * @param robot as it is seen
    * @param ordered how fast it is commanded to drive, m/s

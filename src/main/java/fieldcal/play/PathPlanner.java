@@ -49,7 +49,7 @@ final class PathPlanner {
     double[] goal = outOf(circles, goalX, goalY);
     List<Circle> obstacles = new ArrayList<>();
     for (Circle c : circles) {
-      // Who stands within an obstacle may leave it, but not go deeper.
+      // A robot within an obstacle may leave it, but not go deeper.
       double distance = c.distance(x, y);
       obstacles.add(
           distance < c.radius() ? new Circle(c.x(), c.y(), Math.max(0, distance - 1e-3)) : c);
@@ -180,7 +180,7 @@ final class PathPlanner {
     double half = area.goalWidth() / 2 + PlayArea.ROBOT_RADIUS + 0.01;
     double a = side * x0 - limit;
     double b = side * x1 - limit;
-    // Who is in a goal may come out of it.
+    // A robot in a goal may come out of it.
     if (area.goalWidth() == 0 || b <= 0 && a <= 0 || a > 0 && Math.abs(y0) < half) {
       return false;
     }

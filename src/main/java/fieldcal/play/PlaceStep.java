@@ -10,7 +10,7 @@ import java.util.Optional;
  * slowly, and lets go without turning.
  */
 final class PlaceStep extends TaskStep {
-  /** Beside the way at half the speed, s. */
+  /** Time allowed in addition to the drive at half the speed, s. */
   private static final double TIMEOUT = 15;
 
   private static final double LET_GO = 0.3;
@@ -20,13 +20,13 @@ final class PlaceStep extends TaskStep {
 
   private static final double SEEN_LATE = 0.06;
 
-  /** It is lost when that was seen for so long, s: eight frames. */
+  /** The ball is lost when it was seen away from the dribbler for this long, s: eight frames. */
   private static final double LOSS = 0.12;
 
   /** A robot and a ball that it has lost part at no more than twice its speed: a ball that is farther off was taken away. */
   private static final double PART = 2;
 
-  /** A place is a place within that, when the ball is pushed, m. */
+  /** A pushed ball is at its place within this distance, m. */
   private static final double PUSHED_THERE = 0.1;
 
   /** Nearer to its place the ball is not turned towards it any more, m. */
@@ -92,7 +92,7 @@ final class PlaceStep extends TaskStep {
     return this;
   }
 
-  /** A ball is carried no farther than it must be where it is hard to carry, or where much of the way is left. */
+  /** Whether the ball can be kicked from where it is now, so that it need not be carried farther: where it is hard to carry, or where much of the way is left. */
   private boolean isEnough(Situation s, Robot r, Grip grip) {
     // A ball that its robot hides from the cameras is seen where it was lost from sight.
     double[] ball = ball(r);

@@ -7,11 +7,15 @@ import java.util.Optional;
  * The play's answer to one tick.
  *
  * @param orders what the two robots are to do, in the order of the plan
- * @param request what somebody is asked to do, when the robots cannot get at the ball
+ * @param request where somebody is asked to place the ball, when the robots cannot reach it
  */
 public record PlayAnswer(List<RobotOrder> orders, Optional<BallRequest> request) {
 
-  /** Copies the list. {@inheritDoc} */
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws NullPointerException when the list or an element is null
+   */
   public PlayAnswer {
     orders = List.copyOf(orders);
   }
@@ -21,7 +25,7 @@ public record PlayAnswer(List<RobotOrder> orders, Optional<BallRequest> request)
    *
    * @param x where, m
    * @param y where, m
-   * @param reason why the robots cannot
+   * @param reason why the robots cannot reach it
    */
   public record BallRequest(double x, double y, String reason) {}
 }

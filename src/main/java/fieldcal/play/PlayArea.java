@@ -19,7 +19,7 @@ public record PlayArea(double length, double width, double margin, double goalWi
   /** From a robot's centre to a ball at its dribbler, m: 75 mm to the dribbler, as in the league's robots, and the ball's radius. */
   static final double AT_DRIBBLER = 0.0965;
 
-  /** No robot is sent nearer than that to the edge of the area: it may overshoot a little, and cameras are wrong by some, m. */
+  /** No robot is sent nearer than this to the edge of the area, m: it may overshoot a little, and cameras are slightly wrong. */
   static final double RESERVE = 0.04;
 
   /** Free carpet around a goal that robots leave alone, m. */
@@ -28,7 +28,7 @@ public record PlayArea(double length, double width, double margin, double goalWi
   /**
    * Checks the sizes. {@inheritDoc}
    *
-   * @throws IllegalArgumentException when the field is smaller than 2 m, the margin not in [0, 1] m or a value NaN
+   * @throws IllegalArgumentException when the length or width is not in [2, 50] m, the margin not in [0, 1] m, the goal width negative, or a value NaN
    */
   public PlayArea {
     if (!(length >= 2 && width >= 2 && length <= 50 && width <= 50)) {
@@ -44,7 +44,7 @@ public record PlayArea(double length, double width, double margin, double goalWi
   }
 
   /**
-   * The area of a published field: robots stay 0.1 m away from what is around the boundary, but at most 0.2 m outside the lines.
+   * The area of a published field: robots stay 0.1 m away from the outer edge of the boundary, but at most 0.2 m outside the lines.
    *
    * @param geometry the field
    * @return the area
@@ -59,7 +59,7 @@ public record PlayArea(double length, double width, double margin, double goalWi
    *
    * @param x m
    * @param y m
-   * @return m, negative outside
+   * @return distance, m; negative outside
    */
   public double clearance(double x, double y) {
     return Math.min(length / 2 + margin - Math.abs(x), width / 2 + margin - Math.abs(y));

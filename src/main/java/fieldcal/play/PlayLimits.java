@@ -5,12 +5,12 @@ package fieldcal.play;
  *
  * @param driveSpeed fastest drive, m/s
  * @param carrySpeed fastest drive with the ball at the dribbler, m/s
- * @param creepSpeed up to the ball, m/s
- * @param braking deceleration to plan with, m/s²; less than what the robots can reach
+ * @param creepSpeed speed of the last drive up to the ball, m/s
+ * @param braking deceleration to plan with, m/s², positive; less than what the robots can reach
  * @param clearance between our robots and any other, edge to edge, m
  * @param receiverDistance farthest that the receiver stands from the ball, m; infinite = at its end of the line
  * @param settle how long the ball lies still before it is kicked, s: its resting place pins the kick
- * @param flightTimeout longest that a ball is left alone, s
+ * @param flightTimeout longest time for which a kicked ball is left alone, s
  * @param patience longest wait for something to get better (robot gone, no vision, ball out of reach), s
  * @param stall longest time without any kick, waits left out, s
  * @param maxAttempts most failed kicks in a row
@@ -28,7 +28,7 @@ public record PlayLimits(
     double stall,
     int maxAttempts) {
 
-  /** What usual robots can do without effort. */
+  /** Limits that usual robots reach without effort. */
   public static final PlayLimits DEFAULT =
       new PlayLimits(2.5, 1.2, 0.3, 2.0, 0.06, Double.POSITIVE_INFINITY, 0.6, 15, 60, 120, 10);
 
@@ -59,10 +59,11 @@ public record PlayLimits(
   }
 
   /**
-   * Slower or faster driving.
+   * The same limits with slower or faster driving.
    *
    * @param speed fastest drive, m/s
    * @return the changed limits; carrying is at most that fast
+   * @throws IllegalArgumentException when the speed is not positive or NaN
    */
   public PlayLimits withDriveSpeed(double speed) {
     return new PlayLimits(
@@ -80,7 +81,7 @@ public record PlayLimits(
   }
 
   /**
-   * Another place of the receiver.
+   * The same limits with another place of the receiver.
    *
    * @param distance farthest from the ball, m
    * @return the changed limits
@@ -101,7 +102,7 @@ public record PlayLimits(
   }
 
   /**
-   * Other waits.
+   * The same limits with other waits.
    *
    * @param seconds longest wait for something to get better, s
    * @param withoutKick longest time without any kick, s

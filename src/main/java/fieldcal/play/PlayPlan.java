@@ -27,7 +27,7 @@ public record PlayPlan(
     int kicks,
     PlayLimits limits) {
 
-  /** A ball may lie that far outside of what the lines span and still be kicked from there, m. */
+  /** A ball may lie this far outside of what the lines span and still be kicked from there, m. */
   private static final double ASIDE = 0.7;
 
   /**
@@ -101,7 +101,7 @@ public record PlayPlan(
   }
 
   /**
-   * Other limits.
+   * The same plan with other limits.
    *
    * @param newLimits speeds and time-outs
    * @return the changed plan
@@ -111,7 +111,7 @@ public record PlayPlan(
   }
 
   /**
-   * Another area.
+   * The same plan with another area.
    *
    * @param newArea where robots may be
    * @return the changed plan
@@ -121,7 +121,7 @@ public record PlayPlan(
   }
 
   /**
-   * Other lines.
+   * The same plan with other lines.
    *
    * @param newLine before the ends are swapped
    * @param newOtherLine after that
@@ -141,7 +141,7 @@ public record PlayPlan(
     return x > xs[0] - most && x < xs[3] + most && y > ys[0] - most && y < ys[3] + most;
   }
 
-  /** Whether a place is in the half that the lines keep to, if they do: the other one may be somebody else's. */
+  /** Whether a place is in the half of the field that the lines keep to, if they do: somebody else may use the other half. */
   boolean keepsTo(double x) {
     DoubleStream ends = DoubleStream.of(line.x0(), line.x1(), otherLine.x0(), otherLine.x1());
     return ends.anyMatch(end -> end * x >= 0);

@@ -7,7 +7,7 @@ import java.util.Optional;
  *
  * @param phase what it is busy with
  * @param waiting why nothing moves at the moment, or why it stopped; empty when all is well
- * @param waitingFor which robot or which place that is about
+ * @param waitingFor the robot or the place that this is about
  * @param good kicks that count
  * @param made kicks that were made, those that do not count included
  * @param unjudged kicks that were made and are being fitted

@@ -8,7 +8,7 @@ import java.util.Optional;
 /**
  * What a host knows of the field at one tick. All times count from the same zero, whatever it is; positions are those of the field frame, m.
  *
- * @param time now, s; must not run backwards
+ * @param time now, s; must not decrease from tick to tick
  * @param visionTime when any camera last sent a frame, s
  * @param ball the ball as it was seen last; empty when it was never seen
  * @param robots all robots that the host knows of, both teams
@@ -69,7 +69,7 @@ public record PlayWorld(
    * @param id team and number
    * @param x now, or where it was seen last, m
    * @param y m
-   * @param orientation of its front, rad
+   * @param orientation of its front, rad, counter-clockwise from x
    * @param vx m/s
    * @param vy m/s
    * @param seen when a camera saw it last, s

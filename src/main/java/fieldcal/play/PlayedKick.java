@@ -11,7 +11,7 @@ import fieldcal.vision.RobotId;
  * @param time when the ball was seen to move, s, some hundredths late
  * @param x where the ball lay, m
  * @param y where the ball lay, m
- * @param direction that the robot was to kick in, rad
+ * @param direction in which the robot was to kick, rad, counter-clockwise from x
  * @param ended when the ball was no longer left alone, s
  * @param end what ended it
  */

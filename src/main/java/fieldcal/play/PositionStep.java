@@ -41,7 +41,7 @@ final class PositionStep extends TaskStep {
     return ready ? new KickStep(ledger, task) : this;
   }
 
-  /** What vision says of the kicker's place, for whoever has to find out what is wrong. */
+  /** Where vision sees the kicker, for the operator who has to find out what is wrong. */
   private String measured(Situation s) {
     Robot r = s.robot(task.kicker());
     double turn = Math.IEEEremainder(task.aim() - r.orientation(), 2 * Math.PI);

@@ -29,7 +29,7 @@ public record RobotOrder(
   }
 
   /**
-   * Stand still, everything off.
+   * The order to stand still with everything off.
    *
    * @param robot who
    * @return the order
@@ -64,12 +64,12 @@ public record RobotOrder(
    *
    * @param x m
    * @param y m
-   * @param orientation rad
+   * @param orientation direction of the front, rad, counter-clockwise from x
    */
   public record Pose(double x, double y, double orientation) {}
 
   /**
-   * What the kicker does as soon as the ball is at it.
+   * What the kicker does as soon as the ball touches it.
    *
    * @param speed of the ball along its path, m/s; 0 = no kick
    * @param elevation above the carpet, rad; 0 = flat

@@ -5,7 +5,7 @@ import fieldcal.play.RobotOrder.Velocity;
 import java.util.List;
 
 /**
- * The last word on every velocity: no robot closes in on another, or on the edge of the area, faster than it can still brake. Our robots give way to a robot that drives into them.
+ * Limits every velocity before it is sent: no robot closes in on another, or on the edge of the area, faster than it can still brake. Our robots give way to a robot that drives into them.
  */
 final class Safety {
   /** From camera to wheel and back, s; more for robots that follow later. */
@@ -14,7 +14,7 @@ final class Safety {
   /** How fast robots that are too close move apart, m/s. */
   private static final double APART = 0.4;
 
-  /** A robot that closes in faster than it may by this must brake and do nothing else, m/s. */
+  /** A robot that closes in faster than allowed by more than this must only brake, m/s. */
   private static final double LATE = 0.15;
 
   /** The part of its sideways motion that it keeps then. */
@@ -35,10 +35,10 @@ final class Safety {
     clearance = limits.clearance();
   }
 
-  /** What a robot can do about it, s and m/s². */
+  /** How a robot can react: its delay, s, and its deceleration, m/s². */
   private record Able(double delay, double braking) {}
 
-  /** The velocity nearest to the wanted one that is safe for a robot that follows its orders so late. */
+  /** The velocity nearest to the wanted one that is safe for a robot that follows its orders this late. */
   Velocity limited(
       Robot robot, Velocity wanted, Following following, List<Robot> others, List<Robot> ours) {
     double[] v = {wanted.vx(), wanted.vy()};
@@ -71,13 +71,13 @@ final class Safety {
     if (ahead < 0) {
       allowed = -APART * Math.min(1, -ahead / 0.03) - (ours ? 0 : Math.max(0, theirs));
     } else {
-      // Two of ours share the way that is left; what others do is theirs, and is taken off.
+      // Two of our robots share the distance that is left; the motion of others is subtracted.
       double share = ours && theirs > 0.02 ? 0.5 : 1;
       allowed = share * Math.sqrt(2 * able.braking() * ahead) - (ours ? 0 : Math.max(0, theirs));
       allowed = Math.min(allowed, 8 * ahead);
     }
     if (mine > Math.max(0, allowed) + LATE) {
-      // All that the wheels can do goes into braking: turning aside meanwhile would take from it.
+      // The wheels use all their force to brake: turning aside meanwhile would weaken that.
       v[0] = allowed * nx + ASIDE * (robot.vx() - mine * nx);
       v[1] = allowed * ny + ASIDE * (robot.vy() - mine * ny);
       return;

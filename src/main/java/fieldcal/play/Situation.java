@@ -47,7 +47,7 @@ final class Situation {
     this.motions = motions;
     this.following = following;
     this.world = world;
-    // A robot that somebody took off stays an obstacle for some seconds only.
+    // A robot that was taken off the field stays an obstacle for some seconds only.
     seen = world.robots().stream().filter(r -> world.time() - r.seen() < 3 && isFinite(r)).toList();
     for (Robot r : seen) {
       if (r.id().equals(plan.first())) {
@@ -86,7 +86,7 @@ final class Situation {
     return ball;
   }
 
-  /** One of our robots; null when it is not seen, which no step is asked to cope with. */
+  /** One of our robots; null when it is not seen, but then no step is called. */
   Robot robot(int index) {
     return ours[index];
   }
@@ -177,7 +177,7 @@ final class Situation {
   }
 
   /**
-   * Drives with a ball at the dribbler: as {@link #drive}, but no faster up and down, and no faster round, than the ball is held.
+   * Drives with a ball at the dribbler: as {@link #drive}, but speeding up, slowing down and turning no faster than the ball is held.
    *
    * @param before what it was ordered in the last tick
    * @param span since then, s

@@ -59,7 +59,7 @@ public final class SpreadKicks implements KickChooser {
     return next();
   }
 
-  /** Of those on the line that is due the first that can be made from where the ball lies, or else the first. {@inheritDoc} */
+  /** Chooses the first kick on the line that is due that can be made from where the ball lies, or else the first one. {@inheritDoc} */
   @Override
   public PlannedKick next(double ballX, double ballY, Predicate<PlannedKick> fromHere) {
     Iterator<PlannedKick> each = waiting.iterator();
@@ -98,7 +98,7 @@ public final class SpreadKicks implements KickChooser {
       // Nobody knows yet which speeds are good: the others on this line first.
       insertAfterLine(again);
     } else {
-      // At once: the robots are on the right line still.
+      // At once: the robots are still on the right line.
       waiting.addFirst(again);
     }
   }
@@ -112,7 +112,7 @@ public final class SpreadKicks implements KickChooser {
     waiting.addAll(others);
   }
 
-  /** The speed instead of one that failed. Once may be chance. When a repeat fails, too, the nearest good speed may have been, and the middle one of the good ones is taken. */
+  /** The speed in place of one that failed. A first failure may be chance. When the repeat fails, too, the nearest good speed may have been good by chance, and the median of the good ones is taken. */
   private double again(double speed) {
     if (good.isEmpty()) {
       return speed + INWARDS * (spare.speed() - speed);

@@ -11,6 +11,6 @@ interface Step {
     return -1;
   }
 
-  /** The step of the next tick: itself to stay. Both robots are seen, or it is not asked. */
+  /** The step of the next tick: itself to stay. Called only while both robots are seen. */
   Step tick(Situation s);
 }

@@ -10,7 +10,7 @@ import fieldcal.play.RobotOrder.Pose;
  * @param kicker index of the robot
  * @param x of the ball, m
  * @param y of the ball, m
- * @param aim rad
+ * @param aim direction of the kick, rad, counter-clockwise from x
  * @param receiver where the other robot waits
  */
 record Task(PlannedKick kick, int kicker, double x, double y, double aim, Pose receiver) {

@@ -62,7 +62,7 @@ abstract class TaskStep implements Step {
     return lookAgain();
   }
 
-  /** The ball moved away from who was on the way to it: looks again what to do. When that goes on, it sticks to a robot, or robots push it. */
+  /** The ball moved away from the robot that drove to it: looks again what to do. When this happens repeatedly, the ball sticks to a robot, or robots push it. */
   final Step movedAway(String reason) {
     ledger.movedAway(reason);
     return lookAgain();

@@ -4,12 +4,12 @@ import fieldcal.play.PlayWorld.Robot;
 import fieldcal.play.PlayedKick.End;
 import fieldcal.play.RobotOrder.Pose;
 
-/** The ball is left alone: nobody comes near it but the receiver, on whose place it is coming to. */
+/** The ball is left alone: no robot comes near it except the receiver, to whose place it comes. */
 final class WatchStep implements Step {
-  /** Without a ball in sight for that long it is lost, s. */
+  /** A ball that was not seen for longer is lost, s. */
   private static final double LOST = 1.2;
 
-  /** A kicker that follows a slow ball stays that far behind, m. */
+  /** Distance at which a kicker follows a slow ball, m. */
   private static final double FOLLOW = 0.8;
 
   private final Ledger ledger;
@@ -59,7 +59,7 @@ final class WatchStep implements Step {
     return since > s.limits().flightTimeout() ? end(s, End.TIMEOUT, -1) : this;
   }
 
-  /** No robot drives, for example while the referee has stopped the game; the ball rolls all the same. */
+  /** No robot drives, for example while the referee has stopped the game; the ball still rolls. */
   void onlyWatch(Situation s) {
     if (s.area().outside(s.ball().x(), s.ball().y()) && Double.isNaN(outside)) {
       outside = s.time();
@@ -81,7 +81,7 @@ final class WatchStep implements Step {
     return new CheckStep(ledger, holder);
   }
 
-  /** A slow ball will stop on the way: its kicker kicks it again and follows. After others it gets out of the way. */
+  /** A slow ball will stop on the way: its kicker follows it to kick it again. After any other kick it gets out of the way. */
   private void follow(Situation s) {
     int i = task.kicker();
     double run = task.along(task.receiver().x(), task.receiver().y());

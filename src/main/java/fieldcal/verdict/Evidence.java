@@ -24,7 +24,11 @@ public record Evidence(
     Surroundings surroundings,
     Optional<KickKind> forced,
     Optional<Finding> finding) {
-  /** Copies the list and checks that nothing is missing. {@inheritDoc} */
+  /**
+   * Copies the list and checks that nothing is missing. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public Evidence {
     Objects.requireNonNull(calibration, "calibration");
     Objects.requireNonNull(published, "published");

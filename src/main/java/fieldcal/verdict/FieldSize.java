@@ -9,7 +9,7 @@ import fieldcal.vision.FieldGeometry;
  * @param width along y, m
  */
 public record FieldSize(double length, double width) {
-  /** Sizes are published in whole millimetres, so a smaller difference is none, m. */
+  /** Sizes that differ by less are the same, m: they are published in whole millimetres. */
   private static final double SAME = 0.005;
 
   /**

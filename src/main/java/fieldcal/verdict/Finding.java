@@ -11,7 +11,11 @@ import java.util.Objects;
  * @param causes ids of the effects that it names
  */
 public record Finding(Verdict verdict, List<String> causes) {
-  /** Copies the list. {@inheritDoc} */
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws NullPointerException when a component is null
+   */
   public Finding {
     Objects.requireNonNull(verdict, "verdict");
     causes = List.copyOf(causes);

@@ -11,7 +11,7 @@ import java.util.Optional;
  *
  * @param decision the most serious one that a reason asks for
  * @param reasons the most serious first; never empty
- * @param diagnose whether a diagnosis is what helps
+ * @param diagnose whether a diagnosis would help
  */
 public record PublishVerdict(PublishDecision decision, List<Reason> reasons, boolean diagnose) {
   /**
@@ -31,7 +31,7 @@ public record PublishVerdict(PublishDecision decision, List<Reason> reasons, boo
    * The verdict that follows from reasons.
    *
    * @param reasons at least one, in any order
-   * @param diagnose whether a diagnosis is what helps
+   * @param diagnose whether a diagnosis would help
    * @return with the most serious decision
    */
   static PublishVerdict of(List<Reason> reasons, boolean diagnose) {

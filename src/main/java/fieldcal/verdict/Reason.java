@@ -75,12 +75,12 @@ public sealed interface Reason {
   }
 
   /**
-   * A parameter is uncertain.
+   * The mean of a parameter is too uncertain.
    *
    * @param kind of the model
    * @param parameter name as in the model's record
    * @param percent standard error of the mean, percent of the mean
-   * @param limit allowed, percent
+   * @param limit largest standard error allowed, percent of the mean
    */
   record Imprecise(KickKind kind, String parameter, double percent, double limit)
       implements OfModel {
@@ -101,7 +101,7 @@ public sealed interface Reason {
    * @param kind of the model
    * @param parameter name as in the model's record
    * @param mean over the kicks, in the parameter's unit
-   * @param joint value of the joint fit, in the same unit
+   * @param joint value from the joint fit, in the same unit
    * @param standardErrors how far apart they are, in units of their combined standard error
    * @param percent how far apart they are, percent of the mean
    */
@@ -147,11 +147,15 @@ public sealed interface Reason {
   /**
    * The kicks lie further from their fitted paths than the cameras' noise explains.
    *
-   * @param ratio residual of the joint fit over the noise on the resting ball
+   * @param ratio residual of the joint fit over the noise on the resting ball (–)
    * @param decision to check first where the residual is far above the noise; otherwise to publish
    */
   record ResidualAboveNoise(double ratio, PublishDecision decision) implements Reason {
-    /** Checks that the decision is there. {@inheritDoc} */
+    /**
+     * Checks that the decision is there. {@inheritDoc}
+     *
+     * @throws NullPointerException when the decision is null
+     */
     public ResidualAboveNoise {
       Objects.requireNonNull(decision, "decision");
     }
@@ -163,12 +167,16 @@ public sealed interface Reason {
   }
 
   /**
-   * All kicks were taken to be of one kind, and do not move like that: some may be of the other kind.
+   * All kicks were taken to be of one kind, but do not all move like that: some may be of the other kind.
    *
    * @param kind that was asked for
    */
   record ForcedKind(KickKind kind) implements Reason {
-    /** Checks that the kind is there. {@inheritDoc} */
+    /**
+     * Checks that the kind is there. {@inheritDoc}
+     *
+     * @throws NullPointerException when the kind is null
+     */
     public ForcedKind {
       Objects.requireNonNull(kind, "kind");
     }
@@ -226,12 +234,16 @@ public sealed interface Reason {
   }
 
   /**
-   * The recordings are from several fields, or from another one than vision's.
+   * The recordings are from several fields, or from another field than the one that vision publishes.
    *
    * @param fields length and width of each, m
    */
   record SeveralFields(List<FieldSize> fields) implements Reason {
-    /** Copies the list. {@inheritDoc} */
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when a component is null
+     */
     public SeveralFields {
       fields = List.copyOf(fields);
     }
@@ -301,7 +313,11 @@ public sealed interface Reason {
    * @param effects ids
    */
   record ExtendedModelOnly(List<String> effects) implements Reason {
-    /** Copies the list. {@inheritDoc} */
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when a component is null
+     */
     public ExtendedModelOnly {
       effects = List.copyOf(effects);
     }
@@ -324,7 +340,11 @@ public sealed interface Reason {
    * @param causes ids of the effects that it names
    */
   record Diagnosed(Verdict verdict, List<String> causes) implements Reason {
-    /** Copies the list. {@inheritDoc} */
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when a component is null
+     */
     public Diagnosed {
       Objects.requireNonNull(verdict, "verdict");
       causes = List.copyOf(causes);

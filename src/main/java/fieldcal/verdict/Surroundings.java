@@ -16,7 +16,11 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
   /** Nothing is known of the recordings. */
   public static final Surroundings UNKNOWN = new Surroundings(List.of(), Optional.empty());
 
-  /** Copies the list. {@inheritDoc} */
+  /**
+   * Copies the list. {@inheritDoc}
+   *
+   * @throws NullPointerException when the list or an element is null
+   */
   public Surroundings {
     recordings = List.copyOf(recordings);
   }
@@ -30,7 +34,11 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
    */
   public record Recorded(
       boolean simulated, Optional<FieldGeometry> geometry, List<VisionFault> faults) {
-    /** Copies the list. {@inheritDoc} */
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when the list or an element is null
+     */
     public Recorded {
       faults = List.copyOf(faults);
     }
@@ -80,7 +88,7 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
   }
 
   /**
-   * Whether every camera of some recording has another calibration than in another one.
+   * Whether two recordings have cameras in common that are all calibrated differently.
    *
    * @return false also when a calibration is not known
    */

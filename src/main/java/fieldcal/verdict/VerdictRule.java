@@ -26,7 +26,7 @@ public final class VerdictRule {
   /** Largest standard error of a mean, percent of it; chosen, half of the difference that the live monitor warns of. */
   public static final double LARGEST_ERROR_PERCENT = 10;
 
-  /** Mean and joint fit that many standard errors apart differ by more than chance. */
+  /** Mean and joint fit that are more standard errors apart than this differ by more than chance. */
   public static final double APART_SIGMAS = 3;
 
   /** A smaller difference between mean and joint fit does not matter, percent; chosen, a third of {@link #NOTABLE_PERCENT}. */
@@ -35,11 +35,11 @@ public final class VerdictRule {
   /** Smaller differences from the published model are not worth changing it, percent; chosen: 3 % of accSlide moves a ball kicked at 6 m/s by less than the width of a robot. */
   public static final double NOTABLE_PERCENT = 3;
 
-  /** A difference from the published model within so many standard errors of the mean may be chance. */
+  /** A difference from the published model within this many standard errors of the mean may be chance. */
   private static final double NOTABLE_SIGMAS = 3;
 
   /**
-   * Residuals that many times the noise on the resting ball are far above it. Good fits reach 1.9: ten matches of 2026 have 0.7 mm on the resting ball and 1.3 mm RMS
+   * Residuals of more than this many times the noise on the resting ball are far above it. Good fits reach 1.9: ten matches of 2026 have 0.7 mm on the resting ball and 1.3 mm RMS
    * (Immortals-Robotics/Simulator, docs/calibration).
    */
   public static final double FAR_ABOVE_NOISE = 2;
@@ -123,7 +123,7 @@ public final class VerdictRule {
     return PublishVerdict.of(reasons, suspicious && !diagnosed && !misled);
   }
 
-  /** Judges one model; false when it has too few kicks to tell whether it holds for all of them. */
+  /** Judges one model; false when it has too few kicks to find out whether it holds for all of them. */
   private boolean judge(KickKind kind) {
     boolean flat = kind == KickKind.FLAT;
     if (!flat && areNoChips()) {
@@ -194,7 +194,7 @@ public final class VerdictRule {
         .toList();
   }
 
-  /** The error of a mean that more kicks would make smaller. Where the 2σ rule excludes kicks, the one that is given also reaches the mean of all, and would hide that the joint fit, which uses all, is there. */
+  /** The part of a mean's error that more kicks would make smaller. Where the 2σ rule excludes kicks, the reported error also reaches the mean of all kicks, and would hide that the joint fit, which uses all of them, lies there. */
   private double byChance(KickKind kind, String parameter, Average mean) {
     List<Sample> samples = samples(kind, parameter);
     return samples.stream().anyMatch(Sample::leftForItsValue)

@@ -6,13 +6,17 @@ import java.util.List;
 public sealed interface VisionFault {
 
   /**
-   * Time stamps run at another rate than the recorder's clock: accelerations are wrong by twice the difference where vision's clock is wrong.
+   * Time stamps run at another rate than the recorder's clock: if vision's clock is the wrong one, accelerations are wrong by twice the difference.
    *
    * @param cameras ids, ascending
-   * @param rate seconds of the recorder's clock per second of theirs; where they differ, the one that is farthest off
+   * @param rate seconds of the recorder's clock per second of theirs; where these differ, the one farthest from 1
    */
   record ClockRate(List<Integer> cameras, double rate) implements VisionFault {
-    /** Copies the list. {@inheritDoc} */
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when the list is null
+     */
     public ClockRate {
       cameras = List.copyOf(cameras);
     }
@@ -25,7 +29,11 @@ public sealed interface VisionFault {
    * @param swapped whether two cameras have each other's number; otherwise one of them is rotated by 180°
    */
   record MixedUp(List<Integer> cameras, boolean swapped) implements VisionFault {
-    /** Copies the list. {@inheritDoc} */
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when the list is null
+     */
     public MixedUp {
       cameras = List.copyOf(cameras);
     }

@@ -68,9 +68,9 @@ public record FieldGeometry(
    *
    * @param length along x, m
    * @param width along y, m
-   * @param goalWidth m
-   * @param goalDepth m
-   * @param boundaryWidth m
+   * @param goalWidth between the posts, m
+   * @param goalDepth behind the goal line, m
+   * @param boundaryWidth outside the touch lines, m
    * @param cameras the cameras
    * @return the geometry
    * @throws IllegalArgumentException as the constructor
@@ -106,11 +106,11 @@ public record FieldGeometry(
   }
 
   /**
-   * What is known after another message. Some sources put one camera's calibration into each message (grSim, a vision with one process for each camera): a message
+   * The geometry that is known after another message. Some sources put one camera's calibration into each message (grSim, a vision with one process for each camera): a message
    * of the same field that names one camera is a part, which replaces what was known of that camera and leaves the others. Any other message is the whole.
    *
    * @param message the next one
-   * @return the geometry from then on; this very object when nothing is new
+   * @return the geometry from then on; this object itself when nothing is new
    */
   public FieldGeometry updated(FieldGeometry message) {
     if (message.cameras.size() != 1 || !isSameField(message)) {
@@ -129,10 +129,10 @@ public record FieldGeometry(
   }
 
   /**
-   * Whether this is an earlier geometry with more of its cameras known, and nothing else changed.
+   * Whether this geometry only adds cameras to an earlier one.
    *
    * @param earlier the geometry before
-   * @return true when all that it says still holds
+   * @return true when everything in the earlier geometry still holds
    */
   public boolean completes(FieldGeometry earlier) {
     return isSameField(earlier)

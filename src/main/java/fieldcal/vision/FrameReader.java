@@ -50,7 +50,7 @@ final class FrameReader {
       tag(SSL_DetectionRobot.ORIENTATION_FIELD_NUMBER, FIXED32);
   private static final int ROBOT_HEIGHT = tag(SSL_DetectionRobot.HEIGHT_FIELD_NUMBER, FIXED32);
 
-  /** What vision can mean: more seconds than this do not fit into 64-bit nanoseconds. */
+  /** Latest plausible time, s of Unix time: more seconds do not fit into 64-bit nanoseconds. */
   private static final double MAX_UNIX_SECONDS = 9.2e9;
 
   private static final int ABSENT = -1;
@@ -123,7 +123,7 @@ final class FrameReader {
         robots);
   }
 
-  /** Counts the reason if not. */
+  /** Whether the frame can be used; counts the reason if not. */
   private boolean isUsable(boolean complete, long camera, double capture) {
     if (!complete) {
       counts.add(DecodingProblem.INCOMPLETE_FRAME);
@@ -234,7 +234,7 @@ final class FrameReader {
             height / MM_PER_M));
   }
 
-  /** Counts the reason if not; the problems of balls and robots come in the same order. */
+  /** Whether the detection can be used; counts the reason if not. The problems of balls and robots come in the same order. */
   private boolean isUsable(boolean complete, float x, float y, DecodingProblem incomplete) {
     boolean ball = incomplete == DecodingProblem.INCOMPLETE_BALL;
     if (!complete) {

@@ -22,7 +22,7 @@ final class GeometryReader {
 
   static Optional<FieldGeometry> read(CodedInputStream in, DecodingCounts counts)
       throws IOException {
-    // Not parseFrom: a missing required field shall cost the part it is missing in, not the whole
+    // Not parseFrom: a missing required field costs only the part that lacks it, not the whole
     // packet.
     SSL_GeometryData message = SSL_GeometryData.newBuilder().mergeFrom(in).buildPartial();
     in.checkLastTagWas(0);

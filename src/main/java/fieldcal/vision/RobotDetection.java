@@ -16,7 +16,7 @@ public record RobotDetection(
     RobotId id, double x, double y, double orientation, double confidence, double height) {
 
   /**
-   * Checks the name. {@inheritDoc}
+   * Checks the id. {@inheritDoc}
    *
    * @throws NullPointerException if the id is null
    */

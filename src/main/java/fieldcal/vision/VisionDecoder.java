@@ -14,11 +14,10 @@ import java.util.Optional;
 /**
  * Decodes the bytes of vision's packets ({@code SSL_WrapperPacket}) to values in SI units.
  *
- * <p>Never throws on bad data: what is unusable is left out and counted by reason. Geometry is sent over and over; while it says the same, it is the
- * same object. What some sources split over several messages is put together, see {@link FieldGeometry#updated}. Not thread-safe.
+ * <p>Never throws on bad data: what is unusable is left out and counted by reason. Geometry is sent over and over; as long as its content stays the same, the same object is returned. What some sources split over several messages is put together, see {@link FieldGeometry#updated}. Not thread-safe.
  */
 public final class VisionDecoder {
-  /** The largest number that counts as a camera's: the league uses 0 … 7, and a damaged packet must not make room for millions. */
+  /** The largest number that counts as a camera's: the league uses 0 … 7, and a damaged packet must not reserve memory for millions of cameras. */
   public static final int MAX_CAMERA_ID = 255;
 
   /** The largest number that counts as a robot's: the league uses 0 … 15. */
@@ -37,7 +36,7 @@ public final class VisionDecoder {
   private final Map<ByteBuffer, Optional<FieldGeometry>> messages = new RecentMessages();
   private Optional<FieldGeometry> geometry = Optional.empty();
 
-  /** The last different geometry messages by their bytes, decoded. */
+  /** The most recent distinct geometry messages, decoded, by their bytes. */
   private static final class RecentMessages
       extends LinkedHashMap<ByteBuffer, Optional<FieldGeometry>> {
     private static final long serialVersionUID = 1;

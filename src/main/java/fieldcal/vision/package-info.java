@@ -6,7 +6,7 @@
  * camera, {@link fieldcal.vision.RobotId} names a robot, {@link fieldcal.vision.Epoch} ties the recording's seconds to Unix
  * time. This is the only package in which millimetres become metres.
  *
- * <p>Used by {@code gamelog}, {@code kick}, {@code movement}, {@code play} and {@code simulation}.
+ * <p>Used by all packages that work with frames or the field's geometry, first of all {@code gamelog}, {@code kick}, {@code movement}, {@code play} and {@code simulation}.
  */
 @PublicApi
 package fieldcal.vision;
