@@ -91,7 +91,7 @@ public record LimitWarning(
   /**
    * One sentence for the operator.
    *
-   * @return for example {@code braking of yellow is 3.10 ± 0.05 m/s², 22 % less than the configured 4.00}
+   * @return for example {@code braking of yellow is 3.10 ± 0.05 m/s², 22 % less than the configured 4.00 m/s²}
    */
   public String text() {
     String what =
@@ -109,11 +109,12 @@ public record LimitWarning(
     }
     return String.format(
         Locale.ROOT,
-        "%s, %.0f %% %s than the configured %.2f",
+        "%s, %.0f %% %s than the configured %.2f %s",
         what,
         100 * Math.abs(deviation()),
         deviation() > 0 ? "more" : "less",
-        configured);
+        configured,
+        limit.unit());
   }
 
   /**

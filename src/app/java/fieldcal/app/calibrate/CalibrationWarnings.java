@@ -82,7 +82,7 @@ public final class CalibrationWarnings {
             (name, average) ->
                 Average.agreement(samples(kind, name))
                     .filter(a -> covered(average, a))
-                    .map(a -> agreement(ParameterWords.of(name), a, samples(kind, name).size()))
+                    .map(a -> agreement(name, a, samples(kind, name).size()))
                     .ifPresent(sentences::add));
     return sentences;
   }
@@ -109,13 +109,15 @@ public final class CalibrationWarnings {
   static String agreement(String parameter, Agreement agreement, int kicks) {
     return String.format(
         Locale.ROOT,
-        "The kicks are of two kinds: %d of %d agree on a %s of %.4g, the others have %.4g on"
+        "The kicks are of two kinds: %d of %d agree on a %s of %.4g%s, the others have %.4g%s on"
             + " average, as when some of them have spin. The error of the mean covers both.",
         Math.round(agreement.share() * kicks),
         kicks,
-        parameter,
+        ParameterWords.of(parameter),
         agreement.value(),
-        agreement.others());
+        ParameterWords.unit(parameter),
+        agreement.others(),
+        ParameterWords.unit(parameter));
   }
 
   /** Parameters of which a median is given, so that values are used that lie more than 2 σ from it. */

@@ -50,8 +50,8 @@ final class CalibrateCommand implements Callable<Integer> {
       arity = "1..*",
       paramLabel = "LOG",
       description =
-          "SSL game logs, .log or .log.gz; of a folder, those that belong together: recordings of"
-              + " matches, simulated fields and other fields are left out")
+          "SSL game logs, .log or .log.gz, or a folder; of a folder, only recordings that belong"
+              + " together are used, without those of matches, simulated fields and other fields")
   private List<Path> logs;
 
   @Option(
@@ -89,7 +89,8 @@ final class CalibrateCommand implements Callable<Integer> {
       names = "--selection",
       paramLabel = "FILE",
       description =
-          "kicks dropped or kept by hand; without it, DIR/selection.json of --out if that exists")
+          "file with the kicks dropped or kept by hand (default: selection.json in the directory of"
+              + " --out, if it exists)")
   private Path selection;
 
   @Option(

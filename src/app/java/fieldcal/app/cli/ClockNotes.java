@@ -47,7 +47,7 @@ final class ClockNotes {
           "the clock is "
               + amount(Math.abs(difference))
               + (difference > 0 ? " behind" : " ahead of")
-              + " the recorder's, so that no latency is known");
+              + " the recorder's, so the latency is not known");
     }
     if (Math.abs(camera.clockRate() - 1) > ClockComparison.NOTABLE_RATE) {
       notes.add(

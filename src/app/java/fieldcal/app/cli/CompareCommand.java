@@ -44,8 +44,8 @@ final class CompareCommand implements Callable<Integer> {
       names = "--commands",
       paramLabel = "CSV",
       description =
-          "CSV file of the field robots' commands; kickers are compared where those of both are"
-              + " known")
+          "CSV file of the field robots' commands; kickers are compared only if the commands of"
+              + " both sides are known")
   private Path commands;
 
   @Option(

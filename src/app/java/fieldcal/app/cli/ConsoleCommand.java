@@ -113,8 +113,7 @@ final class ConsoleCommand implements Callable<Integer> {
     Optional<BallModels> start =
         initial == null ? Optional.empty() : Optional.of(InitialModels.read(initial));
     if (token != null && tokenFile != null) {
-      throw new ParameterException(
-          spec.commandLine(), "--token and --token-file exclude each other; give one of them");
+      throw new ParameterException(spec.commandLine(), "give --token or --token-file, not both");
     }
     Optional<String> known =
         tokenFile == null ? Optional.ofNullable(token) : Optional.of(firstLine(tokenFile));

@@ -34,7 +34,9 @@ final class DiagnoseCommand implements Callable<Integer> {
   @Parameters(
       arity = "1..*",
       paramLabel = "LOG",
-      description = "SSL game logs, .log or .log.gz; of a folder, those that calibrate would use")
+      description =
+          "SSL game logs, .log or .log.gz, or a folder, of which the same recordings are used as by"
+              + " calibrate")
   private List<Path> logs;
 
   @Option(
@@ -57,7 +59,8 @@ final class DiagnoseCommand implements Callable<Integer> {
       names = "--selection",
       paramLabel = "FILE",
       description =
-          "kicks dropped or kept by hand; without it, DIR/selection.json of --out if that exists")
+          "file with the kicks dropped or kept by hand (default: selection.json in the directory of"
+              + " --out, if it exists)")
   private Path selection;
 
   @Option(

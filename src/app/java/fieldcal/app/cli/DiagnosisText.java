@@ -273,7 +273,7 @@ final class DiagnosisText {
       return "";
     }
     return fitting == 0
-        ? ", none of which belongs to one of the "
+        ? ", none of which belongs to any of the "
             + told
             + " commands (are they of another recording, or do the clocks differ?)"
         : ", " + fitting + " with their commands";

@@ -63,7 +63,7 @@ final class ExportCommand implements Callable<Integer> {
   @Option(
       names = "--base",
       paramLabel = "FILE",
-      description = "the target's present file: everything but the exported values stays as it is")
+      description = "the target's current file: everything but the exported values stays as it is")
   private Path base;
 
   @Option(
@@ -91,15 +91,16 @@ final class ExportCommand implements Callable<Integer> {
   @Option(
       names = "--team",
       paramLabel = "yellow|blue",
-      description = "whose limits, where the target's file holds those of one team")
+      description =
+          "the team whose limits are exported, if the target's file holds those of one team only")
   private String team;
 
   @Option(
       names = "--entry",
       paramLabel = "NAME",
       description =
-          "the target's name for it: a team in robot-specs, a robot type or an environment in"
-              + " Sumatra")
+          "the entry in the target's file that gets the values: a team in robot-specs, a robot type"
+              + " or an environment in Sumatra")
   private String entry;
 
   @Option(
@@ -116,7 +117,9 @@ final class ExportCommand implements Callable<Integer> {
           "puts back what was there before the last export to --out, or the last --apply to URL")
   private boolean rollback;
 
-  @Option(names = "--force", description = "exports a model whose verdict is: do not publish")
+  @Option(
+      names = "--force",
+      description = "exports the model even if its verdict is: do not publish")
   private boolean force;
 
   @Override

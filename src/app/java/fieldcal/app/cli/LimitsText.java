@@ -134,7 +134,11 @@ final class LimitsText {
     }
     for (Envelope e : limits.envelopes()) {
       if (!e.points().isEmpty()) {
-        line("%s: %s%s.", team, LimitWords.sentence(e), e.shaped() ? " (a shape of its own)" : "");
+        line(
+            "%s: %s%s.",
+            team,
+            LimitWords.sentence(e),
+            e.shaped() ? "; one limit for all directions does not describe it" : "");
       }
     }
     if (limits.deviations().isEmpty() && limits.envelopes().stream().noneMatch(Envelope::shaped)) {

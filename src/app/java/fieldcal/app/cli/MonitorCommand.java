@@ -41,8 +41,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     description =
         "Watches a match, live or recorded: shows the ball model from the last 31 kicks, warns when"
-            + " it is more than 20 %% from the published one, and shows the movement limits of both"
-            + " teams and the state of the cameras. Ctrl-C ends it with a summary.")
+            + " it differs from the published one by more than 20 %%, and shows the movement limits"
+            + " of both teams and the state of the cameras. Ctrl-C ends it with a summary.")
 final class MonitorCommand implements Callable<Integer> {
   /** Ctrl-C waits so long for the summary, s. */
   private static final long PATIENCE = 5;

@@ -107,7 +107,8 @@ final class PlayCommand implements Callable<Integer> {
       names = "--adaptive",
       description =
           "chooses each kick so that it determines the least certain parameter best; with --out"
-              + " also kicks that distinguish causes. Without it, the speeds are spread evenly")
+              + " also kicks that distinguish causes. Without --adaptive, the speeds are spread"
+              + " evenly")
   private boolean adaptive;
 
   @Option(

@@ -199,7 +199,7 @@ final class PlayText {
         last.state().made());
     if (result.session().complete() && last.state().wanted() < request.kicks()) {
       line(
-          "Every parameter is known to %s %%, as asked. The other kicks of %d are not needed.",
+          "Every parameter is known to %s %%, as asked. The rest of the %d kicks is not needed.",
           new DecimalFormat("0.##", DecimalFormatSymbols.getInstance(Locale.ROOT))
               .format(100 * request.precision()),
           request.kicks());

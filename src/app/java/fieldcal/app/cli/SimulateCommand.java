@@ -215,7 +215,7 @@ final class SimulateCommand implements Callable<Integer> {
       paramLabel = "MM",
       description =
           "distance between the positions that neighbouring cameras report for the same ball"
-              + " (default: 0)")
+              + " (default: 0 mm)")
   private Double disagreementMm;
 
   @Option(names = "--division", paramLabel = "A|B", description = "field size (default: A)")

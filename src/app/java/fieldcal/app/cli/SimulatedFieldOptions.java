@@ -71,8 +71,7 @@ final class SimulatedFieldOptions {
    */
   SimulationSettings withPreset(SimulationSettings settings) throws IOException {
     if (like != null && preset != null) {
-      throw new IllegalArgumentException(
-          "--like and --preset exclude each other; give one of them");
+      throw new IllegalArgumentException("give --like or --preset, not both");
     }
     SimulationSettings found = preset == null ? settings : Preset.of(preset).applyTo(settings);
     if (like != null) {

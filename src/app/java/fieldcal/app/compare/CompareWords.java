@@ -30,7 +30,7 @@ final class CompareWords {
           Double.isFinite(error)
               ? String.format(
                   Locale.ROOT,
-                  "An AI tuned on the simulator is %.0f mm wrong 1 s ahead",
+                  "An AI tuned on the simulator predicts the ball %.0f mm wrong 1 s ahead",
                   1000 * error)
               : "The ball behaves differently in the simulator";
       return ahead + part(named, Comparator.comparingDouble(Named::shareOfError), true) + ".";
@@ -73,8 +73,8 @@ final class CompareWords {
 
   private static String part(String words, double share) {
     return share > MOST
-        ? ". Largest cause: " + words + "; other differences act against it"
-        : ". Largest cause: " + words + ", " + share(share) + " of it";
+        ? ". The largest cause is " + words + "; other differences act against it"
+        : ". The largest cause is " + words + ": " + share(share) + " of it";
   }
 
   /** A share in words. */

@@ -79,7 +79,7 @@ final class Differences {
     return probabilities.stream().mapToDouble(v -> v).toArray();
   }
 
-  /** What differs by the probabilities when those have paid for their number. */
+  /** What differs by the probabilities after correction for their number. */
   Result judged(double[] corrected) {
     List<Difference> significant = new ArrayList<>();
     for (int i = 0; i < corrected.length; i++) {

@@ -40,7 +40,7 @@ final class FieldComparer {
     this.sim = sim;
   }
 
-  /** All tests of the comparison pay for their number together: the operator reads them together. */
+  /** All tests of the comparison are corrected together for their number, since the operator reads them together. */
   FieldComparison compare() {
     Differences ball = Differences.of(real.diagnosis().diagnosis(), sim.diagnosis().diagnosis());
     List<Comparison> cameras = cameras();

@@ -12,9 +12,9 @@ import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 
-/** What one kick says of the offsets of cameras, whatever its own position, direction, speed and time are. */
+/** What one kick determines of the cameras' offsets; its own position, direction, speed and time are eliminated. */
 final class OffsetTerm {
-  /** A column that keeps less than that of its length beside the others is one of them. */
+  /** A column of which less than this share remains after projection onto the others depends on them. */
   private static final double DEPENDENT = 1e-6;
 
   /** Directions in which a kick's own parameters move its path. */

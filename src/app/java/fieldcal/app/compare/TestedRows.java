@@ -51,7 +51,7 @@ final class TestedRows {
     return probabilities.stream().mapToDouble(v -> v).toArray();
   }
 
-  /** All rows, in the order in which they came, by their probabilities when those have paid for their number. */
+  /** All rows, in the order in which they came, by their probabilities after correction for their number. */
   List<Row> judged(double[] corrected) {
     List<Row> judged = new ArrayList<>();
     for (int i = 0; i < corrected.length; i++) {

@@ -156,7 +156,7 @@ final class ExportDesk {
     return text.isEmpty() ? Optional.empty() : Optional.of(text);
   }
 
-  /** The present model with what the session knows beside it, or an earlier one from the history. */
+  /** The current model with what the session knows beside it, or an earlier one from the history. */
   private ExportModel model(JsonNode body) throws IOException {
     if (Requests.number(body, "from").isPresent()) {
       HistoryEntry entry = entry(body, "from");

@@ -53,7 +53,7 @@ record PlayOrder(SessionRequest request, double pace, Optional<Network> network)
   enum Choice {
     /** Speeds spread evenly. */
     SPREAD,
-    /** For what it tells of the least certain parameter, or of causes that the session's kicks cannot tell apart. */
+    /** By how well it determines the least certain parameter, or distinguishes causes that the session's kicks cannot tell apart. */
     ADAPTIVE
   }
 

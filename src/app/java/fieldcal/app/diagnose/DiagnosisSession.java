@@ -116,7 +116,7 @@ public final class DiagnosisSession {
   }
 
   private DiagnosisProblem problem(CalibrationOutcome outcome) {
-    // Of fewer detections than twice its unknowns a kick has nothing to say.
+    // A kick with fewer detections than twice its parameters determines nothing.
     List<KickFit> fits =
         outcome.calibration().fitted().stream()
             .filter(f -> outcome.selection().droppedBecause(outcome.key(f.kick())).isEmpty())

@@ -200,7 +200,7 @@ public final class Exporter {
     if (file.newFile().startsWith(REFUSE)) {
       throw new InputException(
           target.name()
-              + " needs --base, the present "
+              + " needs --base, the current "
               + file.file()
               + ": "
               + file.newFile().substring(REFUSE.length()));

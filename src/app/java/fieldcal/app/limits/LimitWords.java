@@ -45,12 +45,12 @@ public final class LimitWords {
    * How a robot differs from its team mates.
    *
    * @param different of a team
-   * @return for example {@code robot 3 is weaker: acceleration 2.25 ± 0.02 m/s², 75 % of its team mates' 3.00 (51 manoeuvres)}
+   * @return for example {@code robot 3 is weaker: acceleration 2.25 ± 0.02 m/s², 75 % of its team mates' 3.00 m/s² (51 manoeuvres)}
    */
   public static String sentence(RobotDifference different) {
     return String.format(
         Locale.ROOT,
-        "robot %d is %s: %s %.2f ± %.2f m/s², %.0f %% of its team mates' %.2f (%d manoeuvres)",
+        "robot %d is %s: %s %.2f ± %.2f m/s², %.0f %% of its team mates' %.2f m/s² (%d manoeuvres)",
         different.robot(),
         different.ratio() < 1 ? "weaker" : "stronger",
         different.quantity(),
@@ -66,7 +66,7 @@ public final class LimitWords {
    *
    * @param limits of the team
    * @param deviation one of its deviations
-   * @return for example {@code accelerates less the faster it drives: 3.93 m/s² from standstill, 2.04 at 3.00 m/s}
+   * @return for example {@code accelerates less the faster it drives: 3.93 m/s² from standstill, 2.04 m/s² at 3.00 m/s}
    */
   public static String sentence(TeamLimits limits, LimitDeviation deviation) {
     boolean braking = deviation.seenIn().equals("braking");
@@ -83,12 +83,12 @@ public final class LimitWords {
     return switch (deviation.effect()) {
       case DIRECTIONAL ->
           String.format(
-              Locale.ROOT, "%s: %.2f m/s² along it, %.2f sideways", what, limit.value(), left);
+              Locale.ROOT, "%s: %.2f m/s² along it, %.2f m/s² sideways", what, limit.value(), left);
       case TORQUE_LIMITED ->
           Double.isFinite(fastest)
               ? String.format(
                   Locale.ROOT,
-                  "%s: %.2f m/s² from standstill, %.2f at %.2f m/s",
+                  "%s: %.2f m/s² from standstill, %.2f m/s² at %.2f m/s",
                   what,
                   limit.value(),
                   left,

@@ -19,7 +19,7 @@ import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 
 /**
- * Chooses the next kick for what it will tell: while causes are undecided, the speed and line that tell most of which it is; else those after which the least certain parameter, by its
+ * Chooses the most informative next kick: while causes are undecided, the speed and line that best distinguish them; else those after which the least certain parameter, by its
  * relative standard error, is known best. Once all are known well enough, speeds are spread: kicks that are best for the parameters are all alike, and show no cause. Not thread-safe.
  */
 final class AdaptiveKicks implements KickChooser {
@@ -28,16 +28,16 @@ final class AdaptiveKicks implements KickChooser {
   /** Relative standard error from which on a parameter is known well enough, unless the operator wants another. */
   private static final double KNOWN = 0.01;
 
-  /** The error that the operator asks for also holds what differs from kick to kick: the detections have to tell more. */
+  /** The error that the operator asks for includes the scatter from kick to kick, so the detections alone must determine the parameter to this share of it. */
   private static final double RESERVE = 0.5;
 
   /** What is known of a parameter before the first kick, relative. */
   private static final double PRIOR = 0.5;
 
-  /** Beside the least certain parameter the others count a little, so that of equal kicks the one that tells more of them is taken. */
+  /** Weight of the other parameters beside the least certain one, so that of equally good kicks the one that also determines these better is taken. */
   private static final double OTHERS = 0.1;
 
-  /** Changing ends takes as long as a kick: a kick on the other line has to tell that much more. */
+  /** Changing ends takes as long as a kick, so a kick on the other line must be more informative by this share. */
   private static final double CHANGE = 0.15;
 
   /** Kicks near a speed that did not determine its parameters promise less. */

@@ -16,10 +16,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A kick that goes as one explanation has it, seen by another: a term of the kernel. Own parameters: position, velocity and time (m, m/s, s), then what the kick adds to each magnitude that differs from kick to kick. Immutable.
+ * A kick that goes as one explanation has it, seen by another: a term of the kernel. Per-kick parameters: position, velocity and time (m, m/s, s), then what the kick adds to each magnitude that differs from kick to kick. Immutable.
  */
 final class ExpectedKick implements KickTerm<ExpectedKick.State> {
-  /** Steps of the derivatives by a kick's own parameters: place, m; velocity, m/s; time, s; share of an effect's scale. */
+  /** Steps of the derivatives by the per-kick parameters: place, m; velocity, m/s; time, s; share of an effect's scale. */
   private static final double PLACE_STEP = 1e-3;
 
   private static final double VELOCITY_STEP = 1e-2;

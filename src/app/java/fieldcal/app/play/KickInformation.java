@@ -161,7 +161,7 @@ final class KickInformation {
       }
     }
 
-    /** On three parameters of the model from {@code first} on; all others are the kick's own. */
+    /** On three global parameters from {@code first} on; all others are per-kick parameters. */
     RealMatrix information(int first) {
       LinearKick kick = new LinearKick(rows, first, PARAMETERS);
       List<Parameter> globals = new ArrayList<>();

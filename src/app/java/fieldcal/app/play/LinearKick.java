@@ -13,9 +13,9 @@ final class LinearKick implements KickTerm<double[]> {
   /**
    * A kick.
    *
-   * @param derivatives of each observation, whitened, by all unknowns; not to be changed
-   * @param first index of the first unknown that is shared
-   * @param shared how many are; the others are the kick's own
+   * @param derivatives of each observation, whitened, by all parameters; not to be changed
+   * @param first index of the first global parameter
+   * @param shared how many global parameters there are; the others are per-kick parameters
    */
   LinearKick(List<double[]> derivatives, int first, int shared) {
     this.derivatives = List.copyOf(derivatives);

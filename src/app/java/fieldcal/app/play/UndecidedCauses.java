@@ -23,7 +23,7 @@ final class UndecidedCauses {
   /** Chi-square difference from which on two explanations are told apart: twice the evidence that a diagnosis asks for. */
   private static final double TOLD_APART = 12;
 
-  /** Fewer than that of a kick, and no number of kicks that anybody makes tells them apart. */
+  /** A kick of which less chi-square than this is expected distinguishes nothing, however often it is repeated. */
   static final double LEAST = 0.5;
 
   /** The next kick comes about that long after the last one, s. */

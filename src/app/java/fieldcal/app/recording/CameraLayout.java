@@ -31,7 +31,7 @@ final class CameraLayout {
   /** So many of them are enough, and bound the memory. */
   private static final int MOST_PAIRS = 500;
 
-  /** A ball that rolls on by a metre and a half. */
+  /** With {@link #MOVED} between two pairs: a ball that rolls for one and a half metres. */
   private static final int LEAST_PAIRS = 15;
 
   /** Far above what sound cameras disagree by, which is up to 30 mm, and far below a field, m. */
@@ -48,12 +48,12 @@ final class CameraLayout {
 
   private static final int CELLS = 32;
 
-  /** So many cells are the path of one kick. */
+  /** The path of one kick touches that many cells. */
   private static final int LEAST_CELLS = 12;
 
   /**
-   * Places are nearer to another camera than to the own one by that part of the distance between both. For a camera that looks at its half of a field the difference is about half of the distance, with either
-   * sign; much less is a traffic along the border.
+   * Least mean difference of the distances to the own camera and to the other one, as a share of the distance between both cameras. For a camera that looks at its half of a field it is about a half, with either
+   * sign; where balls and robots move along the border of both views, it is much smaller.
    */
   private static final double NEARER = 0.2;
 
@@ -216,7 +216,7 @@ final class CameraLayout {
             opposite.add(both);
           }
         });
-    // Who agrees with a third one is not the one of the two.
+    // Of two cameras, the one that agrees with a third camera is not the turned one.
     Set<Set<Integer>> named = new HashSet<>();
     List<Finding> findings = new ArrayList<>();
     for (CameraPair both : opposite) {

@@ -41,7 +41,9 @@ final class VisionWatch {
     if (all <= MOST) {
       told.add(String.format(Locale.ROOT, "%s, %.0f s after its first frame", what, at - begin));
     } else if (all == MOST + 1) {
-      told.add("vision goes on with silences and jumps of its clock; they are only counted now");
+      told.add(
+          "vision keeps falling silent, or its clock keeps jumping; from now on this is only"
+              + " counted");
     }
   }
 

@@ -33,7 +33,7 @@ public final class Holm {
   }
 
   /**
-   * Corrected probabilities of several families that are read together, and pay for the number of all.
+   * Corrected probabilities of several families that are read together, corrected for the number of all of them.
    *
    * @param families probabilities of each, 0 … 1; NaN for what was not tested
    * @return families in the same order and of the same lengths

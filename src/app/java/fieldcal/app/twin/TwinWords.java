@@ -33,7 +33,7 @@ final class TwinWords {
         number(c.second()),
         unit,
         pairs ? "; the same kicks differ by " + number(c.difference()) + unit : "",
-        bounces ? " Bounces differ from kick to kick; the twin's all obey one model." : "");
+        bounces ? " Bounces differ from kick to kick; those of the twin all obey one model." : "");
   }
 
   /** A cause of the twin, for example "air drag (cd 0.50)"; with its scatter from kick to kick where it has one. */

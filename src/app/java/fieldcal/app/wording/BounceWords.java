@@ -29,8 +29,8 @@ final class BounceWords extends MotionText {
     return Sentences.extended(
         text("Hard bounces lose %s height than soft ones%s.", loses ? "more" : "less", numbers),
         text(
-            "With one damping for all, the first bounces are predicted too %s and the last ones too"
-                + " %s.",
+            "With one damping for all bounces, the first bounces are predicted too %s and the last"
+                + " ones too %s.",
             loses ? "high" : "low", loses ? "low" : "high"));
   }
 
@@ -38,8 +38,8 @@ final class BounceWords extends MotionText {
     double coefficient = effect.value("coefficient");
     return Sentences.extended(
         text(
-            "A bounce takes %s speed from a ball with topspin: %s %% for the spin of a rolling"
-                + " ball.",
+            "A bounce takes %s speed from a ball with topspin than from one without spin: at the"
+                + " spin of a rolling ball, %s %% of its horizontal speed.",
             coefficient >= 0 ? "more" : "less", percent(Math.abs(coefficient))),
         chip("if spin did not matter"));
   }

@@ -81,12 +81,12 @@ final class CameraWords {
             "Camera %d's time stamps are %s ms %s.",
             camera(), Amount.of(Math.abs(ms)), ms >= 0 ? "late" : "early"),
         text(
-            "It shows a ball of %s m/s %s mm %s where it is.",
+            "A ball at %s m/s appears %s mm %s its true place.",
             Amount.decimals(FAST, 0),
             Amount.of(FAST * Math.abs(ms)),
             ms >= 0 ? "behind" : "ahead of"),
         "Synchronise the clocks of the vision computers, and give all cameras the same exposure and"
-            + " the same way of stamping.");
+            + " the same kind of time stamp.");
   }
 
   Sentences poseError() {
@@ -169,7 +169,7 @@ final class CameraWords {
     double y = effect.value("y_mm");
     return new Sentences(
         text(
-            "Camera %d was knocked: %s it reports everything %s.",
+            "Camera %d was knocked: %s, it reports everything %s.",
             camera(),
             FieldWords.from(effect.value("at")),
             FieldWords.shift(x, y, error("x_mm"), error("y_mm"), "too far ")),
@@ -194,7 +194,7 @@ final class CameraWords {
                 .map(
                     s ->
                         text(
-                            ": by %s mm on average, by up to %s mm where a camera looks far",
+                            ": by %s mm on average, and by up to %s mm far from a camera",
                             Amount.of(s.typical()), Amount.of(s.largest())))
                 .orElse("")),
         "Set the ball's radius in vision to that of the ball, 21.5 mm.");
@@ -211,7 +211,7 @@ final class CameraWords {
             ppm >= 0 ? "fast" : "slow",
             Amount.of(1000 * drift)),
         text(
-            "After ten minutes it shows a ball of %s m/s %s mm %s where it is.",
+            "After ten minutes, a ball at %s m/s appears %s mm %s its true place.",
             Amount.decimals(FAST, 0),
             Amount.of(1000 * FAST * drift),
             ppm >= 0 ? "behind" : "ahead of"),
@@ -226,8 +226,8 @@ final class CameraWords {
                 + " %s.",
             ms >= 0 ? "last" : "first", Amount.of(Math.abs(ms)), ms >= 0 ? "first" : "last"),
         text(
-            "Low in the image a ball of %s m/s is shown up to %s mm %s where it is at the time of"
-                + " the stamp.",
+            "Low in the image, a ball at %s m/s appears up to %s mm %s its place at the time of the"
+                + " stamp.",
             Amount.decimals(FAST, 0),
             Amount.of(FAST * Math.abs(ms)),
             ms >= 0 ? "ahead of" : "behind"),
@@ -241,7 +241,8 @@ final class CameraWords {
         .map(
             s ->
                 text(
-                    "Where it saw the ball, it reports it %s mm off on average, and up to %s mm.",
+                    "The reported places of the ball are off by %s mm on average, and by up to %s"
+                        + " mm.",
                     Amount.of(s.typical()), Amount.of(s.largest())))
         .orElse("");
   }

@@ -132,7 +132,7 @@ final class CarpetWords extends MotionText {
                             + " than elsewhere.",
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElse(""),
-        "Look at the carpet there (worn, wet, a seam, dust)",
+        "Check the carpet there for wear, moisture, dust and seams",
         "; until it is mended,");
   }
 
@@ -194,7 +194,7 @@ final class CarpetWords extends MotionText {
             "The carpet changes: in ten minutes rolling balls are braked %s %% %s%s.",
             Amount.of(Math.abs(percent)), percent >= 0 ? "more" : "less", numbers),
         text(
-            "A model of the beginning of the session lets balls come out %s later on.",
+            "With a model from the beginning of the session, later passes are %s.",
             percent >= 0 ? "too short" : "too long"),
         "Calibrate again shortly before the match, and look for what changes: dust, humidity, a"
             + " ball that warms up or wears.");
@@ -213,7 +213,7 @@ final class CarpetWords extends MotionText {
     }
     return new Sentences(
         text(
-            "%s another ball is in play, which %s.",
+            "%s, another ball is in play, which %s.",
             Sentences.begin(FieldWords.from(effect.value("at"))),
             what.isEmpty() ? "hardly differs" : String.join(" and ", what)),
         kicks

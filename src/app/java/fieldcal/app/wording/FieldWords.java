@@ -116,12 +116,12 @@ final class FieldWords {
    * An instant of the session.
    *
    * @param at s since its begin
-   * @return for example "from 12.5 minutes after the beginning on"
+   * @return for example "from 12.5 minutes into the session on"
    */
   static String from(double at) {
     return at < MINUTE
-        ? "from " + Amount.decimals(at, 0) + " s after the beginning on"
-        : "from " + Amount.decimals(at / MINUTE, 1) + " minutes after the beginning on";
+        ? "from " + Amount.decimals(at, 0) + " s into the session on"
+        : "from " + Amount.decimals(at / MINUTE, 1) + " minutes into the session on";
   }
 
   private static boolean isWorthSaying(double value, double error) {

@@ -51,7 +51,7 @@ final class Headline {
     if (!found) {
       return wrong + ".";
     }
-    String both = wrong + "; with what was found " + length(after, cm) + unit;
+    String both = wrong + "; with what was found, " + length(after, cm) + unit;
     return after < (1 - LEAST_GAIN) * before
         ? both + "."
         : both + compared(before, after) + ". " + followed(d);
@@ -105,7 +105,7 @@ final class Headline {
             VerdictText.mm(residual(d, d.base())));
     return found
         ? text(
-            "%s; with what was found by %s mm.", model, VerdictText.mm(residual(d, d.extended())))
+            "%s; with what was found, by %s mm.", model, VerdictText.mm(residual(d, d.extended())))
         : model + ".";
   }
 

@@ -23,7 +23,8 @@ final class KickWords extends MotionText {
             .map(
                 m ->
                     text(
-                        " A flat kick rolls from %s %% of its speed on instead of %s %%.",
+                        " A flat kick begins to roll at %s %% of its initial speed instead of %s"
+                            + " %%.",
                         percent(m.kSwitch() + (1 - m.kSwitch()) * fraction), percent(m.kSwitch())))
             .orElse("");
     return Sentences.orExtended(

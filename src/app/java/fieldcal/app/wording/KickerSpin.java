@@ -61,15 +61,15 @@ record KickerSpin(double flat, double chips, double error) {
           MotionText.percent(error));
     }
     return text(
-        "Of the spin of a rolling ball, the kickers give chips %s and flat kicks %s.",
+        "The kickers give chips %s and flat kicks %s; 100 %% is the spin of a rolling ball.",
         mean(chips), mean(flat));
   }
 
   private String mean(double mean) {
     return isUnsure(mean)
         ? text(
-            "none that is certain (%s ± %s %%)",
+            "no spin that is certain (%s ± %s %%)",
             MotionText.percent(mean), MotionText.percent(error))
-        : text("%s %% as %s", MotionText.percent(Math.abs(mean)), sort(mean));
+        : text("%s %% %s", MotionText.percent(Math.abs(mean)), sort(mean));
   }
 }

@@ -206,7 +206,7 @@ public final class LearnedWords {
   /** Where no single value of a curve is certain and all of them together are. */
   private static String uncertain(LearnedTerm term) {
     return Sentences.begin(name(term))
-        + ": held-out kicks show that there is some, but not what it looks like; every value of the"
+        + ": held-out kicks show that the effect exists, but not its shape; every value of the"
         + " curve is within two standard errors of zero.";
   }
 
@@ -234,7 +234,7 @@ public final class LearnedWords {
    *
    * @param curve of a fitted term
    * @param formula its best simple formula
-   * @return for example "From 4 m/s on, the ball slides longer than the model says: it is braked by 0.30 m/s² less."; empty when the curve has no formula, and no value beyond two standard errors
+   * @return for example "From 4 m/s on, the sliding ball is braked less than the model says: by 0.30 m/s²."; empty when the curve has no formula, and no value beyond two standard errors
    */
   public static Optional<String> sentence(LearnedCurve curve, SimpleFormula formula) {
     return switch (formula.kind()) {
@@ -360,7 +360,7 @@ public final class LearnedWords {
     return switch (curve.family().quantity()) {
       case ACCELERATION_ALONG ->
           slides
-              ? "ball slides " + (more ? "longer" : "less long") + " than the model says"
+              ? "sliding ball is braked " + (more ? "less" : "more") + " than the model says"
               : "ball is braked " + (more ? "less" : "more") + " than the model says";
       case ACCELERATION_ACROSS -> "ball is pulled to its " + (more ? "left" : "right");
       case FRICTION -> "carpet brakes the ball " + (more ? "more" : "less");
@@ -405,7 +405,7 @@ public final class LearnedWords {
       case HEADING -> "the direction of travel";
       case PLACE -> "the place on the field";
       case DISTANCE_ROLLED -> "how far the ball has rolled";
-      case VERTICAL_SPEED -> "how steeply the ball falls";
+      case VERTICAL_SPEED -> "how fast the ball falls";
       case GROUND_SPEED -> "the speed over the ground";
       case HOP -> "which bounce it is";
       case IMAGE_POSITION -> "the place in the image";

@@ -23,8 +23,8 @@ public final class NextKicks {
 
   private static final String PLACE_OR_STAMP =
       "Let a ball rest at three places that two cameras see, and kick six flat ones of 5–6 m/s"
-          + " through each in both directions: a late stamp shifts the moving ball only, and turns"
-          + " with its direction; a misplaced camera shifts the resting one as well.";
+          + " through each in both directions: a late stamp shifts only the moving ball, along its"
+          + " direction of travel; a misplaced camera shifts the resting ball as well.";
 
   private static final String SCALE_OR_LENS =
       "Record four flat kicks of 2–3 m/s through the middle of each camera's view and four along"

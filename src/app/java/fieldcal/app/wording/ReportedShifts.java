@@ -15,7 +15,7 @@ import java.util.OptionalDouble;
 
 /** By how much an effect moves what cameras report of balls on the carpet, where they saw the ball. */
 final class ReportedShifts {
-  /** More places say no more. */
+  /** More places hardly change the result. */
   private static final int PLACES = 2000;
 
   private final List<ObservedCamera> observers;

@@ -218,12 +218,12 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         .map(
             h ->
                 text(
-                    "With %s some kicks are predicted far worse than most: with their full errors"
-                        + " the root mean square is %s mm instead of %s mm %s s ahead.",
+                    "With %s, some kicks are predicted far worse than most: %s s ahead, the root"
+                        + " mean square error of all kicks is %s mm, the typical error %s mm.",
                     model,
+                    seconds(h),
                     Amount.of(q.predictionErrorMm().get(h)),
-                    Amount.of(q.typicalErrorMm().get(h)),
-                    seconds(h)));
+                    Amount.of(q.typicalErrorMm().get(h))));
   }
 
   private static double excess(Quality q, double horizon) {
@@ -263,11 +263,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String held =
         Double.isNaN(before.holdoutRmsMm())
             ? text(
-                "With what was found in the model, the residual falls from %s to %s mm; too few"
-                    + " kicks to hold some out (the cameras' noise is %s mm).",
+                "With what was found, the residual falls from %s mm to %s mm (the cameras' noise is"
+                    + " %s mm); there are too few kicks to hold some out.",
                 mm(before.rmsMm()), mm(after.rmsMm()), mm(after.noiseMm()))
             : text(
-                "With what was found in the model, kicks that were held out fit to %s mm"
+                "With what was found, kicks that were held out fit to %s mm"
                     + " instead of %s mm (the cameras' noise is %s mm).",
                 mm(after.holdoutRmsMm()), mm(before.holdoutRmsMm()), mm(after.noiseMm()));
     return horizons.isEmpty() ? held : held + " Predictions are off by " + horizons + ".";

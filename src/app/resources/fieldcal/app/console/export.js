@@ -31,10 +31,10 @@ export function exportPart(app) {
 
   function build() {
     const t = target(), keep = name => event => { view[name] = event.target.value; };
-    const from = view.from ? el('p', {class: 'notice warn'}, 'Exports the model of entry ' + view.from + ' of the history. ', button('Take the present model', () => { view.from = null; show(); })) : '';
+    const from = view.from ? el('p', {class: 'notice warn'}, 'Exports the model of entry ' + view.from + ' of the history. ', button('Take the current model', () => { view.from = null; show(); })) : '';
     return [el('form', {id: 'export-form', onsubmit: event => { event.preventDefault(); exported(); }},
       el('p', {}, field('To', select('export-target', state().targets.map(x => [x.name, x.name]), view.target, name => { Object.assign(view, {target: name, failure: ''}); showExport(); })), ' ', el('span', {class: 'note'}, t.title)), from,
-      el('p', {}, el('label', {}, 'Your present ' + t.file + ' ', el('input', {type: 'file', id: 'export-base', onchange: event => { view.base = event.target.files[0] || null; }})),
+      el('p', {}, el('label', {}, 'Your current ' + t.file + ' ', el('input', {type: 'file', id: 'export-base', onchange: event => { view.base = event.target.files[0] || null; }})),
       el('br'), el('span', {class: 'note'}, 'Only the exported values change in it. Without it you get a new file.')),
       t.entry ? el('label', {}, 'Entry ', el('input', {id: 'export-entry', value: view.entry, maxlength: 200, title: t.entry, oninput: keep('entry')})) : '',
       el('div', {class: 'bar'}, el('button', {type: 'submit', id: 'export-button', class: 'strong', disabled: ready() ? null : ''}, 'Export …'))),

@@ -3,7 +3,7 @@ import {button, refill, select} from './parts.js';
 
 const {el, number} = Charts;
 const {charts} = Frame;
-const RATES = [['1', 'real time'], ['0.25', '¼ of it'], ['0.1', '⅒ of it']];
+const RATES = [['1', 'real time'], ['0.25', '¼ × real time'], ['0.1', '⅒ × real time']];
 /** Steps of the slider, s. */
 const STEP = 0.01;
 

@@ -70,7 +70,7 @@ const CalibrationViews = (() => {
     const body = report.models.flatMap(model => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
-      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used; n: kicks that determine the parameter' + (known(model.jointRmsMm) ? '; joint fit ' + number(model.jointRmsMm, 2) + ' mm RMS per axis' : '');
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used; n: kicks that determine the parameter' + (known(model.jointRmsMm) ? '; joint fit ' + number(model.jointRmsMm, 2) + ' mm rms per axis' : '');
       return [el('tr', {class: 'group'}, el('th', {colspan: 6}, el('span', {}, group))), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];
@@ -141,7 +141,7 @@ const CalibrationViews = (() => {
     {key: 'speed', label: 'm/s', title: 'Kick speed', of: Plots.kickSpeed, text: k => number(Plots.kickSpeed(k), 2)},
     {key: 'robot', label: 'Robot', of: Plots.robotName, text: k => Plots.robotName(k), left: true},
     {key: 'end', label: 'End', of: k => Plots.endWords(k.end), text: k => Plots.endWords(k.end), left: true},
-    {key: 'rms', label: 'mm', title: 'Residual per axis (rms)', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
+    {key: 'rms', label: 'mm', title: 'Residual per axis (rms, mm)', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
     {key: 'used', label: 'Used', title: 'Values that are averaged', of: k => k.selected ? droppedValues(k).length : 99, text: usedBadge, left: true},
   ];
   const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', excluded: k => !k.selected || droppedValues(k).length > 0};

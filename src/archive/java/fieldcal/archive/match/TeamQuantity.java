@@ -65,7 +65,7 @@ public record TeamQuantity(
               "seen in " + effect.seenIn()));
     }
     for (Envelope envelope : limits.envelopes()) {
-      String note = envelope.shaped() ? "a shape of its own" : null;
+      String note = envelope.shaped() ? "one limit for all directions does not describe it" : null;
       for (Envelope.Point point : envelope.points()) {
         all.add(
             new TeamQuantity(

@@ -7,7 +7,7 @@ import java.util.List;
 /**
  * Cuts series of measurements where they change. Between changes each series is a straight line over time with a scatter of its own from one measurement to the next.
  *
- * <p>Exact optimal partitioning by dynamic programming (Jackson et al. 2005), all series cut at the same places. A cut costs what the Bayesian information criterion (Schwarz 1978; Zhang and Siegmund 2007) asks for the levels, slopes and
+ * <p>Exact optimal partitioning by dynamic programming (Jackson et al. 2005), all series cut at the same places. The penalty of a cut is that of the Bayesian information criterion (Schwarz 1978; Zhang and Siegmund 2007) for the levels, slopes and
  * the place that it adds. The scatter comes from the median difference of neighbours, which few changes do not touch.
  */
 final class ChangeFinder {
@@ -17,7 +17,7 @@ final class ChangeFinder {
   /** Fewer do not show a slope. */
   private static final int FEWEST_FOR_A_SLOPE = 4;
 
-  /** Logarithms of the number of samples that the place of a cut costs, which was chosen among many (modified criterion of Zhang and Siegmund 2007). */
+  /** Penalty for the place of a cut, which was chosen among many, in logarithms of the number of samples (modified criterion of Zhang and Siegmund 2007). */
   private static final double PLACE = 3;
 
   /** Standard deviation of a Gaussian over the median of its absolute deviations. */
@@ -77,13 +77,13 @@ final class ChangeFinder {
     for (Measured[] one : series) {
       samples += Arrays.stream(one).filter(m -> m != null).count();
     }
-    double price = Math.log(Math.max(2, samples));
+    double penalty = Math.log(Math.max(2, samples));
     double[] best = new double[n + 1];
     int[] from = new int[n + 1];
     Arrays.fill(best, 1, n + 1, Double.POSITIVE_INFINITY);
     for (int end = SHORTEST; end <= n; end++) {
       for (int begin = 0; begin <= end - SHORTEST; begin++) {
-        double cost = best[begin] + cost(begin, end, price) + (begin > 0 ? PLACE * price : 0);
+        double cost = best[begin] + cost(begin, end, penalty) + (begin > 0 ? PLACE * penalty : 0);
         if (cost < best[end]) {
           best[end] = cost;
           from[end] = begin;
@@ -97,13 +97,13 @@ final class ChangeFinder {
     return cuts;
   }
 
-  /** Chi-square of a stretch, and the price of what describes it. */
-  private double cost(int begin, int end, double price) {
+  /** Chi-square of a stretch, and the penalty of the parameters that describe it. */
+  private double cost(int begin, int end, double penalty) {
     double cost = 0;
     for (int s = 0; s < series.size(); s++) {
       Line line = line(s, begin, end);
       if (line.n > 0) {
-        cost += line.chiSquare + line.unknowns * price;
+        cost += line.chiSquare + line.unknowns * penalty;
       }
     }
     return cost;

@@ -50,9 +50,12 @@ class CalibrationWarningsTest {
   @Test
   void whatKicksAgreeOnIsSaid() {
     Agreement agreement = new Agreement(0.6878, 0.33, 0.6639, false);
-    assertThat(CalibrationWarnings.agreement("switch to rolling (k_switch)", agreement, 12))
+    assertThat(CalibrationWarnings.agreement("kSwitch", agreement, 12))
         .startsWith("The kicks are of two kinds: 4 of 12 agree on a switch to rolling (k_switch)")
         .contains("of 0.6878, the others have 0.6639 on average");
+    assertThat(
+            CalibrationWarnings.agreement("accRoll", new Agreement(-0.3, 0.33, -0.25, false), 12))
+        .contains("of -0.3000 m/s², the others have -0.2500 m/s² on average");
   }
 
   @Test

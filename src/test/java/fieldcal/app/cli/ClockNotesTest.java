@@ -37,14 +37,14 @@ class ClockNotesTest {
   void howFarAClockIsOffIsSaidInAUnitThatTells(double difference, String words) {
     assertThat(lines(camera(2, difference, 1)))
         .containsExactly(
-            "camera 2: the clock is " + words + " the recorder's, so that no latency is known");
+            "camera 2: the clock is " + words + " the recorder's, so the latency is not known");
   }
 
   @Test
   void camerasOfWhichTheSameIsToBeSaidShareALine() {
     assertThat(lines(camera(0, 3, 1), camera(1, 0.02, 0.98), camera(3, 3, 1.02), camera(4, 0, 1)))
         .containsExactly(
-            "cameras 0, 3: the clock is 3.0 s behind the recorder's, so that no latency is known",
+            "cameras 0, 3: the clock is 3.0 s behind the recorder's, so the latency is not known",
             "camera 1: one second of the clock lasts 0.980 s on the recorder's clock; if the"
                 + " camera's clock is wrong, all speeds are wrong, too",
             "camera 3: one second of the clock lasts 1.020 s on the recorder's clock; if the"

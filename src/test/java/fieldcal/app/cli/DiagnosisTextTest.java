@@ -64,7 +64,7 @@ class DiagnosisTextTest {
   void causesComeInWordsWithTheirNumbers() {
     String text = String.join("\n", printed(SampleDiagnosis.explained(24), 2));
     assertThat(text)
-        .startsWith("Kicks are predicted 38 mm wrong after 1 s; with what was found 12 mm. The");
+        .startsWith("Kicks are predicted 38 mm wrong after 1 s; with what was found, 12 mm. The");
     assertThat(text.replace('\n', ' '))
         .contains("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
@@ -92,7 +92,7 @@ class DiagnosisTextTest {
   void whatIsPartlyExplainedSaysWhatIsFoundWhatIsLeftAndWhatToDo() {
     String text = String.join("\n", printed(SampleDiagnosis.partly(24), 0));
     assertThat(text)
-        .startsWith("Kicks are predicted 50 cm wrong after 1 s; with what was found 9 cm. The");
+        .startsWith("Kicks are predicted 50 cm wrong after 1 s; with what was found, 9 cm. The");
     String line = text.replace("\n   ", " ").replace('\n', ' ');
     assertThat(line).contains("a part of its error is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");

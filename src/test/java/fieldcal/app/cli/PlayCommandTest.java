@@ -89,7 +89,7 @@ class PlayCommandTest {
     assertThat(out.toString())
         .containsPattern(
             "Finished after \\d+ s of field time: \\d+ good kicks of \\d+ made\\.\\REvery parameter"
-                + " is known to 5 %, as asked\\. The other kicks of 30 are not needed\\.");
+                + " is known to 5 %, as asked\\. The rest of the 30 kicks is not needed\\.");
     assertThat(json("play.json").get("kicks")).hasSizeBetween(6, 29);
     assertThat(Set.copyOf(json("play.json").get("kicks").findValuesAsText("robot"))).hasSize(2);
   }

@@ -86,7 +86,7 @@ class CompareCommandTest {
     assertThat(pass.get("sim_distance").asDouble() - pass.get("real_distance").asDouble())
         .isCloseTo(shorter, within(0.1));
     assertThat(answer.out())
-        .contains("less far on the field than in the simulator. Largest cause: rolling");
+        .contains("less far on the field than in the simulator. The largest cause is rolling");
     // Half of the difference of the accelerations times the square of the time, while rolling.
     assertThat(json.get("prediction_error_mm").get("1.0").asDouble()).isBetween(10.0, 30.0);
     List<String> others = new ArrayList<>();

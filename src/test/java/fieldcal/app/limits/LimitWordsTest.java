@@ -42,12 +42,15 @@ class LimitWordsTest {
   void anEffectIsToldInWhatIsLeftOfTheLimit() {
     assertThat(words(of(5), MovementEffect.TORQUE_LIMITED, "acceleration"))
         .isEqualTo(
-            "accelerates less the faster it drives: 4.00 m/s² from standstill, 2.40 at 3.00 m/s");
+            "accelerates less the faster it drives: 4.00 m/s² from standstill, 2.40 m/s² at 3.00"
+                + " m/s");
     assertThat(words(of(5), MovementEffect.DIRECTIONAL, "acceleration"))
         .isEqualTo(
-            "accelerates less sideways than along its front: 4.00 m/s² along it, 2.40 sideways");
+            "accelerates less sideways than along its front: 4.00 m/s² along it, 2.40 m/s²"
+                + " sideways");
     assertThat(words(of(5), MovementEffect.DIRECTIONAL, "braking"))
-        .isEqualTo("brakes less sideways than along its front: 5.00 m/s² along it, 3.00 sideways");
+        .isEqualTo(
+            "brakes less sideways than along its front: 5.00 m/s² along it, 3.00 m/s² sideways");
   }
 
   @Test
@@ -72,7 +75,7 @@ class LimitWordsTest {
   void aRobotThatDiffersIsComparedWithItsTeamMates() {
     assertThat(LimitWords.sentence(new RobotDifference(3, "braking", 3, 0.02, 4, 51)))
         .isEqualTo(
-            "robot 3 is weaker: braking 3.00 ± 0.02 m/s², 75 % of its team mates' 4.00 (51"
+            "robot 3 is weaker: braking 3.00 ± 0.02 m/s², 75 % of its team mates' 4.00 m/s² (51"
                 + " manoeuvres)");
     assertThat(LimitWords.sentence(new RobotDifference(3, "braking", 5, 0.02, 4, 51)))
         .contains("is stronger")

@@ -20,7 +20,7 @@ class TwinWordsTest {
 
   @Test
   void scatterOfBouncesIsNamedAsNotReproduced() {
-    String why = "the twin's all obey one model";
+    String why = "those of the twin all obey one model";
     assertThat(TwinWords.sentence(compared("chip_scatter.dampingZ", 0.006, 0.001)))
         .startsWith("Scatter of dampingZ: 0.006000 in the recording, 0.001000 in the twin.")
         .contains(why);

@@ -105,8 +105,8 @@ class CauseWordsTest {
         Arguments.of(new KickSpin(0.25), "topspin: 25 %", "backspin: 25 %"),
         Arguments.of(
             new KickSpin(0.05, -0.35, true),
-            "the kickers give chips 30 % as backspin and flat kicks 5.0 % as topspin",
-            "the kickers give chips 30 % as topspin and flat kicks 5.0 % as backspin"),
+            "The kickers give chips 30 % backspin and flat kicks 5.0 % topspin",
+            "The kickers give chips 30 % topspin and flat kicks 5.0 % backspin"),
         Arguments.of(new SideSpin(0.15), "15 % of the spin", "curves to the left"),
         Arguments.of(new SideSpin(0.15), "curves to the right", "mm to the left after 2 s"),
         Arguments.of(
@@ -156,7 +156,7 @@ class CauseWordsTest {
             "adds 10 % of the speed across it and turns the path by 2.9° to the right"),
         Arguments.of(
             new BallChanged(0.12, -0.06, 750),
-            "From 12.5 minutes after the beginning on another ball is in play, which brakes 12 %"
+            "From 12.5 minutes into the session on, another ball is in play, which brakes 12 %"
                 + " more when it rolls and brakes 6.0 % less when it slides.",
             "brakes 12 % less when it rolls and brakes 6.0 % more"),
         Arguments.of(
@@ -165,7 +165,7 @@ class CauseWordsTest {
             "reverses the slip of the ball's lowest point: 20 % of it comes back"),
         Arguments.of(
             new CameraMoved(12, -7, 45, 1),
-            "Camera 1 was knocked: from 45 s after the beginning on it reports everything 12 mm too"
+            "Camera 1 was knocked: from 45 s into the session on, it reports everything 12 mm too"
                 + " far towards the +x goal and 7.0 mm too far to the right (−y).",
             "12 mm too far towards the −x goal and 7.0 mm too far to the left (+y)"),
         Arguments.of(
@@ -179,8 +179,8 @@ class CauseWordsTest {
             "21 mm too far towards the −x goal and 3.1 mm too far to the right (−y)"),
         Arguments.of(
             new CameraTimeOffset(4.1, 0),
-            "Camera 0's time stamps are 4.1 ms late. It shows a ball of 6 m/s 25 mm behind",
-            "4.1 ms early. It shows a ball of 6 m/s 25 mm ahead of"),
+            "Camera 0's time stamps are 4.1 ms late. A ball at 6 m/s appears 25 mm behind",
+            "4.1 ms early. A ball at 6 m/s appears 25 mm ahead of"),
         Arguments.of(
             new CameraPoseError(2, 0, 60, 0, 0, 1),
             "Camera 1 hangs 60 mm lower and looks 2.0 mrad (0.11°) farther to the right (−y),"
@@ -207,7 +207,7 @@ class CauseWordsTest {
             "8.5 mm lower than it is. It reports balls too far from"),
         Arguments.of(
             new ClockSkew(120, 1),
-            "120 ppm fast, 72 ms in ten minutes. After ten minutes it shows a ball of 6 m/s 432"
+            "120 ppm fast, 72 ms in ten minutes. After ten minutes, a ball at 6 m/s appears 432"
                 + " mm behind",
             "120 ppm slow"),
         Arguments.of(
@@ -249,7 +249,7 @@ class CauseWordsTest {
     return Stream.of(
         Arguments.of(
             new Dependence(Variable.SESSION_TIME, Form.STEP, 1, 186, 0.17, low, high, 0.97, 1e-5),
-            "From 3.1 minutes after the beginning on, the rolling deceleration (acc_roll) is 17 %"
+            "From 3.1 minutes into the session on, the rolling deceleration (acc_roll) is 17 %"
                 + " higher. See whether another ball"),
         Arguments.of(
             new Dependence(Variable.SESSION_TIME, Form.LINE, 1, none, 1e-3, low, high, 0.75, 1e-5),
@@ -377,7 +377,7 @@ class CauseWordsTest {
         .matches("A pass at 6 m/s travels \\d+ mm less far in 1 s than it would without air\\.");
     assertThat(WORDS.of(new KickSpin(-0.25), Map.of()).consequence())
         .contains("mm less far in 2 s than it would without spin")
-        .contains("rolls from 58 % of its speed on instead of 66 %");
+        .contains("begins to roll at 58 % of its initial speed instead of 66 %");
     assertThat(WORDS.of(new CarpetNap(0.08, 0), Map.of()).consequence())
         .matches("A pass at 4 m/s that way travels [1-9]\\d* mm less far in 2 s than one .*");
     // Seen from 5 m, a plane 8.5 mm too high moves a ball 3 m aside by 8.5·3/5 mm.
@@ -430,7 +430,7 @@ class CauseWordsTest {
     Effect chips = new KickSpin(0.02, -0.3, true);
     Map<String, Double> errors = Map.of("fraction", 0.04, "chips", 0.04);
     assertThat(WORDS.of(chips, errors).what())
-        .contains("chips 28 % as backspin and flat kicks none that is certain (2.0 ± 4.0 %)");
+        .contains("chips 28 % backspin and flat kicks no spin that is certain (2.0 ± 4.0 %)");
     assertThat(WORDS.of(new KickSpin(0.02, -0.05, true), errors).what())
         .isEqualTo(
             "The kickers give the ball topspin with some kicks and backspin with others: on average"

@@ -70,7 +70,8 @@ class LearnedWordsTest {
     Spline basis = new Spline(0, 6, 6, true);
     Quantity along = Quantity.ACCELERATION_ALONG;
     assertThat(sentence(LearnedFamily.of(along, Variable.SLIP, basis), 0, s -> s < 4 ? 0 : 0.3))
-        .isEqualTo("From 3.9 m/s on, the ball slides longer than the model says: by 0.30 m/s².");
+        .isEqualTo(
+            "From 3.9 m/s on, the sliding ball is braked less than the model says: by 0.30 m/s².");
     LearnedFamily speed = LearnedFamily.of(along, Variable.SPEED, basis);
     assertThat(sentence(speed, 0, v -> -0.05 * Math.max(0, v - 2)))
         .isEqualTo(
@@ -153,9 +154,8 @@ class LearnedWordsTest {
     assertThat(strength).isEqualTo("deceleration: its errors are too large for a formula");
     assertThat(LearnedWords.of(braking, List.of(curve), true, true).what())
         .isEqualTo(
-            "Braking that depends on the speed: held-out kicks show that there is some, but not"
-                + " what it looks like; every value of the curve is within two standard errors of"
-                + " zero.");
+            "Braking that depends on the speed: held-out kicks show that the effect exists, but not"
+                + " its shape; every value of the curve is within two standard errors of zero.");
   }
 
   /** Its shape may be that of anything else that is left. */

@@ -26,12 +26,12 @@ class VerdictTextTest {
   void explainedNamesTheCausesAndTheGain() {
     VerdictText text = VerdictText.of(SampleDiagnosis.explained(4));
     assertThat(text.headline())
-        .isEqualTo("Kicks are predicted 38 mm wrong after 1 s; with what was found 12 mm.");
+        .isEqualTo("Kicks are predicted 38 mm wrong after 1 s; with what was found, 12 mm.");
     assertThat(text.verdict())
         .isEqualTo("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text.lines())
         .containsExactly(
-            "With what was found in the model, kicks that were held out fit to 1.6 mm instead"
+            "With what was found, kicks that were held out fit to 1.6 mm instead"
                 + " of 14.6 mm (the cameras' noise is 1.5 mm). Predictions are off by 5.1 mm"
                 + " instead of 21 mm 0.5 s ahead, 12 mm instead of 38 mm 1 s ahead, 29 mm instead"
                 + " of 65 mm 2 s ahead.");
@@ -72,7 +72,7 @@ class VerdictTextTest {
   void partlyExplainedSaysWhatIsFoundWhatIsLeftAndWhatToDo() {
     VerdictText text = VerdictText.of(SampleDiagnosis.partly(4));
     assertThat(text.headline())
-        .isEqualTo("Kicks are predicted 50 cm wrong after 1 s; with what was found 9 cm.");
+        .isEqualTo("Kicks are predicted 50 cm wrong after 1 s; with what was found, 9 cm.");
     assertThat(text.verdict())
         .startsWith("The model is wrong, and a part of its error is explained: air drag. This also")
         .contains(
@@ -105,10 +105,10 @@ class VerdictTextTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "103.6 | 95.7 | 104 mm wrong after 1 s; with what was found 96 mm, hardly better.",
-        "60.0 | 55.0 | 60 mm wrong after 1 s; with what was found 55 mm, hardly better.",
-        "12.5 | 12.4 | 13 mm wrong after 1 s; with what was found 12 mm, no better.",
-        "41.6 | 47.6 | 42 mm wrong after 1 s; with what was found 48 mm, worse."
+        "103.6 | 95.7 | 104 mm wrong after 1 s; with what was found, 96 mm, hardly better.",
+        "60.0 | 55.0 | 60 mm wrong after 1 s; with what was found, 55 mm, hardly better.",
+        "12.5 | 12.4 | 13 mm wrong after 1 s; with what was found, 12 mm, no better.",
+        "41.6 | 47.6 | 42 mm wrong after 1 s; with what was found, 48 mm, worse."
       })
   void theFirstLinePromisesNoMoreThanTheTableHolds(double before, double after, String said) {
     Diagnosis d = predicting(Map.of(1.0, before), Map.of(1.0, after));
@@ -124,10 +124,10 @@ class VerdictTextTest {
     Diagnosis d = SampleDiagnosis.explained(4);
     Quality few = SampleDiagnosis.quality(14.2, 1.5, Double.NaN, Map.of());
     assertThat(headline(d, few))
-        .isEqualTo("The model misses by 14.2 mm; with what was found by 1.5 mm.");
+        .isEqualTo("The model misses by 14.2 mm; with what was found, by 1.5 mm.");
     Quality brief = SampleDiagnosis.quality(14.2, 1.5, 14.6, Map.of(0.5, 50.2));
     assertThat(headline(d, brief))
-        .isEqualTo("Kicks are predicted 50 mm wrong after 0.5 s; with what was found 5 mm.");
+        .isEqualTo("Kicks are predicted 50 mm wrong after 0.5 s; with what was found, 5 mm.");
   }
 
   private static String headline(Diagnosis d, Quality base) {
@@ -187,11 +187,11 @@ class VerdictTextTest {
         new Quality(13.6, 1.5, 17.8, Map.of(0.5, 514.7, 1.0, 1048.7), Map.of(0.5, 28.1, 1.0, 54.3));
     VerdictText text = VerdictText.of(SampleDiagnosis.with(d, d.causes(), base, List.of()));
     assertThat(text.headline())
-        .isEqualTo("Kicks are predicted 54 mm wrong after 1 s; with what was found 12 mm.");
+        .isEqualTo("Kicks are predicted 54 mm wrong after 1 s; with what was found, 12 mm.");
     assertThat(text.lines())
         .contains(
-            "With the calibrated model some kicks are predicted far worse than most: with their"
-                + " full errors the root mean square is 1049 mm instead of 54 mm 1 s ahead.");
+            "With the calibrated model, some kicks are predicted far worse than most: 1 s ahead,"
+                + " the root mean square error of all kicks is 1049 mm, the typical error 54 mm.");
     assertThat(VerdictText.of(d).lines()).noneMatch(line -> line.contains("far worse"));
   }
 

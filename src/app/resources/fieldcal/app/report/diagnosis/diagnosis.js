@@ -272,7 +272,7 @@
     });
     const head = ['Parameter', found ? 'before' : 'Value', ...(found ? ['after', 'change'] : [])];
     content('parameters').replaceChildren(el('div', {class: 'scroll'}, Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows)))),
-      el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for what it leaves out; with that in it they are the ball\'s own.' : '.')));
+      el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for what it leaves out; in the extended model they are the ball\'s own.' : '.')));
   }
 
   // ---- the whole page ----
