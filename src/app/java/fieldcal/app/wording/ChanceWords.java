@@ -152,7 +152,7 @@ final class ChanceWords {
     }
     return d.form() == Dependence.Form.STEP
         ? "See whether another ball came into play then, or something was done to the carpet, and"
-              + " calibrate the kicks before and after it separately."
+            + " calibrate the kicks before and after it separately."
         : "See what changed meanwhile, such as temperature, humidity or the wear of the ball, and"
             + " calibrate again during the session.";
   }
