@@ -130,7 +130,7 @@ class CauseWordsTest {
             "lose less height"),
         Arguments.of(
             new BounceSpinCoupling(0.12),
-            "takes more speed from a ball with topspin: 12 %",
+            "spin of a rolling ball, 12 % of its horizontal speed",
             "takes less speed"),
         Arguments.of(
             new Drift(12), "braked 12 % more (from 0.280 to 0.314 m/s²)", "braked 12 % less"),
@@ -382,7 +382,7 @@ class CauseWordsTest {
         .matches("A pass at 4 m/s that way travels [1-9]\\d* mm less far in 2 s than one .*");
     // Seen from 5 m, a plane 8.5 mm too high moves a ball 3 m aside by 8.5·3/5 mm.
     assertThat(WORDS.of(new BallHeightError(8.5), Map.of()).consequence())
-        .containsPattern("by [2-5]\\.\\d mm on average, by up to [5-9]\\.\\d mm");
+        .containsPattern("by [2-5]\\.\\d mm on average, and by up to [5-9]\\.\\d mm");
   }
 
   @Test
