@@ -115,7 +115,7 @@ record Answer(Decided decided, List<Cause> kickers) {
                   c ->
                       c.effect().id().equals(s.effect().id())
                           && c.effect().subject().equals(s.effect().subject()));
-      all.add(new Candidate(s.effect(), s.gain(), Double.NaN, Double.NaN, named));
+      all.add(new Candidate(s.effect(), s.gain(), named));
     }
     return all;
   }

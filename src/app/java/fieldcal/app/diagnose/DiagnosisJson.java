@@ -219,8 +219,6 @@ final class DiagnosisJson {
   private ObjectNode candidate(Candidate candidate) {
     ObjectNode node = effect(candidate.effect());
     put(node, "score_gain", candidate.scoreGain());
-    put(node, "evidence", candidate.evidence());
-    put(node, "added_evidence", candidate.addedEvidence());
     node.put("named", candidate.named());
     return node;
   }

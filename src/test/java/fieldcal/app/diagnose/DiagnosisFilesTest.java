@@ -121,7 +121,7 @@ class DiagnosisFilesTest {
     assertThat(root.get("causes").get(0).get("holdout_gain_bounds_mm").get(1).doubleValue())
         .isEqualTo(12.7);
     assertThat(root.get("candidates")).hasSize(SampleDiagnosis.explained(8).candidates().size());
-    assertThat(root.get("candidates").get(0).get("added_evidence").isNull()).isTrue();
+    assertThat(root.get("candidates").get(0).get("score_gain").isNumber()).isTrue();
     assertThat(root.get("structure").get("before").get(0).get("bins")).isNotEmpty();
     assertThat(root.get("problems")).hasSize(2);
   }

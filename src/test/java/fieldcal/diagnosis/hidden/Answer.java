@@ -141,11 +141,9 @@ public record Answer(
       lines.add(
           String.format(
               Locale.ROOT,
-              "candidate %-90s score %.1f evidence %.1f added %.1f%s",
+              "candidate %-90s score %.1f%s",
               c.effect(),
               c.scoreGain(),
-              c.evidence(),
-              c.addedEvidence(),
               c.named() ? " named" : ""));
     }
     return lines;

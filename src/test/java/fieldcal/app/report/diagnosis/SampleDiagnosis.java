@@ -256,6 +256,6 @@ public final class SampleDiagnosis {
   }
 
   private static Candidate candidate(Effect effect, double scoreGain, boolean named) {
-    return new Candidate(effect, scoreGain, Double.NaN, Double.NaN, named);
+    return new Candidate(effect, scoreGain, named);
   }
 }
