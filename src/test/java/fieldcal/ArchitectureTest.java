@@ -37,6 +37,7 @@ import org.apache.commons.math3.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Who may use whom in the library, and what none of it may do. A new package gets a row here first. */
 class ArchitectureTest {
@@ -182,9 +183,10 @@ class ArchitectureTest {
     assertThat(placed).containsAll(packages());
   }
 
-  @Test
-  void everyPackageSaysWhatIsInIt() throws Exception {
-    Path sources = Path.of(System.getProperty("fieldcal.projectDir", "."), "src", "main", "java");
+  @ParameterizedTest
+  @ValueSource(strings = {"main", "app"})
+  void everyPackageSaysWhatIsInIt(String set) throws Exception {
+    Path sources = Path.of(System.getProperty("fieldcal.projectDir", "."), "src", set, "java");
     try (var files = Files.walk(sources)) {
       assertThat(
               files

@@ -3,13 +3,11 @@ package fieldcal.app;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
-import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import fieldcal.app.cli.Main;
 import java.net.URISyntaxException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
@@ -69,19 +67,5 @@ class AppArchitectureTest {
             "fieldcal.vision..",
             "fieldcal.proto..")
         .check(TOOLS);
-  }
-
-  @Test
-  void everyPackageSaysWhatIsInIt() throws Exception {
-    Path sources = Path.of(System.getProperty("fieldcal.projectDir", "."), "src", "app", "java");
-    try (var files = Files.walk(sources)) {
-      assertThat(
-              files
-                  .filter(file -> file.toString().endsWith(".java"))
-                  .map(Path::getParent)
-                  .distinct())
-          .isNotEmpty()
-          .allSatisfy(folder -> assertThat(folder.resolve("package-info.java")).exists());
-    }
   }
 }
