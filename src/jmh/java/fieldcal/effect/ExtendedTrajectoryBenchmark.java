@@ -70,6 +70,6 @@ public class ExtendedTrajectoryBenchmark {
    */
   @Benchmark
   public ExtendedTrajectory chipWithThreeEffects() {
-    return ExtendedTrajectory.chip(chip, three, 0, 0, 1, 2, 3, 2, 4);
+    return ExtendedTrajectory.chip(chip, flat, three, 0, 0, 1, 2, 3, 2, 4);
   }
 }

@@ -20,6 +20,10 @@ import java.util.Optional;
 final class EffectCorrection {
   private final Optional<FlatModel> flat;
   private final Optional<ChipModel> chip;
+
+  /** How a chip slides after its last impact. */
+  private final FlatModel sliding;
+
   private final MotionEffects motion;
   private final MeasurementEffects cameras;
   private final MeasurementEffects perfectCameras;
@@ -28,6 +32,7 @@ final class EffectCorrection {
   EffectCorrection(ExtendedModel model, Collection<ObservedCamera> observers) {
     flat = model.flat();
     chip = model.chip();
+    sliding = model.sliding();
     motion = model.motion();
     cameras = MeasurementEffects.of(observers, model.measurement());
     perfectCameras = MeasurementEffects.of(observers, List.of());
@@ -125,6 +130,7 @@ final class EffectCorrection {
   private BallTrajectory chipPath(ChipModel m, MotionEffects effects, KickFit fit) {
     return ExtendedTrajectory.chipWithHops(
         m,
+        sliding,
         effects,
         sessionStart,
         value(fit, "t0"),

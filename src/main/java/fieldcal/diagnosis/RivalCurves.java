@@ -94,12 +94,13 @@ final class RivalCurves {
     return near ? curves.withMaps(curved, CurveSearch.mostBeside(without)) : curved;
   }
 
-  /** Whether curves follow held-out kicks less closely: by 3 %, which is more than their many numbers cost there; or by less, where they also follow the kicks that they were fitted to less closely. */
+  /** Whether curves follow held-out kicks less closely: by 3 %, which is more than their many numbers cost there. Where they follow the kicks that they were fitted to less closely, although they have more numbers, they must follow held-out kicks better beyond chance. */
   private boolean explainsLess(FittedModel curved, Weighed named, List<Judgement> group) {
     int numbers = group.stream().mapToInt(j -> j.component().size()).sum();
     Weighed held = new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
     return !held.isAsGoodAs(named, settings.formGain())
-        || missed(curved, named) > settings.beyondNoise(numbers) && !held.isAsGoodAs(named, 0);
+        || missed(curved, named) > settings.beyondNoise(numbers)
+            && !(held.held().gainOn(named.held(), seed)[HoldOut.LOWER] > 0);
   }
 
   /** How much less a model explains than another one, in units of what the other leaves. Each additional number counts as one, since it explains as much of the noise. */

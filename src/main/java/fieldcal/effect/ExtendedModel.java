@@ -50,6 +50,15 @@ public record ExtendedModel(
   }
 
   /**
+   * How a chip slides after its last impact, where its impacts follow a law of their own.
+   *
+   * @return the model of flat kicks, or the typical one when no flat kick was seen
+   */
+  public FlatModel sliding() {
+    return flat.orElseGet(FlatModel::typical);
+  }
+
+  /**
    * What the cameras do.
    *
    * @return the effects on what cameras report, for {@link MeasurementEffects#of}
@@ -92,6 +101,6 @@ public record ExtendedModel(
   public ExtendedTrajectory chipPath(
       double t0, double x, double y, double vx, double vy, double vz) {
     ChipModel model = chip.orElseThrow(() -> new IllegalStateException("no model of chips"));
-    return ExtendedTrajectory.chip(model, motion(), sessionStart, t0, x, y, vx, vy, vz);
+    return ExtendedTrajectory.chip(model, sliding(), motion(), sessionStart, t0, x, y, vx, vy, vz);
   }
 }

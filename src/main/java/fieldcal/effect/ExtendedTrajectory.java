@@ -16,12 +16,12 @@ import java.util.OptionalDouble;
  * and the slip u = v − s: sliding, dv/dt = accSlide·û + f and ds/dt along û so that |u| shrinks at |accSlide|/(1 − kSwitch) where f = 0; rolling,
  * dv/dt = accRoll·v̂ + f/(1+β), s = v; in flight dv/dt = f − g. On the carpet only the horizontal part of f is added; its vertical part scales all
  * friction by the pressure on the carpet, 1 − f_z/g. At an impact the models' fixed losses act, and the torque of the impulse m·Δv changes the spin by Δs = −Δv/β, at most until the ball
- * rolls. After the last flight the ball rolls.
+ * rolls. After the last flight the ball rolls, unless a law of impacts holds.
  *
  * <p>Spin that the kick gave the ball, q (as s), acts at impacts, too. The impulse along the ground follows from the slip of the contact point (R. L. Garwin, "Kinematics of an ultraelastic rough ball", Am. J. Phys.
  * 37, 1969; R. Cross, "Grip-slip behavior of a bouncing ball", Am. J. Phys. 70, 2002): as long as the ball grips, Δv = −k·(v − s), which for a ball without spin is the model's loss with k = 1 − dampingXyFirstHop. So the path without q stays
- * the model's, and q is a linear perturbation of it with the same k: at each impact v gets k·q more, and q is used up by the torque, q ← q·max(0, 1 − k/β). A {@linkplain MotionEffect.ImpactLaw law of impacts} takes the place of both; friction removes the slip
- * that its impacts leave when the ball begins to roll.
+ * the model's, and q is a linear perturbation of it with the same k: at each impact v gets k·q more, and q is used up by the torque, q ← q·max(0, 1 − k/β). A {@linkplain MotionEffect.ImpactLaw law of impacts} takes the place of both; the slip
+ * that its impacts leave ends by sliding with accSlide, ds/dt = −(dv/dt)/β, before the ball rolls.
  *
  * <p>From the second impact on, this differs from the contact law itself, in which the velocity gained from q contributes to the slip, too. The simulation uses that law; until the last flight ends, the two differ by up to 1.3 mm in usual chips. It is not used here, because it explains the chips of another simulator, whose
  * impacts are integrated, less well.
@@ -115,6 +115,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * The path of a chip, with as many flights as {@link ChipModel#lowestHop} allows.
    *
    * @param model how the ball bounces and rolls
+   * @param flat how it slides after the last impact, where an {@link MotionEffect.ImpactLaw} leaves slip: its accSlide counts
    * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
@@ -128,6 +129,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    */
   public static ExtendedTrajectory chip(
       ChipModel model,
+      FlatModel flat,
       MotionEffects effects,
       double sessionStart,
       double t0,
@@ -139,7 +141,18 @@ public final class ExtendedTrajectory implements BallTrajectory {
     boolean rolls = ChipTrajectory.flightsByRule(model, vz) == 0;
     int flights = rolls ? 0 : PathIntegrator.BY_RULE;
     return bounce(
-        model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, Double.POSITIVE_INFINITY);
+        model,
+        flat,
+        effects,
+        sessionStart,
+        t0,
+        x,
+        y,
+        vx,
+        vy,
+        vz,
+        flights,
+        Double.POSITIVE_INFINITY);
   }
 
   /**
@@ -171,13 +184,15 @@ public final class ExtendedTrajectory implements BallTrajectory {
       return 0;
     }
     int byRule = PathIntegrator.BY_RULE;
-    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, byRule, t0).flights();
+    FlatModel any = FlatModel.typical();
+    return bounce(model, any, effects, sessionStart, t0, x, y, vx, vy, vz, byRule, t0).flights();
   }
 
   /**
    * The path of a chip with a given number of flights, on which it depends smoothly.
    *
    * @param model how the ball bounces and rolls
+   * @param flat how it slides after the last impact, where an {@link MotionEffect.ImpactLaw} leaves slip: its accSlide counts
    * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
@@ -192,6 +207,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    */
   public static ExtendedTrajectory chipWithHops(
       ChipModel model,
+      FlatModel flat,
       MotionEffects effects,
       double sessionStart,
       double t0,
@@ -202,13 +218,14 @@ public final class ExtendedTrajectory implements BallTrajectory {
       double vz,
       int flights) {
     double always = Double.POSITIVE_INFINITY;
-    return chipWithHops(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, always);
+    return chipWithHops(model, flat, effects, sessionStart, t0, x, y, vx, vy, vz, flights, always);
   }
 
   /**
    * The path of a chip with a given number of flights, up to a given time.
    *
    * @param model how the ball bounces and rolls
+   * @param flat how it slides after the last impact, where an {@link MotionEffect.ImpactLaw} leaves slip: its accSlide counts
    * @param effects what acts in addition
    * @param sessionStart when the session began, on the clock of {@code t0}, s
    * @param t0 time of the kick, s
@@ -224,6 +241,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    */
   public static ExtendedTrajectory chipWithHops(
       ChipModel model,
+      FlatModel flat,
       MotionEffects effects,
       double sessionStart,
       double t0,
@@ -237,11 +255,12 @@ public final class ExtendedTrajectory implements BallTrajectory {
     if (flights < 0 || flights > ChipModel.MAX_FLIGHTS) {
       throw new IllegalArgumentException("flights out of range: " + flights);
     }
-    return bounce(model, effects, sessionStart, t0, x, y, vx, vy, vz, flights, until);
+    return bounce(model, flat, effects, sessionStart, t0, x, y, vx, vy, vz, flights, until);
   }
 
   private static ExtendedTrajectory bounce(
       ChipModel model,
+      FlatModel flat,
       MotionEffects effects,
       double sessionStart,
       double t0,
@@ -253,6 +272,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
       int flights,
       double until) {
     Objects.requireNonNull(model, "model");
+    Objects.requireNonNull(flat, "flat");
     requireNumber("until", until);
     finite(sessionStart, t0, x, y, vx, vy, vz);
     if (vz < 0) {
@@ -260,7 +280,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
     }
     PathIntegrator integrator =
         new PathIntegrator(effects, sessionStart, model.accRoll(), t0, flights, until);
-    integrator.flyFrom(model, t0, x, y, vx, vy, vz);
+    integrator.flyFrom(model, flat, t0, x, y, vx, vy, vz);
     return new ExtendedTrajectory(integrator, t0, x, y);
   }
 

@@ -71,15 +71,6 @@ final class Impacts {
     state[at + 1] = s * x + c * state[at + 1];
   }
 
-  /** The ball stays down. Where the contact law holds, the bounces that are too low to be counted take what slip is left. */
-  void end(double[] state) {
-    if (effects.impacts != null) {
-      double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
-      state[3] -= share * (state[3] - state[6]);
-      state[4] -= share * (state[4] - state[7]);
-    }
-  }
-
   /**
    * The fixed loss of an impact, and what the kick's spin adds to it (see {@link ExtendedTrajectory}): the perturbation is taken out, and put back changed.
    *

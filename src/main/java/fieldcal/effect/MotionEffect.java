@@ -23,6 +23,17 @@ public interface MotionEffect extends Effect {
         || this instanceof ImpactLaw;
   }
 
+  /**
+   * Whether it may change the path of a kick; where it does not, a path need not be integrated to see what it does.
+   *
+   * @param chip false for a flat kick
+   * @param kickTime session time of the kick, s
+   * @return also true where it may only turn out to change nothing
+   */
+  default boolean mayAct(boolean chip, double kickTime) {
+    return true;
+  }
+
   /** Spin right after the kick. */
   interface SpinAtKick extends MotionEffect {
     /**
@@ -128,6 +139,11 @@ public interface MotionEffect extends Effect {
      * @return 1 = as in the model
      */
     double sliding(double kickTime);
+
+    @Override
+    default boolean mayAct(boolean chip, double kickTime) {
+      return rolling(kickTime) != 1 || sliding(kickTime) != 1;
+    }
   }
 
   /** A straight line on the carpet that changes a ball's velocity when it crosses it. The integrator stops there. */
@@ -269,6 +285,11 @@ public interface MotionEffect extends Effect {
     default double lowestHop() {
       return ChipModel.MIN_HOP_HEIGHT;
     }
+
+    @Override
+    default boolean mayAct(boolean chip, double kickTime) {
+      return chip;
+    }
   }
 
   /** What makes a bounce differ from fixed losses. */
@@ -303,6 +324,11 @@ public interface MotionEffect extends Effect {
      */
     default double turn(BallMotion motion) {
       return 0;
+    }
+
+    @Override
+    default boolean mayAct(boolean chip, double kickTime) {
+      return chip;
     }
   }
 }

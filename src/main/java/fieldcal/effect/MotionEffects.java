@@ -209,6 +209,33 @@ public final class MotionEffects {
   }
 
   /**
+   * Whether a kick has the same path under both.
+   *
+   * @param other effects on the same ball
+   * @param chip false for a flat kick
+   * @param kickTime session time of the kick, s
+   * @return false where they differ in an effect that may act on it
+   */
+  public boolean actAlike(MotionEffects other, boolean chip, double kickTime) {
+    return this == other
+        || effects.equals(other.effects)
+        || acting(chip, kickTime).equals(other.acting(chip, kickTime));
+  }
+
+  private List<MotionEffect> acting(boolean chip, double kickTime) {
+    return effects.stream().filter(e -> !e.isAbsent() && e.mayAct(chip, kickTime)).toList();
+  }
+
+  /**
+   * Whether impacts follow a law of their own.
+   *
+   * @return false where the fixed losses of the models hold
+   */
+  public boolean haveImpactLaw() {
+    return impacts != null;
+  }
+
+  /**
    * The ball's body.
    *
    * @return the body

@@ -114,7 +114,15 @@ final class PathIntegrator {
     roll(t0 + ExtendedTrajectory.MAX_DURATION);
   }
 
-  void flyFrom(ChipModel model, double t0, double x, double y, double vx, double vy, double vz) {
+  void flyFrom(
+      ChipModel model,
+      FlatModel flat,
+      double t0,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double vz) {
     start(t0, x, y, vx, vy, flightsGiven == 0 ? 0 : vz);
     double lowest = effects.impacts == null ? model.lowestHop() : effects.impacts.lowestHop();
     double limit = Math.sqrt(2 * Gravity.ACCELERATION * lowest);
@@ -131,9 +139,24 @@ final class PathIntegrator {
     }
     state[5] = 0;
     if (flights > 0) {
-      impacts.end(state);
+      land();
+    }
+    if (flights > 0 && effects.impacts != null) {
+      double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
+      forces.setSliding(flat.accSlide(), 1 - share);
+      slipShare = share;
+      slide(t0 + ExtendedTrajectory.MAX_DURATION);
     }
     roll(t0 + ExtendedTrajectory.MAX_DURATION);
+  }
+
+  /** A ball may have flown into a zone or out of it, or over a line. */
+  private void land() {
+    findSides();
+    for (int i = 0; i < inside.length; i++) {
+      inside[i] = effects.zones[i].contains(state[0], state[1]);
+    }
+    forces.setInside(inside);
   }
 
   private void start(double t0, double x, double y, double vx, double vy, double vz) {
@@ -190,14 +213,6 @@ final class PathIntegrator {
   private void roll(double limit) {
     state[6] = state[3];
     state[7] = state[4];
-    // A ball may have flown into a zone or out of it, or over a line.
-    if (flights > 0) {
-      findSides();
-    }
-    for (int i = 0; i < inside.length; i++) {
-      inside[i] = flights > 0 ? effects.zones[i].contains(state[0], state[1]) : inside[i];
-    }
-    forces.setInside(inside);
     ready = false;
     for (int n = 0; n < MAX_STEPS && goesOn(limit); n++) {
       double speed = Math.sqrt(state[3] * state[3] + state[4] * state[4]);

@@ -13,6 +13,7 @@ import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.ExtraLaw;
+import fieldcal.simulation.physics.UnnamedCause;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -254,5 +255,18 @@ class UnnamedCauseTest {
         .isLessThan(0.5 * diagnosis.base().holdoutRmsMm());
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.6 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
+
+  /** The floor under the carpet is soft in places. What differs from kick to kick by chance describes that as well, and does not predict the next chip. */
+  @Test
+  void bouncesThatDependOnThePlaceAreNoChance() {
+    Diagnosis diagnosis =
+        diagnosed(ScenarioKind.CHIP, 24, new UnnamedCause.RestitutionByPlace(0.08, 0.5));
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    assertThat(diagnosis.learned())
+        .as("%s", diagnosis.trace())
+        .anyMatch(f -> f.actsOn().equals("impact") && f.dependsOn().contains("place"))
+        .noneMatch(f -> f.kind() == LearnedFinding.Kind.SCATTER);
+    assertThat(diagnosis.unexplained().significant()).isFalse();
   }
 }

@@ -48,12 +48,12 @@ class ExtendedTrajectoryTest {
         double limit = effects == FAINT ? 1e-6 : SAME;
         same(flat, ExtendedTrajectory.flat(FLAT, effects, 0, t0, 1, 2, vx, vy), limit);
         ExtendedTrajectory extended =
-            ExtendedTrajectory.chip(CHIP, effects, 0, t0, 1, 2, vx, vy, vz);
+            ExtendedTrajectory.chip(CHIP, FLAT, effects, 0, t0, 1, 2, vx, vy, vz);
         assertThat(extended.flights()).isEqualTo(chip.hops());
         same(chip, extended, limit);
         same(
             ChipTrajectory.fromKickWithHops(CHIP, t0, 1, 2, vx, vy, vz, 3),
-            ExtendedTrajectory.chipWithHops(CHIP, effects, 0, t0, 1, 2, vx, vy, vz, 3),
+            ExtendedTrajectory.chipWithHops(CHIP, FLAT, effects, 0, t0, 1, 2, vx, vy, vz, 3),
             limit);
       }
     }
@@ -119,12 +119,12 @@ class ExtendedTrajectoryTest {
     MotionEffects effects = MotionEffects.of(List.of(new AirDrag(0.5), new FieldSlope(0.4, 2)));
     ExtendedTrajectory flat = ExtendedTrajectory.flat(FLAT, effects, 0, 3, 0, 0, 5, 2);
     ExtendedTrajectory chip =
-        ExtendedTrajectory.chipWithHops(CHIP, effects, 0, 3, 0, 0, 3, 2, 3, 4);
+        ExtendedTrajectory.chipWithHops(CHIP, FLAT, effects, 0, 3, 0, 0, 3, 2, 3, 4);
     for (double until : new double[] {2, 3, 3.1, 3.8, 4.7, 6, 1e3}) {
       isPartOf(flat, ExtendedTrajectory.flat(FLAT, effects, 0, 3, 0, 0, 5, 2, until), until);
       isPartOf(
           chip,
-          ExtendedTrajectory.chipWithHops(CHIP, effects, 0, 3, 0, 0, 3, 2, 3, 4, until),
+          ExtendedTrajectory.chipWithHops(CHIP, FLAT, effects, 0, 3, 0, 0, 3, 2, 3, 4, until),
           until);
     }
     assertThat(ExtendedTrajectory.flat(FLAT, effects, 0, 3, 0, 0, 5, 2, 3.5).restTime())
@@ -141,7 +141,7 @@ class ExtendedTrajectoryTest {
   void flightsAreCountedWithoutTheRestOfTheWay() {
     for (double vz = 0; vz < 6; vz += 0.1) {
       assertThat(ExtendedTrajectory.flightsByRule(CHIP, FAINT, 0, 3, 1, 2, 2, 1, vz))
-          .isEqualTo(ExtendedTrajectory.chip(CHIP, FAINT, 0, 3, 1, 2, 2, 1, vz).flights());
+          .isEqualTo(ExtendedTrajectory.chip(CHIP, FLAT, FAINT, 0, 3, 1, 2, 2, 1, vz).flights());
     }
   }
 
@@ -149,7 +149,7 @@ class ExtendedTrajectoryTest {
   void nonsenseIsRefused() {
     assertThatThrownBy(() -> ExtendedTrajectory.flat(FLAT, FAINT, 0, Double.NaN, 0, 0, 1, 0))
         .isInstanceOf(IllegalArgumentException.class);
-    assertThatThrownBy(() -> ExtendedTrajectory.chip(CHIP, FAINT, 0, 0, 0, 0, 1, 0, -1))
+    assertThatThrownBy(() -> ExtendedTrajectory.chip(CHIP, FLAT, FAINT, 0, 0, 0, 0, 1, 0, -1))
         .isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(
             () -> ExtendedTrajectory.flat(FLAT, FAINT, 0, 0, 0, 0, 1, 0).stateAt(Double.NaN))

@@ -64,7 +64,7 @@ class LearnedTermTest {
             List.of(CAMERA), with instanceof MeasurementEffect m ? List.of(m) : List.of());
     ExtendedTrajectory[] paths = {
       ExtendedTrajectory.flat(FLAT, motion, -100, 0, 1, 2, -4, -1.5),
-      ExtendedTrajectory.chipWithHops(CHIP, motion, -100, 0, 1, 2, -3, -1, 3.5, 5)
+      ExtendedTrajectory.chipWithHops(CHIP, FLAT, motion, -100, 0, 1, 2, -3, -1, 3.5, 5)
     };
     int n = 60;
     int[] cameras = new int[n];
@@ -163,10 +163,20 @@ class LearnedTermTest {
             .term(-0.1, -0.1, -0.1, -0.1);
     ExtendedTrajectory rolls =
         ExtendedTrajectory.chipWithHops(
-            CHIP, MotionEffects.of(List.of((MotionEffect) constant)), 0, 0, 0, 0, 2, 1, 0, 0);
+            CHIP, FLAT, MotionEffects.of(List.of((MotionEffect) constant)), 0, 0, 0, 0, 2, 1, 0, 0);
     ExtendedTrajectory slower =
         ExtendedTrajectory.chipWithHops(
-            new ChipModel(0.75, 0.95, 0.52, -0.38), MotionEffects.NONE, 0, 0, 0, 0, 2, 1, 0, 0);
+            new ChipModel(0.75, 0.95, 0.52, -0.38),
+            FLAT,
+            MotionEffects.NONE,
+            0,
+            0,
+            0,
+            0,
+            2,
+            1,
+            0,
+            0);
     assertThat(rolls.restTime()).isEqualTo(slower.restTime(), within(1e-6));
     assertThat(rolls.stateAt(3).x()).isEqualTo(slower.stateAt(3).x(), within(1e-6));
   }
@@ -262,7 +272,7 @@ class LearnedTermTest {
             .term(0.1, 0.1, 0.1);
     ExtendedTrajectory path =
         ExtendedTrajectory.chipWithHops(
-            CHIP, MotionEffects.of(List.of((MotionEffect) left)), 0, 0, 0, 0, 3, 0, 0, 0);
+            CHIP, FLAT, MotionEffects.of(List.of((MotionEffect) left)), 0, 0, 0, 0, 3, 0, 0, 0);
     assertThat(path.stateAt(1).y()).isEqualTo(0.05, within(0.002));
   }
 
@@ -276,9 +286,9 @@ class LearnedTermTest {
             .orElseThrow();
     MotionEffects second = MotionEffects.of(List.of((MotionEffect) hops.term(-0.1, 0, 0)));
     ExtendedTrajectory changed =
-        ExtendedTrajectory.chipWithHops(CHIP, second, 0, 0, 0, 0, 3, 0, 3, 3);
+        ExtendedTrajectory.chipWithHops(CHIP, FLAT, second, 0, 0, 0, 0, 3, 0, 3, 3);
     ExtendedTrajectory same =
-        ExtendedTrajectory.chipWithHops(CHIP, MotionEffects.NONE, 0, 0, 0, 0, 3, 0, 3, 3);
+        ExtendedTrajectory.chipWithHops(CHIP, FLAT, MotionEffects.NONE, 0, 0, 0, 0, 3, 0, 3, 3);
     // First flight 0.61 s, second 0.32 s, third 0.17 s.
     assertThat(changed.stateAt(0.9).z()).isEqualTo(same.stateAt(0.9).z(), within(1e-12));
     assertThat(changed.stateAt(1).z()).isLessThan(same.stateAt(1).z() - 1e-3);
@@ -295,7 +305,7 @@ class LearnedTermTest {
             .term(0.02, 0.02, 0.02);
     ExtendedTrajectory path =
         ExtendedTrajectory.chipWithHops(
-            CHIP, MotionEffects.of(List.of((MotionEffect) turn)), 0, 0, 0, 0, 3, 0, 3, 2);
+            CHIP, FLAT, MotionEffects.of(List.of((MotionEffect) turn)), 0, 0, 0, 0, 3, 0, 3, 2);
     var s = path.stateAt(1.5);
     assertThat(Math.atan2(s.vy(), s.vx())).isEqualTo(0.04, within(1e-9));
   }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.ChipTrajectory;
+import fieldcal.ball.FlatModel;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.measurement.BallHeightError;
@@ -127,7 +128,16 @@ class MeasurementEffectsTest {
 
     private static ExtendedTrajectory chip(double vx) {
       return ExtendedTrajectory.chip(
-          ChipModel.typical(), MotionEffects.of(List.of()), 0, 100, -1, -0.5, vx, 1, 3);
+          ChipModel.typical(),
+          FlatModel.typical(),
+          MotionEffects.of(List.of()),
+          0,
+          100,
+          -1,
+          -0.5,
+          vx,
+          1,
+          3);
     }
   }
 

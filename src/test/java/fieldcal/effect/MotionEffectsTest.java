@@ -102,7 +102,8 @@ class MotionEffectsTest {
       double vy = 4 * s + 1.5 * c;
       ExtendedTrajectory[] paths = {
         ExtendedTrajectory.flat(FLAT, effects, -100, 0, x, y, vx, vy),
-        ExtendedTrajectory.chipWithHops(CHIP, effects, -100, 0, x, y, 0.7 * vx, 0.7 * vy, 3.5, 5)
+        ExtendedTrajectory.chipWithHops(
+            CHIP, FLAT, effects, -100, 0, x, y, 0.7 * vx, 0.7 * vy, 3.5, 5)
       };
       double[] result = new double[2 * 3 * 60];
       double[] xyz = new double[3];
@@ -249,7 +250,7 @@ class MotionEffectsTest {
   private static List<Double> afterImpacts(MotionEffect... effects) {
     ExtendedTrajectory path =
         ExtendedTrajectory.chipWithHops(
-            CHIP, MotionEffects.of(List.of(effects)), 0, 0, 0, 0, 3, 0, 4, 4);
+            CHIP, FLAT, MotionEffects.of(List.of(effects)), 0, 0, 0, 0, 3, 0, 4, 4);
     List<Double> speeds = new ArrayList<>();
     double vz = 4;
     double landing = 0;
@@ -370,7 +371,7 @@ class MotionEffectsTest {
   void aBallThatMovesWithTheAirFeelsNoDrag() {
     MotionEffects windy = MotionEffects.of(List.of(new AirDrag(0.45), new Wind(3, 0)));
     ExtendedTrajectory path =
-        ExtendedTrajectory.chipWithHops(CHIP, windy, 0, 0, 0, 0, 3, 0, 0.001, 1);
+        ExtendedTrajectory.chipWithHops(CHIP, FLAT, windy, 0, 0, 0, 0, 3, 0, 0.001, 1);
     assertThat(path.stateAt(1e-4).vx()).isEqualTo(3, within(1e-7));
   }
 

@@ -77,6 +77,7 @@ final class ExpectedKick implements KickTerm<ExpectedKick.State> {
             state.flat, acting, state.start, t0, own[0], own[1], own[2], own[3])
         : ExtendedTrajectory.chipWithHops(
             state.chip,
+            state.flat,
             acting,
             state.start,
             t0,

@@ -2,6 +2,8 @@ package fieldcal.app.wording;
 
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
+import fieldcal.ball.ChipModel;
+import fieldcal.ball.FlatModel;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.ExtendedTrajectory;
@@ -74,10 +76,11 @@ final class ExampleKicks {
     }
     double v = speed * Math.cos(STEEP);
     double t = model.sessionStart();
-    BallTrajectory with =
-        ExtendedTrajectory.chip(model.chip().get(), with(motion), t, t, 0, 0, v, 0, v);
+    ChipModel chip = model.chip().get();
+    FlatModel flat = model.sliding();
+    BallTrajectory with = ExtendedTrajectory.chip(chip, flat, with(motion), t, t, 0, 0, v, 0, v);
     BallTrajectory without =
-        ExtendedTrajectory.chip(model.chip().get(), others(motion), t, t, 0, 0, v, 0, v);
+        ExtendedTrajectory.chip(chip, flat, others(motion), t, t, 0, 0, v, 0, v);
     return Optional.of(change(with, without, t + after, 0));
   }
 

@@ -319,8 +319,9 @@ public final class Decision {
       return Outcome.FORM;
     }
     // // A value for each kick absorbs a part of anything: it also helps where another cause does
-    // not have its true form.
-    boolean helps = !c.isPerKick() && gain[1] >= 100 * settings.formGain();
+    // not have its true form, but then it scatters or leaves something.
+    boolean own = !c.isPerKick() || standsOut && !scales.left;
+    boolean helps = own && gain[1] >= 100 * settings.formGain();
     double largest = scales.largest(i);
     if (evidence < settings.formShare() * largest && !helps) {
       return Outcome.FORM;

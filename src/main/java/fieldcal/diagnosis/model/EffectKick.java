@@ -172,6 +172,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     }
     return ExtendedTrajectory.chipWithHops(
         state.chip(),
+        state.flat(),
         motion,
         sessionStart,
         t0,
@@ -358,7 +359,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     }
 
     void report(ModelState there, double[] out) {
-      if (there.hasMotionOf(state)) {
+      if (there.hasMotionOf(state, record.kind == KickKind.CHIP, sessionTime(own))) {
         reports.under(there.measurement(), out);
       } else {
         reports.near(path(own, there, until), out);

@@ -127,12 +127,19 @@ public final class ModelState {
     return measurement;
   }
 
-  /** Whether a ball has the same path under both, whatever the cameras report of it. */
-  boolean hasMotionOf(ModelState other) {
-    return (motion == other.motion || motion.effects().equals(other.motion.effects()))
+  /**
+   * Whether a kick has the same path under both, whatever the cameras report of it.
+   *
+   * @param chip false for a flat kick
+   * @param kickTime session time of the kick, s
+   */
+  boolean hasMotionOf(ModelState other, boolean chip, double kickTime) {
+    // A chip slides only where a law of impacts leaves slip; a flat kick never bounces.
+    boolean slides = !chip || motion.haveImpactLaw() || other.motion.haveImpactLaw();
+    return (!slides || flat.equals(other.flat))
+        && (!chip || this.chip.equals(other.chip))
         && OwnEffect.actAlike(random, other.random)
-        && flat.equals(other.flat)
-        && chip.equals(other.chip);
+        && motion.actAlike(other.motion, chip, kickTime);
   }
 
   /** Effects on the motion of one kick, whose own values of the random effects are the last of its parameters. */

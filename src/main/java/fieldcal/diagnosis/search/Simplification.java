@@ -8,8 +8,12 @@ import fieldcal.effect.MotionEffect;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 
 /** Replaces components by simpler ones, or by a law that explains the same. Not thread-safe. */
 final class Simplification {
@@ -160,24 +164,32 @@ final class Simplification {
     return sum;
   }
 
-  /** All components of one effect together first, then each alone; without laws and values that each kick has of its own, which are not linear. */
+  /** All components of one effect or of one camera together first, then each alone; without laws and values that each kick has of its own, which are not linear. */
   private static List<List<Integer>> sets(List<Component> components) {
-    List<List<Integer>> sets = new ArrayList<>();
-    for (int i = 0; i < components.size(); i++) {
-      List<Integer> same = new ArrayList<>();
-      for (int j = 0; j < components.size(); j++) {
-        if (components.get(j).template().id().equals(components.get(i).template().id())) {
-          same.add(j);
-        }
-      }
-      if (isLinear(components.get(i))) {
-        if (same.size() > 1 && same.get(0) == i) {
-          sets.add(0, same);
-        }
-        sets.add(List.of(i));
+    Set<List<Integer>> together = new LinkedHashSet<>();
+    List<List<Integer>> alone = new ArrayList<>();
+    for (Component c : components) {
+      if (isLinear(c)) {
+        together.add(alike(components, o -> o.template().id().equals(c.template().id())));
+        together.add(alike(components, o -> sameCamera(o, c)));
+        alone.add(List.of(components.indexOf(c)));
       }
     }
+    together.removeIf(set -> set.size() < 2);
+    List<List<Integer>> sets = new ArrayList<>(together);
+    sets.addAll(alone);
     return sets;
+  }
+
+  private static List<Integer> alike(List<Component> components, Predicate<Component> which) {
+    return IntStream.range(0, components.size())
+        .filter(i -> isLinear(components.get(i)) && which.test(components.get(i)))
+        .boxed()
+        .toList();
+  }
+
+  private static boolean sameCamera(Component a, Component b) {
+    return a.camera().isPresent() && a.camera().equals(b.camera());
   }
 
   private static boolean isLinear(Component c) {

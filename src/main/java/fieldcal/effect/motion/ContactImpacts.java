@@ -26,7 +26,7 @@ import java.util.List;
  * @param friction coefficient of friction of ball and carpet in an impact (–), 0 = the fixed dampings hold
  * @param loss part of the speed over the ground and of the spin that each impact takes in addition (–)
  * @param rolling coefficient of rolling resistance in an impact (–)
- * @param lowestHopMm a ball whose next hop would be lower than that stays down, mm: each hop that is left out takes its part of the slip at once and not one by one
+ * @param lowestHopMm a ball whose next hop would be lower than that stays down, mm: what slip is left then ends by sliding on the carpet
  */
 public record ContactImpacts(
     double reversed, double friction, double loss, double rolling, double lowestHopMm)

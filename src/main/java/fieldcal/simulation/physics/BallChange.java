@@ -1,7 +1,7 @@
 package fieldcal.simulation.physics;
 
 /**
- * Another ball lies on the field from some time on.
+ * Another ball lies on the field from some time on. A ball that is moving then is not exchanged: the next kick is the first of the other one.
  *
  * @param roll relative change of the rolling deceleration (–)
  * @param slide relative change of the sliding friction (–)
@@ -21,11 +21,15 @@ public record BallChange(double roll, double slide, double at) implements ExtraL
 
   @Override
   public double slidingFactor(BallMoment moment) {
-    return moment.sessionTime() < at ? 1 : 1 + slide;
+    return isKickedBefore(moment) ? 1 : 1 + slide;
   }
 
   @Override
   public double rollingFactor(BallMoment moment) {
-    return moment.sessionTime() < at ? 1 : 1 + roll;
+    return isKickedBefore(moment) ? 1 : 1 + roll;
+  }
+
+  private boolean isKickedBefore(BallMoment moment) {
+    return moment.sessionTime() - moment.sinceKick() < at;
   }
 }
