@@ -167,7 +167,7 @@ public final class ExtendedTrajectory implements BallTrajectory {
    * @param vx velocity right after the kick, m/s
    * @param vy velocity right after the kick, m/s
    * @param vz velocity right after the kick, m/s, not negative
-   * @return those of {@link #chip(ChipModel, MotionEffects, double, double, double, double, double, double, double)}
+   * @return those of {@link #chip(ChipModel, FlatModel, MotionEffects, double, double, double, double, double, double, double)}
    * @throws IllegalArgumentException when a number is not finite or {@code vz} is negative
    */
   public static int flightsByRule(

@@ -97,6 +97,20 @@ class DecisionTest {
     assertThat(judged.get(1).evidence()).isLessThan(0.01 * judged.get(0).evidence());
   }
 
+  /** A value for each kick may make up for the form of a large cause; then the values scatter, or leave something. Those of these kickers have much in common. */
+  @Test
+  void spinThatAllKicksHaveIsNamedBesideALargeCause() {
+    FittedField field =
+        FittedField.of(
+            FittedField.SOUND
+                .withScenario(ScenarioKind.FLAT, 16)
+                .withEffects(
+                    "field_slope:percent=2,direction=1", "kick_spin:fraction=-0.4,scatter=0.05"));
+    List<Judgement> judged = judge(field, new FieldSlope(0, 0), new KickSpin(0));
+    assertThat(judged.get(1).evidence()).isLessThan(0.03 * judged.get(0).evidence());
+    assertThat(outcomes(judged)).as("%s", judged).containsExactly(Outcome.NAMED, Outcome.NAMED);
+  }
+
   /** Cameras do not take the form of what the ball does. */
   @Test
   void aSmallErrorOfACameraBesideALargeMotionIsACause() {
