@@ -3,6 +3,7 @@
 
 It needs nothing but Python. Write your radio into drive(); everything else may stay. Usage: bridge.py [PORT]
 """
+import signal
 import socket
 import struct
 import sys
@@ -45,6 +46,8 @@ def commands(packet):
 
 
 def main():
+    for number in {signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)}:  # Windows has no SIGHUP.
+        signal.signal(number, signal.default_int_handler)  # kill and a closed terminal end it as Ctrl-C does.
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     sock.bind(("", int(sys.argv[1]) if len(sys.argv) > 1 else 10400))
     sock.settimeout(SILENCE / 4)

@@ -153,6 +153,8 @@ public final class CalibrationPlay {
     waitingFor = hold.object();
     if (step instanceof WatchStep watch) {
       watch.onlyWatch(s);
+    } else if (step instanceof KickStep kick) {
+      step = kick.onlyWatch(s);
     }
     boolean allowed = paused || s.world().permission() != Permission.RUN;
     if (allowed) {
@@ -169,7 +171,7 @@ public final class CalibrationPlay {
       return;
     }
     holding = null;
-    if (!(step instanceof WatchStep)) {
+    if (!(step instanceof WatchStep || step instanceof KickStep)) {
       // It is not known what happened meanwhile.
       step = new CheckStep(ledger, -1);
     }

@@ -52,7 +52,10 @@ final class CheckStep implements Step {
     double hidden = ball.known() ? s.ballUnseen() : s.time() - since;
     if (!ball.known() || hidden > LOST) {
       s.waitFor("the ball is not seen", s.theBall());
-      return hidden > LOST ? new HelpStep(ledger, "the ball is not seen") : this;
+      return hidden > LOST ? unseen() : this;
+    }
+    if (hidden < RESTS) {
+      ledger.carries(-1);
     }
     if (!s.area().reachable(ball.x(), ball.y()) && (ball.resting() >= RESTS || hidden > 0.5)) {
       return new HelpStep(ledger, where(s));
@@ -67,6 +70,14 @@ final class CheckStep implements Step {
       return new HelpStep(ledger, ledger.lastReason());
     }
     return next(s, ledger.next(s));
+  }
+
+  /** A robot that carried the ball may hide it. */
+  private Step unseen() {
+    int carrier = ledger.carrier();
+    return carrier >= 0
+        ? new RevealStep(ledger, carrier)
+        : new HelpStep(ledger, "the ball is not seen");
   }
 
   private Step withBall(Situation s, PlannedKick kick) {

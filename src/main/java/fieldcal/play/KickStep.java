@@ -14,6 +14,7 @@ final class KickStep extends TaskStep {
 
   private double disarmed = Double.NaN;
   private String reason;
+  private boolean interrupted;
 
   KickStep(Ledger ledger, Task task) {
     super(PlayPhase.KICK, ledger, task);
@@ -22,11 +23,13 @@ final class KickStep extends TaskStep {
   @Override
   Step tick(Situation s, int i) {
     double moved = s.ball().distance(task.x(), task.y());
-    double fast = Math.max(0.5, 0.3 * task.kick().speed() * Math.cos(task.kick().elevation()));
-    if (moved > 0.06 && s.ball().speed() > fast) {
+    if (isKicked(s)) {
       return new WatchStep(ledger, task, s.time());
     }
     driveReceiver(s);
+    if (interrupted) {
+      return s.time() - disarmed > ON_ITS_WAY ? lookAgain() : this;
+    }
     if (!Double.isNaN(disarmed)) {
       return s.time() - disarmed > ON_ITS_WAY ? misfired(s, reason) : this;
     }
@@ -48,6 +51,22 @@ final class KickStep extends TaskStep {
     s.creep(i, speed * cos - aside * sin, speed * sin + aside * cos, task.aim());
     s.arm(i, task.order());
     return this;
+  }
+
+  private boolean isKicked(Situation s) {
+    boolean mayFire = !(s.time() - disarmed > ON_ITS_WAY);
+    double moved = s.ball().distance(task.x(), task.y());
+    double fast = Math.max(0.5, 0.3 * task.kick().speed() * Math.cos(task.kick().elevation()));
+    return mayFire && moved > 0.06 && s.ball().speed() > fast;
+  }
+
+  /** No robot drives, for example while the referee has stopped the game, but the kicker may have fired before it heard of it. */
+  Step onlyWatch(Situation s) {
+    if (!interrupted) {
+      interrupted = true;
+      disarmed = Double.isNaN(disarmed) ? s.time() : disarmed;
+    }
+    return isKicked(s) ? new WatchStep(ledger, task, s.time()) : this;
   }
 
   /** The robot stands, disarmed. A kick that still happens counts as one. */

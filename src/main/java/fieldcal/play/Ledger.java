@@ -32,6 +32,7 @@ final class Ledger {
   private int notFetched;
   private final int[] losses = new int[2];
   private final int[] pushedLosses = new int[2];
+  private int carrier = -1;
   private String lastFailure = "";
   private String lastReason = "";
 
@@ -151,6 +152,16 @@ final class Ledger {
     pushedLosses[robot] += pushed ? 1 : 0;
     notFetched++;
     lastReason = reason;
+  }
+
+  /** A robot has the ball at its dribbler, where it may hide it; -1 when none has. */
+  void carries(int robot) {
+    carrier = robot;
+  }
+
+  /** The robot that had the ball when it was seen last; -1 when none had. */
+  int carrier() {
+    return carrier;
   }
 
   /** How a robot is to drive with the ball. What happened to one robot will happen to the other, too: robots that play together are mostly of the same design. */

@@ -69,6 +69,7 @@ final class PlaceStep extends TaskStep {
     if (!Double.isNaN(released)) {
       return backOff(s, i);
     }
+    ledger.carries(i);
     if (isLost(s, i)) {
       if (s.fromDribbler(i) > HELD + PART * grip.speed() * (s.time() - had)) {
         return lookAgain("somebody took the ball from " + s.plan().robot(i));
@@ -161,7 +162,11 @@ final class PlaceStep extends TaskStep {
       return this;
     }
     double orientation = s.robot(i).orientation();
-    s.creep(i, -0.25 * Math.cos(orientation), -0.25 * Math.sin(orientation), orientation);
+    s.creep(
+        i,
+        -Task.BACK_OFF * Math.cos(orientation),
+        -Task.BACK_OFF * Math.sin(orientation),
+        orientation);
     // A ball that its robot has hidden comes into sight.
     boolean off =
         s.ballUnseen() < LOSS && s.fromDribbler(i) > Task.BEHIND - PlayArea.AT_DRIBBLER - 0.015;

@@ -17,6 +17,9 @@ record Task(PlannedKick kick, int kicker, double x, double y, double aim, Pose r
   /** Distance of a kicker's centre from the ball before it drives up, m: 7 cm of air. */
   static final double BEHIND = 0.17;
 
+  /** How fast a robot drives backwards away from the ball, m/s: a robot's radius within 0.4 s. */
+  static final double BACK_OFF = 0.25;
+
   /** At which distance robots go round a ball that they must not touch, m. */
   static final double AROUND = 0.155;
 

@@ -195,6 +195,49 @@ class CalibrationPlayTest {
     assertThat(kicks.get(0).time()).isLessThan(40);
   }
 
+  /** It is hidden by the robot that carries it, and vision is off for a while. */
+  @Test
+  void aBallThatItsRobotHidesIsLookedForBeforeSomebodyIsAskedForIt() {
+    chipsFromAfar();
+    until(PlayPhase.PLACE);
+    field.run(play, 0.5);
+    FakeField.Body carrier = field.robots.get(field.holder);
+    field.ballVisible = false;
+    field.vision = false;
+    field.run(play, 4);
+    field.vision = true;
+    while (!field.ballVisible && field.time < 30) {
+      field.tick(play);
+      assertThat(field.request).isEmpty();
+      double away = Math.hypot(field.ballX - carrier.x, field.ballY - carrier.y);
+      field.ballVisible = away > PlayArea.AT_DRIBBLER + 0.1;
+    }
+    assertFinishes();
+    assertThat(field.requests).isZero();
+  }
+
+  /** The kicker has fired before it hears that it is disarmed: vision is off for a moment, or the referee stops the game. */
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void aKickAtTheMomentOfAStopCounts(boolean referee) {
+    flat(1);
+    until(PlayPhase.KICK);
+    while (Math.hypot(field.ballVx, field.ballVy) < 1) {
+      field.tick(play);
+    }
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.KICK);
+    field.permission = referee ? Permission.STOP : Permission.RUN;
+    field.vision = referee;
+    field.run(play, 0.22);
+    field.permission = Permission.RUN;
+    field.vision = true;
+    field.tick(play);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.WATCH);
+    assertThat(play.state().made()).isEqualTo(1);
+    field.run(play, 30);
+    assertThat(kicks).hasSize(1);
+  }
+
   @Test
   void aLossIsNoticedAtOnceAndNamed() {
     field.pullsUpTo = 0.7;

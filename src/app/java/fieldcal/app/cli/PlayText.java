@@ -46,7 +46,7 @@ final class PlayText {
   private final Set<String> complaints = new HashSet<>();
   private final List<Boolean> goodWhenTold = new ArrayList<>();
   private int told;
-  private Undecided undecided = new Undecided(List.of(), false, List.of());
+  private Undecided undecided = new Undecided(List.of(), List.of(), List.of());
 
   PlayText(PrintWriter out) {
     this(out, TerminalProgress.isTerminal(TerminalProgress.ERROR_STREAM), System::nanoTime);
@@ -142,11 +142,13 @@ final class PlayText {
   }
 
   private void undecided() {
-    String how =
-        undecided.inVain()
-            ? "no kick of this play can distinguish them"
-            : "the next kick is chosen to distinguish them";
-    undecided.causes().forEach(causes -> line("     undecided: %s; %s", causes, how));
+    for (String causes : undecided.causes()) {
+      String how =
+          undecided.sought().contains(causes)
+              ? "the next kick is chosen to distinguish them"
+              : "no kick of this play can distinguish them";
+      line("     undecided: %s; %s", causes, how);
+    }
     if (undecided.causes().isEmpty()) {
       line("     all causes are decided now");
     }

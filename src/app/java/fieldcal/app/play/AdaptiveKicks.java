@@ -76,7 +76,7 @@ final class AdaptiveKicks implements KickChooser {
             request.seed());
   }
 
-  /** Whether causes are undecided that no kick of this play would tell apart. */
+  /** Whether kicks would tell undecided causes apart, but none of this play. */
   boolean isInVain() {
     return inVain;
   }
@@ -131,7 +131,7 @@ final class AdaptiveKicks implements KickChooser {
   private Optional<PlannedKick> forCauses(UndecidedCauses open, double ballX, double ballY) {
     PlannedKick best = null;
     double most = UndecidedCauses.LEAST;
-    if (!open.isEmpty()) {
+    if (open.mayBeTold()) {
       for (PlannedKick kick : possible()) {
         double change = kick.otherLine() == line ? 1 : 1 - CHANGE;
         double told =
@@ -144,7 +144,7 @@ final class AdaptiveKicks implements KickChooser {
         }
       }
     }
-    inVain = best == null && !open.isEmpty();
+    inVain = best == null && open.mayBeTold();
     return Optional.ofNullable(best);
   }
 

@@ -277,8 +277,8 @@ public final class PlaySession {
 
   private Undecided undecided() {
     UndecidedCauses open = causes.undecided();
-    boolean inVain = adaptive != null && adaptive.isInVain() && !open.isEmpty();
-    return new Undecided(open.words(), inVain, open.advice());
+    boolean inVain = adaptive == null || adaptive.isInVain();
+    return new Undecided(open.words(), inVain ? List.of() : open.wordsByKicks(), open.advice());
   }
 
   private void show(PlayWorld world, PlayAnswer answer, double now) {

@@ -47,14 +47,15 @@ public record SessionSnapshot(
    * Causes that a diagnosis could not tell from others.
    *
    * @param causes in words, one entry for each two of them
-   * @param inVain whether no kick of this play would tell them apart
-   * @param advice which kicks would, in words
+   * @param sought those of them that the next kick is chosen to tell apart; a kick of this play tells no others apart
+   * @param advice what would tell them apart, in words
    */
-  public record Undecided(List<String> causes, boolean inVain, List<String> advice) {
+  public record Undecided(List<String> causes, List<String> sought, List<String> advice) {
 
     /** Copies the lists. {@inheritDoc} */
     public Undecided {
       causes = List.copyOf(causes);
+      sought = List.copyOf(sought);
       advice = List.copyOf(advice);
     }
 
@@ -64,7 +65,7 @@ public record SessionSnapshot(
      * @return false also when nothing is undecided
      */
     public boolean mayBeTold() {
-      return !causes.isEmpty() && !inVain;
+      return !sought.isEmpty();
     }
   }
 }

@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Causes that a diagnosis could not tell from others, and what a kick would do to tell them apart. Immutable. */
 final class UndecidedCauses {
@@ -33,22 +34,24 @@ final class UndecidedCauses {
   static final UndecidedCauses NONE =
       new UndecidedCauses(List.of(), List.of(), CameraViews.of(List.of()), 0);
 
-  private final List<Pair> pairs;
+  private final List<Open> all;
   private final List<ObservedCamera> observers;
   private final CameraViews views;
   private final double time;
 
-  /** Two explanations of the same kicks. */
-  private record Pair(
-      String words, String advice, ExtendedModel model, Explanation named, Explanation rival) {
+  /** Two causes of which either explains the recorded kicks; with their explanations when kicks may tell them apart. */
+  private record Open(String words, String advice, Optional<Pair> byKicks) {}
+
+  /** Two explanations of the same kicks, which other kicks may tell apart. */
+  private record Pair(ExtendedModel model, Explanation named, Explanation rival) {
     double expected(SeenKick kick) {
       return 0.5 * (rival.misfit(kick, named) + named.misfit(kick, rival));
     }
   }
 
   private UndecidedCauses(
-      List<Pair> pairs, List<ObservedCamera> observers, CameraViews views, double time) {
-    this.pairs = pairs;
+      List<Open> all, List<ObservedCamera> observers, CameraViews views, double time) {
+    this.all = all;
     this.observers = observers;
     this.views = views;
     this.time = time;
@@ -63,29 +66,30 @@ final class UndecidedCauses {
         diagnosis.kicks().stream()
             .map(k -> SeenKick.of(k, model, outcome.problem().cameras()))
             .toList();
-    List<Pair> pairs = new ArrayList<>();
+    List<Open> all = new ArrayList<>();
     Explanation named = null;
     for (Cause cause : diagnosis.causes()) {
+      String sort = cause.effect().id();
       for (String id : cause.indistinguishableFrom()) {
         Optional<Effect> rival = rival(diagnosis, id);
-        if (rival.isPresent()) {
+        if (rival.isEmpty()) {
+          continue;
+        }
+        Optional<Pair> byKicks = Optional.empty();
+        if (NextKicks.canTellApart(sort, id)) {
           named = named == null ? Explanation.of(model, observers).knowing(kicks) : named;
           Explanation other =
               Explanation.of(instead(model, cause.effect(), rival.get()), observers)
                   .fittedTo(named, kicks);
-          String words = EffectName.of(cause.effect()) + " or " + EffectName.of(rival.get());
-          pairs.add(
-              new Pair(
-                  words,
-                  NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()),
-                  whole(model),
-                  named,
-                  other));
+          byKicks = Optional.of(new Pair(whole(model), named, other));
         }
+        String words = EffectName.of(cause.effect()) + " or " + EffectName.of(rival.get());
+        String advice = NextKicks.toTellApart(sort, cause.indistinguishableFrom());
+        all.add(new Open(words, advice, byKicks));
       }
     }
     double last = diagnosis.kicks().stream().mapToDouble(k -> k.kick().endTime()).max().orElse(0);
-    return new UndecidedCauses(pairs, observers, outcome.problem().cameras(), last + BETWEEN);
+    return new UndecidedCauses(all, observers, outcome.problem().cameras(), last + BETWEEN);
   }
 
   /** The rival as the diagnosis tried it: of several places or cameras, the one that explains most. */
@@ -120,8 +124,13 @@ final class UndecidedCauses {
         m.sessionStart());
   }
 
-  boolean isEmpty() {
-    return pairs.isEmpty();
+  /** Whether kicks, of whatever sort, may tell any two of them apart. */
+  boolean mayBeTold() {
+    return pairs().findAny().isPresent();
+  }
+
+  private Stream<Pair> pairs() {
+    return all.stream().flatMap(open -> open.byKicks().stream());
   }
 
   /** When the next kick may be, s. */
@@ -129,23 +138,26 @@ final class UndecidedCauses {
     return time;
   }
 
-  /** How much a kick is expected to tell: chi-square by which the wrong one of two explanations falls behind, of all that are undecided; more than enough for one counts little. */
+  /** How much a kick is expected to tell: chi-square by which the wrong one of two explanations falls behind, of all that kicks may tell apart; more than enough for one counts little. */
   double expected(SeenKick.Plan plan) {
-    double sum = 0;
-    for (Pair pair : pairs) {
-      double told = pair.expected(SeenKick.of(plan, pair.model, observers, views));
-      sum += told / (1 + told / TOLD_APART);
-    }
-    return sum;
+    return pairs()
+        .mapToDouble(pair -> pair.expected(SeenKick.of(plan, pair.model, observers, views)))
+        .map(told -> told / (1 + told / TOLD_APART))
+        .sum();
   }
 
   /** For the operator: one line for each pair. */
   List<String> words() {
-    return pairs.stream().map(Pair::words).toList();
+    return all.stream().map(Open::words).toList();
   }
 
-  /** Which kicks of any sort would tell them apart, for the operator. */
+  /** Those of {@link #words} that kicks may tell apart. */
+  List<String> wordsByKicks() {
+    return all.stream().filter(open -> open.byKicks().isPresent()).map(Open::words).toList();
+  }
+
+  /** What would tell them apart, for the operator. */
   List<String> advice() {
-    return pairs.stream().map(Pair::advice).distinct().toList();
+    return all.stream().map(Open::advice).distinct().toList();
   }
 }

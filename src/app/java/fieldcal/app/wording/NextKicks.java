@@ -55,6 +55,22 @@ public final class NextKicks {
       "No kick shows which camera is right: compare the clocks of their computers with a time"
           + " server.";
 
+  private static final String SHIFT_OR_HEIGHT =
+      "With only two cameras, no kick tells a shifted camera from a wrong height of the"
+          + " ball: both shift the two views against each other by the same distance"
+          + " everywhere. Look up or measure which height of the ball's centre vision"
+          + " assumes (21.5 mm is right), compare a resting ball's reported position with"
+          + " its pixels, or record with a third camera.";
+
+  private static final String SHIFT_OR_PLACE =
+      "No kick is needed to tell a misplaced camera from one that reports everything"
+          + " shifted: calibrating the camera corrects both. A tilt or a wrong height would"
+          + " show in slow flat kicks from below the camera to the corners of its view.";
+
+  /** Texts on causes that no kick tells apart, or need not. */
+  private static final Set<String> WITHOUT_KICKS =
+      Set.of(WHICH_IS_SHIFTED, WHICH_IS_LATE, SHIFT_OR_HEIGHT, SHIFT_OR_PLACE);
+
   private static final String WHICH_VIEW =
       "Record four flat kicks of 2–3 m/s each through the whole view of either camera, lengthwise"
           + " and crosswise: only in the view of the wrong camera is the ball reported wrong.";
@@ -80,14 +96,7 @@ public final class NextKicks {
           pair("bounce_spin_coupling", "speed_dependent_restitution", BOUNCES),
           pair("kick_spin", "robot_kick_bias", SPIN_OR_KICKER),
           pair("side_spin", "robot_kick_bias", SPIN_OR_KICKER),
-          pair(
-              "camera_offset",
-              "ball_height_error",
-              "With only two cameras, no kick tells a shifted camera from a wrong height of the"
-                  + " ball: both shift the two views against each other by the same distance"
-                  + " everywhere. Look up or measure which height of the ball's centre vision"
-                  + " assumes (21.5 mm is right), compare a resting ball's reported position with"
-                  + " its pixels, or record with a third camera."),
+          pair("camera_offset", "ball_height_error", SHIFT_OR_HEIGHT),
           pair(
               "camera_pose_error",
               "ball_height_error",
@@ -95,12 +104,7 @@ public final class NextKicks {
                   + " height of the ball shows in all of them alike, a misplaced camera in one."
                   + " With a single camera compare the drawn field lines with its picture,"
                   + " which only a misplaced camera shifts."),
-          pair(
-              "camera_offset",
-              "camera_pose_error",
-              "No kick is needed to tell a misplaced camera from one that reports everything"
-                  + " shifted: calibrating the camera corrects both. A tilt or a wrong height would"
-                  + " show in slow flat kicks from below the camera to the corners of its view."),
+          pair("camera_offset", "camera_pose_error", SHIFT_OR_PLACE),
           pair(
               "camera_offset",
               "lens_distortion_error",
@@ -256,6 +260,17 @@ public final class NextKicks {
         .filter(text -> !text.isEmpty())
         .distinct()
         .collect(Collectors.joining(" "));
+  }
+
+  /**
+   * Whether kicks are what tells two causes apart.
+   *
+   * @param cause id of the effect that is named
+   * @param rival id of one that would explain the same; "id of camera n" where another camera would
+   * @return false when something else must be looked at, or nothing needs to be
+   */
+  public static boolean canTellApart(String cause, String rival) {
+    return !WITHOUT_KICKS.contains(toTellApart(cause, List.of(rival)));
   }
 
   /** What is relative to the other cameras no kick decides; an error of a pose or lens shows in its own view. */

@@ -26,6 +26,11 @@ class PlayTextTest {
   }
 
   private static SessionSnapshot at(double time, String waiting, List<Double> ballWanted) {
+    return at(time, waiting, ballWanted, new Undecided(List.of(), List.of(), List.of()));
+  }
+
+  private static SessionSnapshot at(
+      double time, String waiting, List<Double> ballWanted, Undecided undecided) {
     PlayState state =
         new PlayState(
             PlayPhase.POSITION,
@@ -48,7 +53,7 @@ class PlayTextTest {
         ballWanted,
         List.of(),
         Map.of(),
-        new Undecided(List.of(), false, List.of()));
+        undecided);
   }
 
   @Test
@@ -89,5 +94,20 @@ class PlayTextTest {
     }
     assertThat(out.toString().lines()).hasSize(3);
     assertThat(out.toString()).contains("1 of 12 good kicks  moving into position");
+  }
+
+  @Test
+  void onlyWhatTheNextKickDistinguishesIsSaidToBeDistinguished() {
+    Undecided undecided =
+        new Undecided(
+            List.of("offset A or offset B", "slope or nap"), List.of("slope or nap"), List.of());
+    PlayText text = text(true);
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
+      text.follow(at(1, "", List.of(), undecided), progress);
+    }
+    assertThat(out.toString().lines().map(String::strip))
+        .containsExactly(
+            "undecided: offset A or offset B; no kick of this play can distinguish them",
+            "undecided: slope or nap; the next kick is chosen to distinguish them");
   }
 }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.diagnose.DiagnosisOutcome;
+import fieldcal.app.diagnose.SampleOutcome;
+import fieldcal.app.report.diagnosis.SampleDiagnosis;
 import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.DiagnosisProblem;
@@ -89,6 +91,17 @@ class UndecidedCausesTest {
     playBefore();
     play(false, 3600, 1);
     assertThat(only(BEFORE + 1).indistinguishableFrom()).isNotEmpty();
+  }
+
+  /** Which of two cameras is shifted no kick shows: then kicks are chosen as without such a tie. */
+  @Test
+  void whatNoKickTellsApartChoosesNoKick() {
+    UndecidedCauses open = UndecidedCauses.of(SampleOutcome.of(SampleDiagnosis.explained(8), 0));
+    assertThat(open.words()).contains("offset of camera 1 or offset of camera 0");
+    assertThat(open.wordsByKicks()).isEmpty();
+    assertThat(open.mayBeTold()).isFalse();
+    assertThat(open.expected(plan(open, 0.59))).isZero();
+    assertThat(open.advice().get(0)).startsWith("No kick shows which camera is right");
   }
 
   private static SeenKick.Plan plan(UndecidedCauses open, double direction) {

@@ -32,6 +32,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Real robots behind a bridge, on loopback: the bridge passes commands on to a served field, as a team's would to its radio. */
 class RobotBridgeTest {
@@ -220,7 +222,7 @@ class RobotBridgeTest {
 
   /** The documented bridge, run as it is, with a client that commands it. */
   private interface Visit {
-    void of(int port, BridgeClient client, BufferedReader said) throws Exception;
+    void of(Process example, int port, BridgeClient client, BufferedReader said) throws Exception;
   }
 
   private static void withTheExample(Visit visit) throws Exception {
@@ -240,7 +242,7 @@ class RobotBridgeTest {
             new BridgeClient("127.0.0.1", port, FIRST, SECOND, System::nanoTime);
         BufferedReader said = new BufferedReader(new InputStreamReader(process.getInputStream()))) {
       assertThat(client.hold()).isPresent();
-      visit.of(port, client, said);
+      visit.of(process, port, client, said);
     } finally {
       process.destroyForcibly();
     }
@@ -273,7 +275,7 @@ class RobotBridgeTest {
   @Test
   void theExampleUnderstandsWhatIsSentAndStopsByItself() throws Exception {
     withTheExample(
-        (port, client, said) -> {
+        (example, port, client, said) -> {
           command(client, 11);
           assertThat(said.readLine())
               .isEqualTo(
@@ -290,7 +292,7 @@ class RobotBridgeTest {
   @Test
   void theExampleStopsARobotThatIsNotCommandedWhateverElseIsSent() throws Exception {
     withTheExample(
-        (port, client, said) -> {
+        (example, port, client, said) -> {
           command(client, 3, 11);
           CompletableFuture<String> stopped =
               CompletableFuture.supplyAsync(
@@ -318,6 +320,20 @@ class RobotBridgeTest {
           assertThat(stopped).succeedsWithin(1, TimeUnit.SECONDS);
           // The other one is still commanded, and the bridge still answers.
           assertThat(client.hold()).isEmpty();
+        });
+  }
+
+  /** A radio keeps the last command: whatever ends the bridge must stop the robots. */
+  @ParameterizedTest
+  @ValueSource(strings = {"-INT", "-TERM", "-HUP"})
+  void theExampleStopsTheRobotsWhenItIsEnded(String signal) throws Exception {
+    withTheExample(
+        (example, port, client, said) -> {
+          command(client, 3, 11);
+          new ProcessBuilder("kill", signal, Long.toString(example.pid())).start().waitFor();
+          assertThat(stopOf(3, said)).contains("kick 0.000");
+          assertThat(stopOf(11, said)).contains("kick 0.000");
+          assertThat(example.waitFor(5, TimeUnit.SECONDS)).isTrue();
         });
   }
 }

@@ -95,4 +95,19 @@ class NextKicksTest {
         .contains("new effect")
         .contains(UNKNOWN);
   }
+
+  @ParameterizedTest
+  @CsvSource({
+    "camera_offset,camera_offset of camera 1,false",
+    "camera_offset,camera_pose_error of camera 1,false",
+    "camera_pose_error,camera_offset,false",
+    "camera_offset,ball_height_error,false",
+    "camera_time_offset,camera_time_offset of camera 0,false",
+    "camera_pose_error,camera_pose_error of camera 2,true",
+    "carpet_nap,field_slope,true",
+    "drift,air_drag,true"
+  })
+  void onlySomeCausesAreToldApartByKicks(String cause, String rival, boolean byKicks) {
+    assertThat(NextKicks.canTellApart(cause, rival)).isEqualTo(byKicks);
+  }
 }
