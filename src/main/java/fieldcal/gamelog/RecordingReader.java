@@ -278,8 +278,7 @@ public final class RecordingReader implements Closeable {
     problem(
         jump > 0 ? LogProblem.CLOCK_JUMP_FORWARD : LogProblem.CLOCK_JUMP_BACK,
         () -> String.format(Locale.ROOT, "camera %d, by %.3f s", frame.cameraId(), Math.abs(jump)));
-    clock.accept(suspect, suspectReceived);
-    clock.accept(frame, received);
+    clock.accept(suspect, suspectReceived, frame, received);
     order.flush();
     listener.onClockJump(frame.cameraId(), jump);
     order.add(suspect, suspectReceived);

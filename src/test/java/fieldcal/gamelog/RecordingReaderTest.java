@@ -183,6 +183,25 @@ class RecordingReaderTest {
     assertThat(summary.problems().count(LogProblem.CLOCK_JUMP_FORWARD)).isEqualTo(1);
   }
 
+  /** It reads what waited at once, and misses what did not fit. */
+  @Test
+  void aRecorderThatPausesIsNoJump() throws IOException {
+    log.geometry(geometry, 1);
+    for (int i = 0; i < 400; i++) {
+      double time = 1 + 0.013 * i;
+      boolean paused = time > 2 && time < 4;
+      if (!paused || time < 3.1) {
+        log.frame(frame(0, i, time), paused ? 4 : time + 0.01);
+      }
+    }
+
+    RecordingSummary summary = read(log.bytes());
+
+    assertThat(notes.jumps).isEmpty();
+    assertThat(summary.problems().kinds()).isEmpty();
+    assertThat(notes.frames).hasSize((int) summary.frames());
+  }
+
   @Test
   void aJumpOfTheRecorderLosesNoFrame() throws IOException {
     log.geometry(geometry, 1);
