@@ -148,6 +148,29 @@ class RecordingReaderTest {
         .isEqualTo("camera 3");
   }
 
+  /** Some visions send one camera's calibration at a time. */
+  @Test
+  void framesBeforeTheirCamerasAreNotOfUnknownCameras() throws IOException {
+    FieldGeometry first = geometry.withCameras(geometry.cameras().subList(0, 1));
+    log.geometry(first, 1);
+    for (int i = 0; i < 5; i++) {
+      log.frame(frame(0, i, 1.1 + 0.01 * i))
+          .frame(frame(1, i, 1.1 + 0.01 * i))
+          .frame(frame(6, i, 1.1 + 0.01 * i));
+    }
+    log.geometry(geometry, 2).frame(frame(1, 5, 2.1)).frame(frame(7, 0, 2.1));
+
+    RecordingSummary summary = read(log.bytes());
+
+    assertThat(notes.frames).hasSize(17);
+    assertThat(summary.problems().count(LogProblem.FRAME_BEFORE_CAMERA)).isEqualTo(5);
+    assertThat(summary.problems().first(LogProblem.FRAME_BEFORE_CAMERA).get(0).detail())
+        .isEqualTo("camera 1");
+    assertThat(summary.problems().count(LogProblem.UNCALIBRATED_CAMERA)).isEqualTo(6);
+    assertThat(summary.problems().first(LogProblem.UNCALIBRATED_CAMERA).get(0).detail())
+        .isEqualTo("cameras 6, 7");
+  }
+
   @Test
   void duplicatesAreLeftOut() throws IOException {
     log.geometry(geometry, 1);
