@@ -5,11 +5,11 @@ import fieldcal.vision.VisionFrame;
 /**
  * Judges the capture times of one camera against the recorder's clock.
  *
- * <p>From frame to frame the delay between capture and reception hardly changes. A frame whose delay differs by more than
- * {@link #MAX_STEP} waits for the next: if that agrees with it, the clock jumped; if not, the frame's time was damaged.
+ * <p>A busy computer reads frames late, but none early, and never changes their order. So a clock jumped back where capture times go back, and it jumped forward where a frame comes sooner after its capture than
+ * all before it. Either counts when it is more than {@link #MAX_STEP}. Such a frame waits for the next: if that agrees with it, the clock jumped; if not, the frame's time was damaged.
  */
 final class CameraClock {
-  /** A larger step of the delay is a jump of a clock, s: networks and busy computers delay packets by tens of milliseconds. */
+  /** A larger step is a jump of a clock, s: packets overtake each other, and their least delay changes, by tens of milliseconds. */
   static final double MAX_STEP = 0.5;
 
   /** Number of frames remembered to recognise duplicates, which follow the original closely. */
@@ -17,8 +17,12 @@ final class CameraClock {
 
   private final double[] captures = new double[REMEMBERED];
   private int remembered;
-  private boolean started;
+  private double lastCapture = Double.NEGATIVE_INFINITY;
   private double delay;
+
+  /** Since the clock jumped last. */
+  private double leastDelay = Double.POSITIVE_INFINITY;
+
   private VisionFrame suspect;
   private double suspectReceived;
 
@@ -39,16 +43,25 @@ final class CameraClock {
       return Verdict.DUPLICATE;
     }
     double newDelay = received - frame.captureTime();
-    if (!started || Math.abs(newDelay - delay) <= MAX_STEP) {
-      started = true;
+    if (isSteady(lastCapture, leastDelay, frame.captureTime(), newDelay)) {
       remember(frame.captureTime(), newDelay);
       return Verdict.GOOD;
     }
     if (suspect != null
-        && Math.abs(newDelay - (suspectReceived - suspect.captureTime())) <= MAX_STEP) {
+        && isSteady(suspect.captureTime(), suspectDelay(), frame.captureTime(), newDelay)) {
       return Verdict.JUMPED;
     }
     return Verdict.WAIT;
+  }
+
+  private static boolean isSteady(double before, double least, double capture, double newDelay) {
+    // Before the first frame of all, the least delay is infinite.
+    return capture >= before - MAX_STEP
+        && (newDelay >= least - MAX_STEP || least == Double.POSITIVE_INFINITY);
+  }
+
+  private double suspectDelay() {
+    return suspectReceived - suspect.captureTime();
   }
 
   /** How far the clock jumps with this frame, s. */
@@ -56,8 +69,10 @@ final class CameraClock {
     return delay - (received - frame.captureTime());
   }
 
-  /** Accepts a frame that was judged JUMPED, or the one that waited before it: later frames are compared with it. */
-  void accept(VisionFrame frame, double received) {
+  /** Accepts the frame that waited, and the one that agreed with it: later frames are compared with these. */
+  void accept(VisionFrame waited, double waitedReceived, VisionFrame frame, double received) {
+    leastDelay = Double.POSITIVE_INFINITY;
+    remember(waited.captureTime(), waitedReceived - waited.captureTime());
     remember(frame.captureTime(), received - frame.captureTime());
   }
 
@@ -93,6 +108,8 @@ final class CameraClock {
     captures[remembered % REMEMBERED] = capture;
     // Counted up to twice the size only, so that it never overflows.
     remembered = remembered + 1 < 2 * REMEMBERED ? remembered + 1 : REMEMBERED;
+    lastCapture = capture;
     delay = newDelay;
+    leastDelay = Math.min(leastDelay, newDelay);
   }
 }

@@ -3,7 +3,9 @@ package fieldcal.gamelog;
 /**
  * Compares one camera's clock, which stamps captures, with the recorder's, which stamps receptions: their difference and their rates, in constant memory.
  *
- * <p>The difference contains the delay from capture to reception, some 10 ms. The rate is the slope of a straight line through both times, jumps of the clock left out. For one thread.
+ * <p>The difference contains the delay from capture to reception, some 10 ms. Whoever reads late adds to that delay and never takes from it, so the rate is taken from the least delay within each of many short
+ * blocks of time: it is the median of the slopes between blocks that are an eighth of all blocks apart. Neither some late blocks nor a single step of a clock changes it. (Moon, Skelly and Towsley, Estimation and
+ * removal of clock skew from network delay measurements, INFOCOM 1999, fit a line below all delays; one that starts late or a step would tilt it.) For one thread.
  */
 public final class ClockComparison {
   /** Longest delay of a frame, s; more is the difference of two clocks. Vision and networks delay frames by tens of milliseconds, simulators by some hundred. */
@@ -18,26 +20,12 @@ public final class ClockComparison {
   /** Delays of single frames scatter by up to 0.05 s; over this many seconds that is a tenth of the notable rate. */
   private static final double LEAST_SPAN = 100;
 
-  /** With at least this many frames a tenth of that span is enough, since the scatter averages out. */
+  /** With at least this many frames a tenth of that span is enough, since the least delays scatter far less. */
   private static final int MANY_FRAMES = 300;
 
   private long frames;
   private double mean;
-
-  // The stretch since the last jump: its first frame, then means and moments relative to it.
-  private long inStretch;
-  private double firstCapture;
-  private double firstDelay;
-  private double meanCapture;
-  private double meanDelay;
-  private double moment;
-  private double covariance;
-  private double span;
-
-  // Stretches that are over.
-  private double pastMoment;
-  private double pastCovariance;
-  private double pastSpan;
+  private final DelayBlocks blocks = new DelayBlocks();
 
   /** Starts with nothing seen. */
   public ClockComparison() {}
@@ -52,32 +40,12 @@ public final class ClockComparison {
     double delay = receivedTime - captureTime;
     frames++;
     mean += (delay - mean) / frames;
-    if (inStretch == 0) {
-      firstCapture = captureTime;
-      firstDelay = delay;
-    }
-    inStretch++;
-    double x = captureTime - firstCapture;
-    double y = delay - firstDelay;
-    double fromMean = x - meanCapture;
-    meanCapture += fromMean / inStretch;
-    meanDelay += (y - meanDelay) / inStretch;
-    moment += fromMean * (x - meanCapture);
-    covariance += fromMean * (y - meanDelay);
-    span = x;
+    blocks.add(captureTime, delay);
   }
 
   /** One of the clocks jumped: later frames are compared only with each other. */
   public void jumped() {
-    pastMoment += moment;
-    pastCovariance += covariance;
-    pastSpan += span;
-    inStretch = 0;
-    meanCapture = 0;
-    meanDelay = 0;
-    moment = 0;
-    covariance = 0;
-    span = 0;
+    blocks.jumped();
   }
 
   /**
@@ -108,10 +76,12 @@ public final class ClockComparison {
    * @return 1 for equal clocks; NaN when too little was seen to distinguish 0.5 % from nothing
    */
   public double rate() {
-    boolean enough =
-        pastSpan + span >= LEAST_SPAN
-            || frames >= MANY_FRAMES && pastSpan + span >= LEAST_SPAN / 10;
-    return enough ? 1 + (pastCovariance + covariance) / (pastMoment + moment) : Double.NaN;
+    double span = blocks.span();
+    boolean enough = span >= LEAST_SPAN || frames >= MANY_FRAMES && span >= LEAST_SPAN / 10;
+    double slope = blocks.slope();
+    // Two standard errors, 95 % of a normal distribution, tell a notable rate from none.
+    double largestError = Math.max(NOTABLE_RATE, Math.abs(slope) - NOTABLE_RATE);
+    return enough && 2 * blocks.slopeError() < largestError ? 1 + slope : Double.NaN;
   }
 
   /**

@@ -28,6 +28,8 @@ public enum LogProblem implements ProblemKind {
   MALFORMED_TRACKER("a packet is not a message of a tracker; it is skipped"),
   /** Detections came before the first geometry. */
   FRAME_BEFORE_GEOMETRY("a frame comes before the first geometry"),
+  /** Detections of a camera came before the first geometry that names it. */
+  FRAME_BEFORE_CAMERA("a frame comes before the geometry names its camera"),
   /** A camera sends detections but the geometry does not know it. */
   UNCALIBRATED_CAMERA("a frame is of a camera that the geometry does not name"),
   /** The geometry differs from the one before. */

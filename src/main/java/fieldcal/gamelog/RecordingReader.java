@@ -12,11 +12,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /**
  * Streams a recording as values: frames in the order of their capture times, geometry when it changes, referee messages.
@@ -52,6 +55,11 @@ public final class RecordingReader implements Closeable {
   private CaptureOrder order;
   private FieldGeometry geometry;
   private final BitSet calibrated = new BitSet();
+  private final BitSet everCalibrated = new BitSet();
+
+  /** Cameras that sent frames after the first geometry, which did not name them, and before any that did. */
+  private final Map<Integer, Unnamed> unnamed = new TreeMap<>();
+
   private boolean isRead;
   private long frames;
   private double lastTime = Double.NaN;
@@ -170,6 +178,8 @@ public final class RecordingReader implements Closeable {
       }
     }
     order.flush();
+    reportUnnamed(LogProblem.FRAME_BEFORE_CAMERA, true);
+    reportUnnamed(LogProblem.UNCALIBRATED_CAMERA, false);
     if (!hasMessages) {
       problems.add(
           LogProblem.NO_MESSAGES, log.logBytes(), () -> problems.file().getFileName().toString());
@@ -239,6 +249,7 @@ public final class RecordingReader implements Closeable {
     geometry = next;
     calibrated.clear();
     next.cameras().forEach(camera -> calibrated.set(camera.id()));
+    everCalibrated.or(calibrated);
     order.add(next);
   }
 
@@ -246,7 +257,7 @@ public final class RecordingReader implements Closeable {
     if (geometry == null) {
       problem(LogProblem.FRAME_BEFORE_GEOMETRY, () -> "camera " + frame.cameraId());
     } else if (!calibrated.get(frame.cameraId())) {
-      problem(LogProblem.UNCALIBRATED_CAMERA, () -> "camera " + frame.cameraId());
+      takeUncalibrated(frame.cameraId());
     }
     CameraClock clock = clocks[frame.cameraId()];
     if (clock == null) {
@@ -271,6 +282,28 @@ public final class RecordingReader implements Closeable {
     }
   }
 
+  /** Geometry may come one camera at a time, so only the end tells whether a camera is named in it. */
+  private void takeUncalibrated(int camera) {
+    if (everCalibrated.get(camera)) {
+      problem(LogProblem.UNCALIBRATED_CAMERA, () -> "camera " + camera);
+    } else {
+      unnamed.computeIfAbsent(camera, id -> new Unnamed(offset)).frames++;
+    }
+  }
+
+  private void reportUnnamed(LogProblem kind, boolean named) {
+    List<Integer> ids =
+        unnamed.keySet().stream().filter(id -> everCalibrated.get(id) == named).toList();
+    String all =
+        (ids.size() == 1 ? "camera " : "cameras ")
+            + ids.stream().map(String::valueOf).collect(Collectors.joining(", "));
+    long first = ids.stream().mapToLong(id -> unnamed.get(id).offset).min().orElse(0);
+    long count = ids.stream().mapToLong(id -> unnamed.get(id).frames).sum();
+    for (long i = 0; i < count; i++) {
+      problems.add(kind, first, () -> all);
+    }
+  }
+
   private void jump(CameraClock clock, VisionFrame frame, double received) {
     double suspectReceived = clock.suspectReceived();
     VisionFrame suspect = clock.takeSuspect();
@@ -278,8 +311,7 @@ public final class RecordingReader implements Closeable {
     problem(
         jump > 0 ? LogProblem.CLOCK_JUMP_FORWARD : LogProblem.CLOCK_JUMP_BACK,
         () -> String.format(Locale.ROOT, "camera %d, by %.3f s", frame.cameraId(), Math.abs(jump)));
-    clock.accept(suspect, suspectReceived);
-    clock.accept(frame, received);
+    clock.accept(suspect, suspectReceived, frame, received);
     order.flush();
     listener.onClockJump(frame.cameraId(), jump);
     order.add(suspect, suspectReceived);
@@ -368,6 +400,16 @@ public final class RecordingReader implements Closeable {
       return "ball models";
     }
     return "field";
+  }
+
+  /** Frames of a camera that no geometry has named so far. */
+  private static final class Unnamed {
+    private final long offset;
+    private long frames;
+
+    Unnamed(long offset) {
+      this.offset = offset;
+    }
   }
 
   /** Counts frames on their way to the listener. */

@@ -148,6 +148,29 @@ class RecordingReaderTest {
         .isEqualTo("camera 3");
   }
 
+  /** Some visions send one camera's calibration at a time. */
+  @Test
+  void framesBeforeTheirCamerasAreNotOfUnknownCameras() throws IOException {
+    FieldGeometry first = geometry.withCameras(geometry.cameras().subList(0, 1));
+    log.geometry(first, 1);
+    for (int i = 0; i < 5; i++) {
+      log.frame(frame(0, i, 1.1 + 0.01 * i))
+          .frame(frame(1, i, 1.1 + 0.01 * i))
+          .frame(frame(6, i, 1.1 + 0.01 * i));
+    }
+    log.geometry(geometry, 2).frame(frame(1, 5, 2.1)).frame(frame(7, 0, 2.1));
+
+    RecordingSummary summary = read(log.bytes());
+
+    assertThat(notes.frames).hasSize(17);
+    assertThat(summary.problems().count(LogProblem.FRAME_BEFORE_CAMERA)).isEqualTo(5);
+    assertThat(summary.problems().first(LogProblem.FRAME_BEFORE_CAMERA).get(0).detail())
+        .isEqualTo("camera 1");
+    assertThat(summary.problems().count(LogProblem.UNCALIBRATED_CAMERA)).isEqualTo(6);
+    assertThat(summary.problems().first(LogProblem.UNCALIBRATED_CAMERA).get(0).detail())
+        .isEqualTo("cameras 6, 7");
+  }
+
   @Test
   void duplicatesAreLeftOut() throws IOException {
     log.geometry(geometry, 1);
@@ -181,6 +204,25 @@ class RecordingReaderTest {
     assertThat(notes.sequence.indexOf("jump")).isEqualTo(31);
     assertThat(summary.problems().count(LogProblem.CLOCK_JUMP_BACK)).isEqualTo(1);
     assertThat(summary.problems().count(LogProblem.CLOCK_JUMP_FORWARD)).isEqualTo(1);
+  }
+
+  /** It reads what waited at once, and misses what did not fit. */
+  @Test
+  void aRecorderThatPausesIsNoJump() throws IOException {
+    log.geometry(geometry, 1);
+    for (int i = 0; i < 400; i++) {
+      double time = 1 + 0.013 * i;
+      boolean paused = time > 2 && time < 4;
+      if (!paused || time < 3.1) {
+        log.frame(frame(0, i, time), paused ? 4 : time + 0.01);
+      }
+    }
+
+    RecordingSummary summary = read(log.bytes());
+
+    assertThat(notes.jumps).isEmpty();
+    assertThat(summary.problems().kinds()).isEmpty();
+    assertThat(notes.frames).hasSize((int) summary.frames());
   }
 
   @Test

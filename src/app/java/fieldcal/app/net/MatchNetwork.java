@@ -127,10 +127,10 @@ public final class MatchNetwork implements AutoCloseable {
   /**
    * When the frame came that the sink is receiving.
    *
-   * @return on the clock of {@link System#nanoTime}, ns
+   * @return on the clock of {@link System#nanoTime}
    */
-  public long lastFrame() {
-    return visionSource.lastFrame();
+  public Arrival arrival() {
+    return visionSource.arrival();
   }
 
   /**

@@ -28,8 +28,11 @@ public final class PacketReceiver implements AutoCloseable {
   private static final int LARGEST = 65_536;
   private static final long SECOND = 1_000_000_000L;
 
-  /** How long the channel is waited for before the clock is looked at, ms. */
-  private static final long WAIT = 200;
+  /** How long the channel is waited for before it is looked at again, ms: so well is known when packets came. One frame of vision takes 14 ms. */
+  private static final long WAIT = 20;
+
+  /** How long the end of the thread is waited for, ms. */
+  private static final long END = 400;
 
   private final NetworkPlace place;
   private final int capacity;
@@ -47,6 +50,11 @@ public final class PacketReceiver implements AutoCloseable {
   private boolean closed;
   private int port;
 
+  /** When nothing was waiting last; of the receiving thread. */
+  private long lastEmpty = System.nanoTime();
+
+  private long beforeLastLook;
+  private boolean droppedBefore;
   private DatagramChannel channel;
   private Selector selector;
 
@@ -172,12 +180,15 @@ public final class PacketReceiver implements AutoCloseable {
     for (SocketAddress from = next(buffer); from != null; from = next(buffer)) {
       byte[] data = new byte[buffer.flip().remaining()];
       buffer.get(data);
-      offer(new Packet(data, (InetSocketAddress) from, System.nanoTime()));
+      offer(new Packet(data, (InetSocketAddress) from, System.nanoTime(), lastEmpty, true));
     }
+    lastEmpty = beforeLastLook;
   }
 
   private SocketAddress next(ByteBuffer buffer) throws IOException {
     buffer.clear();
+    // Before the look, since a pause may follow it.
+    beforeLastLook = System.nanoTime();
     return channel.receive(buffer);
   }
 
@@ -189,6 +200,7 @@ public final class PacketReceiver implements AutoCloseable {
       if (waiting.size() > capacity) {
         waiting.removeFirst();
         dropped++;
+        droppedBefore = true;
       }
       shared.notifyAll();
     }
@@ -246,7 +258,12 @@ public final class PacketReceiver implements AutoCloseable {
         shared.wait(left);
         left = (until - System.nanoTime()) / 1_000_000;
       }
-      return Optional.ofNullable(waiting.pollFirst());
+      Packet first = waiting.pollFirst();
+      if (first != null && droppedBefore) {
+        first = first.afterDropped();
+        droppedBefore = false;
+      }
+      return Optional.ofNullable(first);
     }
   }
 
@@ -272,7 +289,7 @@ public final class PacketReceiver implements AutoCloseable {
     }
     selector.wakeup();
     try {
-      thread.join(2 * WAIT);
+      thread.join(END);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -46,6 +46,8 @@ public final class VisionSource {
   private final Sink sink;
   private volatile long frames;
   private volatile long lastFrame;
+  private Arrival arrival;
+  private boolean seamless = true;
 
   /**
    * A source.
@@ -61,6 +63,7 @@ public final class VisionSource {
   /** Takes a packet. */
   void accept(Packet packet) {
     long now = packet.received();
+    seamless &= packet.seamless();
     Sources.Source<VisionDecoder> source = sources.of(packet.source(), now);
     if (source == null) {
       return;
@@ -81,6 +84,8 @@ public final class VisionSource {
     if (frame.isPresent()) {
       frames++;
       lastFrame = now;
+      arrival = new Arrival(1e-9 * packet.earliest(), 1e-9 * now, seamless);
+      seamless = true;
       sink.frame(frame.get());
     }
   }
@@ -97,6 +102,11 @@ public final class VisionSource {
   /** When the newest of these frames came, ns; from any thread. */
   long lastFrame() {
     return lastFrame;
+  }
+
+  /** Of the newest of these frames; from the thread that calls {@link #accept}. */
+  Arrival arrival() {
+    return arrival;
   }
 
   /** Packets of senders that were too many; from any thread. */

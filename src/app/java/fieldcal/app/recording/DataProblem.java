@@ -96,7 +96,7 @@ public record DataProblem(String where, String what, long count, String advice) 
     if (kind == LogProblem.TRUNCATED_RECORD) {
       return "the recording before it is used";
     }
-    return kind == LogProblem.FRAME_BEFORE_GEOMETRY
+    return kind == LogProblem.FRAME_BEFORE_GEOMETRY || kind == LogProblem.FRAME_BEFORE_CAMERA
         ? "nothing to do: the frames are used"
         : "the rest of the recording is used";
   }

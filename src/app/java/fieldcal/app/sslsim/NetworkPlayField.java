@@ -62,7 +62,7 @@ public final class NetworkPlayField implements PlayField {
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
-      watch.frame(frame.captureTime(), network.lastFrame() * 1e-9);
+      watch.frame(frame.captureTime(), network.arrival());
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
       if (over.isEmpty() && sent < newestFrame - CLOCK_JUMP) {
         over =

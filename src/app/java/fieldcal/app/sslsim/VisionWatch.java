@@ -1,10 +1,13 @@
 package fieldcal.app.sslsim;
 
+import fieldcal.app.net.Arrival;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Notices when vision is silent and when its clock jumps, by when frames arrived, not by when somebody looked at them. Not thread-safe. */
+/**
+ * Notices when vision is silent and when its clock jumps. A reader that was busy or paused finds frames late; only what is true whenever they came is told. Not thread-safe.
+ */
 final class VisionWatch {
   /** Vision that sends nothing for longer is silent, s: 35 frames. */
   private static final double SILENT = 0.5;
@@ -16,24 +19,31 @@ final class VisionWatch {
 
   private final List<String> told = new ArrayList<>();
   private double begin = Double.NaN;
-  private double lastArrived = Double.NaN;
-  private double lastApart = Double.NaN;
+  private Arrival last;
+  private double lastCaptured;
   private int all;
 
-  /** A frame: when it says it was captured, and when it arrived, s. */
-  void frame(double captured, double arrived) {
-    begin = Double.isNaN(begin) ? arrived : begin;
-    double silence = arrived - lastArrived;
-    if (silence > SILENT) {
-      tell(String.format(Locale.ROOT, "vision was silent for %.1f s", silence), arrived);
+  /** A frame: when it says it was captured, s, and when it arrived. */
+  void frame(double captured, Arrival arrived) {
+    begin = Double.isNaN(begin) ? arrived.latest() : begin;
+    if (last != null) {
+      compare(captured - lastCaptured, arrived);
     }
-    double apart = captured - arrived;
-    double jump = apart - lastApart;
-    if (Math.abs(jump) > JUMP) {
-      tell(String.format(Locale.ROOT, "vision's clock jumped by %+.2f s", jump), arrived);
+    last = arrived;
+    lastCaptured = captured;
+  }
+
+  private void compare(double step, Arrival arrived) {
+    // Frames keep their order: this one came between these two times after the last one.
+    double soonest = Math.max(0, arrived.earliest() - last.latest());
+    double latest = arrived.latest() - last.earliest();
+    if (arrived.seamless() && soonest > SILENT) {
+      tell(String.format(Locale.ROOT, "vision was silent for %.1f s", soonest), arrived.latest());
     }
-    lastArrived = arrived;
-    lastApart = apart;
+    if (step < soonest - JUMP || step > latest + JUMP) {
+      double jump = step - (arrived.latest() - last.latest());
+      tell(String.format(Locale.ROOT, "vision's clock jumped by %+.2f s", jump), arrived.latest());
+    }
   }
 
   private void tell(String what, double at) {
