@@ -46,7 +46,7 @@ def commands(packet):
 
 
 def main():
-    for number in {signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)}:  # Windows has no SIGHUP.
+    for number in {signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)}:  # Windows has no SIGHUP.
         signal.signal(number, signal.default_int_handler)  # kill and a closed terminal end it as Ctrl-C does.
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     sock.bind(("", int(sys.argv[1]) if len(sys.argv) > 1 else 10400))

@@ -4,6 +4,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.ModelChoice.Weighed;
 import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.validation.HoldOut;
@@ -94,13 +95,25 @@ final class RivalCurves {
     return near ? curves.withMaps(curved, CurveSearch.mostBeside(without)) : curved;
   }
 
-  /** Whether curves follow held-out kicks less closely: by 3 %, which is more than their many numbers cost there. Where they follow the kicks that they were fitted to less closely, although they have more numbers, they must follow held-out kicks better beyond chance. */
+  /**
+   * Whether curves follow held-out kicks less closely: by 3 %, which is more than their many numbers cost there; or by less, where they also follow the kicks that they were fitted to less closely. Values that differ by chance from kick to kick follow each held-out kick from its own beginning, so where they
+   * are needed they must follow these kicks better beyond chance.
+   */
   private boolean explainsLess(FittedModel curved, Weighed named, List<Judgement> group) {
     int numbers = group.stream().mapToInt(j -> j.component().size()).sum();
     Weighed held = new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
     return !held.isAsGoodAs(named, settings.formGain())
-        || missed(curved, named) > settings.beyondNoise(numbers)
-            && !(held.held().gainOn(named.held(), seed)[HoldOut.LOWER] > 0);
+        || missed(curved, named) > settings.beyondNoise(numbers) && !isCloser(held, named);
+  }
+
+  private boolean isCloser(Weighed curved, Weighed named) {
+    return hasChance(curved) && !hasChance(named)
+        ? curved.held().gainOn(named.held(), seed)[HoldOut.LOWER] > 0
+        : curved.isAsGoodAs(named, 0);
+  }
+
+  private static boolean hasChance(Weighed weighed) {
+    return weighed.model().model().components().stream().anyMatch(Component::isChance);
   }
 
   /** How much less a model explains than another one, in units of what the other leaves. Each additional number counts as one, since it explains as much of the noise. */

@@ -80,26 +80,7 @@ final class UnnamedTerms {
       progress.stage("describing what has no name");
       best = described(named);
     }
-    return predicting(lawful(insteadOfChance(best)));
-  }
-
-  /** With curves in place of what differs from kick to kick by chance, if they follow held-out kicks as closely and predict them better: chance has a value for each kick that was seen, and says nothing about the next one. */
-  private Weighed insteadOfChance(Weighed found) {
-    List<Judgement> chance = found.judged().stream().filter(UnnamedTerms::isChance).toList();
-    if (chance.isEmpty() || isSpent()) {
-      return found;
-    }
-    progress.part("curves instead of chance");
-    List<Judgement> rest = found.judged().stream().filter(j -> !chance.contains(j)).toList();
-    FittedModel start = choice.without(found.model(), found.judged(), chance);
-    FittedModel curved = curves.beside(start, rest, false);
-    if (curved == start) {
-      return found;
-    }
-    Weighed other = choice.of(curved);
-    boolean better =
-        other.isAsGoodAs(found, CLEARLY_BETTER) && other.predictsBetterThan(found, seed);
-    return better && !losesName(found, other) ? other : found;
+    return predicting(lawful(best));
   }
 
   /** With laws, chance and learned terms for what has no name. */

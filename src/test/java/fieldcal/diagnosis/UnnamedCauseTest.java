@@ -13,7 +13,6 @@ import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.ExtraLaw;
-import fieldcal.simulation.physics.UnnamedCause;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -255,25 +254,5 @@ class UnnamedCauseTest {
         .isLessThan(0.5 * diagnosis.base().holdoutRmsMm());
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.6 * diagnosis.base().predictionErrorMm().get(1.0));
-  }
-
-  /** The floor under the carpet is soft in places. What differs from kick to kick by chance describes that as well, and does not predict the next chip. */
-  @Test
-  void bouncesThatDependOnThePlaceAreNoChance() {
-    BallPhysics soft =
-        BallPhysics.contact(0.32, 0.28, 0.52)
-            .withExtra(new UnnamedCause.RestitutionByPlace(0.05, 0.5));
-    Diagnosis diagnosis =
-        new Diagnoser()
-            .diagnose(
-                FittedField.of(
-                        FittedField.SOUND.withScenario(ScenarioKind.CHIP, 18).withPhysics(soft))
-                    .problem(),
-                said -> {});
-    assertThat(diagnosis.learned())
-        .as("%s", diagnosis.trace())
-        .anyMatch(f -> f.actsOn().equals("impact") && f.dependsOn().contains("place"))
-        .noneMatch(f -> f.kind() == LearnedFinding.Kind.SCATTER);
-    assertThat(diagnosis.unexplained().significant()).isFalse();
   }
 }

@@ -21,8 +21,8 @@ public record CameraMoved(double xMm, double yMm, double at, int camera) impleme
   private static final String ID = "camera_moved";
   private static final double MILLI = 1e-3;
 
-  /** How many instants a search begins with, for each camera: at a wrong one another cause would be added to make up for it. Chosen, more than a calibration usually has kicks. */
-  private static final int INSTANTS = 32;
+  /** How many instants a search begins with, for each camera; chosen. */
+  private static final int INSTANTS = 8;
 
   /**
    * Checks the numbers. {@inheritDoc}

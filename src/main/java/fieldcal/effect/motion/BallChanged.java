@@ -18,8 +18,8 @@ import java.util.List;
 public record BallChanged(double roll, double slide, double at) implements FrictionOfKick {
   private static final String ID = "ball_changed";
 
-  /** How many instants a search begins with: at a wrong one another cause would be added to make up for it. Chosen, more than a calibration usually has kicks. */
-  private static final int INSTANTS = 32;
+  /** How many instants a search begins with; chosen. */
+  private static final int INSTANTS = 8;
 
   /**
    * Checks the numbers. {@inheritDoc}
