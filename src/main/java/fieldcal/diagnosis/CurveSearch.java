@@ -51,7 +51,7 @@ final class CurveSearch {
     if (chance) {
       all.addAll(EffectCatalogue.unnamed());
     }
-    // // Once the model has what hid a law before, the law may be right after all.
+    // Once the model has what hid a law before, the law may be right after all.
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
     return withMaps(with(all, start), mostBeside(start));
   }

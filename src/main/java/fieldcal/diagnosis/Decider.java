@@ -43,7 +43,7 @@ final class Decider {
     Weighed best =
         new RivalCurves(at, choice, curves, unnamed, progress).against(unnamed.beside(named));
     if (best.held().predictsWorseThan(heldBase, at.seed())) {
-      // // A law that is right does not predict worse from the beginning of a kick.
+      // A law that is right does not predict worse from the beginning of a kick.
       best = best.nameless(j -> j.effect() instanceof MotionEffect);
     }
     boolean nothing = best.model().model().components().isEmpty();

@@ -226,7 +226,7 @@ final class KickerBias {
           j[r][k] = (there[r] - now[r]) / h;
         }
       }
-      // // Each magnitude changes either speed or direction, the one with the larger entry in its
+      // Each magnitude changes either speed or direction, the one with the larger entry in its
       // column.
       for (int k = 0; k < size; k++) {
         int r = Math.abs(j[0][k]) > Math.abs(j[1][k]) ? 0 : 1;
@@ -263,7 +263,7 @@ final class KickerBias {
       t += fit.values[j] * fit.values[j] / (fit.errors[j] * fit.errors[j]);
     }
     int n = fit.samples.size();
-    // // Half of the likelihood-ratio statistic of Student's distribution, less the penalty for two
+    // Half of the likelihood-ratio statistic of Student's distribution, less the penalty for two
     // parameters (Schwarz 1978).
     double evidence = 0.5 * (freedom + 1) * Math.log1p(t / freedom) - Math.log(n);
     return new Cause(found, errors, 0, evidence, gain(effect, fit), List.of());

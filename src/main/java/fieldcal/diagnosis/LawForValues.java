@@ -69,7 +69,7 @@ final class LawForValues {
   List<FittedModel> beside(FittedModel model) {
     List<FittedModel> all = new ArrayList<>();
     List<Effect> values = new ArrayList<>(EffectCatalogue.unnamed());
-    // // What kickers do differs from kick to kick, too. Where it follows the kick, a law describes
+    // What kickers do differs from kick to kick, too. Where it follows the kick, a law describes
     // it.
     catalogue.stream().filter(Effect::differsFromKickToKick).forEach(values::add);
     for (Effect effect : values) {

@@ -55,7 +55,7 @@ final class PredictiveSelection {
    * @return the start when nothing helps; otherwise a fit in which kicks that it does not explain weigh less
    */
   FittedModel from(FittedModel start, List<SearchStep> trace) {
-    // // Fitted with the same weights as all that follow, because these alone may help to follow a
+    // Fitted with the same weights as all that follow, because these alone may help to follow a
     // usual kick more closely.
     Held best = held(start.resumed(), start);
     int most = start.model().components().size() + MOST_ADDED;

@@ -59,7 +59,7 @@ final class SampledSearch {
     FittedModel begin = few.fit(start.resumed(), start.restrictedTo(some), Weighing.ALIKE, solver);
     FittedModel found = found(few, begin, dictionary, most, revises);
     FittedModel all = fitter.fit(found.resumed(), start, Weighing.EXPLAINED_FIRST, solver);
-    // // The first fit had the weights of the start; this one has those of the model itself.
+    // The first fit had the weights of the start; this one has those of the model itself.
     return fitter.fit(all.resumed(), all, Weighing.EXPLAINED_FIRST, solver);
   }
 

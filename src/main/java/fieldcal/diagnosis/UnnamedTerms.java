@@ -88,7 +88,7 @@ final class UnnamedTerms {
     if (isSpent()) {
       return curved(found, true);
     }
-    // // Beside the simple model first: causes may have imitated a law.
+    // Beside the simple model first: causes may have imitated a law.
     List<FittedModel> starts = new ArrayList<>(List.of(base));
     if (found.model() != base) {
       starts.add(laws.withoutValues(found.model()));

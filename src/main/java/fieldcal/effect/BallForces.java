@@ -221,7 +221,7 @@ final class BallForces {
       directionX = speed > 0 ? s[3] / speed : 0;
       directionY = speed > 0 ? s[4] / speed : 0;
     } else if (s[3] * frozenX + s[4] * frozenY < CREEP) {
-      // // A trial step beyond the stop: what depends on the direction stays as it was at the stop.
+      // A trial step beyond the stop: what depends on the direction stays as it was at the stop.
       m.vx = CREEP * frozenX;
       m.vy = CREEP * frozenY;
     }

@@ -212,7 +212,7 @@ final class Path {
       if (!(next >= low && next <= high)) {
         next = 0.5 * (low + high);
       }
-      // // The error that is left is about the square of this step.
+      // The error that is left is about the square of this step.
       if (Math.abs(next - s) * duration[i] < 1e-7) {
         return next;
       }

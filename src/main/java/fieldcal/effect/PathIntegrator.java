@@ -139,24 +139,23 @@ final class PathIntegrator {
     }
     state[5] = 0;
     if (flights > 0) {
-      land();
-    }
-    if (flights > 0 && effects.impacts != null) {
-      double share = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
-      forces.setSliding(flat.accSlide(), 1 - share);
-      slipShare = share;
-      slide(t0 + ExtendedTrajectory.MAX_DURATION);
+      land(flat, t0 + ExtendedTrajectory.MAX_DURATION);
     }
     roll(t0 + ExtendedTrajectory.MAX_DURATION);
   }
 
-  /** A ball may have flown into a zone or out of it, or over a line. */
-  private void land() {
+  /** A ball may have flown into a zone or out of it, or over a line. Where a law of impacts holds, it slides before it rolls. */
+  private void land(FlatModel flat, double limit) {
     findSides();
     for (int i = 0; i < inside.length; i++) {
       inside[i] = effects.zones[i].contains(state[0], state[1]);
     }
     forces.setInside(inside);
+    if (effects.impacts != null) {
+      slipShare = effects.ball.inertiaFactor() / (1 + effects.ball.inertiaFactor());
+      forces.setSliding(flat.accSlide(), 1 - slipShare);
+      slide(limit);
+    }
   }
 
   private void start(double t0, double x, double y, double vx, double vy, double vz) {

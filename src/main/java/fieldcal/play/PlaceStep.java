@@ -161,12 +161,7 @@ final class PlaceStep extends TaskStep {
     if (s.time() - released < LET_GO) {
       return this;
     }
-    double orientation = s.robot(i).orientation();
-    s.creep(
-        i,
-        -Task.BACK_OFF * Math.cos(orientation),
-        -Task.BACK_OFF * Math.sin(orientation),
-        orientation);
+    s.backOff(i);
     // A ball that its robot has hidden comes into sight.
     boolean off =
         s.ballUnseen() < LOSS && s.fromDribbler(i) > Task.BEHIND - PlayArea.AT_DRIBBLER - 0.015;

@@ -42,12 +42,7 @@ final class RevealStep implements Step {
       return new CheckStep(ledger, -1);
     }
     s.waitFor("the ball is not seen", s.theBall());
-    double orientation = s.robot(robot).orientation();
-    s.creep(
-        robot,
-        -Task.BACK_OFF * Math.cos(orientation),
-        -Task.BACK_OFF * Math.sin(orientation),
-        orientation);
+    s.backOff(robot);
     return this;
   }
 }

@@ -214,6 +214,12 @@ final class Situation {
     targets[index] = null;
   }
 
+  /** Drives straight back, away from the ball. */
+  void backOff(int index) {
+    double front = ours[index].orientation();
+    creep(index, -Task.BACK_OFF * Math.cos(front), -Task.BACK_OFF * Math.sin(front), front);
+  }
+
   void dribble(int index) {
     dribblers[index] = true;
   }

@@ -197,7 +197,7 @@ final class Effects {
     CameraErrors none = CameraErrors.NONE;
     boolean concerned = e.concernsCamera(id);
     if (e.effect() == SimulatedEffect.CAMERA_OFFSET) {
-      // // The parameters are relative to the mean of all cameras, so the others are shifted the
+      // The parameters are relative to the mean of all cameras, so the others are shifted the
       // other way.
       double share = MILLI * (concerned || cameras == 1 ? 1 : -1.0 / (cameras - 1));
       return none.withOffset(share * e.number("x_mm"), share * e.number("y_mm"));

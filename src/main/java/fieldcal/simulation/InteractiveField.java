@@ -342,7 +342,7 @@ public final class InteractiveField {
                 world.ball().x() + 0.35 * sideX, world.ball().y() + 0.35 * sideY * share
               };
       default -> {
-        // // Lasts for a while, and is checked where it matters.
+        // Lasts for a while, and is checked where it matters.
       }
     }
   }

@@ -20,7 +20,7 @@ final class Kicker {
   }
 
   void kick(SimulatedRobot robot, KickCommand command, BallBody ball) {
-    // // All numbers are drawn for every kick, so that the kind of one kick does not change the
+    // All numbers are drawn for every kick, so that the kind of one kick does not change the
     // next one.
     double speedError = scatter.gaussian(behaviour.speedScatter());
     double directionError = scatter.gaussian(behaviour.directionScatter());

@@ -160,7 +160,7 @@ public final class Replay {
   }
 
   private void happen(Event event, double now) {
-    // // Two nodes at the same time: the path is not continuous here.
+    // Two nodes at the same time: the path is not continuous here.
     node(now);
     switch (event.what()) {
       case APPEAR -> {

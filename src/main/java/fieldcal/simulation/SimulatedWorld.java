@@ -113,7 +113,7 @@ public final class SimulatedWorld implements Scene {
   /** Moves everything by one tick. */
   public void tick() {
     for (int i = 1; i <= SUBSTEPS; i++) {
-      // // Computed from the tick's number, so that rounding errors do not add up.
+      // Computed from the tick's number, so that rounding errors do not add up.
       double next = (ticks * SUBSTEPS + i) * (TICK / SUBSTEPS);
       for (SimulatedRobot robot : robots) {
         robot.move(next - time);
@@ -153,7 +153,7 @@ public final class SimulatedWorld implements Scene {
     double y = holder.y() + ahead * sin + holdAside * cos;
     double vx = (x - ball.x()) / (next - time);
     double vy = (y - ball.y()) / (next - time);
-    // // In the first step the ball is moved to its place at the dribbler.
+    // In the first step the ball is moved to its place at the dribbler.
     boolean slips = heldSteps++ > 0 && slips(vx, vy, next - time);
     heldVx = slips || heldSteps > 1 ? vx : holder.vx();
     heldVy = slips || heldSteps > 1 ? vy : holder.vy();
@@ -306,7 +306,7 @@ public final class SimulatedWorld implements Scene {
         0.5 * ball.spinY(),
         0.5 * ball.spinZ());
     history.node(time, ball);
-    // // Contacts outside the field do not count as kicks.
+    // Contacts outside the field do not count as kicks.
     if (isInside()) {
       kicks.deflect(time, ball, robot);
     }

@@ -149,7 +149,7 @@ public final class Simulation {
    */
   public Truth run(Consumer<SimulatedPacket> sink) {
     while (tick(sink)) {
-      // // All work is done in the tick.
+      // All work is done in the tick.
     }
     return finish(sink);
   }

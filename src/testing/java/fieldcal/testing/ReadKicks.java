@@ -80,7 +80,7 @@ record ReadKicks(
           try {
             cameras.put(calibration.id(), Camera.of(calibration));
           } catch (IllegalArgumentException unusable) {
-            // // The camera is used as one without a calibration.
+            // The camera is used as one without a calibration.
           }
         }
       }

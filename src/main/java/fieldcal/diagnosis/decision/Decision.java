@@ -295,7 +295,7 @@ public final class Decision {
             && (proof.isUneven() || proof.wald() < settings.formShare() * evidence);
     boolean law = follows && c.template().hasOwnMean();
     if (c.isPerKick() && (evidence < scales.excess || small || law)) {
-      // // A value for each kick absorbs a part of whatever is left, and does not come from a
+      // A value for each kick absorbs a part of whatever is left, and does not come from a
       // kicker where it follows from the kick.
       return Outcome.UNSTEADY;
     }
@@ -307,7 +307,7 @@ public final class Decision {
       return Outcome.FORM;
     }
     if (c.hasPlace() && evidence < scales.unnamed(i)) {
-      // // A place is chosen where it absorbs most of whatever has no name.
+      // A place is chosen where it absorbs most of whatever has no name.
       return Outcome.FORM;
     }
     if (!c.isPerKick() && evidence < settings.imitation() * scales.excess) {
@@ -318,7 +318,7 @@ public final class Decision {
       // It helps to fit kicks, not to predict most of them: what is left may be another form of it.
       return Outcome.FORM;
     }
-    // // A value for each kick absorbs a part of anything: it also helps where another cause does
+    // A value for each kick absorbs a part of anything: it also helps where another cause does
     // not have its true form, but then it scatters or leaves something.
     boolean own = !c.isPerKick() || standsOut && !scales.left;
     boolean helps = own && gain[1] >= 100 * settings.formGain();

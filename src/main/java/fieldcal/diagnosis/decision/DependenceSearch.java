@@ -85,7 +85,7 @@ final class DependenceSearch {
     for (int i = 0; i < n; i++) {
       Kick k = kicks.get(i);
       roots[i] = Math.sqrt(k.reliability());
-      // // A value is shrunk to the mean by its reliability r; the value that its detections alone
+      // A value is shrunk to the mean by its reliability r; the value that its detections alone
       // give has a variance in proportion to 1/r. Multiplied by the root of r, all have the same
       // variance, and may be assigned to the kicks in any order.
       values[i] = (k.value() - all.mean()) / roots[i];
@@ -232,7 +232,7 @@ final class DependenceSearch {
         high = middle;
       }
     }
-    // // Orders count that are equal except for rounding.
+    // Orders count that are equal except for rounding.
     return low * (1 - DEPENDENT);
   }
 
@@ -257,7 +257,7 @@ final class DependenceSearch {
       }
     }
     if (best == null || least > limit) {
-      // // Several families find something by chance more often than one does, so no orders need be
+      // Several families find something by chance more often than one does, so no orders need be
       // counted.
       return Optional.empty();
     }

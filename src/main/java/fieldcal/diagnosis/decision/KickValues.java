@@ -53,7 +53,7 @@ record KickValues(double mean, List<Kick> kicks) {
     int random = model.model().random().indexOf(c);
     int mean = model.model().freeIndex(model.model().offset(component));
     double scatter = model.scatter(component);
-    // // The kick's own value is eliminated: a kick determines the mean with a precision of
+    // The kick's own value is eliminated: a kick determines the mean with a precision of
     // 1/(scatter² + error²).
     ScoreSystem equations = model.solution().scores(List.of(), Weighing.ALIKE.of(model));
     List<Kick> all = new ArrayList<>();

@@ -75,7 +75,7 @@ public final class Component {
     double min = axis.isEmpty() ? p.min() : -p.max();
     coordinates.add(named(p.withBounds(min, p.max()).withValue(value).free(), axis));
     double deviation = (isChance() ? NO_MEAN : EXPECTED) * p.scale();
-    // // A law that replaces another is not expected near its absence, but near where it starts.
+    // A law that replaces another is not expected near its absence, but near where it starts.
     double mean = template.starts().isEmpty() ? 0 : value;
     priors.add(new Prior(mean, 1 / (deviation * deviation)));
   }

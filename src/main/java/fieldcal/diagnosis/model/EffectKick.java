@@ -253,7 +253,7 @@ public final class EffectKick implements KickTerm<ModelState> {
     report(state, path, centre);
     double[] ball = new double[3];
     for (int b = 0; b < n; b++) {
-      // // To first order, moving the kick moves its whole path.
+      // To first order, moving the kick moves its whole path.
       double h = record.blockHeight[b];
       double f = 1;
       if (record.kind == KickKind.CHIP) {

@@ -137,7 +137,7 @@ public final class KickScreen {
     double[] own = at.solution().own(k);
     double[] scatters = at.solution().scatters();
     double good = LIKE_THE_OTHERS * Math.max(1, median);
-    // // Where most kicks are not explained, their ends look wrong, too.
+    // Where most kicks are not explained, their ends look wrong, too.
     List<KickRecord> parts = cuts && median < STANDS_OUT ? parts(now) : List.of();
     if (now.usedCount() < now.whole().usedCount()) {
       // What was cut because of a worse model comes back when this one explains it.
@@ -171,7 +171,7 @@ public final class KickScreen {
                   / Math.max(1, variant.rows()));
     }
     boolean better = left < CLEARLY_BETTER * at.reduced(k);
-    // // A model that does not explain the other kicks cannot tell the kind of this one, unless the
+    // A model that does not explain the other kicks cannot tell the kind of this one, unless the
     // other kind leaves // less than the present kind does in a fit of this kick alone, or the kick
     // shows it by itself.
     double most = median < STANDS_OUT ? Math.max(good, now.alone()) : now.alone();
@@ -306,7 +306,7 @@ public final class KickScreen {
       rest -= left(at, byLeft.get(loud));
       loud++;
     }
-    // // Compared with kicks that leave nothing, even noise would leave much.
+    // Compared with kicks that leave nothing, even noise would leave much.
     double most = STANDS_OUT * Math.max(1, median(at));
     boolean stand = byLeft.subList(0, loud).stream().allMatch(k -> at.reducedAsSeen(k) > most);
     if (rest * LOUD > all - rest || !stand) {

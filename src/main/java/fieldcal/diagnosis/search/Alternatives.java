@@ -119,7 +119,7 @@ public final class Alternatives {
             .filter(p -> sweep.gain(scorer.columns(p)) > least)
             .sorted(Comparator.comparingDouble(p -> -sweep.gain(scorer.columns(p))))
             .toList();
-    // // Of several forms of one effect, only the best is tried.
+    // Of several forms of one effect, only the best is tried.
     Map<String, Component> tried = new LinkedHashMap<>();
     for (Proposal p : near) {
       Component c = p.components().get(0);

@@ -139,7 +139,7 @@ public final class CauseSearch {
       return best;
     }
     if (free || best != start) {
-      // // What an earlier search has exchanged and moved cannot be improved now.
+      // What an earlier search has exchanged and moved cannot be improved now.
       if (!isExplained(best)) {
         progress.accept("exchanging early choices");
         best = pursuit(refits).revised(best);

@@ -42,7 +42,7 @@ public final class Dictionary {
     chance = byChance.stream().filter(e -> e.canShowIn(arena)).map(Component::perKick).toList();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
-        // // Commands are compared with the fitted velocities of the kicks, outside this search.
+        // Commands are compared with the fitted velocities of the kicks, outside this search.
         continue;
       }
       if (!effect.starts().isEmpty()) {

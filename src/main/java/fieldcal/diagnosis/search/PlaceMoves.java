@@ -89,7 +89,7 @@ final class PlaceMoves {
       FittedModel top = at;
       for (int gaps : new int[] {-reach, reach}) {
         FittedModel tried = shifted(at, index, gaps);
-        // // If the weights changed with each step, the steps could go round in a circle.
+        // If the weights changed with each step, the steps could go round in a circle.
         top = price.gain(from, top, tried) > LEAST_MOVE ? tried : top;
       }
       reach = top == at ? 2 * reach : 1;

@@ -96,7 +96,7 @@ final class Pursuit {
     }
     addLaws();
     if (order == Order.SHARED) {
-      // // A place that is chosen early absorbs a part of anything, and stays where it was needed
+      // A place that is chosen early absorbs a part of anything, and stays where it was needed
       // then.
       allowed = p -> isShared(p) && !p.components().get(0).hasPlace();
       addBest(MOST_AT_ONCE);
@@ -301,7 +301,7 @@ final class Pursuit {
         }
       }
       if (chosen.get(chosen.size() - 1).isPerKick()) {
-        // // Values that differ from kick to kick change all equations.
+        // Values that differ from kick to kick change all equations.
         break;
       }
     }

@@ -75,7 +75,7 @@ public record Leftover(double systematic, double deviation, double chiSquare, do
       slow.add(against, rx, ry);
       fast.add(against, rx, ry);
     }
-    // // The systematic part of the blocks is at most all that is left beyond the noise. If nothing
+    // The systematic part of the blocks is at most all that is left beyond the noise. If nothing
     // is, neighbours are only alike.
     double noise = fast.noise();
     double all = Math.max(0, reduced - noise + TOLERANCE);

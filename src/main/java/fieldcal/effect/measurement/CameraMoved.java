@@ -103,7 +103,7 @@ public record CameraMoved(double xMm, double yMm, double at, int camera) impleme
   @Override
   public void displace(
       ObservedCamera observer, double x, double y, double sessionTime, double[] ground, int to) {
-    // // An unknown time counts as the latest: what changed during the session has happened.
+    // An unknown time counts as the latest: what changed during the session has happened.
     if (!(sessionTime < at)) {
       ground[to] += MILLI * xMm;
       ground[to + 1] += MILLI * yMm;

@@ -299,7 +299,7 @@ public final class SimulatedCamera {
   }
 
   private void seeBall(Scene scene, List<RobotView> robots, List<BallDetection> balls) {
-    // // All numbers are drawn first, so that what a frame shows does not change the next one.
+    // All numbers are drawn first, so that what a frame shows does not change the next one.
     double noiseU = sensor.gaussian(noise);
     double noiseV = sensor.gaussian(noise);
     boolean missed = sensor.happens(nuisance.ballMiss());

@@ -163,7 +163,7 @@ public final class BallIntegrator {
     if (seam == null) {
       return;
     }
-    // // The change of velocity lies between two nodes at the same time, as at an impact.
+    // The change of velocity lies between two nodes at the same time, as at an impact.
     trace.node(time, ball);
     double vx = s[3];
     double vy = s[4];
@@ -295,7 +295,7 @@ public final class BallIntegrator {
     s[3] -= lostX;
     s[4] -= lostY;
     forces.addSpinOfImpulse(s, -lostX, -lostY);
-    // // Friction can stop the slip, but not reverse it. For a ball that already rolled, rounding
+    // Friction can stop the slip, but not reverse it. For a ball that already rolled, rounding
     // would decide between the two.
     boolean rolled = Math.hypot(beforeX, beforeY) < ROLLING_SLIP;
     if (rolled || forces.slipX(s) * beforeX + forces.slipY(s) * beforeY < 0) {

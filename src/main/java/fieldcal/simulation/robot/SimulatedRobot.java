@@ -23,7 +23,7 @@ public final class SimulatedRobot {
   private double vx;
   private double vy;
 
-  // // The velocity that it would have if its acceleration changed at once, m/s.
+  // The velocity that it would have if its acceleration changed at once, m/s.
   private double planX;
   private double planY;
   private double angular;

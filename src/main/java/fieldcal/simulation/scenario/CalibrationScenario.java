@@ -241,7 +241,7 @@ public final class CalibrationScenario implements Scenario {
       enter(State.FOLLOW, world);
       return;
     }
-    // // Drives up to the ball, or just short of it to stand there first; then kicks.
+    // Drives up to the ball, or just short of it to stand there first; then kicks.
     boolean waits = world.time() - since < plan().standing() + SETTLING;
     boolean stands = plan().standing() > 0 && waits;
     double reach = SimulatedRobot.FRONT + (stands ? CLOSE : 0);
