@@ -28,7 +28,7 @@ final class LearnedFindings {
     Gain gain = Gain.of(j);
     if (!(j.effect() instanceof LearnedTerm term)) {
       return new LearnedFinding(
-          j.effect(),
+          j.effect().within(arena),
           actsOn(j.effect()),
           j.follows()
               .filter(d -> !j.effect().hasOwnMean())

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The stage that lets curves without a name compete with names that have a place. A region, a seam or an instant is chosen where it absorbs most of whatever has no name; so it keeps its name only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
+ * The stage that lets curves compete with effects that have a place. A region, a seam or an instant is chosen where it absorbs most of whatever has no name; so it keeps its name, or without a name its place in the model, only if curves, and what differs by chance, explain less in its stead. Not thread-safe.
  */
 final class RivalCurves {
   private final ModelFitter fitter;
@@ -47,10 +47,10 @@ final class RivalCurves {
   }
 
   /**
-   * Lets curves compete with all names that have a place together, then with each: several names may have taken the place of one curve.
+   * Lets curves compete with all effects that have a place together, then with each: several of them may have taken the place of one curve.
    *
    * @param found what was decided
-   * @return the same where every name stands; with curves in the place of those that do not, or the same model without their names where no curve predicts as well
+   * @return the same where each stands; with curves in the place of those that do not, or the same model without their names where no curve predicts as well
    */
   Weighed against(Weighed found) {
     if (fitter.effort().isSpent()) {
@@ -70,7 +70,7 @@ final class RivalCurves {
   }
 
   private static List<Judgement> placed(Weighed of) {
-    return of.judged().stream().filter(j -> j.isName() && j.component().hasPlace()).toList();
+    return of.judged().stream().filter(j -> j.component().hasPlace()).toList();
   }
 
   private Weighed against(Weighed named, List<Judgement> group) {

@@ -91,6 +91,27 @@ public interface Effect {
   }
 
   /**
+   * The places at which a search begins, if these are made of tiles. A search then uses them instead of the {@linkplain #candidates candidates}. Where this effect acts within the arena, its own bounds are bounds of tiles, too: a search that has found it compares its place with all
+   * others.
+   *
+   * @param arena what was recorded
+   * @return empty unless an effect says otherwise
+   */
+  default Optional<Mosaic> mosaic(Arena arena) {
+    return Optional.empty();
+  }
+
+  /**
+   * The same cause with a place that reaches hardly farther than the balls of a recording: where none was, its bounds are arbitrary.
+   *
+   * @param arena what was recorded
+   * @return an effect that does the same to these balls; the effect itself unless an effect says otherwise
+   */
+  default Effect within(Arena arena) {
+    return this;
+  }
+
+  /**
    * The parameters that say where or when it acts and that a search may move: bounds of a region, a line, an instant. What it acts on (camera, robot) is none of
    * them.
    *

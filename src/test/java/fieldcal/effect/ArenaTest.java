@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import fieldcal.effect.measurement.LensDistortionError;
+import fieldcal.effect.motion.AirDrag;
 import fieldcal.effect.motion.WornRegion;
 import java.util.List;
 import java.util.stream.DoubleStream;
@@ -26,14 +27,57 @@ class ArenaTest {
   }
 
   @Test
-  void regionsCoverTheArenaAndMore() {
-    List<Effect> regions = new WornRegion(0, 0, 0, 0, 0).candidates(arena(new double[] {1}));
-    assertThat(regions)
-        .contains(
-            new WornRegion(0, -4.5, 0, -3.5, 3.5),
-            new WornRegion(0, 0, 4.5, 0, 3.5),
-            new WornRegion(0, -4.5, 4.5, -3.5, 0))
-        .hasSize(25);
+  void regionsAreRectanglesOfTiles() {
+    Mosaic mosaic = new WornRegion(0, 0, 0, 0, 0).mosaic(arena(new double[] {1})).orElseThrow();
+    assertThat(mosaic.tiles())
+        .hasSize(8 * 6)
+        .contains(new WornRegion(0, -4.5, -3, -3.5, -2), new WornRegion(0, 0, 1, 2, 3.5));
+    assertThat(mosaic.pieces())
+        .extracting(Mosaic.Piece::effect)
+        .doesNotHaveDuplicates()
+        .contains(new WornRegion(0, -4.5, 0, -3.5, 3.5), new WornRegion(0, -2, 1, 0, 2))
+        .doesNotContain(new WornRegion(0, -4.5, 4.5, -3.5, 3.5));
+    for (Mosaic.Piece piece : mosaic.pieces()) {
+      WornRegion whole = (WornRegion) piece.effect();
+      List<Effect> within =
+          mosaic.tiles().stream().filter(t -> contains(whole, (WornRegion) t)).toList();
+      assertThat(piece.tiles().stream().map(mosaic.tiles()::get))
+          .containsExactlyInAnyOrderElementsOf(within);
+    }
+  }
+
+  private static boolean contains(WornRegion whole, WornRegion tile) {
+    return tile.x0() >= whole.x0()
+        && tile.x1() <= whole.x1()
+        && tile.y0() >= whole.y0()
+        && tile.y1() <= whole.y1();
+  }
+
+  /** What a search has found can be compared with all other places only if it is one of them. */
+  @Test
+  void theRegionItselfIsAmongThem() {
+    WornRegion found = new WornRegion(0.3, -1.3, -0.95, 1.2, 20);
+    Mosaic mosaic = found.mosaic(arena(new double[] {1})).orElseThrow();
+    assertThat(mosaic.pieces())
+        .extracting(Mosaic.Piece::effect)
+        .contains(new WornRegion(0, -1.3, -0.95, 1.2, 3.5));
+  }
+
+  @Test
+  void aRegionReachesHardlyFartherThanTheBalls() {
+    Arena arena = arena(new double[] {1});
+    assertThat(new WornRegion(0.2, -11, 1, -2, 20).within(arena))
+        .isEqualTo(new WornRegion(0.2, -4.5, 1, -2, 3.5));
+    assertThat(new AirDrag(0.4).within(arena)).isEqualTo(new AirDrag(0.4));
+  }
+
+  @Test
+  void aPieceNeedsTilesThatExist() {
+    Effect none = new WornRegion(0, 0, 1, 0, 1);
+    List<Mosaic.Piece> pieces = List.of(new Mosaic.Piece(none, List.of(0, 1)));
+    assertThatThrownBy(() -> new Mosaic(List.of(none), pieces))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("1");
   }
 
   @Test

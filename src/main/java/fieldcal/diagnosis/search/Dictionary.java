@@ -5,20 +5,22 @@ import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.KickerEffect;
+import fieldcal.effect.Mosaic;
 import fieldcal.effect.MotionEffect;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** What a search may propose: every effect of a list wherever the recording could show it. Immutable. */
 public final class Dictionary {
   private final List<Proposal> everywhere = new ArrayList<>();
-  private final Map<String, List<Proposal>> placed = new LinkedHashMap<>();
+  private final Map<String, List<Place>> placed = new LinkedHashMap<>();
   private final List<Effect> laws = new ArrayList<>();
   private final List<Proposal> together = new ArrayList<>();
   private final List<Component> chance;
-  private final double[] kickTimes;
+  private final Arena arena;
 
   /**
    * A dictionary.
@@ -38,7 +40,7 @@ public final class Dictionary {
    * @param arena what was recorded
    */
   public Dictionary(List<? extends Effect> effects, List<? extends Effect> byChance, Arena arena) {
-    kickTimes = arena.kickTimes();
+    this.arena = arena;
     chance = byChance.stream().filter(e -> e.canShowIn(arena)).map(Component::perKick).toList();
     for (Effect effect : effects) {
       if (effect instanceof KickerEffect || !effect.canShowIn(arena)) {
@@ -49,7 +51,7 @@ public final class Dictionary {
         laws.add(effect);
         continue;
       }
-      add(effect, arena);
+      add(effect);
       if (!effect.companions().isEmpty()) {
         List<Component> all = new ArrayList<>();
         effect.companions().forEach(e -> all.add(Component.of(e, e.magnitudes())));
@@ -59,7 +61,12 @@ public final class Dictionary {
     }
   }
 
-  private void add(Effect effect, Arena arena) {
+  private void add(Effect effect) {
+    Optional<Mosaic> mosaic = effect.mosaic(arena);
+    if (mosaic.isPresent()) {
+      placed.put(effect.id(), Place.of(mosaic.get()));
+      return;
+    }
     List<Component> perCamera = new ArrayList<>();
     for (Effect candidate : effect.candidates(arena)) {
       if (effect.differsFromKickToKick() && candidate instanceof MotionEffect) {
@@ -71,9 +78,7 @@ public final class Dictionary {
       for (List<String> magnitudes : effect.choices()) {
         Component c = Component.of(candidate, magnitudes);
         if (c.hasPlace()) {
-          placed
-              .computeIfAbsent(effect.id() + c.camera(), k -> new ArrayList<>())
-              .add(Proposal.of(c));
+          placed.computeIfAbsent(effect.id() + c.camera(), k -> new ArrayList<>()).add(Place.of(c));
           continue;
         }
         everywhere.add(Proposal.of(c));
@@ -100,25 +105,24 @@ public final class Dictionary {
   }
 
   /** Proposals with a place, one list for each family. Versions with more freedom of a component that the model already has are proposed at its place only: elsewhere they would also have to do what it does where it is. */
-  List<List<Proposal>> placed(EffectModel model) {
+  List<List<Place>> placed(EffectModel model) {
     return placed.values().stream()
-        .map(list -> list.stream().filter(p -> isPossible(p, model)).toList())
+        .map(list -> list.stream().filter(p -> isPossible(p.proposal(), model)).toList())
         .map(list -> whereTheyAre(list, model))
         .filter(list -> !list.isEmpty())
         .toList();
   }
 
-  private static List<Proposal> whereTheyAre(List<Proposal> proposals, EffectModel model) {
-    Map<String, Proposal> all = new LinkedHashMap<>();
-    for (Proposal p : proposals) {
-      Component c = p.components().get(0);
-      Component moved =
+  private static List<Place> whereTheyAre(List<Place> places, EffectModel model) {
+    Map<String, Place> all = new LinkedHashMap<>();
+    for (Place p : places) {
+      Place moved =
           model.components().stream()
-              .filter(c::isSameCause)
+              .filter(p.component()::isSameCause)
               .findFirst()
-              .map(had -> atPlaceOf(c, had))
-              .orElse(c);
-      all.putIfAbsent(moved.toString(), Proposal.of(moved));
+              .map(had -> Place.of(atPlaceOf(p.component(), had)))
+              .orElse(p);
+      all.putIfAbsent(moved.component().toString(), moved);
     }
     return List.copyOf(all.values());
   }
@@ -140,7 +144,12 @@ public final class Dictionary {
 
   /** When the kicks were, session time, s, ascending. */
   double[] kickTimes() {
-    return kickTimes.clone();
+    return arena.kickTimes();
+  }
+
+  /** All places at which a component could be, and among them its own; empty if its places are not made of tiles. */
+  List<Place> placesOf(Component c) {
+    return c.template().mosaic(arena).map(Place::of).orElse(List.of());
   }
 
   /** Effects that do nothing alone, with those that they need at usual values, of which the model has none: a score test at their absence cannot see them. */

@@ -12,6 +12,9 @@ final class PlaceMoves {
   /** Steps of a place that is moved while all else is fitted again. */
   static final int MOST_STEPS = 6;
 
+  /** Most exchanges of a place in a row. */
+  private static final int MOST_JUMPS = 3;
+
   /** Most gaps between kicks over which an instant is moved at once. If the true instant is farther off, the score test shows it. */
   private static final int FARTHEST_GAP = 4;
 
@@ -20,15 +23,17 @@ final class PlaceMoves {
 
   private final Refits refits;
   private final Price price;
+  private final Dictionary dictionary;
   private final double[] kickTimes;
 
   /**
    * @param refits with the weights of a pursuit
-   * @param kickTimes when the kicks were, session time, s, ascending
+   * @param dictionary of the places
    */
-  PlaceMoves(Refits refits, double[] kickTimes) {
+  PlaceMoves(Refits refits, Dictionary dictionary) {
     this.refits = refits;
-    this.kickTimes = kickTimes;
+    this.dictionary = dictionary;
+    kickTimes = dictionary.kickTimes();
     price = new Price(refits.weighing());
   }
 
@@ -38,7 +43,7 @@ final class PlaceMoves {
   }
 
   private FittedModel relocated(FittedModel from, int index, int steps) {
-    FittedModel at = from;
+    FittedModel at = elsewhere(from, index);
     double share = PlaceSearch.FIRST_STEP;
     for (int round = 0; round < steps; round++) {
       Component now = at.model().components().get(index).startingAt(at.effects().get(index));
@@ -64,6 +69,37 @@ final class PlaceMoves {
       }
     }
     return at;
+  }
+
+  /** The model with one place exchanged for that of all which explains most, if this is better. A bound that no ball crosses has no neighbour that explains more. */
+  FittedModel elsewhere(FittedModel from, int index) {
+    FittedModel at = from;
+    for (int i = 0; i < MOST_JUMPS; i++) {
+      FittedModel next = jumped(at, index);
+      if (!(price.gain(at, next) > LEAST_MOVE)) {
+        break;
+      }
+      at = next;
+    }
+    return at;
+  }
+
+  private FittedModel jumped(FittedModel at, int index) {
+    Component now = at.model().components().get(index).startingAt(at.effects().get(index));
+    List<Place> places = dictionary.placesOf(now);
+    if (places.isEmpty()) {
+      return at;
+    }
+    Scorer tiles = new Scorer(at, Place.tiles(places), refits.weighing());
+    Place top = Place.best(places, 1, tiles, tiles.without(List.of(index))).get(0);
+    Component there = now.startingAt(top.component().template());
+    if (there.toString().equals(now.toString())) {
+      return at;
+    }
+    Scorer scorer = new Scorer(at, List.of(there), refits.weighing());
+    List<Component> moved = new ArrayList<>(at.model().components());
+    moved.set(index, scorer.estimated(there, scorer.without(List.of(index))));
+    return refits.fitPlaces(refits.fit(at, moved));
   }
 
   /** With everything that has a place moved, one after another. */

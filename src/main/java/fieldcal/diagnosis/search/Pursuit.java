@@ -74,7 +74,7 @@ final class Pursuit {
     this.maxComponents = maxComponents;
     this.trace = trace;
     price = new Price(refits.weighing());
-    places = new PlaceMoves(refits, dictionary.kickTimes());
+    places = new PlaceMoves(refits, dictionary);
   }
 
   /** What comes first. */
@@ -385,6 +385,7 @@ final class Pursuit {
     FittedModel moved = refits.fitPlaces(best);
     for (int i = 0; i < moved.model().components().size(); i++) {
       Component c = moved.model().components().get(i);
+      moved = places.elsewhere(moved, i);
       moved = before.stream().anyMatch(c::isSameCause) ? moved : places.atBestInstant(moved, i);
     }
     double gained = price.gain(best, moved);

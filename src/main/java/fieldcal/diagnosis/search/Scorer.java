@@ -172,6 +172,22 @@ final class Scorer {
         : gain + gainOfScatters(gain);
   }
 
+  /** What components of one coordinate each would gain beside what is swept in if all had the same number. */
+  double gainTogether(List<Component> parts, Sweep at) {
+    int[] of = parts.stream().mapToInt(c -> columns.get(c)[0]).toArray();
+    double alone = 0;
+    for (int i : of) {
+      for (int j : of) {
+        alone += system.curvature(i, j);
+      }
+    }
+    // The number is one, and so is its prior.
+    double repeated = (of.length - 1) * precisions[of[0]];
+    Parameter coordinate = parts.get(0).coordinates().get(0);
+    double gain = at.gainTogether(of, alone, repeated, coordinate.min(), coordinate.max());
+    return gain + gainOfScatters(gain);
+  }
+
   /**
    * What is gained in addition because values that differ from kick to kick differ less beside a proposal that explains a part of them: the equations hold their scatter, which then falls. A share s of the squares of n values is worth n·s while the scatter is held, and
    * −n·ln(1 − s) once it is estimated again.

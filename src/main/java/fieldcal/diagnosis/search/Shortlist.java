@@ -68,21 +68,18 @@ public final class Shortlist {
     return proposals;
   }
 
-  /** Of each family that has a place the best few places. */
+  /** Of each family that has a place the best few places, which are not nearly the same. */
   private List<Proposal> bestPlaces() {
-    List<List<Proposal>> families = dictionary.placed(model.model());
+    List<List<Place>> families = dictionary.placed(model.model());
     if (families.isEmpty()) {
       return List.of();
     }
-    List<Proposal> all = families.stream().flatMap(List::stream).toList();
-    Scorer scorer = new Scorer(model, components(all), weighing);
+    List<Place> all = families.stream().flatMap(List::stream).toList();
+    Scorer scorer = new Scorer(model, Place.tiles(all), weighing);
     Sweep sweep = scorer.sweep();
     List<Proposal> kept = new ArrayList<>();
-    for (List<Proposal> family : families) {
-      family.stream()
-          .sorted(Comparator.comparingDouble((Proposal p) -> -scorer.gain(p, sweep)))
-          .limit(PLACES_KEPT)
-          .forEach(kept::add);
+    for (List<Place> family : families) {
+      Place.best(family, PLACES_KEPT, scorer, sweep).forEach(p -> kept.add(p.proposal()));
     }
     return kept;
   }

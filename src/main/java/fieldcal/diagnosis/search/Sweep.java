@@ -128,11 +128,31 @@ final class Sweep {
 
   /** What a column that is out would gain by the best number within a range: beyond the range its end is best. */
   double gain(int column, double min, double max) {
-    double curvature = m[column][column];
-    if (!(curvature > COLLINEAR * original[column])) {
+    return gain(m[column][n], m[column][column], original[column], min, max);
+  }
+
+  /**
+   * The same of several columns that are out and have the same number.
+   *
+   * @param alone curvature of their sum before anything is swept in, without a prior
+   * @param repeated how much of the curvature is precision of the prior that is there once too often for each further column
+   */
+  double gainTogether(int[] columns, double alone, double repeated, double min, double max) {
+    double slope = 0;
+    double curvature = -repeated;
+    for (int i : columns) {
+      slope += m[i][n];
+      for (int j : columns) {
+        curvature += m[i][j];
+      }
+    }
+    return gain(slope, curvature, alone, min, max);
+  }
+
+  private static double gain(double slope, double curvature, double alone, double min, double max) {
+    if (!(curvature > COLLINEAR * alone)) {
       return 0;
     }
-    double slope = m[column][n];
     double value = Math.max(min, Math.min(max, slope / curvature));
     return (2 * slope - curvature * value) * value;
   }

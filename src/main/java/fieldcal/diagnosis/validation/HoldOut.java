@@ -397,12 +397,17 @@ public record HoldOut(double[] squares, int[] counts, Map<Double, Ahead> ahead) 
               random,
               kicks ->
                   measure.applyAsDouble(now, kicks)
-                      - (1 + NO_WORSE) * measure.applyAsDouble(before, kicks));
+                      - tolerated(measure.applyAsDouble(before, kicks)));
       if (losses[(int) (LOW * BOOTSTRAPS)] > 0) {
         return true;
       }
     }
     return false;
+  }
+
+  /** Up to which error a prediction is not worse than one with the given error, m. No closed form is more accurate than the floor of the cameras' noise. */
+  private static double tolerated(double error) {
+    return Math.max((1 + NO_WORSE) * error, error + CameraNoise.FLOOR);
   }
 
   /** The values of a measure in bootstrap samples of the kicks, ascending; 0 where it is NaN. */

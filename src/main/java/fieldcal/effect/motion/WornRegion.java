@@ -5,10 +5,14 @@ import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.EffectParameters;
+import fieldcal.effect.Mosaic;
 import fieldcal.effect.MotionEffect.FrictionZone;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /**
  * A rectangle of the field in which all friction, sliding and rolling, is multiplied by 1 + change while the ball's centre is within. Impacts and drag do not change. Files write its bounds as one value, {@code region}: [x0,x1,y0,y1].
@@ -23,13 +27,11 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
     implements FrictionZone {
   private static final String ID = "worn_region";
 
-  /** Into how many parts along x and y a search cuts the arena; chosen: a region of half the size of a part still overlaps it by a half. */
-  private static final int[][] GRIDS = {{2, 1}, {1, 2}, {3, 1}, {1, 3}, {2, 2}, {3, 3}};
+  /** Side of a tile of the places at which a search begins, m; chosen: a region of half this size still explains a quarter of what it does there, and the search then moves its bounds. */
+  private static final double TILE = 1;
 
-  /** Size of the area in front of a goal, as shares of the arena: a defence area of division A is 1.8 m of 12 m deep, and 3.6 m of 9 m wide. */
-  private static final double GOAL_AREA_DEPTH = 0.15;
-
-  private static final double GOAL_AREA_SIDE = 0.3;
+  /** Most tiles along a side. */
+  private static final int MOST_TILES = 12;
 
   /** How far bounds on the arena's rim lie outside, m; chosen: a predicted ball gets a little farther than those seen. */
   private static final double MARGIN = 0.5;
@@ -80,39 +82,63 @@ public record WornRegion(double change, double x0, double x1, double y0, double 
     return new WornRegion(v[0], v[1], v[2], v[3], v[4]);
   }
 
-  /** Halves, thirds, quarters, the nine fields of a grid and the middles of the two ends, where goal areas are. */
+  /** All rectangles of tiles, but for the one that contains everything: there the friction is the ball's own. */
   @Override
-  public List<Effect> candidates(Arena arena) {
-    List<Effect> regions = new ArrayList<>();
-    for (int[] parts : GRIDS) {
-      for (int i = 0; i < parts[0]; i++) {
-        for (int j = 0; j < parts[1]; j++) {
-          regions.add(
-              between(
-                  arena,
-                  (double) i / parts[0],
-                  (i + 1.0) / parts[0],
-                  (double) j / parts[1],
-                  (j + 1.0) / parts[1]));
+  public Optional<Mosaic> mosaic(Arena arena) {
+    double[] x = cuts(arena.x0(), arena.x1(), x0, x1);
+    double[] y = cuts(arena.y0(), arena.y1(), y0, y1);
+    int columns = x.length - 1;
+    int rows = y.length - 1;
+    List<Effect> tiles = new ArrayList<>();
+    List<Mosaic.Piece> pieces = new ArrayList<>();
+    for (int i = 0; i < columns; i++) {
+      for (int j = 0; j < rows; j++) {
+        tiles.add(new WornRegion(0, x[i], x[i + 1], y[j], y[j + 1]));
+        for (int k = i + 1; k <= columns; k++) {
+          for (int l = j + 1; l <= rows; l++) {
+            if (k - i < columns || l - j < rows) {
+              pieces.add(
+                  new Mosaic.Piece(
+                      new WornRegion(0, x[i], x[k], y[j], y[l]), tilesOf(i, k, j, l, rows)));
+            }
+          }
         }
       }
     }
-    regions.add(between(arena, 0, GOAL_AREA_DEPTH, GOAL_AREA_SIDE, 1 - GOAL_AREA_SIDE));
-    regions.add(between(arena, 1 - GOAL_AREA_DEPTH, 1, GOAL_AREA_SIDE, 1 - GOAL_AREA_SIDE));
-    return List.copyOf(regions);
+    return Optional.of(new Mosaic(tiles, pieces));
   }
 
-  /** Absent, over a part of where balls were seen; bounds on its rim lie beyond it. */
-  private static WornRegion between(
-      Arena arena, double fromX, double toX, double fromY, double toY) {
-    double width = arena.x1() - arena.x0();
-    double height = arena.y1() - arena.y0();
+  @Override
+  public WornRegion within(Arena arena) {
     return new WornRegion(
-        0,
-        arena.x0() + (fromX == 0 ? -MARGIN : fromX * width),
-        toX == 1 ? arena.x1() + MARGIN : arena.x0() + toX * width,
-        arena.y0() + (fromY == 0 ? -MARGIN : fromY * height),
-        toY == 1 ? arena.y1() + MARGIN : arena.y0() + toY * height);
+        change,
+        Math.max(x0, arena.x0() - MARGIN),
+        Math.min(x1, arena.x1() + MARGIN),
+        Math.max(y0, arena.y0() - MARGIN),
+        Math.min(y1, arena.y1() + MARGIN));
+  }
+
+  /** Bounds of tiles, ascending: the given ones where they lie within, tiles of equal width between these, and the rim, which lies farther out. */
+  private static double[] cuts(double from, double to, double... given) {
+    int parts = (int) Math.max(2, Math.min(MOST_TILES, Math.round((to - from) / TILE)));
+    double width = (to - from) / parts;
+    double[] inner = Arrays.stream(given).filter(g -> g > from && g < to).distinct().toArray();
+    DoubleStream even =
+        IntStream.range(1, parts)
+            .mapToDouble(i -> from + i * width)
+            .filter(c -> Arrays.stream(inner).noneMatch(g -> Math.abs(g - c) < width / 2));
+    DoubleStream all = DoubleStream.concat(Arrays.stream(inner), even);
+    return DoubleStream.concat(DoubleStream.of(from - MARGIN, to + MARGIN), all).sorted().toArray();
+  }
+
+  private static List<Integer> tilesOf(int fromX, int toX, int fromY, int toY, int rows) {
+    List<Integer> tiles = new ArrayList<>();
+    for (int i = fromX; i < toX; i++) {
+      for (int j = fromY; j < toY; j++) {
+        tiles.add(i * rows + j);
+      }
+    }
+    return tiles;
   }
 
   @Override

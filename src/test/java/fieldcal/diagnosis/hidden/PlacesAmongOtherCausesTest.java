@@ -7,7 +7,9 @@ import fieldcal.diagnosis.Cause;
 import fieldcal.diagnosis.Diagnoser;
 import fieldcal.diagnosis.Diagnosis;
 import fieldcal.diagnosis.FittedField;
+import fieldcal.effect.Effect;
 import fieldcal.effect.measurement.CameraPoseError;
+import fieldcal.effect.motion.WornRegion;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.imaging.CameraSettings;
@@ -39,6 +41,34 @@ class PlacesAmongOtherCausesTest {
         .contains("worn_region", "camera_pose_error", "kick_spin")
         .doesNotContain("carpet_seam");
     assertThat(diagnosis.unexplained().significant()).isFalse();
+  }
+
+  /** The search began with a part of the field beside the region, and no step of a single edge led from there to the region. */
+  @Test
+  void aRegionIsFoundBesideASlopeAndSpin() {
+    SimulationSettings world =
+        SimulationSettings.DEFAULT
+            .withScenario(ScenarioKind.FLAT, 14)
+            .withSeed(2)
+            .withCameras(CameraSettings.DEFAULT.withCount(2))
+            .withEffects(
+                "worn_region:change=-0.4,region=[1,3.5,-2,1.5]",
+                "field_slope:percent=0.3,direction=0.7",
+                "kick_spin:fraction=0.3,scatter=0.15");
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
+    assertThat(diagnosis.causes())
+        .as("%s", diagnosis.trace())
+        .extracting(c -> c.effect().id())
+        .containsExactlyInAnyOrder("worn_region", "field_slope", "kick_spin");
+    Effect region =
+        diagnosis.causes().stream()
+            .map(Cause::effect)
+            .filter(e -> e instanceof WornRegion)
+            .findFirst()
+            .orElseThrow();
+    assertThat(region.value("change")).isCloseTo(-0.4, within(0.01));
+    assertThat(region.value("region_x0")).isCloseTo(1, within(0.05));
+    assertThat(region.value("region_y1")).isCloseTo(1.5, within(0.05));
   }
 
   /** From the tenth of fifteen kicks on the ball is another one. Values of all kicks that differ by chance follow them as closely. */

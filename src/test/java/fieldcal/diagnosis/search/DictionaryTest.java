@@ -107,9 +107,10 @@ class DictionaryTest {
     Dictionary dictionary =
         new Dictionary(List.of(new AirDrag(0), new WornRegion(0, 0, 0, 0, 0)), FLATS.arena());
     assertThat(ids(dictionary.everywhere(SIMPLE))).containsExactly("air_drag");
-    List<List<Proposal>> families = dictionary.placed(SIMPLE);
+    List<List<Place>> families = dictionary.placed(SIMPLE);
     assertThat(families).hasSize(1);
-    assertThat(ids(families.get(0))).containsExactly("worn_region");
+    assertThat(ids(families.get(0).stream().map(Place::proposal).toList()))
+        .containsExactly("worn_region");
     assertThat(families.get(0)).hasSizeGreaterThan(10);
   }
 
@@ -117,10 +118,10 @@ class DictionaryTest {
   void moreOfWhatHasAPlaceIsProposedWhereItIs() {
     Dictionary dictionary = new Dictionary(List.of(new CarpetSeam(0, 0, 0, 0)), FLATS.arena());
     Component seam = Component.of(new CarpetSeam(0.1, 0, 0.3, 1.2), List.of("loss"));
-    List<List<Proposal>> families = dictionary.placed(SIMPLE.with(List.of(seam)));
+    List<List<Place>> families = dictionary.placed(SIMPLE.with(List.of(seam)));
     assertThat(families).hasSize(1);
     assertThat(families.get(0)).hasSize(1);
-    Component more = families.get(0).get(0).components().get(0);
+    Component more = families.get(0).get(0).component();
     assertThat(more.magnitudeCount()).isEqualTo(2);
     assertThat(more.template().value("normal")).isEqualTo(0.3);
     assertThat(more.template().value("distance")).isEqualTo(1.2);

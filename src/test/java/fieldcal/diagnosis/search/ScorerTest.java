@@ -11,6 +11,8 @@ import fieldcal.effect.Effect;
 import fieldcal.effect.measurement.CameraOffset;
 import fieldcal.effect.motion.AirDrag;
 import fieldcal.effect.motion.CarpetNap;
+import fieldcal.effect.motion.WornRegion;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -81,5 +83,22 @@ class ScorerTest {
     assertThat(without.gain(scorer.columns(nap))).isLessThan(0.5 * own);
     // With the component in, its equal has nothing to add.
     assertThat(scorer.sweep().gain(scorer.columns(other))).isLessThan(1e-3 * own);
+  }
+
+  /** To first order a region does what its tiles do together. */
+  @Test
+  void tilesGainTogetherWhatTheirRegionGains() {
+    List<Place> places =
+        Place.of(new WornRegion(0, 0, 0, 0, 0).mosaic(field.arena()).orElseThrow());
+    List<Place> few = List.of(places.get(3), places.get(places.size() / 2));
+    List<Component> all = new ArrayList<>(Place.tiles(few));
+    few.forEach(p -> all.add(p.component()));
+    Scorer scorer = new Scorer(field.simple(), all, Weighing.EXPLAINED_FIRST);
+    for (Place p : few) {
+      double whole = scorer.gain(p.proposal(), scorer.sweep());
+      assertThat(p.tiles()).hasSizeGreaterThan(2);
+      assertThat(whole).isPositive();
+      assertThat(p.gain(scorer, scorer.sweep())).isCloseTo(whole, within(SECOND_ORDER * whole));
+    }
   }
 }
