@@ -3,11 +3,13 @@ package fieldcal.diagnosis;
 import fieldcal.ball.BallTrajectory;
 import fieldcal.ball.Parameter;
 import fieldcal.diagnosis.decision.Judgement;
+import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.EffectModel;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.KickRecord;
 import fieldcal.diagnosis.model.ModelState;
+import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.Leftover;
@@ -15,6 +17,7 @@ import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -31,6 +34,7 @@ record Answer(Decided decided, List<Cause> kickers) {
   Diagnosis diagnosis(List<SearchStep> trace, List<String> problems) {
     FittedModel base = decided.base();
     FittedModel extended = decided.model();
+    FittedModel free = withPlacesFree(extended);
     List<Judgement> judged = decided.best().judged();
     Leftover after = Leftover.ofSeen(extended);
     List<Cause> causes = new ArrayList<>();
@@ -38,7 +42,8 @@ record Answer(Decided decided, List<Cause> kickers) {
     for (int i = 0; i < judged.size(); i++) {
       Judgement j = judged.get(i);
       if (j.isName()) {
-        causes.add(cause(j, decided.screened().decision().ties(extended, i, j)));
+        List<String> ties = decided.screened().decision().ties(extended, i, j);
+        causes.add(cause(j, errors(free, i), ties));
       } else {
         learned.add(LearnedFindings.of(extended, i, j, decided.screened().arena()));
       }
@@ -74,8 +79,24 @@ record Answer(Decided decided, List<Cause> kickers) {
         model(extended, kickers),
         trace,
         problems,
-        ballErrors(extended),
+        ballErrors(free),
         decided.screened().seed());
+  }
+
+  /** The same model with its places free, too, for the errors; the places themselves hardly move any more. */
+  private FittedModel withPlacesFree(FittedModel model) {
+    DiagnosisCase at = decided.screened();
+    boolean none = model.model().components().stream().noneMatch(Component::hasPlace);
+    return none
+        ? model
+        : at.fitter().fitWithPlaces(model, Weighing.ALIKE, at.solver().withMaxIterations(1));
+  }
+
+  /** Standard errors of what is estimated; those of places are not given. */
+  private static Map<String, Double> errors(FittedModel free, int component) {
+    Map<String, Double> errors = new LinkedHashMap<>(free.errors(component).orElse(Map.of()));
+    errors.keySet().removeAll(free.model().components().get(component).template().places());
+    return errors;
   }
 
   private static Map<String, Double> ballErrors(FittedModel f) {
@@ -102,8 +123,9 @@ record Answer(Decided decided, List<Cause> kickers) {
     return left || unnamed || causes.isEmpty() ? Verdict.PARTLY_EXPLAINED : Verdict.EXPLAINED;
   }
 
-  private static Cause cause(Judgement j, List<String> ties) {
-    return new Cause(j.effect(), j.errors(), j.scatter(), 0.5 * j.evidence(), Gain.of(j), ties);
+  private Cause cause(Judgement j, Map<String, Double> errors, List<String> ties) {
+    Effect effect = j.effect().within(decided.screened().arena());
+    return new Cause(effect, errors, j.scatter(), 0.5 * j.evidence(), Gain.of(j), ties);
   }
 
   private List<Candidate> candidates(List<Cause> causes) {
@@ -156,8 +178,10 @@ record Answer(Decided decided, List<Cause> kickers) {
 
   private ExtendedModel model(FittedModel f, List<Cause> kickers) {
     ModelState state = f.solution().state();
-    List<Effect> effects = new ArrayList<>(f.effects());
-    effects.removeIf(e -> !e.hasOwnMean());
+    List<Effect> effects = new ArrayList<>();
+    f.effects().stream()
+        .filter(Effect::hasOwnMean)
+        .forEach(e -> effects.add(e.within(decided.screened().arena())));
     kickers.forEach(c -> effects.add(c.effect()));
     return new ExtendedModel(
         decided.screened().arena().flats() ? Optional.of(state.flat()) : Optional.empty(),

@@ -14,7 +14,6 @@ import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Quantity;
 import fieldcal.effect.learned.Variable;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -46,14 +45,7 @@ class LearnedFindingsTest {
   private LearnedFinding finding(double... gain) {
     Judgement judged =
         new Judgement(
-            braking,
-            model.effects().get(0),
-            Map.of(),
-            0,
-            100,
-            gain,
-            Optional.empty(),
-            Outcome.NAMED);
+            braking, model.effects().get(0), 0, 100, gain, Optional.empty(), Outcome.NAMED);
     return LearnedFindings.of(model, 0, judged, field.arena());
   }
 

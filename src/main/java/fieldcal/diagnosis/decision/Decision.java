@@ -18,7 +18,6 @@ import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -166,7 +165,6 @@ public final class Decision {
     return new Judgement(
         scales.component(i),
         model.effects().get(i),
-        model.errors(i).orElse(Map.of()),
         model.scatter(i),
         scales.evidence[i],
         gains.seen,

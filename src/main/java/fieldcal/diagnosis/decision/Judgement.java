@@ -3,7 +3,6 @@ package fieldcal.diagnosis.decision;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.effect.Effect;
 import fieldcal.effect.learned.LearnedTerm;
-import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -11,7 +10,6 @@ import java.util.Optional;
  *
  * @param component which
  * @param effect with its fitted numbers
- * @param errors standard errors of its parameters, by name, in their units; empty when the equations are singular
  * @param scatter standard deviation of its magnitude from kick to kick, in the magnitude's unit; 0 when it is the same for all
  * @param evidence by how much chi-square rises without it, everything else fitted again, in units of what is left
  * @param gain on held-out kicks: mm, per cent, lower and upper bound in mm
@@ -21,7 +19,6 @@ import java.util.Optional;
 public record Judgement(
     Component component,
     Effect effect,
-    Map<String, Double> errors,
     double scatter,
     double evidence,
     double[] gain,
@@ -74,7 +71,7 @@ public record Judgement(
    * @return the changed copy
    */
   public Judgement as(Outcome other) {
-    return new Judgement(component, effect, errors, scatter, evidence, gain, follows, other);
+    return new Judgement(component, effect, scatter, evidence, gain, follows, other);
   }
 
   /**
@@ -85,7 +82,7 @@ public record Judgement(
    */
   public Judgement inPlaceOf(Judgement other) {
     return new Judgement(
-        component, effect, errors, scatter, other.evidence, other.gain, follows, Outcome.NAMED);
+        component, effect, scatter, other.evidence, other.gain, follows, Outcome.NAMED);
   }
 
   @Override

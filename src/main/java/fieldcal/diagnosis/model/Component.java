@@ -17,7 +17,7 @@ import java.util.OptionalInt;
  * found, an effect's place (a region, a line, an instant) may be free, too. Immutable.
  */
 public final class Component {
-  /** Standard deviation of a magnitude's prior, in the parameter's scales: a common value of the effect. */
+  /** Standard deviation of a magnitude's prior, in the parameter's scales: a common value of the effect. A place has the same about where it was. */
   private static final double EXPECTED = 4;
 
   /** The same for a mean that is not estimated, because a parameter of the ball takes its place. */
@@ -63,8 +63,10 @@ public final class Component {
       for (int i = 0; i < parameters.size(); i++) {
         if (template.places().contains(parameters.get(i).name())) {
           places.add(i);
-          coordinates.add(named(parameters.get(i).free(), ""));
-          priors.add(Prior.NONE);
+          Parameter p = parameters.get(i);
+          coordinates.add(named(p.free(), ""));
+          // A bound that no ball crossed stays where it is.
+          priors.add(new Prior(p.value(), 1 / (EXPECTED * p.scale() * EXPECTED * p.scale())));
         }
       }
     }

@@ -1,7 +1,6 @@
 package fieldcal.diagnosis.model;
 
 import fieldcal.ball.ChipModel;
-import fieldcal.effect.Effect;
 import fieldcal.fit.joint.SharedProblem;
 import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
@@ -163,18 +162,23 @@ public final class ModelFitter {
     if (from.model().components().stream().noneMatch(Component::hasPlace)) {
       return from;
     }
-    List<Component> freed = new ArrayList<>();
-    List<Effect> now = from.effects();
-    for (int i = 0; i < now.size(); i++) {
-      Component c = from.model().components().get(i).startingAt(now.get(i));
-      freed.add(c.hasPlace() ? c.withPlaceFree() : c);
-    }
-    FittedModel moved = fit(from.resumedWith(freed), from, weighing, solver);
-    List<Component> held = new ArrayList<>();
-    for (int i = 0; i < freed.size(); i++) {
-      held.add(freed.get(i).startingAt(moved.effects().get(i)).withPlaceHeld());
-    }
+    FittedModel moved = fitWithPlaces(from, weighing, solver);
+    List<Component> held = moved.started().stream().map(Component::withPlaceHeld).toList();
     return fit(from.resumedWith(held), moved, weighing, solver);
+  }
+
+  /**
+   * Fits the places of a model's components together with everything else. The standard errors of such a fit include what is not known of the places.
+   *
+   * @param from the model, fitted to the same kicks
+   * @param weighing how much kicks count that it does not explain
+   * @param solver how
+   * @return the fit, in which the places are free
+   */
+  public FittedModel fitWithPlaces(FittedModel from, Weighing weighing, SharedSolver solver) {
+    List<Component> freed =
+        from.started().stream().map(c -> c.hasPlace() ? c.withPlaceFree() : c).toList();
+    return fit(from.resumedWith(freed), from, weighing, solver);
   }
 
   /** A kick's own parameters for another model: the values of random effects that both have stay, others start at their mean. */
