@@ -32,6 +32,13 @@ public interface PlayField extends Closeable {
      * @param payload its bytes
      */
     default void referee(double receivedTime, byte[] payload) {}
+
+    /**
+     * Packets of vision may have been lost on this side before the next one: nobody took them in time.
+     *
+     * @param receivedTime of the next one, s since the epoch
+     */
+    default void lost(double receivedTime) {}
   }
 
   /**

@@ -3,6 +3,7 @@ package fieldcal.app.play;
 import fieldcal.app.play.SessionSnapshot.Undecided;
 import fieldcal.calibration.Average;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingGap;
 import fieldcal.kick.KickKind;
 import fieldcal.play.CalibrationPlay;
 import fieldcal.play.KickChooser;
@@ -317,6 +318,11 @@ public final class PlaySession {
     @Override
     public void referee(double receivedTime, byte[] payload) {
       record(receivedTime, MessageType.SSL_REFBOX_2013, payload);
+    }
+
+    @Override
+    public void lost(double receivedTime) {
+      record(receivedTime, MessageType.BLANK, RecordingGap.mark());
     }
 
     private void record(double receivedTime, MessageType type, byte[] payload) {
