@@ -307,7 +307,8 @@ public final class CalibrationPlay {
         ledger.unjudged(),
         ledger.wanted(),
         ledger.pending(),
-        step.kicker());
+        step.kicker(),
+        ledger.remarks());
   }
 
   /**

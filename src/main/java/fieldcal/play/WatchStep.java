@@ -23,7 +23,7 @@ final class WatchStep implements Step {
     this.ledger = ledger;
     this.task = task;
     this.kicked = kicked;
-    number = ledger.takeNumber();
+    number = ledger.takeNumber(task.kicker());
   }
 
   @Override

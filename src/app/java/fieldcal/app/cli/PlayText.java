@@ -92,6 +92,7 @@ final class PlayText {
       undecided();
     }
     PlayState state = s.state();
+    complaints(state.remarks(), progress);
     waiting(s, progress);
     String now =
         String.format(
@@ -131,7 +132,7 @@ final class PlayText {
     }
   }
 
-  /** What the other side complains of is said once, when it comes up. */
+  /** What is wrong with the other side or a robot is said once, when it comes up. */
   void complaints(List<String> all, TerminalProgress progress) {
     for (String complaint : all) {
       if (complaints.add(complaint)) {

@@ -1,6 +1,7 @@
 package fieldcal.app.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.play.EmbeddedPlayField;
@@ -140,7 +141,9 @@ final class PlayDesk {
       toldKicks = snapshot.kicks().size();
       toldPhase = phase;
       ObjectNode node = PlayDrawing.snapshot(snapshot);
-      field.complaints().forEach(node.putArray("complaints")::add);
+      ArrayNode complaints = node.putArray("complaints");
+      field.complaints().forEach(complaints::add);
+      snapshot.state().remarks().forEach(complaints::add);
       last = Optional.of(node);
       events.tell("play", node.toString());
     }

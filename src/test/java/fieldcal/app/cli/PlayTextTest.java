@@ -25,11 +25,11 @@ class PlayTextTest {
     return new PlayText(new PrintWriter(out), onTerminal, () -> nanos);
   }
 
-  private static SessionSnapshot at(double time, String waiting, List<Double> ballWanted) {
+  private SessionSnapshot at(double time, String waiting, List<Double> ballWanted) {
     return at(time, waiting, ballWanted, new Undecided(List.of(), List.of(), List.of()));
   }
 
-  private static SessionSnapshot at(
+  private SessionSnapshot at(
       double time, String waiting, List<Double> ballWanted, Undecided undecided) {
     PlayState state =
         new PlayState(
@@ -41,7 +41,8 @@ class PlayTextTest {
             0,
             12,
             Optional.empty(),
-            0);
+            0,
+            remarks);
     PlayWorld world = new PlayWorld(time, time, Optional.empty(), List.of(), Permission.RUN);
     return new SessionSnapshot(
         time,
@@ -54,6 +55,19 @@ class PlayTextTest {
         List.of(),
         Map.of(),
         undecided);
+  }
+
+  private List<String> remarks = List.of();
+
+  @Test
+  void whatIsWrongWithARobotIsSaidOnceAndAtOnce() {
+    PlayText text = text(true);
+    remarks = List.of("yellow 3 did not kick for the second time in a row; check its kicker");
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
+      text.follow(at(1, "", List.of()), progress);
+      text.follow(at(2, "", List.of()), progress);
+    }
+    assertThat(out.toString().lines().map(String::strip)).containsExactlyElementsOf(remarks);
   }
 
   @Test
