@@ -560,8 +560,51 @@ class CalibrationPlayTest {
     until(PlayPhase.KICK);
     play.abort("enough");
     assertStanding(field.tick(play));
+    // The kicker may have fired before it heard of it.
+    field.run(play, 0.3);
     assertThat(play.over()).isTrue();
     assertThat(play.state().waiting()).contains("enough");
+    assertThat(play.state().made()).isZero();
+  }
+
+  /** The ball rolls on when somebody ends the play, or when it has waited for long enough. */
+  @ParameterizedTest
+  @ValueSource(strings = {"aborted", "host gone", "vision gone"})
+  void aKickUnderWayAtTheEndIsWatchedToItsEnd(String what) {
+    PlayLimits impatient = PlayLimits.DEFAULT.withPatience(1, 100);
+    start(
+        PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 3).withLimits(impatient), 3, 0);
+    until(PlayPhase.WATCH);
+    switch (what) {
+      case "aborted" -> play.abort("enough");
+      case "host gone" -> play.hold(Optional.of("the bridge does not answer"));
+      default -> field.vision = false;
+    }
+    assertThat(play.over()).isFalse();
+    for (double end = field.time + 6.5; field.time < end && !play.over(); ) {
+      PlayAnswer answer = field.tick(play);
+      if (field.vision || field.time > end - 5.5) {
+        assertStanding(answer);
+      }
+    }
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(kicks).hasSize(1);
+    assertThat(play.state().made()).isEqualTo(1);
+    assertThat(play.state().good()).isEqualTo(1);
+    assertThat(kicks.get(0).ended() - kicks.get(0).time()).isGreaterThan(1);
+  }
+
+  @Test
+  void whoeverDoesNotWaitForTheLastBallEndsItAtOnce() {
+    flat(3);
+    until(PlayPhase.WATCH);
+    play.abort("enough");
+    field.tick(play);
+    assertThat(play.over()).isFalse();
+    play.endNow();
+    assertStanding(field.tick(play));
+    assertThat(play.over()).isTrue();
+    assertThat(kicks).extracting(PlayedKick::end).containsExactly(End.TIMEOUT);
   }
 
   /** The first time may be chance. */
