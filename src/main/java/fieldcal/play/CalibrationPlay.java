@@ -317,7 +317,17 @@ public final class CalibrationPlay {
    * @param reason why it does not count, for the operator; empty when it counts, or when the reason is not known
    */
   public void judge(int number, boolean good, String reason) {
-    ledger.judge(number, good, Objects.requireNonNull(reason, "reason"));
+    ledger.judge(number, good, Objects.requireNonNull(reason, "reason"), false);
+  }
+
+  /**
+   * A kick does not count, because its ball left the images of all cameras: later ones are slower. The chooser hears of it ({@link KickChooser#outOfView}).
+   *
+   * @param number of the {@link PlayedKick}
+   * @param reason for the operator
+   */
+  public void judgeOutOfView(int number, String reason) {
+    ledger.judge(number, false, Objects.requireNonNull(reason, "reason"), true);
   }
 
   /**

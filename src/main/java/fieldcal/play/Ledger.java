@@ -109,12 +109,13 @@ final class Ledger {
     listener.accept(kick);
   }
 
-  void judge(int number, boolean counts, String reason) {
+  /** Whether a kick counts; one that does not, perhaps because its ball left the images of all cameras. */
+  void judge(int number, boolean counts, String reason, boolean outOfView) {
     PlannedKick kick = unjudged.remove(number);
     if (kick != null) {
       count(counts, 1);
       judged.put(number, new Judged(kick, counts, reason));
-      chooser.done(kick, counts);
+      tellChooser(kick, counts, outOfView);
       return;
     }
     Judged before = judged.get(number);
@@ -126,8 +127,16 @@ final class Ledger {
       count(!counts, -1);
       count(counts, 1);
       if (!counts) {
-        chooser.done(before.kick(), false);
+        tellChooser(before.kick(), false, outOfView);
       }
+    }
+  }
+
+  private void tellChooser(PlannedKick kick, boolean counts, boolean outOfView) {
+    if (!counts && outOfView) {
+      chooser.outOfView(kick);
+    } else {
+      chooser.done(kick, counts);
     }
   }
 

@@ -680,6 +680,28 @@ class CalibrationPlayTest {
   }
 
   @Test
+  void aKickThatLeftTheImagesIsFollowedBySlowerOnes() {
+    play =
+        new CalibrationPlay(
+            PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 4),
+            new SpreadKicks(4, 2, 5, 0, 1),
+            kick -> {
+              kicks.add(kick);
+              if (kick.planned().speed() > 3) {
+                play.judgeOutOfView(kick.number(), "the ball left the images");
+              } else {
+                play.judge(kick.number(), true);
+              }
+            });
+    assertFinishes();
+    double slowestTooFast = Double.POSITIVE_INFINITY;
+    for (PlayedKick kick : kicks) {
+      assertThat(kick.planned().speed()).isLessThan(slowestTooFast);
+      slowestTooFast = kick.planned().speed() > 3 ? kick.planned().speed() : slowestTooFast;
+    }
+  }
+
+  @Test
   void aPauseStopsBothUntilItEnds() {
     flat(2);
     until(PlayPhase.POSITION);
