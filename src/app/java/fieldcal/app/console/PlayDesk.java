@@ -29,8 +29,6 @@ final class PlayDesk {
   /** A page cannot show more, ns. */
   private static final long TELL_EVERY = 90_000_000L;
 
-  private static final long PATIENCE_MS = 3000;
-
   private final SessionDirectory directory;
   private final KickDesk kicks;
   private final EventHub events;
@@ -182,7 +180,7 @@ final class PlayDesk {
     if (now != null) {
       now.abort("the console was closed");
     }
-    live.join(PATIENCE_MS);
+    live.join(PlaySession.LONGEST_END);
   }
 
   /** What a page needs to begin with. */

@@ -58,6 +58,15 @@ public interface PlayField extends Closeable {
   double next(Receiver receiver) throws IOException;
 
   /**
+   * By how much vision's clock has jumped in all; less that, what {@link #next} returns is time that has passed.
+   *
+   * @return s, positive when it jumped forward
+   */
+  default double clockJumps() {
+    return 0;
+  }
+
+  /**
    * Tells the robots what to do until the next tick.
    *
    * @param orders for both robots
@@ -95,6 +104,15 @@ public interface PlayField extends Closeable {
    * @return for the operator; empty as long as the session can go on
    */
   default Optional<String> over() {
+    return Optional.empty();
+  }
+
+  /**
+   * Whoever moves the robots but is not heard now.
+   *
+   * @return for the operator, to be read after a reason; empty when all is well
+   */
+  default Optional<String> silent() {
     return Optional.empty();
   }
 

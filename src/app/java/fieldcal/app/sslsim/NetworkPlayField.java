@@ -185,6 +185,16 @@ public final class NetworkPlayField implements PlayField {
   }
 
   @Override
+  public Optional<String> silent() {
+    return client.silent();
+  }
+
+  @Override
+  public double clockJumps() {
+    return watch.jumps();
+  }
+
+  @Override
   public Optional<String> over() {
     return over;
   }
