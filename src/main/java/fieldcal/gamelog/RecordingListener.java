@@ -27,6 +27,13 @@ public interface RecordingListener {
   default void onGeometry(FieldGeometry geometry) {}
 
   /**
+   * The recorder says that it may have lost packets of vision here ({@link RecordingGap}). Comes before the frames that were received after it.
+   *
+   * @param receivedTime when the recorder went on, s, on its clock
+   */
+  default void onLost(double receivedTime) {}
+
+  /**
    * A message of the referee, some ten times a second.
    *
    * @param state what it says

@@ -216,7 +216,10 @@ public final class RecordingReader implements Closeable {
       case SSL_VISION_TRACKER_2020 -> takeTracker(received);
       case UNKNOWN -> problem(LogProblem.UNKNOWN_MESSAGE_TYPE, () -> "type " + log.typeCode());
       default -> {
-        // Fillers and indices are counted by type; nothing in them is needed.
+        // Fillers and indices are counted by type; nothing else in them is needed.
+        if (RecordingGap.isMark(log)) {
+          listener.onLost(received);
+        }
       }
     }
   }

@@ -21,6 +21,9 @@ public final class CalibrationPlay {
   /** Longest wait for the last fits, s. */
   private static final double LAST_FITS = 60;
 
+  /** Longest that a ball is watched after the play was stopped, s; chosen: a kick of 6.5 m/s has left the field by then, and of a slower one enough was seen. */
+  private static final double LAST_BALL = 5;
+
   private final PlayPlan plan;
   private final Ledger ledger;
   private final BallMemory ball = new BallMemory();
@@ -40,6 +43,9 @@ public final class CalibrationPlay {
   private double idle;
   private int madeBefore;
   private double enoughSince = Double.NaN;
+  private Optional<String> stopped = Optional.empty();
+  private double stoppedAt;
+  private boolean endsNow;
 
   /**
    * A play that has not begun.
@@ -76,6 +82,9 @@ public final class CalibrationPlay {
     }
     ball.update(world.ball(), world.time());
     Situation s = new Situation(plan, ball, driver, safety, motions, following, world);
+    if (stopped.isPresent()) {
+      return followed(s, watchLastBall(s), span);
+    }
     Optional<Hold> hold = reasonToHold(s);
     if (hold.isPresent()) {
       return followed(s, hold(s, hold.get()), span);
@@ -151,11 +160,7 @@ public final class CalibrationPlay {
     holding = reason;
     waiting = Optional.of(reason);
     waitingFor = hold.object();
-    if (step instanceof WatchStep watch) {
-      watch.onlyWatch(s);
-    } else if (step instanceof KickStep kick) {
-      step = kick.onlyWatch(s);
-    }
+    step = step.watch(s);
     boolean allowed = paused || s.world().permission() != Permission.RUN;
     if (allowed) {
       // Somebody asked for it: wait as long as it takes.
@@ -171,7 +176,7 @@ public final class CalibrationPlay {
       return;
     }
     holding = null;
-    if (!(step instanceof WatchStep || step instanceof KickStep)) {
+    if (!step.isUnderWay()) {
       // It is not known what happened meanwhile.
       step = new CheckStep(ledger, -1);
     }
@@ -230,20 +235,44 @@ public final class CalibrationPlay {
     }
   }
 
+  /** No robot drives any more. The ball of a kick that is under way is watched to its end, so that this kick is like every other. */
   private void stop(String reason) {
-    if (!step.phase().over()) {
+    if (step.phase().over() || stopped.isPresent()) {
+      return;
+    }
+    stopped = Optional.of(reason);
+    stoppedAt = lastTick;
+    waiting = stopped;
+    if (!step.isUnderWay()) {
       step = new EndStep(PlayPhase.STOPPED, reason);
-      waiting = Optional.of(reason);
     }
   }
 
+  private PlayAnswer watchLastBall(Situation s) {
+    step = step.watch(s);
+    boolean enough = endsNow || s.time() - stoppedAt > LAST_BALL;
+    if (enough && step instanceof WatchStep watch) {
+      step = watch.cut(s);
+    }
+    if (enough || !step.isUnderWay()) {
+      step = new EndStep(PlayPhase.STOPPED, stopped.orElseThrow());
+    }
+    return standStill();
+  }
+
   /**
-   * Ends the play: from the next tick on both robots are commanded to stand still.
+   * Ends the play: from the next tick on both robots are commanded to stand still. While the ball of a kick rolls, the play is not {@link #over} yet, for 5 s at most: keep ticking, so that this kick counts like
+   * every other.
    *
    * @param reason for the operator
    */
   public void abort(String reason) {
     stop(Objects.requireNonNull(reason, "reason"));
+  }
+
+  /** After {@link #abort}, the ball of the last kick is no longer waited for: the play is over with the next tick. */
+  public void endNow() {
+    endsNow = true;
   }
 
   /** No more kicks are wanted: the play is finished as soon as the one that is under way is over. */
@@ -288,7 +317,17 @@ public final class CalibrationPlay {
    * @param reason why it does not count, for the operator; empty when it counts, or when the reason is not known
    */
   public void judge(int number, boolean good, String reason) {
-    ledger.judge(number, good, Objects.requireNonNull(reason, "reason"));
+    ledger.judge(number, good, Objects.requireNonNull(reason, "reason"), false);
+  }
+
+  /**
+   * A kick does not count, because its ball left the images of all cameras: later ones are slower. The chooser hears of it ({@link KickChooser#outOfView}).
+   *
+   * @param number of the {@link PlayedKick}
+   * @param reason for the operator
+   */
+  public void judgeOutOfView(int number, String reason) {
+    ledger.judge(number, false, Objects.requireNonNull(reason, "reason"), true);
   }
 
   /**
@@ -297,23 +336,24 @@ public final class CalibrationPlay {
    * @return a snapshot: phase, kicks that counted, and what is waited for
    */
   public PlayState state() {
-    boolean stopped = step instanceof EndStep end && end.phase() == PlayPhase.STOPPED;
+    boolean ended = step instanceof EndStep end && end.phase() == PlayPhase.STOPPED;
     return new PlayState(
         step.phase(),
-        stopped ? Optional.of(((EndStep) step).reason()) : waiting,
-        stopped || waiting.isPresent() ? waitingFor : WaitingFor.NOTHING,
+        ended ? Optional.of(((EndStep) step).reason()) : waiting,
+        ended || waiting.isPresent() ? waitingFor : WaitingFor.NOTHING,
         ledger.good(),
         ledger.made(),
         ledger.unjudged(),
         ledger.wanted(),
         ledger.pending(),
-        step.kicker());
+        step.kicker(),
+        ledger.remarks());
   }
 
   /**
    * Whether it is over.
    *
-   * @return true when all kicks are made or it was stopped
+   * @return true when all kicks are made, or when it was stopped and no ball is watched any more
    */
   public boolean over() {
     return step.phase().over();

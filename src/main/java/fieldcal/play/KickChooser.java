@@ -33,4 +33,13 @@ public interface KickChooser {
    * @param good whether it counts
    */
   void done(PlannedKick kick, boolean good);
+
+  /**
+   * Receives that a kick does not count because its ball left the images of all cameras: as fast a kick would leave them again. Called instead of {@link #done}, which it calls unless overridden.
+   *
+   * @param kick one that was asked for
+   */
+  default void outOfView(PlannedKick kick) {
+    done(kick, false);
+  }
 }

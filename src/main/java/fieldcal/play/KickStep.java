@@ -23,13 +23,14 @@ final class KickStep extends TaskStep {
   @Override
   Step tick(Situation s, int i) {
     double moved = s.ball().distance(task.x(), task.y());
+    if (interrupted) {
+      driveReceiver(s);
+      return watch(s);
+    }
     if (isKicked(s)) {
       return new WatchStep(ledger, task, s.time());
     }
     driveReceiver(s);
-    if (interrupted) {
-      return s.time() - disarmed > ON_ITS_WAY ? lookAgain() : this;
-    }
     if (!Double.isNaN(disarmed)) {
       return s.time() - disarmed > ON_ITS_WAY ? misfired(s, reason) : this;
     }
@@ -60,13 +61,22 @@ final class KickStep extends TaskStep {
     return mayFire && moved > 0.06 && s.ball().speed() > fast;
   }
 
-  /** No robot drives, for example while the referee has stopped the game, but the kicker may have fired before it heard of it. */
-  Step onlyWatch(Situation s) {
+  @Override
+  public boolean isUnderWay() {
+    return true;
+  }
+
+  /** The kicker may have fired before it heard that it must not. {@inheritDoc} */
+  @Override
+  public Step watch(Situation s) {
     if (!interrupted) {
       interrupted = true;
       disarmed = Double.isNaN(disarmed) ? s.time() : disarmed;
     }
-    return isKicked(s) ? new WatchStep(ledger, task, s.time()) : this;
+    if (isKicked(s)) {
+      return new WatchStep(ledger, task, s.time());
+    }
+    return s.time() - disarmed > ON_ITS_WAY ? lookAgain() : this;
   }
 
   /** The robot stands, disarmed. A kick that still happens counts as one. */

@@ -1,9 +1,12 @@
 package fieldcal.play;
 
 import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
@@ -16,6 +19,9 @@ final class Ledger {
 
   private static final int MOST_CHARGES = 4;
 
+  /** So many kicks in a row that a robot was commanded and that did not happen are told. */
+  private static final int TOLD_MISFIRES = 2;
+
   private int wanted;
   private final KickChooser chooser;
   private final Consumer<PlayedKick> listener;
@@ -27,14 +33,21 @@ final class Ledger {
   private int good;
   private int bad;
   private int failures;
-  private int misfires;
-  private double lastMisfire = Double.NEGATIVE_INFINITY;
+  private final List<Misfires> misfires = List.of(new Misfires(), new Misfires());
+  private final Set<String> remarks = new LinkedHashSet<>();
   private int notFetched;
   private final int[] losses = new int[2];
   private final int[] pushedLosses = new int[2];
   private int carrier = -1;
   private String lastFailure = "";
   private String lastReason = "";
+
+  /** Kicks of one robot that were commanded and did not happen, since its last one that did. */
+  private static final class Misfires {
+    private int count;
+    private double last = Double.NEGATIVE_INFINITY;
+    private String reason = "";
+  }
 
   /** A kick and whether it counts, so far. */
   private record Judged(PlannedKick kick, boolean counts, String reason) {}
@@ -79,10 +92,11 @@ final class Ledger {
     return Optional.ofNullable(next);
   }
 
-  int takeNumber() {
+  /** The number of a kick that a robot has just made. */
+  int takeNumber(int kicker) {
     made++;
     failures = 0;
-    misfires = 0;
+    misfires.get(kicker).count = 0;
     notFetched = 0;
     lastReason = "";
     return made;
@@ -95,12 +109,13 @@ final class Ledger {
     listener.accept(kick);
   }
 
-  void judge(int number, boolean counts, String reason) {
+  /** Whether a kick counts; one that does not, perhaps because its ball left the images of all cameras. */
+  void judge(int number, boolean counts, String reason, boolean outOfView) {
     PlannedKick kick = unjudged.remove(number);
     if (kick != null) {
       count(counts, 1);
       judged.put(number, new Judged(kick, counts, reason));
-      chooser.done(kick, counts);
+      tellChooser(kick, counts, outOfView);
       return;
     }
     Judged before = judged.get(number);
@@ -112,8 +127,16 @@ final class Ledger {
       count(!counts, -1);
       count(counts, 1);
       if (!counts) {
-        chooser.done(before.kick(), false);
+        tellChooser(before.kick(), false, outOfView);
       }
+    }
+  }
+
+  private void tellChooser(PlannedKick kick, boolean counts, boolean outOfView) {
+    if (!counts && outOfView) {
+      chooser.outOfView(kick);
+    } else {
+      chooser.done(kick, counts);
     }
   }
 
@@ -128,11 +151,21 @@ final class Ledger {
     lastReason = reason;
   }
 
-  /** A kicker fired, but the ball was not kicked. */
-  void misfired(String reason, double time) {
+  /** A kicker fired, but the ball was not kicked. Once may be chance; what happens again the operator must hear of. */
+  void misfired(int kicker, String reason, double time) {
     failed(reason);
-    misfires++;
-    lastMisfire = time;
+    Misfires its = misfires.get(kicker);
+    its.count++;
+    its.last = time;
+    its.reason = reason;
+    if (its.count == TOLD_MISFIRES) {
+      remarks.add(reason + " for the second time in a row; check its kicker");
+    }
+  }
+
+  /** What the operator must hear of at once, in the order in which it came up. */
+  List<String> remarks() {
+    return List.copyOf(remarks);
   }
 
   /** A robot failed to take the ball. */
@@ -230,13 +263,11 @@ final class Ledger {
         .orElse("");
   }
 
-  /** Whether the kicker may still be charging after it fired without a kick; it charges while other things are done. */
-  boolean charges(double time) {
-    return time - lastMisfire < CHARGE * Math.min(MOST_CHARGES, misfires);
-  }
-
-  String lastFailure() {
-    return lastFailure;
+  /** Why a robot may still be charging its kicker: it fired without a kick. It charges while other things are done. Empty when it is ready. */
+  Optional<String> charges(int kicker, double time) {
+    Misfires its = misfires.get(kicker);
+    boolean charges = time - its.last < CHARGE * Math.min(MOST_CHARGES, its.count);
+    return charges ? Optional.of(its.reason) : Optional.empty();
   }
 
   int good() {

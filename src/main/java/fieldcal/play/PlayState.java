@@ -1,5 +1,6 @@
 package fieldcal.play;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -14,6 +15,7 @@ import java.util.Optional;
  * @param wanted how many good kicks are wanted
  * @param next the kick that is being prepared or watched
  * @param kicker index of the robot that kicks next, 0 or 1; -1 when undecided
+ * @param remarks what the operator should hear of at once, such as a robot whose kicker has no effect; in order, none ever changes or goes away
  */
 public record PlayState(
     PlayPhase phase,
@@ -24,4 +26,11 @@ public record PlayState(
     int unjudged,
     int wanted,
     Optional<PlannedKick> next,
-    int kicker) {}
+    int kicker,
+    List<String> remarks) {
+
+  /** Copies the list. {@inheritDoc} */
+  public PlayState {
+    remarks = List.copyOf(remarks);
+  }
+}

@@ -35,8 +35,9 @@ final class PositionStep extends TaskStep {
     }
     boolean ready = ready(s);
     if (age(s) > TIMEOUT || s.time() - blocked > BLOCKED) {
-      return giveUp(
-          s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball") + measured(s));
+      String late = s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball");
+      boolean aboutKicker = s.waitingFor().robot().map(s.plan().robot(i)::equals).orElse(true);
+      return giveUp(aboutKicker ? late + measured(s) : late);
     }
     return ready ? new KickStep(ledger, task) : this;
   }
@@ -96,10 +97,14 @@ final class PositionStep extends TaskStep {
     if (placed && received && !seen) {
       s.waitFor("the ball is not seen", WaitingFor.place(task.x(), task.y()));
     }
-    boolean charges = ledger.charges(s.time());
-    if (placed && received && seen && charges) {
-      s.waitFor(ledger.lastFailure() + "; trying again", WaitingFor.NOTHING);
+    boolean stands = placed && received && seen;
+    Optional<String> charges = ledger.charges(task.kicker(), s.time());
+    boolean rests = s.ball().resting() > s.limits().settle();
+    if (stands && charges.isPresent()) {
+      s.waitFor(charges.get() + "; trying again", WaitingFor.robot(kicker.id()));
+    } else if (stands && !rests && age(s) > SLOW) {
+      s.waitFor("the ball does not lie still", WaitingFor.place(task.x(), task.y()));
     }
-    return placed && received && seen && !charges && s.ball().resting() > s.limits().settle();
+    return stands && charges.isEmpty() && rests;
   }
 }

@@ -10,18 +10,25 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.Predicate;
 
-/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. A kick that was not good is made again, nearer to a speed that was good: repeated at the same speed, it would again determine too little. Which speeds are good depends on the field; where the ball slides for only a tenth of a second, it is the fast ones. As long as no kick was good, the middle of the range counts as good. Not thread-safe. */
+/** Kicks with evenly spread speeds in a random order, half along one line and half along the other. Where the ball lies so that not every kick can be made without carrying it, those that can be made come first. A kick that was not good is made again, nearer to a speed that was good: repeated at the same speed, it would again determine too little. Which speeds are good depends on the field; where the ball slides for only a tenth of a second, it is the fast ones. As long as no kick was good, the middle of the range counts as good. Once a ball has left the images of all cameras, kicks are slower than that one was. Not thread-safe. */
 public final class SpreadKicks implements KickChooser {
-  /** How far towards the middle of the range a kick goes when it is made again, while none was good. */
+  /** How far towards the middle of the range a kick goes when it is made again, while none was good; and towards its slow end when the ball left the images. */
   private static final double INWARDS = 0.3;
 
   /** How far towards the nearest speed that was good a kick goes when it is made again. */
   private static final double BETWEEN = 0.5;
 
+  /** A slower ball is no kick, m/s. */
+  private static final double WEAKEST = 0.7;
+
   private final Deque<PlannedKick> waiting = new ArrayDeque<>();
   private final List<Double> good = new ArrayList<>();
   private final List<Double> repeated = new ArrayList<>();
   private final PlannedKick spare;
+  private final double slowest;
+
+  /** A ball as fast left the images of all cameras, m/s. */
+  private double tooFast = Double.POSITIVE_INFINITY;
 
   /**
    * Spreads kicks over a range of speeds.
@@ -38,6 +45,7 @@ public final class SpreadKicks implements KickChooser {
       throw new IllegalArgumentException(
           count + " kicks from " + slowest + " to " + fastest + " m/s cannot be spread");
     }
+    this.slowest = slowest;
     Random random = new Random(seed);
     int first = count - count / 2;
     for (int block = 0; block < 2; block++) {
@@ -67,7 +75,7 @@ public final class SpreadKicks implements KickChooser {
       PlannedKick kick = each.next();
       if (kick.otherLine() == waiting.getFirst().otherLine() && fromHere.test(kick)) {
         each.remove();
-        return kick;
+        return inView(kick);
       }
     }
     return next();
@@ -79,7 +87,29 @@ public final class SpreadKicks implements KickChooser {
    * @return what is wanted
    */
   public PlannedKick next() {
-    return waiting.isEmpty() ? spare : waiting.removeFirst();
+    return inView(waiting.isEmpty() ? spare : waiting.removeFirst());
+  }
+
+  /**
+   * What becomes of a kick when a ball as fast has left the images of all cameras: it is made slower, so that a chip also flies less high. Where even the slowest left them, no kick of the range is of
+   * use, and it is made slower than the range.
+   *
+   * @param kick one that is planned
+   * @return the same, or a slower one
+   */
+  public PlannedKick inView(PlannedKick kick) {
+    if (kick.speed() < tooFast) {
+      return kick;
+    }
+    double least = tooFast > slowest ? slowest : 0;
+    double slower = Math.max(WEAKEST, tooFast + INWARDS * (least - tooFast));
+    return new PlannedKick(slower, kick.elevation(), kick.otherLine());
+  }
+
+  @Override
+  public void outOfView(PlannedKick kick) {
+    tooFast = Math.min(tooFast, kick.speed());
+    done(kick, false);
   }
 
   @Override

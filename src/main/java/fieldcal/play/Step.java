@@ -13,4 +13,14 @@ interface Step {
 
   /** The step of the next tick: itself to stay. Called only while both robots are seen. */
   Step tick(Situation s);
+
+  /** The step of the next tick while no robot may drive: the ball of a kick is still watched. Robots may be out of sight. */
+  default Step watch(Situation s) {
+    return this;
+  }
+
+  /** Whether the ball may be on its way, so that it is watched whatever else happens. */
+  default boolean isUnderWay() {
+    return false;
+  }
 }

@@ -52,7 +52,7 @@ abstract class TaskStep implements Step {
 
   /** The kicker was fired and the ball did not move: decides again what to do. */
   final Step misfired(Situation s, String reason) {
-    ledger.misfired(reason, s.time());
+    ledger.misfired(task.kicker(), reason, s.time());
     return lookAgain();
   }
 

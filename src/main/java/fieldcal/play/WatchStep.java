@@ -23,7 +23,7 @@ final class WatchStep implements Step {
     this.ledger = ledger;
     this.task = task;
     this.kicked = kicked;
-    number = ledger.takeNumber();
+    number = ledger.takeNumber(task.kicker());
   }
 
   @Override
@@ -38,12 +38,23 @@ final class WatchStep implements Step {
 
   @Override
   public Step tick(Situation s) {
-    double since = s.time() - kicked;
-    if (since > 0.5) {
+    if (s.time() - kicked > 0.5) {
       follow(s);
     }
     receive(s);
-    if (received(s)) {
+    return watch(s);
+  }
+
+  @Override
+  public boolean isUnderWay() {
+    return true;
+  }
+
+  /** Until the ball is done. {@inheritDoc} */
+  @Override
+  public Step watch(Situation s) {
+    double since = s.time() - kicked;
+    if (s.sees(task.other()) && received(s)) {
       return end(s, End.RECEIVED, task.other());
     }
     BallMemory ball = s.ball();
@@ -59,11 +70,9 @@ final class WatchStep implements Step {
     return since > s.limits().flightTimeout() ? end(s, End.TIMEOUT, -1) : this;
   }
 
-  /** No robot drives, for example while the referee has stopped the game; the ball still rolls. */
-  void onlyWatch(Situation s) {
-    if (s.area().outside(s.ball().x(), s.ball().y()) && Double.isNaN(outside)) {
-      outside = s.time();
-    }
+  /** Nobody waits any longer: the kick ends with what was seen of it. */
+  Step cut(Situation s) {
+    return end(s, End.TIMEOUT, -1);
   }
 
   private Step end(Situation s, End end, int holder) {

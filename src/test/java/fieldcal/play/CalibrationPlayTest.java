@@ -560,8 +560,145 @@ class CalibrationPlayTest {
     until(PlayPhase.KICK);
     play.abort("enough");
     assertStanding(field.tick(play));
+    // The kicker may have fired before it heard of it.
+    field.run(play, 0.3);
     assertThat(play.over()).isTrue();
     assertThat(play.state().waiting()).contains("enough");
+    assertThat(play.state().made()).isZero();
+  }
+
+  /** The ball rolls on when somebody ends the play, or when it has waited for long enough. */
+  @ParameterizedTest
+  @ValueSource(strings = {"aborted", "host gone", "vision gone"})
+  void aKickUnderWayAtTheEndIsWatchedToItsEnd(String what) {
+    PlayLimits impatient = PlayLimits.DEFAULT.withPatience(1, 100);
+    start(
+        PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 3).withLimits(impatient), 3, 0);
+    until(PlayPhase.WATCH);
+    switch (what) {
+      case "aborted" -> play.abort("enough");
+      case "host gone" -> play.hold(Optional.of("the bridge does not answer"));
+      default -> field.vision = false;
+    }
+    assertThat(play.over()).isFalse();
+    for (double end = field.time + 6.5; field.time < end && !play.over(); ) {
+      PlayAnswer answer = field.tick(play);
+      if (field.vision || field.time > end - 5.5) {
+        assertStanding(answer);
+      }
+    }
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(kicks).hasSize(1);
+    assertThat(play.state().made()).isEqualTo(1);
+    assertThat(play.state().good()).isEqualTo(1);
+    assertThat(kicks.get(0).ended() - kicks.get(0).time()).isGreaterThan(1);
+  }
+
+  @Test
+  void whoeverDoesNotWaitForTheLastBallEndsItAtOnce() {
+    flat(3);
+    until(PlayPhase.WATCH);
+    play.abort("enough");
+    field.tick(play);
+    assertThat(play.over()).isFalse();
+    play.endNow();
+    assertStanding(field.tick(play));
+    assertThat(play.over()).isTrue();
+    assertThat(kicks).extracting(PlayedKick::end).containsExactly(End.TIMEOUT);
+  }
+
+  /** The first time may be chance. */
+  @Test
+  void aKickerWithoutEffectIsNamedWhenItHappensAgain() {
+    flat(2);
+    field.kickersFire = false;
+    until(PlayPhase.KICK);
+    RobotId kicker = play.state().kicker() == 0 ? YELLOW : BLUE;
+    while (play.state().phase() == PlayPhase.KICK) {
+      field.tick(play);
+    }
+    assertThat(play.state().remarks()).isEmpty();
+    until(PlayPhase.KICK);
+    field.run(play, 5);
+    assertThat(play.state().remarks())
+        .singleElement()
+        .asString()
+        .startsWith(kicker + " ")
+        .endsWith("for the second time in a row; check its kicker");
+  }
+
+  /** One robot's kicker is being charged for long; the ball now lies before the other one. */
+  @Test
+  void aKickerThatIsReadyIsNotBlamedForTheOther() {
+    flat(2);
+    field.kickersFire = false;
+    until(PlayPhase.KICK);
+    int first = play.state().kicker();
+    for (int tried = 0; tried < 4; tried++) {
+      until(PlayPhase.KICK);
+      assertThat(play.state().kicker()).isEqualTo(first);
+      while (play.state().phase() == PlayPhase.KICK) {
+        field.tick(play);
+      }
+    }
+    FakeField.Body other = field.robots.get(first == 0 ? BLUE : YELLOW);
+    field.ball(
+        other.x + 0.2 * Math.cos(other.orientation), other.y + 0.2 * Math.sin(other.orientation));
+    field.kickersFire = true;
+    double begin = field.time;
+    List<String> said = new ArrayList<>();
+    while (kicks.isEmpty() && field.time < begin + 60) {
+      field.tick(play);
+      if (play.state().kicker() == 1 - first) {
+        play.state().waiting().ifPresent(said::add);
+      }
+    }
+    assertThat(kicks.get(0).robot()).isEqualTo(first == 0 ? BLUE : YELLOW);
+    assertThat(kicks.get(0).time()).isLessThan(begin + 4);
+    assertThat(said).noneMatch(text -> text.contains("trying again"));
+  }
+
+  /** What is measured of the kicker is no reason why the receiver is late. */
+  @Test
+  void aReceiverThatIsLateIsNotReportedWithThePlaceOfTheKicker() {
+    PlayLimits once =
+        new PlayLimits(2.5, 1.2, 0.3, 2, 0.06, Double.POSITIVE_INFINITY, 0.6, 15, 60, 120, 1);
+    start(PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 2).withLimits(once), 2, 0);
+    until(PlayPhase.POSITION);
+    RobotId late = play.state().kicker() == 0 ? BLUE : YELLOW;
+    FakeField.Body body = field.robots.get(late);
+    double x = body.x;
+    double y = body.y;
+    for (int i = 0; i < 1500 && !play.over(); i++) {
+      // It moves, but not to where it should.
+      body.x = x + 0.1 * (i / 50 % 2);
+      body.y = y;
+      field.tick(play);
+    }
+    assertThat(play.state().waiting().orElseThrow())
+        .isEqualTo("1 failed kicks in a row; the last: " + late + " is not in its place yet");
+  }
+
+  @Test
+  void aKickThatLeftTheImagesIsFollowedBySlowerOnes() {
+    play =
+        new CalibrationPlay(
+            PlayPlan.flat(YELLOW, BLUE, GEOMETRY, PlayLine.Half.WHOLE, 4),
+            new SpreadKicks(4, 2, 5, 0, 1),
+            kick -> {
+              kicks.add(kick);
+              if (kick.planned().speed() > 3) {
+                play.judgeOutOfView(kick.number(), "the ball left the images");
+              } else {
+                play.judge(kick.number(), true);
+              }
+            });
+    assertFinishes();
+    double slowestTooFast = Double.POSITIVE_INFINITY;
+    for (PlayedKick kick : kicks) {
+      assertThat(kick.planned().speed()).isLessThan(slowestTooFast);
+      slowestTooFast = kick.planned().speed() > 3 ? kick.planned().speed() : slowestTooFast;
+    }
   }
 
   @Test

@@ -84,4 +84,26 @@ class SpreadKicksTest {
     assertThat(good.stream().filter(v -> v < 3.5)).hasSizeGreaterThanOrEqualTo(2);
     assertThat(good.stream().filter(v -> v > 5)).hasSizeGreaterThanOrEqualTo(2);
   }
+
+  @Test
+  void afterABallLeftTheImagesKicksAreSlower() {
+    SpreadKicks kicks = new SpreadKicks(12, SLOWEST, FASTEST, 0.8, 5);
+    kicks.outOfView(new PlannedKick(4.5, 0.8, false));
+    // A slow kick that turns out bad goes to the middle of the range, or as near to it as is in
+    // view.
+    kicks.done(new PlannedKick(4.4, 0.8, false), false);
+    for (int i = 0; i < 14; i++) {
+      PlannedKick kick = kicks.next();
+      assertThat(kick.speed()).isBetween(SLOWEST, 4.49);
+      assertThat(kick.elevation()).isEqualTo(0.8);
+    }
+  }
+
+  /** Nothing of the range is of use then. */
+  @Test
+  void whereEvenTheSlowestLeavesTheImagesKicksAreSlowerThanTheRange() {
+    SpreadKicks kicks = new SpreadKicks(3, SLOWEST, FASTEST, 0.8, 5);
+    kicks.outOfView(new PlannedKick(SLOWEST, 0.8, false));
+    assertThat(kicks.next().speed()).isEqualTo(0.7 * SLOWEST);
+  }
 }

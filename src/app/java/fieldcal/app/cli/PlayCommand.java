@@ -15,6 +15,7 @@ import fieldcal.app.sslsim.NetworkPlayField;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayLimits;
 import fieldcal.play.PlayLine.Half;
+import fieldcal.play.PlayState;
 import fieldcal.simulation.FieldTrouble;
 import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
@@ -304,15 +305,22 @@ final class PlayCommand implements Callable<Integer> {
         Optional.ofNullable(out).map(o -> result.directory()));
     simulatorNotes(field);
     if (!result.session().complete()) {
-      throw new InputException(
-          "stopped after "
-              + result.session().last().state().good()
-              + " of "
-              + kicks
-              + " kicks: "
-              + result.session().last().state().waiting().orElse("no reason given"));
+      throw new InputException(stopped(result, field));
     }
     return 0;
+  }
+
+  /** The last line: why it stopped, and what can be done with what was recorded. */
+  private String stopped(PlayRun.Result result, PlayField field) {
+    PlayState state = result.session().last().state();
+    return "stopped after "
+        + state.good()
+        + " of "
+        + kicks
+        + " kicks: "
+        + state.waiting().orElse("no reason given")
+        + field.silent().map(who -> "; " + who).orElse("")
+        + StopOnExit.toCalibrate(state.made(), Optional.ofNullable(out));
   }
 
   private static void follow(

@@ -75,7 +75,8 @@ final class PlayText {
         goodWhenTold.set(i, k.good());
         line(
             "%3d  %s",
-            k.played().number(), k.good() ? "used after all" : "not used after all: " + k.reason());
+            k.played().number(),
+            k.good() ? "counts after all" : "does not count after all: " + k.reason());
       }
     }
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {
@@ -92,6 +93,7 @@ final class PlayText {
       undecided();
     }
     PlayState state = s.state();
+    complaints(state.remarks(), progress);
     waiting(s, progress);
     String now =
         String.format(
@@ -131,7 +133,7 @@ final class PlayText {
     }
   }
 
-  /** What the other side complains of is said once, when it comes up. */
+  /** What is wrong with the other side or a robot is said once, when it comes up. */
   void complaints(List<String> all, TerminalProgress progress) {
     for (String complaint : all) {
       if (complaints.add(complaint)) {
@@ -171,13 +173,14 @@ final class PlayText {
               ParameterWords.unit(e.name())));
     }
     line(
-        "%3d  %-9s %s %.2f m/s%s%s",
+        "%3d  %-9s %s %.2f m/s%s%s%s",
         k.played().number(),
         k.played().robot(),
         k.played().planned().chip() ? "chip" : "flat",
         k.played().planned().speed(),
         measured,
-        k.good() ? parameters : "  not used: " + k.reason());
+        k.used() ? parameters : "",
+        k.good() ? "" : "  does not count: " + k.reason());
   }
 
   void result(
@@ -192,13 +195,20 @@ final class PlayText {
       new CalibrationText(out).print(outcome, directory.orElse(null));
       truth.ifPresent(t -> truth(outcome.calibration(), t));
     }
+    long usedInPart = last.kicks().stream().filter(k -> k.used() && !k.good()).count();
     line(
-        "%n%s after %.0f s of field time: %d good %s of %d made.",
+        "%n%s after %.0f s of field time: %d good %s of %d made%s.",
         result.session().complete() ? "Finished" : "Stopped",
         last.time(),
         last.state().good(),
         last.state().good() == 1 ? "kick" : "kicks",
-        last.state().made());
+        last.state().made(),
+        usedInPart == 0
+            ? ""
+            : ", and "
+                + usedInPart
+                + " used for the parameters that "
+                + (usedInPart == 1 ? "it determines" : "they determine"));
     if (result.session().complete() && last.state().wanted() < request.kicks()) {
       line(
           "Every parameter is known to %s %%, as asked. The rest of the %d kicks is not needed.",

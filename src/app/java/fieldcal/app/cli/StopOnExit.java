@@ -7,10 +7,10 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Robots must not drive on when somebody presses Ctrl-C: the session is aborted, and the program ends when they stand. */
+/** Robots must not drive on when somebody presses Ctrl-C: the session is aborted, and the program ends when they stand and the ball of the last kick rests. A second Ctrl-C ends it at once. */
 final class StopOnExit implements AutoCloseable {
-  /** Longest that robots take to be told, and to brake, ms. */
-  private static final long PATIENCE = 3000;
+  /** Who waits for longer wants to know what for, ms. */
+  private static final long AT_ONCE = 1000;
 
   private final PlaySession session;
   private final Optional<Path> directory;
@@ -36,9 +36,18 @@ final class StopOnExit implements AutoCloseable {
   private void stop() {
     happened = true;
     session.abort("interrupted");
+    NextInterrupt.then(session::endNow);
     boolean ended = false;
     try {
-      ended = session.awaitEnd(PATIENCE);
+      ended = session.awaitEnd(AT_ONCE);
+      if (!ended) {
+        err.println(
+            "\nfieldcal: both robots stop; what is under way is recorded and judged, for "
+                + PlaySession.LONGEST_END / 1000
+                + " s at most; Ctrl-C ends it at once");
+        err.flush();
+        ended = session.awaitEnd(PlaySession.LONGEST_END);
+      }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -48,12 +57,13 @@ final class StopOnExit implements AutoCloseable {
   }
 
   private String text(boolean ended) {
-    if (!ended) {
+    // What else it may wait for are fits, and the recording is complete by then.
+    if (!ended && !session.robotsStand()) {
       return String.format(
           Locale.ROOT,
           "interrupted, but the robots were not seen to stop within %d s: check that they stand"
               + " still",
-          PATIENCE / 1000);
+          PlaySession.LONGEST_END / 1000);
     }
     if (session.snapshot().isEmpty()) {
       return "interrupted before the play began";
@@ -62,15 +72,25 @@ final class StopOnExit implements AutoCloseable {
     String stand =
         String.format(
             Locale.ROOT,
-            "interrupted; both robots stand still; %d kick%s made",
+            "interrupted; %s; %d kick%s made",
+            session.robotsStand()
+                ? "both robots stand still"
+                : "the robots were not seen to stop: check that they stand still",
             state.made(),
             state.made() == 1 ? " was" : "s were");
-    if (state.made() == 0 || directory.isEmpty()) {
-      return stand;
-    }
-    return stand
-        + String.format(
-            "; to calibrate: fieldcal calibrate %1$s/session-*.log --out %1$s", directory.get());
+    return stand + toCalibrate(state.made(), directory);
+  }
+
+  /** How to calibrate a session that ended early; empty when no kick was recorded. */
+  static String toCalibrate(int kicks, Optional<Path> directory) {
+    return kicks == 0
+        ? ""
+        : directory
+            .map(
+                d ->
+                    String.format(
+                        "; to calibrate: fieldcal calibrate %1$s/session-*.log --out %1$s", d))
+            .orElse("");
   }
 
   @Override

@@ -1,6 +1,7 @@
 package fieldcal.app.console;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.play.EmbeddedPlayField;
@@ -27,8 +28,6 @@ final class PlayDesk {
 
   /** A page cannot show more, ns. */
   private static final long TELL_EVERY = 90_000_000L;
-
-  private static final long PATIENCE_MS = 3000;
 
   private final SessionDirectory directory;
   private final KickDesk kicks;
@@ -140,7 +139,9 @@ final class PlayDesk {
       toldKicks = snapshot.kicks().size();
       toldPhase = phase;
       ObjectNode node = PlayDrawing.snapshot(snapshot);
-      field.complaints().forEach(node.putArray("complaints")::add);
+      ArrayNode complaints = node.putArray("complaints");
+      field.complaints().forEach(complaints::add);
+      snapshot.state().remarks().forEach(complaints::add);
       last = Optional.of(node);
       events.tell("play", node.toString());
     }
@@ -179,7 +180,7 @@ final class PlayDesk {
     if (now != null) {
       now.abort("the console was closed");
     }
-    live.join(PATIENCE_MS);
+    live.join(PlaySession.LONGEST_END);
   }
 
   /** What a page needs to begin with. */

@@ -105,9 +105,11 @@ final class AdaptiveKicks implements KickChooser {
   /** Before a scatter is believed, slow, middling and fast kicks must have shown it: of the third of the speeds that has the fewest. */
   private Optional<PlannedKick> forScatter() {
     int[] good = new int[3];
+    PlannedKick most = new PlannedKick(request.fastest(), request.elevation(), line);
+    double fastest = Math.max(request.slowest(), spread.inView(most).speed());
     int fewest = 0;
     for (int third = 0; third < 3; third++) {
-      good[third] = fits.goodOf(third, request.slowest(), request.fastest());
+      good[third] = fits.goodOf(third, request.slowest(), fastest);
       fewest = good[third] < good[fewest] ? third : fewest;
     }
     if (request.precision() == 0 || fits.good() >= LiveFits.FEWEST && good[fewest] > 0) {
@@ -115,8 +117,8 @@ final class AdaptiveKicks implements KickChooser {
     }
     // Not at the edges, whose kicks are the first to fail.
     double share = (fewest + 0.5) / 3;
-    double speed = request.slowest() + share * (request.fastest() - request.slowest());
-    return Optional.of(new PlannedKick(speed, request.elevation(), line));
+    double speed = request.slowest() + share * (fastest - request.slowest());
+    return Optional.of(spread.inView(new PlannedKick(speed, request.elevation(), line)));
   }
 
   /** By what the detections tell; what differs from kick to kick for another reason no choice of kicks makes smaller. */
@@ -156,7 +158,7 @@ final class AdaptiveKicks implements KickChooser {
       kicks.add(new PlannedKick(speed, request.elevation(), false));
       kicks.add(new PlannedKick(speed, request.elevation(), true));
     }
-    return kicks;
+    return kicks.stream().map(spread::inView).distinct().toList();
   }
 
   private PlannedKick forParameters(double ballX, double ballY) {
@@ -248,6 +250,13 @@ final class AdaptiveKicks implements KickChooser {
       errors[i] = Math.sqrt(covariance.getEntry(i, i)) / Math.abs(values[i]);
     }
     return errors;
+  }
+
+  @Override
+  public void outOfView(PlannedKick kick) {
+    spread.outOfView(kick);
+    failed.add(kick.speed());
+    spreadOut.remove(kick);
   }
 
   @Override

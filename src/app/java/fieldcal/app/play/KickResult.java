@@ -13,12 +13,19 @@ import java.util.Optional;
  * @param fit of the detections; empty when no kick was found in them, or none yet
  * @param verdict whether it counts; empty while that is open
  * @param reason why it does not count; empty when it does, or while that is open
+ * @param used whether a calibration uses it: also one that does not count because it does not determine every parameter is used for those that it determines
+ * @param outOfView whether it does not count because its ball left the images of all cameras
  */
 public record KickResult(
-    PlayedKick played, Optional<KickFit> fit, Optional<Boolean> verdict, String reason) {
+    PlayedKick played,
+    Optional<KickFit> fit,
+    Optional<Boolean> verdict,
+    String reason,
+    boolean used,
+    boolean outOfView) {
 
   static KickResult open(PlayedKick played) {
-    return new KickResult(played, Optional.empty(), Optional.empty(), "");
+    return new KickResult(played, Optional.empty(), Optional.empty(), "", false, false);
   }
 
   /**

@@ -51,6 +51,9 @@ final class LiveFits {
   /** Offsets that moved by less need no new fits: a quarter of the noise of good cameras, m. */
   private static final double MOVED = 3e-4;
 
+  /** m/s². */
+  private static final double GRAVITY = 9.81;
+
   /** Fewer kicks do not show what differs from kick to kick. */
   static final int FEWEST = 6;
 
@@ -69,10 +72,13 @@ final class LiveFits {
   private final List<KickResult> results = new ArrayList<>();
   private final Map<Integer, Kick> found = new TreeMap<>();
   private final Map<Integer, KickFit> fits = new TreeMap<>();
+  private final FlightWatch flight = new FlightWatch();
   private final List<KickResult> missed = new ArrayList<>();
   private final Executor executor;
   private final AtomicReference<Done> done = new AtomicReference<>();
   private CameraViews fittedWith;
+  private double newest = Double.NEGATIVE_INFINITY;
+  private boolean ended;
   private boolean pending;
   private boolean busy;
   private Map<String, Average> averages = Map.of();
@@ -112,7 +118,22 @@ final class LiveFits {
 
   void accept(VisionFrame frame) {
     seen.put(frame.cameraId(), true);
+    newest = Math.max(newest, frame.captureTime());
+    flight.accept(frame);
     finder.accept(frame);
+  }
+
+  /** No more frames come: what is not found by now never will be. */
+  void end() {
+    if (!ended) {
+      ended = true;
+      finder.finish();
+    }
+  }
+
+  /** Whether a judgement may still change without another frame. */
+  boolean isOpen() {
+    return busy || pending || results.stream().anyMatch(r -> r.verdict().isEmpty());
   }
 
   private void found(Kick kick) {
@@ -124,10 +145,11 @@ final class LiveFits {
   }
 
   /**
-   * Results that became known or changed; to be called in every tick. A kick is judged again with every kick that follows, as a calibration would judge it: the first ones were fitted before anybody
+   * Results that became known or changed; to be called in every tick. A kick that was not found by some time after it is not waited for any longer: by the time of the frames, since while vision is silent nothing is
+   * found. A kick is judged again with every kick that follows, as a calibration would judge it: the first ones were fitted before anybody
    * knew by how much the cameras disagree.
    */
-  List<KickResult> judge(double now) {
+  List<KickResult> judge() {
     boolean fresh = false;
     for (int i = 0; i < results.size(); i++) {
       KickResult open = results.get(i);
@@ -136,7 +158,7 @@ final class LiveFits {
         if (kick.isPresent()) {
           found.put(open.played().number(), kick.get());
           fresh = true;
-        } else if (now - open.played().ended() > FINDER_LAG) {
+        } else if (ended || newest - open.played().ended() > FINDER_LAG) {
           results.set(i, bad(open.played(), NOT_FOUND));
           missed.add(results.get(i));
         }
@@ -167,8 +189,29 @@ final class LiveFits {
     return Optional.ofNullable(best);
   }
 
-  private static KickResult bad(PlayedKick played, String reason) {
-    return new KickResult(played, Optional.empty(), Optional.of(false), reason);
+  private KickResult bad(PlayedKick played, String reason) {
+    Optional<String> out = outOfView(played);
+    return new KickResult(
+        played, Optional.empty(), Optional.of(false), out.orElse(reason), false, out.isPresent());
+  }
+
+  /** Why nothing better came of a chip: no camera saw it over a part of its flight. */
+  private Optional<String> outOfView(PlayedKick played) {
+    if (!played.planned().chip()) {
+      return Optional.empty();
+    }
+    double up = played.planned().speed() * Math.sin(played.planned().elevation());
+    double flies = 2 * up / GRAVITY / (1 - chip.dampingZ());
+    return flight
+        .between(played.time() - PlaySession.NOTICED, played.time() + flies)
+        .map(
+            gap ->
+                String.format(
+                    Locale.ROOT,
+                    "the ball flew out of the images of all cameras: not seen from %.2f s to %.2f s"
+                        + " after the kick",
+                    gap.from() - played.time(),
+                    gap.to() - played.time()));
   }
 
   /** What is fitted, without anything that changes meanwhile. */
@@ -273,11 +316,18 @@ final class LiveFits {
       if (fit != null) {
         CalibratedKick kick = byKick.get(fit.kick());
         String reason = reason(kick);
+        boolean good = reason.isEmpty();
+        Optional<String> out = good ? Optional.empty() : outOfView(before.played());
         KickResult now =
             new KickResult(
-                before.played(), Optional.of(kick.fit()), Optional.of(reason.isEmpty()), reason);
+                before.played(),
+                Optional.of(kick.fit()),
+                Optional.of(good),
+                out.orElse(reason),
+                kick.selected(),
+                out.isPresent());
         results.set(i, now);
-        if (!before.verdict().equals(now.verdict())) {
+        if (!before.verdict().equals(now.verdict()) || before.outOfView() != now.outOfView()) {
           changed.add(now);
         }
       }

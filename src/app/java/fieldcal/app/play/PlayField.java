@@ -32,6 +32,13 @@ public interface PlayField extends Closeable {
      * @param payload its bytes
      */
     default void referee(double receivedTime, byte[] payload) {}
+
+    /**
+     * Packets of vision may have been lost on this side before the next one: nobody took them in time.
+     *
+     * @param receivedTime of the next one, s since the epoch
+     */
+    default void lost(double receivedTime) {}
   }
 
   /**
@@ -49,6 +56,15 @@ public interface PlayField extends Closeable {
    * @throws IOException when the field is gone; one line for the operator
    */
   double next(Receiver receiver) throws IOException;
+
+  /**
+   * By how much vision's clock has jumped in all; less that, what {@link #next} returns is time that has passed.
+   *
+   * @return s, positive when it jumped forward
+   */
+  default double clockJumps() {
+    return 0;
+  }
 
   /**
    * Tells the robots what to do until the next tick.
@@ -88,6 +104,15 @@ public interface PlayField extends Closeable {
    * @return for the operator; empty as long as the session can go on
    */
   default Optional<String> over() {
+    return Optional.empty();
+  }
+
+  /**
+   * Whoever moves the robots but is not heard now.
+   *
+   * @return for the operator, to be read after a reason; empty when all is well
+   */
+  default Optional<String> silent() {
     return Optional.empty();
   }
 

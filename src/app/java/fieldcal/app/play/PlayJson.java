@@ -49,6 +49,7 @@ final class PlayJson {
     robot(node, kick.played().robot());
     node.put("end", kick.played().end().name().toLowerCase(Locale.ROOT));
     node.put("good", kick.good());
+    node.put("used", kick.used());
     node.put("reason", kick.reason().isEmpty() ? null : kick.reason());
     put(node, "rms_mm", kick.rmsMm());
     ObjectNode told = node.putObject("commanded");

@@ -3,6 +3,7 @@ package fieldcal.app.play;
 import fieldcal.app.play.SessionSnapshot.Undecided;
 import fieldcal.calibration.Average;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingGap;
 import fieldcal.kick.KickKind;
 import fieldcal.play.CalibrationPlay;
 import fieldcal.play.KickChooser;
@@ -37,6 +38,9 @@ import java.util.function.Consumer;
  * <p>{@link #run} does all the work on the caller's thread. {@link #pause}, {@link #resume}, {@link #abort} and {@link #snapshot} may be called from any thread at any time; they act in the next tick.
  */
 public final class PlaySession {
+  /** Longest that the end takes after {@link #abort}, ms: robots brake within 3 s, the ball of the last kick is watched for 5 s meanwhile, then it is fitted. */
+  public static final long LONGEST_END = 10_000;
+
   /** The play sees that a ball moves some hundredths of a second after the kick, s. */
   static final double NOTICED = 0.04;
 
@@ -50,6 +54,9 @@ public final class PlaySession {
   private static final int FEWEST_LAST_TICKS = 20;
 
   private static final int MOST_LAST_TICKS = 150;
+
+  /** Longest wait for the last fits, s; as the play itself waits for them. */
+  private static final double LAST_FITS = 60;
 
   /** An older position of a robot does not show where it is now, s. */
   private static final double UNSEEN = 0.25;
@@ -68,6 +75,8 @@ public final class PlaySession {
 
   private volatile boolean paused;
   private volatile String abortReason;
+  private volatile boolean endsNow;
+  private volatile boolean robotsStand;
   private final CountDownLatch ended = new CountDownLatch(1);
 
   private SessionRecorder recorder;
@@ -76,6 +85,8 @@ public final class PlaySession {
   private Map<String, Average> averages = Map.of();
   private AdaptiveKicks adaptive;
   private boolean precise;
+  private boolean recorded;
+  private double elapsed;
   private double started = Double.NaN;
   private double shown = Double.NEGATIVE_INFINITY;
 
@@ -143,6 +154,8 @@ public final class PlaySession {
           tick();
         }
         settle();
+        endRecording();
+        judgeLast();
       } catch (UncheckedIOException e) {
         throw e.getCause();
       } finally {
@@ -159,9 +172,13 @@ public final class PlaySession {
   }
 
   private void endRecording() throws IOException {
-    if (recorder != null && play == null) {
+    if (recorder == null || recorded) {
+      return;
+    }
+    recorded = true;
+    if (play == null) {
       recorder.discard();
-    } else if (recorder != null) {
+    } else {
       recorder.close();
     }
   }
@@ -225,8 +242,8 @@ public final class PlaySession {
     if (Double.isNaN(started)) {
       started = now;
     }
-    for (KickResult result : fits.judge(now)) {
-      play.judge(result.played().number(), result.good(), result.reason());
+    for (KickResult result : fits.judge()) {
+      tellPlay(result);
       averages = fits.model();
       precise =
           request.precision() > 0
@@ -245,6 +262,9 @@ public final class PlaySession {
     if (abortReason != null) {
       play.abort(abortReason);
     }
+    if (endsNow) {
+      play.endNow();
+    }
     field.over().ifPresent(play::abort);
     play.hold(field.hold());
     PlayPhase before = play.state().phase();
@@ -255,7 +275,22 @@ public final class PlaySession {
       field.layBall(answer.request().get());
     }
     if (play.state().phase() != before || now - shown >= SNAPSHOTS) {
-      show(world, answer, now);
+      shown = now;
+      show(world, answer, elapsed(now));
+    }
+  }
+
+  /** Field time since the beginning, s: vision's clock may jump meanwhile. */
+  private double elapsed(double now) {
+    return now - started - field.clockJumps();
+  }
+
+  private void tellPlay(KickResult result) {
+    int number = result.played().number();
+    if (result.outOfView()) {
+      play.judgeOutOfView(number, result.reason());
+    } else {
+      play.judge(number, result.good(), result.reason());
     }
   }
 
@@ -281,12 +316,11 @@ public final class PlaySession {
     return new Undecided(open.words(), inVain ? List.of() : open.wordsByKicks(), open.advice());
   }
 
-  private void show(PlayWorld world, PlayAnswer answer, double now) {
-    shown = now;
+  private void show(PlayWorld world, PlayAnswer answer, double time) {
     PlayState state = play.state();
     SessionSnapshot snapshot =
         new SessionSnapshot(
-            now - started,
+            time,
             state,
             paused,
             world,
@@ -317,6 +351,11 @@ public final class PlaySession {
     @Override
     public void referee(double receivedTime, byte[] payload) {
       record(receivedTime, MessageType.SSL_REFBOX_2013, payload);
+    }
+
+    @Override
+    public void lost(double receivedTime) {
+      record(receivedTime, MessageType.BLANK, RecordingGap.mark());
     }
 
     private void record(double receivedTime, MessageType type, byte[] payload) {
@@ -360,9 +399,38 @@ public final class PlaySession {
       field.order(answer.orders());
       stand = stands(world, request.first()) && stands(world, request.second());
       if (i == 0) {
-        show(world, answer, now);
+        elapsed = elapsed(now);
+        show(world, answer, elapsed);
       }
     }
+    robotsStand = stand;
+  }
+
+  /**
+   * Whether both robots were seen standing at the end; from any thread.
+   *
+   * @return false also before the end
+   */
+  public boolean robotsStand() {
+    return robotsStand;
+  }
+
+  /** The recording has ended: every kick in it is judged by what the recording holds, as a calibration of it will. The robots are commanded to stand meanwhile. */
+  private void judgeLast() throws IOException {
+    fits.end();
+    double first = Double.NaN;
+    double now;
+    do {
+      for (KickResult result : fits.judge()) {
+        tellPlay(result);
+      }
+      averages = fits.model();
+      now = field.next((receivedTime, packet, payload) -> {});
+      first = Double.isNaN(first) ? now : first;
+      stopRobots();
+    } while (fits.isOpen() && !endsNow && now - first < LAST_FITS);
+    PlayWorld world = model.at(now, field.permission());
+    show(world, play.tick(world), elapsed);
   }
 
   private static boolean stands(PlayWorld world, RobotId id) {
@@ -393,6 +461,11 @@ public final class PlaySession {
    */
   public void abort(String reason) {
     abortReason = reason;
+  }
+
+  /** After {@link #abort}, nothing is waited for any longer: neither the ball of the last kick nor its fit. */
+  public void endNow() {
+    endsNow = true;
   }
 
   /** The one seed of everything random in it. */

@@ -92,6 +92,12 @@ final class BridgeClient implements RobotLink {
         : Optional.empty();
   }
 
+  /** Who keeps the robots standing is the reason already. */
+  @Override
+  public Optional<String> silent() {
+    return Optional.empty();
+  }
+
   @Override
   public List<String> notes() {
     List<String> notes = new ArrayList<>();

@@ -62,7 +62,7 @@ public final class NetworkPlayField implements PlayField {
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
-      watch.frame(frame.captureTime(), network.arrival());
+      boolean whole = watch.frame(frame.captureTime(), network.arrival());
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
       if (over.isEmpty() && sent < newestFrame - CLOCK_JUMP) {
         over =
@@ -81,6 +81,9 @@ public final class NetworkPlayField implements PlayField {
         newestArrived = System.nanoTime();
       }
       model.accept(frame);
+      if (!whole) {
+        receiver.lost(wallClock());
+      }
       pass(VisionPacket.of(frame));
     }
 
@@ -179,6 +182,16 @@ public final class NetworkPlayField implements PlayField {
   @Override
   public Optional<String> hold() {
     return client.hold();
+  }
+
+  @Override
+  public Optional<String> silent() {
+    return client.silent();
+  }
+
+  @Override
+  public double clockJumps() {
+    return watch.jumps();
   }
 
   @Override

@@ -21,6 +21,9 @@ interface RobotLink extends Closeable {
   /** Why no robot may drive now; empty when they may. */
   Optional<String> hold();
 
+  /** Who does not answer now, for the operator; empty when all is well. */
+  Optional<String> silent();
+
   /** For the operator at the end; empty when all is well. */
   List<String> notes();
 

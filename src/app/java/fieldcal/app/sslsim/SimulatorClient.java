@@ -137,6 +137,13 @@ final class SimulatorClient implements RobotLink {
   }
 
   @Override
+  public Optional<String> silent() {
+    return answers > 0 && unanswered >= ENOUGH_TO_ANSWER
+        ? Optional.of("the simulator at " + name + " does not answer")
+        : Optional.empty();
+  }
+
+  @Override
   public List<String> notes() {
     List<String> notes = new ArrayList<>();
     if (answers == 0 && isSilent()) {

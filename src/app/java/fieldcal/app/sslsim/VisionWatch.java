@@ -15,6 +15,9 @@ final class VisionWatch {
   /** A clock whose distance from this machine's changes by more within one frame has jumped, s; networks delay by less. */
   private static final double JUMP = 0.2;
 
+  /** Kicks are cut off where frames are missing for longer, s; as where a recording is searched for kicks. */
+  private static final double GAP = 0.25;
+
   private static final int MOST = 10;
 
   private final List<String> told = new ArrayList<>();
@@ -22,15 +25,30 @@ final class VisionWatch {
   private Arrival last;
   private double lastCaptured;
   private int all;
+  private double jumps;
 
-  /** A frame: when it says it was captured, s, and when it arrived. */
-  void frame(double captured, Arrival arrived) {
+  /**
+   * A frame: when it says it was captured, s, and when it arrived.
+   *
+   * @return false when frames are missing before it that this reader may have lost, since it was late: that is no silence of vision
+   */
+  boolean frame(double captured, Arrival arrived) {
     begin = Double.isNaN(begin) ? arrived.latest() : begin;
+    boolean whole = true;
     if (last != null) {
-      compare(captured - lastCaptured, arrived);
+      double step = captured - lastCaptured;
+      whole = isWhole(step, arrived);
+      compare(step, arrived);
     }
     last = arrived;
     lastCaptured = captured;
+    return whole;
+  }
+
+  private boolean isWhole(double step, Arrival arrived) {
+    boolean jumped = step > arrived.latest() - last.earliest() + JUMP;
+    boolean silent = arrived.seamless() && arrived.earliest() - last.latest() > GAP;
+    return step < GAP || jumped || silent;
   }
 
   private void compare(double step, Arrival arrived) {
@@ -42,6 +60,7 @@ final class VisionWatch {
     }
     if (step < soonest - JUMP || step > latest + JUMP) {
       double jump = step - (arrived.latest() - last.latest());
+      jumps += jump;
       tell(String.format(Locale.ROOT, "vision's clock jumped by %+.2f s", jump), arrived.latest());
     }
   }
@@ -55,6 +74,11 @@ final class VisionWatch {
           "vision keeps falling silent, or its clock keeps jumping; from now on this is only"
               + " counted");
     }
+  }
+
+  /** By how much the clock has jumped in all, forward, s. */
+  double jumps() {
+    return jumps;
   }
 
   /** As it happened; none ever changes or goes away. */

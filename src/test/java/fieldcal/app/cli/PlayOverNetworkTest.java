@@ -12,19 +12,26 @@ import fieldcal.vision.Team;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** What the terminal says of a play on a simulator of the network. */
 class PlayOverNetworkTest {
   /** The simulator stands still so long, s: its vision is silent, and then its clock is late. */
   private static final double STALL = 0.9;
+
+  @TempDir Path directory;
 
   private static int freePort() throws IOException {
     try (DatagramSocket socket = new DatagramSocket()) {
@@ -60,13 +67,12 @@ class PlayOverNetworkTest {
     return false;
   }
 
-  @Test
-  void aStallOfTheSimulatorIsToldAsItHappens() throws Exception {
+  /** What the terminal says of a play beside a simulator that stops when it is told to. */
+  private static int play(String options, StringWriter out, StringWriter err, BooleanSupplier ends)
+      throws Exception {
     InetSocketAddress vision = new InetSocketAddress(InetAddress.getLoopbackAddress(), freePort());
     int port = freePorts();
-    StringWriter out = new StringWriter();
     AtomicBoolean stop = new AtomicBoolean();
-    AtomicBoolean stalled = new AtomicBoolean();
     try (SimulatorServer server =
         new SimulatorServer(
             ServedField.now(
@@ -79,12 +85,11 @@ class PlayOverNetworkTest {
             vision,
             Impairment.NONE,
             1)) {
-      long begin = System.nanoTime();
       CompletableFuture<Void> serving =
           CompletableFuture.runAsync(
               () -> {
                 try {
-                  server.serve(() -> stop.get() || stall(begin, stalled));
+                  server.serve(() -> stop.get() || ends.getAsBoolean());
                 } catch (IOException e) {
                   throw new AssertionError(e);
                 }
@@ -92,17 +97,64 @@ class PlayOverNetworkTest {
               task -> new Thread(task).start());
       try {
         String line =
-            "play --ssl-sim 127.0.0.1 --kind flat --kicks 2 --seed 6 --port "
+            "play --ssl-sim 127.0.0.1 --kind flat --seed 6 --port "
                 + port
                 + " --vision 127.0.0.1:"
-                + vision.getPort();
-        assertThat(Main.commandLine().setOut(new PrintWriter(out)).execute(line.split(" ")))
-            .isZero();
+                + vision.getPort()
+                + " "
+                + options;
+        return Main.commandLine()
+            .setOut(new PrintWriter(out))
+            .setErr(new PrintWriter(err))
+            .execute(line.split(" "));
       } finally {
         stop.set(true);
         serving.get(5, TimeUnit.SECONDS);
       }
     }
+  }
+
+  /** It dies while the second ball rolls. */
+  @Test
+  void whoeverLosesTheSimulatorIsToldSoAndHowToCalibrateWhatIsThere() throws Exception {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    Path session = directory.resolve("session");
+    Path commands = session.resolve("session-flat.commands.csv");
+    AtomicBoolean dead = new AtomicBoolean();
+    int status =
+        play(
+            "--kicks 4 --patience 3 --out " + session,
+            out,
+            err,
+            () -> {
+              dead.set(dead.get() || lines(commands) > 1);
+              return dead.get();
+            });
+    assertThat(status).isEqualTo(1);
+    List<String> said = err.toString().lines().toList();
+    assertThat(said.get(said.size() - 1))
+        .matches(
+            "fieldcal: stopped after 1 of 4 kicks: no vision for 3 s; the simulator at 127.0.0.1,"
+                + " ports \\d+ to \\d+ does not answer; to calibrate: fieldcal calibrate .*"
+                + "/session-\\*.log --out .*");
+    assertThat(out.toString()).contains("1 good kick of 1 made");
+  }
+
+  private static long lines(Path file) {
+    try {
+      return Files.exists(file) ? Files.readAllLines(file).size() : 0;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Test
+  void aStallOfTheSimulatorIsToldAsItHappens() throws Exception {
+    StringWriter out = new StringWriter();
+    AtomicBoolean stalled = new AtomicBoolean();
+    long begin = System.nanoTime();
+    assertThat(play("--kicks 2", out, new StringWriter(), () -> stall(begin, stalled))).isZero();
     String said = out.toString();
     assertThat(said)
         .containsPattern("vision was silent for (0\\.9|1\\.\\d) s, \\d s after its first frame")

@@ -2,15 +2,25 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.play.KickResult;
+import fieldcal.app.play.PlayRun;
+import fieldcal.app.play.PlaySession;
+import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.play.SessionSnapshot.Undecided;
+import fieldcal.kick.KickKind;
+import fieldcal.play.PlannedKick;
 import fieldcal.play.PlayPhase;
 import fieldcal.play.PlayState;
 import fieldcal.play.PlayWorld;
 import fieldcal.play.PlayWorld.Permission;
+import fieldcal.play.PlayedKick;
 import fieldcal.play.WaitingFor;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -25,11 +35,11 @@ class PlayTextTest {
     return new PlayText(new PrintWriter(out), onTerminal, () -> nanos);
   }
 
-  private static SessionSnapshot at(double time, String waiting, List<Double> ballWanted) {
+  private SessionSnapshot at(double time, String waiting, List<Double> ballWanted) {
     return at(time, waiting, ballWanted, new Undecided(List.of(), List.of(), List.of()));
   }
 
-  private static SessionSnapshot at(
+  private SessionSnapshot at(
       double time, String waiting, List<Double> ballWanted, Undecided undecided) {
     PlayState state =
         new PlayState(
@@ -41,7 +51,8 @@ class PlayTextTest {
             0,
             12,
             Optional.empty(),
-            0);
+            0,
+            remarks);
     PlayWorld world = new PlayWorld(time, time, Optional.empty(), List.of(), Permission.RUN);
     return new SessionSnapshot(
         time,
@@ -51,9 +62,69 @@ class PlayTextTest {
         Optional.empty(),
         List.of(),
         ballWanted,
-        List.of(),
+        kicks,
         Map.of(),
         undecided);
+  }
+
+  private List<KickResult> kicks = List.of();
+  private List<String> remarks = List.of();
+
+  private static KickResult kick(int number, boolean counts, String reason, boolean used) {
+    PlayedKick played =
+        new PlayedKick(
+            number,
+            new PlannedKick(3, 0.7, false),
+            new RobotId(Team.YELLOW, 3),
+            number,
+            0,
+            0,
+            0,
+            number + 1,
+            PlayedKick.End.STOPPED);
+    return new KickResult(played, Optional.empty(), Optional.of(counts), reason, used, false);
+  }
+
+  /** Two of them are used by the calibration, which says so below. */
+  @Test
+  void aKickThatDoesNotCountAndOneThatIsNotUsedAreNotConfused() {
+    PlayText text = text(true);
+    kicks =
+        List.of(
+            kick(1, true, "", true),
+            kick(2, false, "does not determine the vertical damping", true),
+            kick(3, false, "differs from the others", false));
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
+      text.follow(at(1, "", List.of()), progress);
+      kicks = List.of(kicks.get(0), kick(2, true, "", true), kicks.get(2));
+      text.follow(at(2, "", List.of()), progress);
+      kicks = List.of(kicks.get(0), kick(2, false, "R", true), kicks.get(2));
+      text.follow(at(3, "", List.of()), progress);
+    }
+    PlaySession.Outcome outcome =
+        new PlaySession.Outcome(at(4, "", List.of()), Optional.empty(), Optional.empty());
+    text.result(
+        new PlayRun.Result(outcome, Optional.empty(), List.of(), Path.of("out")),
+        SessionRequest.of(KickKind.CHIP, 12),
+        Optional.empty(),
+        Optional.empty());
+    assertThat(out.toString())
+        .contains("chip 3.00 m/s  does not count: does not determine the vertical damping")
+        .contains("  2  counts after all")
+        .contains("  2  does not count after all: R")
+        .contains("1 good kick of 2 made, and 1 used for the parameters that it determines.")
+        .doesNotContain("not used");
+  }
+
+  @Test
+  void whatIsWrongWithARobotIsSaidOnceAndAtOnce() {
+    PlayText text = text(true);
+    remarks = List.of("yellow 3 did not kick for the second time in a row; check its kicker");
+    try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
+      text.follow(at(1, "", List.of()), progress);
+      text.follow(at(2, "", List.of()), progress);
+    }
+    assertThat(out.toString().lines().map(String::strip)).containsExactlyElementsOf(remarks);
   }
 
   @Test

@@ -47,6 +47,7 @@ class LiveFitsTest {
       boolean determines =
           same.fit().modelEstimates().stream().allMatch(fieldcal.fit.Estimate::usable);
       assertThat(kick.good()).isEqualTo(same.selected() && determines);
+      assertThat(kick.used()).isEqualTo(same.selected());
     }
   }
 }

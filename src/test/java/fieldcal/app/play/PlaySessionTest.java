@@ -6,8 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
+import fieldcal.calibration.CalibratedKick;
 import fieldcal.kick.KickKind;
 import fieldcal.play.PlayAnswer.BallRequest;
+import fieldcal.play.PlayLimits;
 import fieldcal.play.PlayPhase;
 import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.RobotOrder;
@@ -16,6 +18,8 @@ import fieldcal.simulation.InteractiveField;
 import fieldcal.simulation.SimulationSettings;
 import fieldcal.simulation.robot.RobotCharacter;
 import fieldcal.vision.Epoch;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -112,7 +116,7 @@ class PlaySessionTest {
             field,
             s -> {
               if (s.state().made() > 0) {
-                first[0] = s.time();
+                first[0] = Double.isNaN(first[0]) ? s.time() : first[0];
                 session[0].abort("seen enough");
               }
             });
@@ -152,45 +156,10 @@ class PlaySessionTest {
     EmbeddedPlayField inner = field(request, 3);
     boolean[] restarted = new boolean[1];
     PlayField field =
-        new PlayField() {
-          @Override
-          public Epoch epoch() {
-            return inner.epoch();
-          }
-
-          @Override
-          public double next(Receiver receiver) throws IOException {
-            return inner.next(receiver);
-          }
-
+        new OtherField(inner) {
           @Override
           public Optional<String> over() {
             return restarted[0] ? Optional.of("vision was started anew") : Optional.empty();
-          }
-
-          @Override
-          public void order(List<RobotOrder> orders) {
-            inner.order(orders);
-          }
-
-          @Override
-          public void layBall(BallRequest request) {
-            inner.layBall(request);
-          }
-
-          @Override
-          public Permission permission() {
-            return inner.permission();
-          }
-
-          @Override
-          public boolean goesOnByItself() {
-            return inner.goesOnByItself();
-          }
-
-          @Override
-          public void close() {
-            inner.close();
           }
         };
     PlaySession session =
@@ -200,5 +169,193 @@ class PlaySessionTest {
     assertThat(result.session().last().state().waiting()).contains("vision was started anew");
     assertThat(result.calibration().orElseThrow().calibration().kicks()).hasSize(2);
     assertThat(inner.field().world().robots()).allSatisfy(r -> assertThat(r.speed()).isLessThan(1));
+  }
+
+  /** The summary, the kicks that were judged and a calibration of the recording count the same. */
+  private void assertCountedAlike(PlayRun.Result result) {
+    SessionSnapshot last = result.session().last();
+    assertThat(last.kicks()).hasSize(last.state().made());
+    assertThat(last.kicks()).allMatch(k -> k.verdict().isPresent());
+    assertThat(last.kicks()).filteredOn(KickResult::good).hasSize(last.state().good());
+    List<CalibratedKick> calibrated = result.calibration().orElseThrow().calibration().kicks();
+    assertThat(calibrated).hasSameSizeAs(last.kicks());
+    assertThat(last.kicks())
+        .filteredOn(KickResult::used)
+        .hasSize((int) calibrated.stream().filter(CalibratedKick::selected).count());
+  }
+
+  @Test
+  void aBallThatRollsAtTheEndIsRecordedUntilItRests() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 12).into(directory);
+    PlaySession[] session = new PlaySession[1];
+    double[] aborted = {Double.NaN};
+    session[0] =
+        new PlaySession(
+            request,
+            field(request, 3),
+            s -> {
+              if (s.state().made() == 2 && s.state().phase() == PlayPhase.WATCH) {
+                aborted[0] = Double.isNaN(aborted[0]) ? s.time() : aborted[0];
+                session[0].abort("enough");
+              }
+            });
+    PlayRun.Result result = PlayRun.run(session[0], directory, (file, done, total) -> {});
+    assertThat(result.session().last().state().waiting()).contains("enough");
+    assertThat(result.session().last().state().made()).isEqualTo(2);
+    assertThat(result.session().last().time() - aborted[0]).isBetween(0.5, 7.0);
+    assertCountedAlike(result);
+    assertThat(result.session().last().state().good()).isEqualTo(2);
+  }
+
+  /** While vision is silent nothing is found; what was recorded before is judged all the same. */
+  @Test
+  void aVisionThatDiesWhileABallRollsEndsThePlayWithEveryKickJudged() throws Exception {
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, 12)
+            .withLimits(PlayLimits.DEFAULT.withPatience(5, 60), Optional.empty())
+            .into(directory);
+    double[] dies = {Double.POSITIVE_INFINITY};
+    double[] now = new double[1];
+    PlayField field =
+        new OtherField(field(request, 3)) {
+          @Override
+          public double next(Receiver receiver) throws IOException {
+            boolean dead = now[0] > dies[0];
+            now[0] = super.next(dead ? (time, packet, payload) -> {} : receiver);
+            return now[0];
+          }
+        };
+    PlaySession session =
+        new PlaySession(
+            request,
+            field,
+            s -> {
+              if (s.state().made() == 2 && dies[0] == Double.POSITIVE_INFINITY) {
+                dies[0] = now[0] + 1.5;
+              }
+            });
+    PlayRun.Result result = PlayRun.run(session, directory, (file, done, total) -> {});
+    assertThat(result.session().last().state().waiting().orElseThrow()).startsWith("no vision for");
+    assertThat(result.session().last().state().made()).isEqualTo(2);
+    assertCountedAlike(result);
+  }
+
+  @Test
+  void aJumpOfVisionsClockIsNoFieldTime() throws Exception {
+    SessionRequest request = SessionRequest.of(KickKind.FLAT, 2).into(directory);
+    double[] jump = new double[1];
+    PlayField field =
+        new OtherField(field(request, 3)) {
+          @Override
+          public double next(Receiver receiver) throws IOException {
+            return jump[0]
+                + super.next(
+                    (time, packet, payload) ->
+                        receiver.vision(time, later(packet, jump[0]), payload));
+          }
+
+          @Override
+          public double clockJumps() {
+            return jump[0];
+          }
+        };
+    PlaySession session =
+        new PlaySession(
+            request,
+            field,
+            s ->
+                jump[0] =
+                    s.state().good() > 0 && s.state().phase() == PlayPhase.CHECK ? 3600 : jump[0]);
+    PlaySession.Outcome outcome = session.run();
+    assertThat(jump[0]).isEqualTo(3600);
+    assertThat(outcome.last().time()).isBetween(5.0, 200.0);
+  }
+
+  private static VisionPacket later(VisionPacket packet, double by) {
+    return packet
+        .frame()
+        .map(
+            f ->
+                VisionPacket.of(
+                    new VisionFrame(
+                        f.cameraId(),
+                        f.frameNumber(),
+                        f.captureTime() + by,
+                        f.sentTime() + by,
+                        f.cameraClockTime(),
+                        f.balls(),
+                        f.robots())))
+        .orElse(packet);
+  }
+
+  /** Chips of 8 m/s rise 2 m; the cameras hang twice as high, and see little at half their height. */
+  @Test
+  void chipsThatLeaveTheImagesAreNamedAndMadeSlower() throws Exception {
+    SessionRequest request =
+        SessionRequest.of(KickKind.CHIP, 4).withSpeeds(7, 8, Math.toRadians(60)).into(directory);
+    List<SessionSnapshot> shown = new ArrayList<>();
+    PlaySession[] session = new PlaySession[1];
+    session[0] =
+        new PlaySession(
+            request,
+            field(request, 3),
+            s -> {
+              shown.add(s);
+              if (s.state().made() >= 4) {
+                session[0].abort("seen enough");
+              }
+            });
+    List<KickResult> kicks = session[0].run().last().kicks();
+    List<KickResult> out = kicks.stream().filter(KickResult::outOfView).toList();
+    assertThat(out).isNotEmpty();
+    assertThat(out.get(0).reason())
+        .startsWith("the ball flew out of the images of all cameras: not seen from 0.");
+    int first = kicks.indexOf(out.get(0));
+    assertThat(kicks.subList(first + 1, kicks.size()))
+        .allMatch(k -> k.played().planned().speed() < out.get(0).played().planned().speed());
+  }
+
+  /** Another field behind that of this process. */
+  private static class OtherField implements PlayField {
+    private final EmbeddedPlayField inner;
+
+    OtherField(EmbeddedPlayField inner) {
+      this.inner = inner;
+    }
+
+    @Override
+    public Epoch epoch() {
+      return inner.epoch();
+    }
+
+    @Override
+    public double next(Receiver receiver) throws IOException {
+      return inner.next(receiver);
+    }
+
+    @Override
+    public void order(List<RobotOrder> orders) {
+      inner.order(orders);
+    }
+
+    @Override
+    public void layBall(BallRequest request) {
+      inner.layBall(request);
+    }
+
+    @Override
+    public Permission permission() {
+      return inner.permission();
+    }
+
+    @Override
+    public boolean goesOnByItself() {
+      return inner.goesOnByItself();
+    }
+
+    @Override
+    public void close() {
+      inner.close();
+    }
   }
 }

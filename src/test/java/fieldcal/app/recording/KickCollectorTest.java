@@ -5,6 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.cli.Main;
 import fieldcal.effect.ObservedCamera;
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.GameLogWriter;
+import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingGap;
+import fieldcal.vision.Epoch;
+import fieldcal.vision.VisionDecoder;
+import fieldcal.vision.VisionEncoder;
+import fieldcal.vision.VisionFrame;
+import fieldcal.vision.VisionPacket;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
@@ -78,5 +87,76 @@ class KickCollectorTest {
     // Known by its number here, not by the one in its geometry.
     assertThat(observers.get(4).camera().orElseThrow().positionX())
         .isNotEqualTo(observers.get(0).camera().orElseThrow().positionX());
+  }
+
+  /** The same recording with two gaps; the recorder says that the second one is its own. */
+  @Test
+  void framesThatTheRecorderLostAreNoSilenceOfTheCameras() throws IOException {
+    Path log = folder.resolve("gaps.log");
+    double first = Double.NaN;
+    boolean marked = false;
+    try (GameLogReader reader = GameLogReader.open(four);
+        GameLogWriter writer = GameLogWriter.create(log)) {
+      while (reader.next()) {
+        double time = 1e-9 * reader.receivedNanos();
+        first = Double.isNaN(first) ? time : first;
+        double since = time - first;
+        if (since > 2 && since < 2.5 || since > 4 && since < 4.5) {
+          continue;
+        }
+        if (since > 4 && !marked) {
+          marked = true;
+          writer.write(reader.receivedNanos(), MessageType.BLANK, RecordingGap.mark());
+        }
+        byte[] payload =
+            Arrays.copyOfRange(
+                reader.buffer(),
+                reader.payloadOffset(),
+                reader.payloadOffset() + reader.payloadLength());
+        writer.write(reader.receivedNanos(), reader.type(), payload);
+      }
+    }
+    assertThat(collected(log).problems())
+        .filteredOn(p -> p.what().contains("0.25 s"))
+        .extracting(p -> p.count() + " " + p.what())
+        .containsExactly(
+            "1 all cameras silent for more than 0.25 s",
+            "1 frames of more than 0.25 s lost by the recorder, whose machine was busy");
+  }
+
+  /** It is reported as what it is. */
+  @Test
+  void aClockThatJumpsForwardIsNoSilenceOfTheCameras() throws IOException {
+    Path log = folder.resolve("jump.log");
+    Epoch epoch = collected(four).epoch();
+    VisionDecoder decoder = new VisionDecoder(epoch);
+    VisionEncoder encoder = new VisionEncoder(epoch);
+    try (GameLogReader reader = GameLogReader.open(four);
+        GameLogWriter writer = GameLogWriter.create(log)) {
+      while (reader.next()) {
+        if (reader.type() != MessageType.SSL_VISION_2014) {
+          continue;
+        }
+        VisionPacket packet =
+            decoder.decode(reader.buffer(), reader.payloadOffset(), reader.payloadLength());
+        packet = packet.frame().map(KickCollectorTest::jumped).map(VisionPacket::of).orElse(packet);
+        writer.write(reader.receivedNanos(), reader.type(), encoder.encode(packet));
+      }
+    }
+    List<String> said = collected(log).problems().stream().map(DataProblem::what).toList();
+    assertThat(said).noneMatch(what -> what.contains("silent"));
+    assertThat(said).anyMatch(what -> what.contains("jumps forward"));
+  }
+
+  private static VisionFrame jumped(VisionFrame f) {
+    double by = f.captureTime() > 3 ? 3600 : 0;
+    return new VisionFrame(
+        f.cameraId(),
+        f.frameNumber(),
+        f.captureTime() + by,
+        f.sentTime() + by,
+        f.cameraClockTime(),
+        f.balls(),
+        f.robots());
   }
 }

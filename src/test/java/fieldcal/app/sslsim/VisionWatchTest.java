@@ -1,6 +1,7 @@
 package fieldcal.app.sslsim;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.net.Arrival;
 import org.junit.jupiter.api.Test;
@@ -71,5 +72,31 @@ class VisionWatchTest {
     }
     assertThat(watch.complaints()).hasSize(11);
     assertThat(watch.notes()).containsExactly("vision: 99 silences and jumps of its clock");
+  }
+
+  /** A recording without these frames must not say that vision was silent. */
+  @Test
+  void framesThatTheReaderMayHaveLostAreNoGapOfVision() {
+    frame(1000, 5);
+    assertThat(watch.frame(1000.01, Arrival.at(5.01))).isTrue();
+    // Dropped, since nobody took them.
+    assertThat(watch.frame(1001.7, new Arrival(6.7, 6.7, false))).isFalse();
+    // Paused: what waited was found at once, the rest had not fitted.
+    assertThat(watch.frame(1001.72, new Arrival(6.71, 8.5, true))).isTrue();
+    assertThat(watch.frame(1003.5, Arrival.at(8.51))).isFalse();
+    // Vision was silent, while its reader waited.
+    assertThat(watch.frame(1004.5, Arrival.at(9.51))).isTrue();
+    // Its clock jumped.
+    assertThat(watch.frame(2004.5, Arrival.at(9.52))).isTrue();
+  }
+
+  @Test
+  void jumpsOfTheClockAreSummedUp() {
+    frame(1000, 5);
+    frame(4600.01, 5.01);
+    frame(4600.02, 5.02);
+    assertThat(watch.jumps()).isCloseTo(3600, within(0.01));
+    frame(4599.53, 5.03);
+    assertThat(watch.jumps()).isCloseTo(3599.5, within(0.01));
   }
 }
