@@ -12,6 +12,7 @@ import fieldcal.diagnosis.model.ModelState;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.SearchStep;
+import fieldcal.diagnosis.validation.FormErrors;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
 import fieldcal.effect.ExtendedModel;
@@ -35,6 +36,7 @@ record Answer(Decided decided, List<Cause> kickers) {
     FittedModel base = decided.base();
     FittedModel extended = decided.model();
     FittedModel free = withPlacesFree(extended);
+    double[] ofForms = FormErrors.variances(free);
     List<Judgement> judged = decided.best().judged();
     Leftover after = Leftover.ofSeen(extended);
     List<Cause> causes = new ArrayList<>();
@@ -43,7 +45,7 @@ record Answer(Decided decided, List<Cause> kickers) {
       Judgement j = judged.get(i);
       if (j.isName()) {
         List<String> ties = decided.screened().decision().ties(extended, i, j);
-        causes.add(cause(j, errors(free, i), ties));
+        causes.add(cause(j, errors(free, i, ofForms), ties));
       } else {
         learned.add(LearnedFindings.of(extended, i, j, decided.screened().arena()));
       }
@@ -79,7 +81,7 @@ record Answer(Decided decided, List<Cause> kickers) {
         model(extended, kickers),
         trace,
         problems,
-        ballErrors(free),
+        ballErrors(free, ofForms),
         decided.screened().seed());
   }
 
@@ -93,13 +95,14 @@ record Answer(Decided decided, List<Cause> kickers) {
   }
 
   /** Standard errors of what is estimated; those of places are not given. */
-  private static Map<String, Double> errors(FittedModel free, int component) {
-    Map<String, Double> errors = new LinkedHashMap<>(free.errors(component).orElse(Map.of()));
+  private static Map<String, Double> errors(FittedModel free, int component, double[] ofForms) {
+    Map<String, Double> errors =
+        new LinkedHashMap<>(free.errors(component, ofForms).orElse(Map.of()));
     errors.keySet().removeAll(free.model().components().get(component).template().places());
     return errors;
   }
 
-  private static Map<String, Double> ballErrors(FittedModel f) {
+  private static Map<String, Double> ballErrors(FittedModel f, double[] ofForms) {
     Map<String, Double> errors = new HashMap<>();
     List<Parameter> ball = f.model().globals().subList(0, EffectModel.BALL);
     f.solution()
@@ -108,7 +111,7 @@ record Answer(Decided decided, List<Cause> kickers) {
             v -> {
               for (int i = 0; i < ball.size(); i++) {
                 if (ball.get(i).estimated()) {
-                  errors.put(ball.get(i).name(), Math.sqrt(v[i][i]));
+                  errors.put(ball.get(i).name(), Math.sqrt(v[i][i] + ofForms[i]));
                 }
               }
             });

@@ -7,6 +7,7 @@ import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.Component;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
+import fieldcal.diagnosis.search.Price;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import java.util.List;
@@ -97,13 +98,20 @@ final class RivalCurves {
 
   /**
    * Whether curves follow held-out kicks less closely: by 3 %, which is more than their many numbers cost there; or by less, where they also follow the kicks that they were fitted to less closely. Values that differ by chance from kick to kick follow each held-out kick from its own beginning, so where they
-   * are needed they must follow these kicks better beyond chance.
+   * are needed they must follow these kicks better beyond chance. Where both follow held-out kicks as closely, curves also explain less if they need so many numbers that they cost more.
    */
   private boolean explainsLess(FittedModel curved, Weighed named, List<Judgement> group) {
     int numbers = group.stream().mapToInt(j -> j.component().size()).sum();
     Weighed held = new Weighed(curved, List.of(), HoldOut.of(curved, true, seed));
     return !held.isAsGoodAs(named, settings.formGain())
-        || missed(curved, named) > settings.beyondNoise(numbers) && !isCloser(held, named);
+        || missed(curved, named) > settings.beyondNoise(numbers) && !isCloser(held, named)
+        || named.isAsGoodAs(held, settings.formGain()) && costsMore(curved, named, group);
+  }
+
+  /** Whether curves cost more than effects and their places, by Schwarz's criterion. */
+  private static boolean costsMore(FittedModel curved, Weighed named, List<Judgement> group) {
+    int places = group.stream().mapToInt(j -> j.effect().places().size()).sum();
+    return Price.total(curved) > Price.total(named.model()) + places * Price.PENALTY_PER_COORDINATE;
   }
 
   private boolean isCloser(Weighed curved, Weighed named) {

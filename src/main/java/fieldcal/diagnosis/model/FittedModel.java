@@ -78,14 +78,27 @@ public record FittedModel(EffectModel model, SharedSolution<ModelState> solution
    * @return by name; empty when the equations are singular
    */
   public Optional<Map<String, Double>> errors(int component) {
+    return errors(component, new double[model.globals().size()]);
+  }
+
+  /**
+   * Standard errors of a component's parameters with something else that makes them uncertain.
+   *
+   * @param component index
+   * @param variances that are added to those of the global parameters
+   * @return by name; empty when the equations are singular
+   */
+  public Optional<Map<String, Double>> errors(int component, double[] variances) {
+    Component c = model.components().get(component);
     return solution
         .covariance()
         .map(
-            v ->
-                model
-                    .components()
-                    .get(component)
-                    .errors(solution.values(), v, model.offset(component)));
+            v -> {
+              for (int i = 0; i < variances.length; i++) {
+                v[i][i] += variances[i];
+              }
+              return c.errors(solution.values(), v, model.offset(component));
+            });
   }
 
   /**

@@ -10,7 +10,7 @@ import java.util.List;
  *
  * @param weighing of kicks that the first of two models does not explain
  */
-record Price(Weighing weighing) {
+public record Price(Weighing weighing) {
   /**
    * Penalty of a component; with one coordinate it must gain 14. Noise lets the best of a hundred independent columns gain 15 in one of a hundred recordings (the 99 % quantile of the largest of a hundred chi-square variables). The search may be generous, since the decision judges
    * again.
@@ -18,7 +18,7 @@ record Price(Weighing weighing) {
   private static final double PENALTY = 8;
 
   /** What each coordinate must gain in addition: the logarithm of the number of blocks that determine it, some hundreds (Schwarz's criterion). */
-  private static final double PENALTY_PER_COORDINATE = 6;
+  public static final double PENALTY_PER_COORDINATE = 6;
 
   /** What a law must gain when it replaces another: as an effect of two coordinates. */
   static final double LAW = PENALTY + 2 * PENALTY_PER_COORDINATE;
@@ -62,8 +62,11 @@ record Price(Weighing weighing) {
 
   /**
    * The total cost of a model: for each kick the logarithm of its chi-square, as if the kick's noise were unknown, and the price of the components. It compares models that were found with different weights.
+   *
+   * @param model any
+   * @return in units of chi-square
    */
-  static double total(FittedModel model) {
+  public static double total(FittedModel model) {
     double sum = model.evenCost() + of(model.model().components());
     for (int k = 0; k < model.kickCount(); k++) {
       sum -= model.solution().chiSquare(k);

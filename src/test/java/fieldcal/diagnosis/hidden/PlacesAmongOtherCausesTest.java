@@ -81,6 +81,16 @@ class PlacesAmongOtherCausesTest {
         .containsExactly("ball_changed");
   }
 
+  /** From the fifth of thirteen kicks on the ball is another one. A curve over the direction and one over the time, with twelve numbers together, follow the kicks as closely. */
+  @Test
+  void anotherBallIsNotTwoCurves() {
+    Diagnosis diagnosis = diagnosis(61_127_000_012L);
+    assertThat(diagnosis.causes())
+        .as("%s", diagnosis.trace())
+        .extracting(c -> c.effect().id())
+        .containsExactly("ball_changed");
+  }
+
   /** A tilt and an offset of the same camera explain as much. */
   @Test
   void aTiltedAndShiftedCameraHasOneWrongPose() {
