@@ -215,12 +215,12 @@ public final class VerdictRule {
     }
   }
 
-  /** Whether most chips do not fly. Then this is the only reason that is given for the chip model; more chips of this kind would not help. */
+  /** Whether most chips do not fly. Then this is the only reason that is given for the chip model; more chips of this kind would not help. Of a few kicks, one whose flight is hardly seen may be most. */
   private boolean areNoChips() {
     List<CalibratedKick> chips =
         calibration.kicks(KickKind.CHIP).stream().filter(CalibratedKick::trusted).toList();
     int flat = (int) chips.stream().filter(k -> !KickFitter.flies(k.fit())).count();
-    boolean none = flat > MOST_FLAT_CHIPS * chips.size();
+    boolean none = chips.size() >= FEWEST_KICKS && flat > MOST_FLAT_CHIPS * chips.size();
     if (none) {
       reasons.add(new Reason.NoChips(flat, chips.size()));
     }

@@ -235,6 +235,27 @@ class VerdictRuleTest {
         .containsExactly(new Reason.NoChips(6, 6));
   }
 
+  /** Of one chip, whose flight the fit does not show, nobody can tell that it stayed on the ground. */
+  @Test
+  void aFewChipsAreNotCalledFlat() {
+    Calibration one =
+        new Calibration(
+            kicks(KickKind.CHIP, 1),
+            Map.of(),
+            Map.of("dampingZ", new Average(0.55, 0.02, 0, 1)),
+            Optional.empty(),
+            CameraViews.of(List.of()),
+            1);
+    PublishVerdict verdict =
+        VerdictRule.judge(
+            Evidence.of(
+                one,
+                new BallModels(
+                    Optional.empty(), Optional.of(new ChipModel(0.7, 0.9, 0.56, -0.3)))));
+    assertThat(verdict.decision()).isEqualTo(PublishDecision.RECORD_MORE);
+    assertThat(verdict.reasons()).noneMatch(r -> r instanceof Reason.NoChips);
+  }
+
   @Test
   void recordingsOfSeveralFieldsAreNotOneCarpet() {
     Surroundings two = surroundings(geometry(12, 4), geometry(9, 4));

@@ -269,7 +269,7 @@ public record PublishWords(
     }
     if (reason instanceof Reason.NoChips n) {
       return text(
-          "%d of the %d kicks that were fitted as chips do not fly: they are flat kicks.",
+          "%d of %d kicks that were fitted as chips stay on the ground: they are flat kicks.",
           n.flat(), n.kicks());
     }
     if (reason instanceof Reason.SeveralFields f) {
