@@ -15,9 +15,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
-import org.apache.commons.math3.linear.SingularMatrixException;
 
 /**
  * What the form of a law adds to the errors of its numbers. A law that is right has the same numbers for fast and for slow kicks, for one half of the field and the other, at the beginning and at the end of the session. One whose form is a little wrong has not, and which number a recording gives then depends on its kicks. So the kicks are
@@ -57,12 +55,19 @@ public final class FormErrors {
     double[] variances = new double[globals.size()];
     List<double[]> divisions = divisions(fitted);
     ScoreSystem equations = fitted.solution().scores(List.of(), Weighing.ALIKE.of(fitted));
-    Optional<RealMatrix> inverse = inverse(equations, model);
+    double[] precisions = new double[equations.base()];
+    for (int g = 0; g < globals.size(); g++) {
+      if (globals.get(g).estimated()) {
+        precisions[model.freeIndex(g)] = model.priors().get(g).precision();
+      }
+    }
+    Optional<double[][]> inverse = equations.inverse(precisions);
     if (divisions.isEmpty() || inverse.isEmpty()) {
       return variances;
     }
     double noise = Math.max(1, fitted.solution().reducedChiSquare());
-    FormErrors errors = new FormErrors(equations, inverse.get(), noise);
+    FormErrors errors =
+        new FormErrors(equations, new Array2DRowRealMatrix(inverse.get(), false), noise);
     double least =
         new TDistribution(equations.kicks() - 2)
             .inverseCumulativeProbability(1 - 0.5 * CHANCE / divisions.size());
@@ -109,41 +114,6 @@ public final class FormErrors {
 
   private static double[] own(FittedModel fitted, int kick) {
     return fitted.solution().own(kick);
-  }
-
-  private static Optional<RealMatrix> inverse(ScoreSystem equations, EffectModel model) {
-    int n = equations.base();
-    double[] scale = new double[n];
-    double[][] h = new double[n][n];
-    for (int g = 0; g < model.globals().size(); g++) {
-      if (model.globals().get(g).estimated()) {
-        int i = model.freeIndex(g);
-        h[i][i] = model.priors().get(g).precision();
-      }
-    }
-    for (int i = 0; i < n; i++) {
-      scale[i] = Math.sqrt(equations.curvature(i, i) + h[i][i]);
-    }
-    for (int i = 0; i < n; i++) {
-      for (int j = 0; j < n; j++) {
-        h[i][j] = (h[i][j] + equations.curvature(i, j)) / (scale[i] * scale[j]);
-      }
-    }
-    try {
-      double[][] v =
-          new LUDecomposition(new Array2DRowRealMatrix(h, false))
-              .getSolver()
-              .getInverse()
-              .getData();
-      for (int i = 0; i < n; i++) {
-        for (int j = 0; j < n; j++) {
-          v[i][j] /= scale[i] * scale[j];
-        }
-      }
-      return Optional.of(new Array2DRowRealMatrix(v, false));
-    } catch (SingularMatrixException e) {
-      return Optional.empty();
-    }
   }
 
   /** The square of what each half would move a number, 0 unless this is beyond chance. */

@@ -1,6 +1,7 @@
 package fieldcal.fit.joint;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Normal equations of a solution with further columns beside its free global parameters: what each column, or any set of them, would gain to first order, and how evenly over the kicks. All kicks' own parameters are eliminated.
@@ -133,6 +134,23 @@ public final class ScoreSystem {
    */
   public double slope(int kick, int i) {
     return gradients[kick][i];
+  }
+
+  /**
+   * Covariance of the solution's own parameters in units of the noise's variance: the inverse of their curvature.
+   *
+   * @param precisions of what is known of each before any data, 1 over its unit squared, {@link #base} numbers, 0 = nothing
+   * @return symmetric; empty when the equations are singular
+   */
+  public Optional<double[][]> inverse(double[] precisions) {
+    double[][] h = new double[base][base];
+    double[] scale = new double[base];
+    for (int i = 0; i < base; i++) {
+      System.arraycopy(total[i], 0, h[i], 0, base);
+      h[i][i] += precisions[i];
+      scale[i] = 1 / Math.sqrt(h[i][i]);
+    }
+    return ScaledEquations.inverse(h, scale);
   }
 
   /**
