@@ -3,8 +3,10 @@ package fieldcal.app.record;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.net.MatchNetwork;
 import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.net.VisionWatch;
 import fieldcal.gamelog.GameLogWriter;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingGap;
 import fieldcal.gamelog.RefereeState;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
@@ -52,6 +54,9 @@ public final class NetworkRecorder implements Closeable {
   private boolean geometry;
   private boolean vision;
   private String referee = "";
+  private final VisionWatch watch = new VisionWatch();
+  private byte[] pending;
+  private long pendingNanos;
   private long frames;
   private long bytes;
 
@@ -118,6 +123,7 @@ public final class NetworkRecorder implements Closeable {
       double flushed = 0;
       for (double now = now(); now < seconds && !stopped && failure == null; now = now()) {
         network.receive(WAIT_MS);
+        writePending();
         if (writer != null && now - flushed > FLUSH) {
           flushed = now;
           flush();
@@ -175,6 +181,14 @@ public final class NetworkRecorder implements Closeable {
       bytes += message.length;
     } catch (IOException e) {
       failure = named(e);
+    }
+  }
+
+  /** Writes the packet at hand; whether a gap comes before it is known only when its frame was looked at. */
+  private void writePending() {
+    if (pending != null) {
+      write(MessageType.SSL_VISION_2014, pending, pendingNanos);
+      pending = null;
     }
   }
 
@@ -244,12 +258,18 @@ public final class NetworkRecorder implements Closeable {
     @Override
     public void visionMessage(byte[] message, long arrivedNanos) {
       vision = true;
-      write(MessageType.SSL_VISION_2014, message, arrivedNanos);
+      writePending();
+      pending = message;
+      pendingNanos = arrivedNanos;
     }
 
     @Override
     public void frame(VisionFrame frame) {
       frames++;
+      if (!watch.frame(frame.captureTime(), network.arrival())) {
+        write(MessageType.BLANK, RecordingGap.mark(), pendingNanos);
+      }
+      writePending();
       cameras.add(frame.cameraId());
     }
 

@@ -2,6 +2,7 @@ package fieldcal.app.sslsim;
 
 import fieldcal.app.net.MatchNetwork;
 import fieldcal.app.net.NetworkPlace;
+import fieldcal.app.net.VisionWatch;
 import fieldcal.app.play.PlayField;
 import fieldcal.app.play.WorldModel;
 import fieldcal.gamelog.RecordingOrigin;

@@ -9,6 +9,7 @@ import fieldcal.app.net.LoopbackSender;
 import fieldcal.app.net.NetworkPlace;
 import fieldcal.gamelog.GameLogReader;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.RecordingGap;
 import fieldcal.proto.Referee;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
@@ -55,9 +56,12 @@ class NetworkRecorderTest {
   }
 
   private static byte[] frame(int number) {
+    return frame(number, 0.01 * number);
+  }
+
+  private static byte[] frame(int number, double time) {
     VisionFrame frame =
-        new VisionFrame(
-            number % 2, number, 0.01 * number, 0.01 * number, Double.NaN, List.of(), List.of());
+        new VisionFrame(number % 2, number, time, time, Double.NaN, List.of(), List.of());
     return new VisionEncoder(EPOCH).encode(VisionPacket.of(frame));
   }
 
@@ -143,6 +147,57 @@ class NetworkRecorderTest {
     }
     assertThat(written).usingElementComparator(Arrays::compare).isEqualTo(sent);
     assertThat(referee).isGreaterThan(FRAMES / 2);
+  }
+
+  /** The listener holds the recorder up for longer than its queue lasts. */
+  @Test
+  void framesThatWereLostAreMarked() throws Exception {
+    int port = freePort();
+    Path file = folder.resolve("busy.log");
+    CompletableFuture<Void> sent = new CompletableFuture<>();
+    try (NetworkRecorder recorder =
+            new NetworkRecorder(file, false, place(port), Optional.empty(), Clock.systemUTC());
+        LoopbackSender vision = new LoopbackSender(port)) {
+      CompletableFuture<RecordStatus> running =
+          CompletableFuture.supplyAsync(
+              () -> {
+                try {
+                  return recorder.run(
+                      60,
+                      s -> {
+                        if (s.frames() > 0) {
+                          sent.join();
+                        }
+                      });
+                } catch (IOException e) {
+                  throw new IllegalStateException(e);
+                }
+              });
+      long begin = System.nanoTime();
+      for (int i = 0; i < 1000; i++) {
+        vision.send(frame(i, 1e-9 * (System.nanoTime() - begin)));
+        Thread.sleep(1);
+      }
+      sent.complete(null);
+      for (int i = 1000; i < 1010; i++) {
+        vision.send(frame(i, 1e-9 * (System.nanoTime() - begin)));
+        Thread.sleep(2);
+      }
+      Thread.sleep(200);
+      recorder.stop();
+      running.get(60, TimeUnit.SECONDS);
+    }
+    int gaps = 0;
+    try (GameLogReader log = GameLogReader.open(file)) {
+      while (log.next()) {
+        int from = log.payloadOffset();
+        byte[] payload = Arrays.copyOfRange(log.buffer(), from, from + log.payloadLength());
+        boolean mark = Arrays.equals(payload, RecordingGap.mark());
+        gaps += mark ? 1 : 0;
+        assertThat(log.type()).isEqualTo(mark ? MessageType.BLANK : MessageType.SSL_VISION_2014);
+      }
+    }
+    assertThat(gaps).isEqualTo(1);
   }
 
   @Test

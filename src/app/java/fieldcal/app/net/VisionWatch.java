@@ -1,6 +1,5 @@
-package fieldcal.app.sslsim;
+package fieldcal.app.net;
 
-import fieldcal.app.net.Arrival;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -8,7 +7,7 @@ import java.util.Locale;
 /**
  * Notices when vision is silent and when its clock jumps. A reader that was busy or paused finds frames late; only what is true whenever they came is told. Not thread-safe.
  */
-final class VisionWatch {
+public final class VisionWatch {
   /** Vision that sends nothing for longer is silent, s: 35 frames. */
   private static final double SILENT = 0.5;
 
@@ -28,11 +27,13 @@ final class VisionWatch {
   private double jumps;
 
   /**
-   * A frame: when it says it was captured, s, and when it arrived.
+   * Takes a frame.
    *
+   * @param captured when it says it was captured, s
+   * @param arrived when it came
    * @return false when frames are missing before it that this reader may have lost, since it was late: that is no silence of vision
    */
-  boolean frame(double captured, Arrival arrived) {
+  public boolean frame(double captured, Arrival arrived) {
     begin = Double.isNaN(begin) ? arrived.latest() : begin;
     boolean whole = true;
     if (last != null) {
@@ -76,18 +77,30 @@ final class VisionWatch {
     }
   }
 
-  /** By how much the clock has jumped in all, forward, s. */
-  double jumps() {
+  /**
+   * By how much the clock has jumped in all.
+   *
+   * @return forward, s
+   */
+  public double jumps() {
     return jumps;
   }
 
-  /** As it happened; none ever changes or goes away. */
-  List<String> complaints() {
+  /**
+   * What happened, as it happened.
+   *
+   * @return a sentence each; none ever changes or goes away
+   */
+  public List<String> complaints() {
     return List.copyOf(told);
   }
 
-  /** For the end. */
-  List<String> notes() {
+  /**
+   * A summary for the end.
+   *
+   * @return one line, or none when nothing happened
+   */
+  public List<String> notes() {
     return all == 0
         ? List.of()
         : List.of(

@@ -1,9 +1,8 @@
-package fieldcal.app.sslsim;
+package fieldcal.app.net;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import fieldcal.app.net.Arrival;
 import org.junit.jupiter.api.Test;
 
 class VisionWatchTest {
