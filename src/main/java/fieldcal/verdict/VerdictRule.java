@@ -18,7 +18,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The one rule that decides whether a model may be published. */
+/**
+ * The one rule that decides whether a model may be published.
+ *
+ * <p>The residual that it compares with the noise is that of the joint fit, in which every kick may have values of its own about the model's ({@link fieldcal.fit.JointFitter}). It shows a law that is wrong within a kick. That kicks differ from each other shows in {@link Reason.MeanAgainstJoint} and {@link Reason.ManyExcluded}, and
+ * is part of the standard errors; it alone holds no model back. Whether a single model follows all kicks, the diagnosis finds out, and its verdict ({@link Evidence#finding}) overrules a small residual.
+ */
 public final class VerdictRule {
   /** Fewest kicks for a mean: the scatter of fewer is known too badly to exclude values by it. */
   public static final int FEWEST_KICKS = 5;

@@ -7,6 +7,7 @@ import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.SelectionFile;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.diagnose.FormerDiagnosis;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.app.replay.KickReplay;
@@ -16,6 +17,7 @@ import fieldcal.calibration.HandSelection;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.fit.FitSettings;
 import fieldcal.kick.KickKind;
+import fieldcal.verdict.Finding;
 import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
@@ -153,7 +155,7 @@ final class CalibrateCommand implements Callable<Integer> {
           new KickCollector(progress, logOptions.opener())
               .collect(request.logs())
               .withProblems(arguments.unreadable());
-      outcome = session.calibrate(data, request, progress);
+      outcome = diagnosed(session.calibrate(data, request, progress), arguments.decisions(out));
     }
     if (out != null) {
       CalibrationSession.writeAll(outcome, out);
@@ -175,6 +177,15 @@ final class CalibrateCommand implements Callable<Integer> {
       text.commands(outcome, commands);
     }
     return 0;
+  }
+
+  /** With what a diagnosis of the same kicks found, if there is one beside the decisions. */
+  private static CalibrationOutcome diagnosed(CalibrationOutcome outcome, Path directory) {
+    Optional<Finding> finding =
+        Optional.ofNullable(directory)
+            .flatMap(FormerDiagnosis::read)
+            .flatMap(former -> former.about(outcome));
+    return outcome.knowing(finding, outcome.surroundings().vision());
   }
 
   private Optional<KickKind> forcedKind() {

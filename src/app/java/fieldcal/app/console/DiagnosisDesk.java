@@ -9,6 +9,7 @@ import fieldcal.app.console.SessionNotes.DiagnosisNote;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.diagnose.FormerDiagnosis;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
 import fieldcal.app.wording.NextKicks;
@@ -21,8 +22,6 @@ import fieldcal.fit.FitSettings;
 import fieldcal.verdict.Finding;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
-import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
@@ -63,27 +62,25 @@ final class DiagnosisDesk {
 
   /** Whether the kicks or the recordings are others than those that were diagnosed. */
   boolean outdated(KickDesk.View view) {
-    DiagnosisNote note = notes.now().diagnosis();
-    return note != null
-        && (!note.dropped().equals(view.selection().dropped().keySet())
-            || !note.logs().equals(names(view.logs())));
+    return noted()
+        .filter(d -> !d.isOf(view.selection().dropped().keySet(), view.logs()))
+        .isPresent();
   }
 
-  /** What the last diagnosis found, as long as it is one of these kicks. */
+  /** What the last diagnosis found, here or on the terminal, as long as it is one of these kicks. */
   Optional<Finding> finding(CalibrationOutcome now) {
-    DiagnosisNote note = notes.now().diagnosis();
-    boolean holds =
-        note != null
-            && note.dropped().equals(now.selection().dropped().keySet())
-            && note.logs().equals(names(now.logs()));
-    return holds
-        ? Verdict.ofId(note.verdict())
-            .map(v -> new Finding(v, note.causes().stream().map(CauseNote::effect).toList()))
-        : Optional.empty();
+    return FormerDiagnosis.read(directory.path()).or(this::noted).flatMap(d -> d.about(now));
   }
 
-  private static List<String> names(List<Path> logs) {
-    return logs.stream().map(log -> log.getFileName().toString()).toList();
+  /** The diagnosis that is shown. */
+  private Optional<FormerDiagnosis> noted() {
+    return Optional.ofNullable(notes.now().diagnosis())
+        .flatMap(
+            note ->
+                Verdict.ofId(note.verdict())
+                    .map(
+                        v -> new Finding(v, note.causes().stream().map(CauseNote::effect).toList()))
+                    .map(f -> new FormerDiagnosis(f, note.dropped(), note.logs())));
   }
 
   /** Diagnoses the kicks that are not dropped by hand. */
@@ -141,7 +138,7 @@ final class DiagnosisDesk {
         words.lines(),
         outcome.diagnosis().causes().stream().map(c -> note(c, causes.of(c))).toList(),
         outcome.calibration().selection().dropped().keySet(),
-        names(outcome.calibration().logs()));
+        FormerDiagnosis.names(outcome.calibration().logs()));
   }
 
   private static CauseNote note(Cause cause, CauseText text) {

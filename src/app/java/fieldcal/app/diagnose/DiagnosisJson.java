@@ -255,6 +255,8 @@ final class DiagnosisJson {
       put(one, "rms_before_mm", kick.rmsBeforeMm());
       put(one, "rms_after_mm", kick.rmsAfterMm());
     }
+    ArrayNode dropped = node.putArray("dropped");
+    outcome.calibration().selection().dropped().keySet().forEach(dropped::add);
     ArrayNode leftOut = node.putArray("left_out");
     for (LeftOutKick kick : LeftOutKick.of(outcome)) {
       ObjectNode one = leftOut.addObject().put("id", kick.kick().id());

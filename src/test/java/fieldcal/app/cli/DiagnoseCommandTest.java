@@ -96,6 +96,29 @@ class DiagnoseCommandTest {
     assertThat(out.resolve("diagnosis.html")).isNotEmptyFile();
   }
 
+  /** The terminal's verdict, like the console's, knows of a diagnosis of the same kicks, and of no other. */
+  @Test
+  void calibrateCountsADiagnosisOfTheSameKicks() throws IOException {
+    Path out = folder.resolve("out");
+    String log =
+        Path.of(
+                System.getProperty("fieldcal.projectDir", "."),
+                "test-data",
+                "world-flat-air-drag.log.gz")
+            .toString();
+    String before = run("calibrate", log, "--out=" + out).out();
+    assertThat(before).startsWith("Verdict: check first. Run diagnose").doesNotContain("air drag");
+    assertThat(run("diagnose", log, "--out=" + out).exit()).isZero();
+    String after = run("calibrate", log, "--out=" + out).out();
+    assertThat(after)
+        .startsWith("Verdict: check first. Correct what the diagnosis names")
+        .contains("air drag");
+    JsonNode json = new ObjectMapper().readTree(out.resolve("calibration.json").toFile());
+    assertThat(json.path("verdict").path("because").toString()).contains("air drag");
+    assertThat(run("calibrate", simulated(1).toString(), "--out=" + out).out())
+        .doesNotContain("air drag");
+  }
+
   /** Vision that reports whole centimetres: a resting ball has no noise at all. */
   @Test
   void roundedCoordinatesAreNoDefect() throws IOException {

@@ -1,0 +1,104 @@
+package fieldcal.app.diagnose;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import fieldcal.app.calibrate.CalibrationOutcome;
+import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.diagnosis.Verdict;
+import fieldcal.verdict.Finding;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * What an earlier diagnosis found, and of which kicks. Decides for terminal and console alike whether it still counts.
+ *
+ * @param finding verdict and causes
+ * @param dropped keys of the kicks that were left out by hand
+ * @param logs names of the recordings, without folders
+ */
+public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String> logs) {
+  /** The file in the directory of the results. */
+  public static final String FILE = "diagnosis.json";
+
+  /** Copies the collections. {@inheritDoc} */
+  public FormerDiagnosis {
+    dropped = Set.copyOf(dropped);
+    logs = List.copyOf(logs);
+  }
+
+  /**
+   * Reads what was found before.
+   *
+   * @param directory of the results
+   * @return empty when there is no diagnosis, or none that says of which kicks it is
+   */
+  public static Optional<FormerDiagnosis> read(Path directory) {
+    Path file = directory.resolve(FILE);
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty();
+    }
+    try {
+      return of(JsonFiles.read(file));
+    } catch (IOException e) {
+      // The file is for the user to read; a verdict does without it.
+      return Optional.empty();
+    }
+  }
+
+  private static Optional<FormerDiagnosis> of(JsonNode root) {
+    JsonNode dropped = root.path("kicks").path("dropped");
+    if (!DiagnosisJson.SCHEMA.equals(root.path("schema").textValue()) || !dropped.isArray()) {
+      return Optional.empty();
+    }
+    List<String> logs = new ArrayList<>();
+    root.path("sources").forEach(log -> logs.add(name(Path.of(log.asText()))));
+    List<String> causes = new ArrayList<>();
+    root.path("causes").forEach(cause -> causes.add(cause.path("effect").asText()));
+    Set<String> keys = new TreeSet<>();
+    dropped.forEach(key -> keys.add(key.asText()));
+    return Verdict.ofId(root.path("verdict").asText())
+        .map(verdict -> new FormerDiagnosis(new Finding(verdict, causes), keys, logs));
+  }
+
+  /**
+   * Whether it is a diagnosis of these kicks.
+   *
+   * @param nowDropped keys of the kicks that are left out by hand now
+   * @param nowLogs the recordings that are used now, in order
+   * @return false when a recording or a decision is another
+   */
+  public boolean isOf(Set<String> nowDropped, List<Path> nowLogs) {
+    return dropped.equals(nowDropped) && logs.equals(names(nowLogs));
+  }
+
+  /**
+   * What it says of a calibration.
+   *
+   * @param now the calibration
+   * @return empty when it was made of other kicks, or all kicks are taken to be of one kind now
+   */
+  public Optional<Finding> about(CalibrationOutcome now) {
+    return now.forced().isEmpty() && isOf(now.selection().dropped().keySet(), now.logs())
+        ? Optional.of(finding)
+        : Optional.empty();
+  }
+
+  /**
+   * Names that stay when a folder is moved.
+   *
+   * @param logs recordings
+   * @return the names of the files
+   */
+  public static List<String> names(List<Path> logs) {
+    return logs.stream().map(FormerDiagnosis::name).toList();
+  }
+
+  private static String name(Path log) {
+    return log.getFileName().toString();
+  }
+}
