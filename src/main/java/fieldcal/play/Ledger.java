@@ -159,7 +159,7 @@ final class Ledger {
     its.last = time;
     its.reason = reason;
     if (its.count == TOLD_MISFIRES) {
-      remarks.add(reason + " for the second time in a row; check its kicker");
+      remarks.add(reason + ", twice in a row: check its kicker");
     }
   }
 

@@ -624,7 +624,7 @@ class CalibrationPlayTest {
         .singleElement()
         .asString()
         .startsWith(kicker + " ")
-        .endsWith("for the second time in a row; check its kicker");
+        .endsWith(", twice in a row: check its kicker");
   }
 
   /** One robot's kicker is being charged for long; the ball now lies before the other one. */

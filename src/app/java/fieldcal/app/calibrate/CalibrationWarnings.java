@@ -9,6 +9,7 @@ import fieldcal.calibration.TwoSigma;
 import fieldcal.fit.Agreement;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
+import fieldcal.verdict.Reason;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -33,6 +34,9 @@ public final class CalibrationWarnings {
   private final Calibration calibration;
   private final List<String> notes;
 
+  /** Whether flat kicks were fitted as chips: what such a fit makes of bounces means nothing. */
+  private final boolean noChips;
+
   /**
    * Warnings about a calibration.
    *
@@ -40,6 +44,7 @@ public final class CalibrationWarnings {
    */
   public CalibrationWarnings(CalibrationOutcome outcome) {
     calibration = outcome.calibration();
+    noChips = outcome.verdict().reasons().stream().anyMatch(r -> r instanceof Reason.NoChips);
     notes =
         outcome
             .extended()
@@ -88,7 +93,10 @@ public final class CalibrationWarnings {
   }
 
   private Map<String, Average> averages(KickKind kind) {
-    return kind == KickKind.FLAT ? calibration.flat() : calibration.chip();
+    if (kind == KickKind.FLAT) {
+      return calibration.flat();
+    }
+    return noChips ? Map.of() : calibration.chip();
   }
 
   /** Where the 2σ rule has excluded the others, they are named as excluded. */
@@ -221,6 +229,7 @@ public final class CalibrationWarnings {
     double[] shares =
         calibration.kicks().stream()
             .filter(k -> k.fit().failure().isEmpty())
+            .filter(k -> !noChips || k.fit().kind() == KickKind.FLAT)
             .map(k -> k.fit().statistics())
             .mapToDouble(s -> s.lackOfFit() / (double) s.observations())
             .filter(share -> share > NOTABLE_LACK_OF_FIT)

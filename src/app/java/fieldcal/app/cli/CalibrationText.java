@@ -3,6 +3,7 @@ package fieldcal.app.cli;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationWarnings;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.PublishWords;
 import fieldcal.ball.ChipModel;
@@ -46,13 +47,13 @@ final class CalibrationText {
     List<String> warnings = new CalibrationWarnings(outcome).list();
     if (!warnings.isEmpty()) {
       line("%nAlso:");
-      warnings.forEach(w -> line("  %s", w));
+      warnings.forEach(w -> wrapped("  ", w));
     }
     rejected(calibration);
     if (!outcome.data().problems().isEmpty()) {
       line("%nIn the data:");
       for (DataProblem p : DataProblem.folded(outcome.data().problems())) {
-        line("  %s", p);
+        wrapped("  ", p.toString());
       }
     }
     line("%nseed %d", calibration.seed());
@@ -64,11 +65,16 @@ final class CalibrationText {
 
   /** The decision in the first line, then why, then what to do. */
   void verdict(PublishWords words) {
-    line("%s", words.headline());
-    words.reasons().forEach(reason -> line("  ! %s", reason));
-    words.notes().forEach(note -> line("  - %s", note));
-    words.toDo().stream().skip(1).forEach(next -> line("  > %s", next));
+    new WrappedText(out).print("", "", words.headline());
+    words.reasons().forEach(reason -> wrapped("  ! ", reason));
+    words.notes().forEach(note -> wrapped("  - ", note));
+    words.toDo().stream().skip(1).forEach(next -> wrapped("  > ", next));
     line("");
+  }
+
+  /** The lines that follow the first are indented by four columns, so that each item is seen to begin. */
+  private void wrapped(String first, String text) {
+    new WrappedText(out).print(first, "    ", text);
   }
 
   private void line(String format, Object... args) {
@@ -126,7 +132,8 @@ final class CalibrationText {
   static String withError(double value, double error) {
     int decimals =
         error > 0 ? Math.min(7, Math.max(4, 1 - (int) Math.floor(Math.log10(error)))) : 4;
-    return String.format(Locale.ROOT, "%9." + decimals + "f ± %." + decimals + "f", value, error);
+    return Amount.minus(
+        String.format(Locale.ROOT, "%9." + decimals + "f ± %." + decimals + "f", value, error));
   }
 
   private static String compared(List<Parameter> published, String name, Average a) {
@@ -141,6 +148,7 @@ final class CalibrationText {
                         "%.4f (%+.1f %%)",
                         p.value(),
                         100 * (a.mean() / p.value() - 1)))
+        .map(Amount::minus)
         .findFirst()
         .orElse("-");
   }
@@ -165,13 +173,14 @@ final class CalibrationText {
                   view.id(),
                   1000 * view.noise(),
                   known
-                      ? String.format(
-                          Locale.ROOT,
-                          ", offset x %+.2f ± %.2f mm, y %+.2f ± %.2f mm (taken out)",
-                          hundredths(1000 * o.x()),
-                          1000 * o.errorX(),
-                          hundredths(1000 * o.y()),
-                          1000 * o.errorY())
+                      ? Amount.minus(
+                          String.format(
+                              Locale.ROOT,
+                              ", offset x %+.2f ± %.2f mm, y %+.2f ± %.2f mm (taken out)",
+                              hundredths(1000 * o.x()),
+                              1000 * o.errorX(),
+                              hundredths(1000 * o.y()),
+                              1000 * o.errorY()))
                       : "",
                   view.camera()
                       .map(c -> c.hasPixels() ? "" : "; only its published position is used")

@@ -31,7 +31,6 @@ import java.util.stream.Collectors;
 
 /** Prints a diagnosis for the operator's terminal: words first, then numbers; some forty lines of a hundred columns at most. */
 final class DiagnosisText {
-  private static final int WIDTH = 98;
   private static final int MOST_PROBLEMS = 3;
 
   /** Kicks that are named for each reason why they were left out. */
@@ -283,19 +282,7 @@ final class DiagnosisText {
     out.println(String.format(Locale.ROOT, format, args));
   }
 
-  /** Breaks at spaces. */
   private void wrapped(String first, String others, String text) {
-    StringBuilder row = new StringBuilder(first);
-    boolean empty = true;
-    for (String word : text.split(" ")) {
-      if (!empty && row.length() + 1 + word.length() > WIDTH) {
-        out.println(row);
-        row = new StringBuilder(others);
-        empty = true;
-      }
-      row.append(empty ? "" : " ").append(word);
-      empty = false;
-    }
-    out.println(row);
+    new WrappedText(out).print(first, others, text);
   }
 }

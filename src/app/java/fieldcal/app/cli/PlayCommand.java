@@ -313,13 +313,14 @@ final class PlayCommand implements Callable<Integer> {
   /** The last line: why it stopped, and what can be done with what was recorded. */
   private String stopped(PlayRun.Result result, PlayField field) {
     PlayState state = result.session().last().state();
-    return "stopped after "
+    return "The play stopped after "
         + state.good()
         + " of "
         + kicks
-        + " kicks: "
-        + state.waiting().orElse("no reason given")
-        + field.silent().map(who -> "; " + who).orElse("")
+        + " good kicks: "
+        + state.waiting().orElse("no reason is known")
+        + field.silent().map(who -> " (" + who + ")").orElse("")
+        + "."
         + StopOnExit.toCalibrate(state.made(), Optional.ofNullable(out));
   }
 

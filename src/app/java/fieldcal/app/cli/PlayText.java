@@ -76,7 +76,9 @@ final class PlayText {
         line(
             "%3d  %s",
             k.played().number(),
-            k.good() ? "counts after all" : "does not count after all: " + k.reason());
+            k.good()
+                ? "was judged again, and counts"
+                : "was judged again, and does not count: " + k.reason());
       }
     }
     while (told < s.kicks().size() && s.kicks().get(told).verdict().isPresent()) {

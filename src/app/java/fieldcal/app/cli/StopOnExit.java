@@ -42,9 +42,9 @@ final class StopOnExit implements AutoCloseable {
       ended = session.awaitEnd(AT_ONCE);
       if (!ended) {
         err.println(
-            "\nfieldcal: both robots stop; what is under way is recorded and judged, for "
+            "\nfieldcal: Both robots stop. The last kick is still recorded and judged. This takes "
                 + PlaySession.LONGEST_END / 1000
-                + " s at most; Ctrl-C ends it at once");
+                + " s at most. Press Ctrl-C again to end at once.");
         err.flush();
         ended = session.awaitEnd(PlaySession.LONGEST_END);
       }
@@ -61,21 +61,21 @@ final class StopOnExit implements AutoCloseable {
     if (!ended && !session.robotsStand()) {
       return String.format(
           Locale.ROOT,
-          "interrupted, but the robots were not seen to stop within %d s: check that they stand"
-              + " still",
+          "The play was interrupted. The robots were not seen to stop within %d s: check that they"
+              + " stand still.",
           PlaySession.LONGEST_END / 1000);
     }
     if (session.snapshot().isEmpty()) {
-      return "interrupted before the play began";
+      return "The play was interrupted before it began.";
     }
     PlayState state = session.snapshot().get().state();
     String stand =
         String.format(
             Locale.ROOT,
-            "interrupted; %s; %d kick%s made",
+            "The play was interrupted. %s %d kick%s made.",
             session.robotsStand()
-                ? "both robots stand still"
-                : "the robots were not seen to stop: check that they stand still",
+                ? "Both robots stand still."
+                : "The robots were not seen to stop: check that they stand still.",
             state.made(),
             state.made() == 1 ? " was" : "s were");
     return stand + toCalibrate(state.made(), directory);
@@ -89,7 +89,7 @@ final class StopOnExit implements AutoCloseable {
             .map(
                 d ->
                     String.format(
-                        "; to calibrate: fieldcal calibrate %1$s/session-*.log --out %1$s", d))
+                        " To calibrate: fieldcal calibrate %1$s/session-*.log --out %1$s", d))
             .orElse("");
   }
 

@@ -21,8 +21,8 @@ import java.util.stream.Collectors;
 public record LeftOutKick(Kick kick, String source, String reason) {
   /** Of a kick that takes part in a diagnosis until the others are explained. */
   private static final String STANDS_OUT =
-      "what explains the other kicks does not explain it; the ball may have been touched, "
-          + "it may be another one, or something acts where no other kick passed";
+      "not explained by what explains the other kicks; perhaps somebody touched the ball, it was"
+          + " another ball, or something acts where no other kick passed";
 
   /**
    * All that were left out.
@@ -88,7 +88,7 @@ public record LeftOutKick(Kick kick, String source, String reason) {
         first.source(),
         String.format(
             Locale.ROOT,
-            one ? "kick %s was left out: %s" : "kicks %s were left out, each for this reason: %s",
+            one ? "kick %s was left out: %s" : "kicks %s were left out: %s",
             numbers,
             first.reason()),
         alike.size(),

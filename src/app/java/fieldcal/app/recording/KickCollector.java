@@ -258,7 +258,9 @@ public final class KickCollector {
         counts.tooShort(),
         "kicks that were seen too briefly",
         "let the ball roll on in view of a camera");
-    one.clocks.forEach((id, clock) -> addClock(log, id, clock));
+    if (!one.isPlaceholder()) {
+      one.clocks.forEach((id, clock) -> addClock(log, id, clock));
+    }
     one.layout.findings(one.published()).forEach(finding -> addMixedUp(log, finding));
     count(
         log,
@@ -268,7 +270,7 @@ public final class KickCollector {
     count(
         log,
         one.lostGaps,
-        "frames of more than 0.25 s lost by the recorder, whose machine was busy",
+        "the recorder's machine was busy and lost more than 0.25 s of frames",
         "kicks around a gap may be cut off; close other programs before you record again");
   }
 
@@ -354,7 +356,7 @@ public final class KickCollector {
       List<VisionFault> all = new ArrayList<>();
       List<Integer> off =
           clocks.keySet().stream().filter(c -> clocks.get(c).ratesDiffer()).toList();
-      if (!off.isEmpty() && !simulated) {
+      if (!off.isEmpty() && !simulated && !isPlaceholder()) {
         double farthest =
             off.stream()
                 .map(c -> clocks.get(c).rate())
@@ -370,6 +372,12 @@ public final class KickCollector {
                       new VisionFault.MixedUp(
                           List.copyOf(new TreeSet<>(f.cameras())), f.swapped())));
       return all;
+    }
+
+    /** Whether none of the published poses is above the field: only a simulator publishes that, and its time need not keep pace with the recorder's clock. */
+    boolean isPlaceholder() {
+      Map<Integer, Camera> own = published();
+      return !own.isEmpty() && own.values().stream().noneMatch(Camera::hasPixels);
     }
 
     private void found(Kick kick) {

@@ -86,7 +86,8 @@ public record RecordingChoice(List<Entry> entries) {
                             s.length(),
                             s.width()))
                 .orElse("from another field");
-        case OTHER_CAMERAS -> "every camera was calibrated again, or it is from another field";
+        case OTHER_CAMERAS ->
+            "every camera was calibrated again, or the recording is from another field";
       };
     }
   }

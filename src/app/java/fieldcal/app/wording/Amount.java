@@ -41,6 +41,16 @@ public final class Amount {
   }
 
   /**
+   * The minus signs of formatted numbers as they are printed for people.
+   *
+   * @param text with hyphens for minus signs, and for nothing else
+   * @return with minus signs
+   */
+  public static String minus(String text) {
+    return text.replace('-', '−');
+  }
+
+  /**
    * A number with so many decimals.
    *
    * @param value any number
@@ -52,6 +62,6 @@ public final class Amount {
       return "–";
     }
     String text = String.format(Locale.ROOT, "%." + digits + "f", value);
-    return text.matches("-0(\\.0*)?") ? text.substring(1) : text.replace('-', '−');
+    return text.matches("-0(\\.0*)?") ? text.substring(1) : minus(text);
   }
 }

@@ -58,7 +58,11 @@ public record PublishWords(
         verdict.decision().id(),
         title(verdict.decision()),
         sentences(verdict.reasons().stream().filter(PublishWords::holdsBack).toList()),
-        sentences(verdict.reasons().stream().filter(r -> !holdsBack(r)).toList()),
+        sentences(
+            verdict.reasons().stream()
+                .filter(r -> !holdsBack(r))
+                .filter(r -> !isIdle(r, verdict))
+                .toList()),
         toDo(verdict));
   }
 
@@ -73,6 +77,14 @@ public record PublishWords(
 
   private static boolean holdsBack(Reason reason) {
     return reason.decision() != PublishDecision.PUBLISH;
+  }
+
+  /** Whether a remark would reassure although nothing is known: a value that is wide open, or must not be used, agrees with any other. */
+  private static boolean isIdle(Reason remark, PublishVerdict verdict) {
+    return remark instanceof Reason.AgreesWithPublished agrees
+        && (verdict.decision() == PublishDecision.DO_NOT_PUBLISH
+            || verdict.reasons().stream()
+                .anyMatch(r -> r instanceof Reason.Imprecise i && i.kind() == agrees.kind()));
   }
 
   private static String title(PublishDecision decision) {
@@ -302,7 +314,9 @@ public record PublishWords(
       return diagnosed(d);
     }
     if (reason instanceof Reason.AgreesWithPublished a) {
-      return model(a.kind()) + " agrees with the published one.";
+      return model(a.kind())
+          + " does not differ from the published one by more than its errors allow, or by less than"
+          + " matters.";
     }
     return "No "
         + reason.model().map(KickKind::id).orElse("")
@@ -435,11 +449,11 @@ public record PublishWords(
   }
 
   private static String value(String parameter, double value) {
-    return text("%.3f", value).replace('-', '−') + ParameterWords.unit(parameter);
+    return Amount.minus(text("%.3f", value)) + ParameterWords.unit(parameter);
   }
 
   private static String signed(double percent) {
-    return text("%+.0f", percent).replace('-', '−');
+    return Amount.minus(text("%+.0f", percent));
   }
 
   private static String text(String format, Object... args) {

@@ -122,7 +122,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String laws = names(d, f -> f.kind() == LearnedFinding.Kind.LAW);
     String found =
         laws.isEmpty()
-            ? "The model is wrong, and no known cause explains it."
+            ? "The model is wrong, and no cause is proven."
             : text("The model is wrong. Another law takes the place of one of its own: %s.", laws);
     return found + curves(d) + chance(d) + unproven(d) + undecided(d);
   }
@@ -134,9 +134,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
             "None of the %d kinds of causes that were tried predicts kicks that were held out any"
                 + " better, so none is named. The pictures show where the model errs.",
             kinds(d)));
-    d.unexplained().dependsOn().stream()
-        .findFirst()
-        .ifPresent(v -> lines.add(StructureWords.kicksToRecord(v)));
+    toRecord(d).ifPresent(lines::add);
     return "Something is wrong that no known cause explains.";
   }
 
@@ -147,17 +145,18 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
    * @return a sentence or two
    */
   public static String advice(Diagnosis d) {
-    return use(d)
-        + d.unexplained().dependsOn().stream()
-            .findFirst()
-            .map(v -> " To find the rest: " + lower(StructureWords.kicksToRecord(v)))
-            .orElse("");
+    return use(d) + toRecord(d).map(kicks -> " To find the rest: " + lower(kicks)).orElse("");
+  }
+
+  /** Which kicks would tell more; of a single kick it is not known what its error depends on. */
+  private static Optional<String> toRecord(Diagnosis d) {
+    return d.kicks().size() == 1
+        ? Optional.of("Record twenty kicks of all speeds: a single kick shows no cause.")
+        : d.unexplained().dependsOn().stream().findFirst().map(StructureWords::kicksToRecord);
   }
 
   private static String use(Diagnosis d) {
-    return caveat(d)
-        .orElse(
-            "Use the extended model: it predicts better than the simple one, whatever is left.");
+    return caveat(d).orElse("Use the extended model: it predicts better than the simple one.");
   }
 
   /**
@@ -303,7 +302,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     return names.isEmpty()
         ? ""
         : text(
-            " %s helps without a known cause: %s.",
+            " %s helps without a proven cause: %s.",
             d.causes().isEmpty() && !hasLaw(d) ? "This" : "This also", names);
   }
 

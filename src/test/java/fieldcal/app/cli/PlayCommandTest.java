@@ -134,7 +134,9 @@ class PlayCommandTest {
         run("play --sim --kind flat --kicks 2 --robots yellow0,blue1 --patience 0.2 --troubles 60");
     assertThat(status).isEqualTo(1);
     assertThat(err.toString().lines()).hasSize(1);
-    assertThat(err.toString()).startsWith("fieldcal: stopped after ").contains(" of 2 kicks: ");
+    assertThat(err.toString())
+        .startsWith("fieldcal: The play stopped after ")
+        .contains(" of 2 good kicks: ");
   }
 
   @Test
@@ -207,8 +209,8 @@ class PlayCommandTest {
     String last = said.get(said.size() - 1);
     assertThat(last)
         .matches(
-            "fieldcal: interrupted; both robots stand still; \\d+ kicks were made; to calibrate:"
-                + " .*");
+            "fieldcal: The play was interrupted. Both robots stand still. \\d+ kicks were made. To"
+                + " calibrate: .*");
     String command = last.substring(last.indexOf("fieldcal calibrate ") + 9);
     assertThat(run(command.replace("session-*.log", "session-flat.log"))).as(command).isZero();
     assertThat(json("calibration.json").get("kicks").size()).isGreaterThanOrEqualTo(2);

@@ -110,8 +110,8 @@ class PlayTextTest {
         Optional.empty());
     assertThat(out.toString())
         .contains("chip 3.00 m/s  does not count: does not determine the vertical damping")
-        .contains("  2  counts after all")
-        .contains("  2  does not count after all: R")
+        .contains("  2  was judged again, and counts")
+        .contains("  2  was judged again, and does not count: R")
         .contains("1 good kick of 2 made, and 1 used for the parameters that it determines.")
         .doesNotContain("not used");
   }
@@ -119,7 +119,7 @@ class PlayTextTest {
   @Test
   void whatIsWrongWithARobotIsSaidOnceAndAtOnce() {
     PlayText text = text(true);
-    remarks = List.of("yellow 3 did not kick for the second time in a row; check its kicker");
+    remarks = List.of("yellow 3 did not kick, twice in a row: check its kicker");
     try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none())) {
       text.follow(at(1, "", List.of()), progress);
       text.follow(at(2, "", List.of()), progress);

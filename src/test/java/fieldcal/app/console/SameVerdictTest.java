@@ -68,7 +68,7 @@ class SameVerdictTest {
     assertThat(reasons.isEmpty()).isEqualTo(holdBack.isEmpty());
     assertThat(notes.size()).isLessThanOrEqualTo(verdict.path("reasons").size());
 
-    assertThat(terminal.get(0))
+    assertThat(verdict(terminal).get(0))
         .isEqualTo("Verdict: " + decision.replace('_', ' ') + ". " + toDo.get(0))
         .isEqualTo(verdict.path("headline").asText());
     assertThat(marked(terminal, "  ! ")).isEqualTo(reasons);
@@ -159,9 +159,22 @@ class SameVerdictTest {
   }
 
   private static List<String> marked(List<String> lines, String mark) {
-    // The verdict ends with an empty line.
-    List<String> first = lines.subList(0, lines.indexOf(""));
+    List<String> first = verdict(lines);
     return first.stream().filter(l -> l.startsWith(mark)).map(l -> l.substring(4)).toList();
+  }
+
+  /** The lines of the verdict, which ends with an empty line, as they were before they were wrapped. */
+  private static List<String> verdict(List<String> lines) {
+    List<String> whole = new ArrayList<>();
+    for (String line : lines.subList(0, lines.indexOf(""))) {
+      boolean begins = whole.isEmpty() || line.matches("  [!>-] .*");
+      if (begins) {
+        whole.add(line);
+      } else {
+        whole.set(whole.size() - 1, whole.get(whole.size() - 1) + " " + line.strip());
+      }
+    }
+    return whole;
   }
 
   private static List<String> texts(JsonNode array) {

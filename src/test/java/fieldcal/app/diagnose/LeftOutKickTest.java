@@ -28,7 +28,7 @@ class LeftOutKickTest {
     assertThat(left)
         .extracting(k -> k.kick().id())
         .containsExactly(third, whole.kicks().get(5).kick().id());
-    assertThat(left.get(0).reason()).contains("does not explain it");
+    assertThat(left.get(0).reason()).contains("not explained by");
     assertThat(left.get(1).reason()).isEqualTo("it could not be fitted");
     assertThat(LeftOutKick.remarks(left).get(0).toString())
         .contains("friday.log.gz", "kick " + third + " was left out");
@@ -50,7 +50,7 @@ class LeftOutKickTest {
                 + left.get(0).kick().id()
                 + ", "
                 + left.get(2).kick().id()
-                + " were left out, each for this reason: too few detections");
+                + " were left out: too few detections");
     assertThat(remarks.get(2).where()).isEqualTo("monday.log.gz");
   }
 

@@ -121,7 +121,7 @@ class KickCollectorTest {
         .extracting(p -> p.count() + " " + p.what())
         .containsExactly(
             "1 all cameras silent for more than 0.25 s",
-            "1 frames of more than 0.25 s lost by the recorder, whose machine was busy");
+            "1 the recorder's machine was busy and lost more than 0.25 s of frames");
   }
 
   /** It is reported as what it is. */

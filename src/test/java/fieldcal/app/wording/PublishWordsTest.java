@@ -36,6 +36,24 @@ class PublishWordsTest {
   }
 
   /** Who rehearses must not carry the rehearsal's numbers to the field. */
+  /** A value that is wide open agrees with any other: that is no news. */
+  @Test
+  void agreementOfAnUncertainModelIsNotPraised() {
+    Reason agrees = new Reason.AgreesWithPublished(KickKind.FLAT);
+    Reason open = new Reason.Imprecise(KickKind.FLAT, "accSlide", 13, 10);
+    Reason chips = new Reason.NoChips(5, 6);
+    assertThat(notes(List.of(agrees))).hasSize(1);
+    assertThat(notes(List.of(agrees)).get(0)).contains("by more than its errors allow");
+    assertThat(notes(List.of(open, agrees))).isEmpty();
+    assertThat(notes(List.of(chips, agrees))).isEmpty();
+  }
+
+  private static List<String> notes(List<Reason> reasons) {
+    PublishDecision gravest =
+        reasons.stream().map(Reason::decision).reduce(PublishDecision.PUBLISH, PublishDecision::or);
+    return PublishWords.of(new PublishVerdict(gravest, reasons, false)).notes();
+  }
+
   @Test
   void aRehearsalIsNotForSslVision() {
     List<Reason> real = List.of(new Reason.NothingPublished(KickKind.FLAT));

@@ -76,7 +76,7 @@ class VerdictTextTest {
     assertThat(text.verdict())
         .startsWith("The model is wrong, and a part of its error is explained: air drag. This also")
         .contains(
-            "helps without a known cause: braking that depends on the speed; height of bounces")
+            "helps without a proven cause: braking that depends on the speed; height of bounces")
         .contains("Another law applies in the extended model: bounces that build up spin.")
         .endsWith("Chance plays a part: rolling that differs from kick to kick.");
     assertThat(text.lines().get(1))
@@ -96,7 +96,7 @@ class VerdictTextTest {
     assertThat(VerdictText.of(lawAlone).verdict())
         .startsWith(
             "The model is wrong. Another law takes the place of one of its own: bounces that build"
-                + " up spin. This also helps without a known cause: ")
+                + " up spin. This also helps without a proven cause: ")
         .doesNotContain("no known cause", "Another law applies");
   }
 
@@ -152,8 +152,7 @@ class VerdictTextTest {
             partly.learned().stream().filter(f -> f.kind() != LearnedFinding.Kind.LAW).toList());
     Diagnosis unnamed = SampleDiagnosis.with(d, List.of(), d.base(), List.of());
     assertThat(VerdictText.of(unnamed).verdict())
-        .startsWith(
-            "The model is wrong, and no known cause explains it. This helps without a known")
+        .startsWith("The model is wrong, and no cause is proven. This helps without a proven")
         .doesNotContain("also");
   }
 
@@ -236,7 +235,7 @@ class VerdictTextTest {
             new Gain(0.011, 0.4, -1.2, 1.2)));
     String verdict = VerdictText.of(SampleDiagnosis.learning(d, learned)).verdict();
     assertThat(verdict)
-        .contains("This also helps without a known cause: height of bounces that depends on")
+        .contains("This also helps without a proven cause: height of bounces that depends on")
         .endsWith(
             " Kicks that were held out do not show whether this helps: braking that depends on the"
                 + " speed.");
