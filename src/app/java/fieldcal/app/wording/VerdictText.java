@@ -128,12 +128,19 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   }
 
   private static String unexplained(Diagnosis d, List<String> lines) {
-    lines.add(Sentences.begin(rest(d.unexplained())));
     lines.add(
-        text(
-            "None of the %d kinds of causes that were tried predicts kicks that were held out any"
-                + " better, so none is named. The pictures show where the model errs.",
-            kinds(d)));
+        d.kicks().size() == 1
+            ? text(
+                "In this one kick, the ball is off by %s mm beyond the noise.",
+                mm(d.unexplained().systematicMm()))
+            : Sentences.begin(rest(d.unexplained())));
+    lines.add(
+        d.kicks().size() == 1
+            ? "The pictures show where the model errs."
+            : text(
+                "None of the %d kinds of causes that were tried predicts kicks that were held out"
+                    + " any better, so none is named. The pictures show where the model errs.",
+                kinds(d)));
     toRecord(d).ifPresent(lines::add);
     return "Something is wrong that no known cause explains.";
   }

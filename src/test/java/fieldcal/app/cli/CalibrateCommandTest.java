@@ -78,6 +78,28 @@ class CalibrateCommandTest {
     assertThat(text).doesNotContain("None of the");
   }
 
+  /** Their bounces are none: what a fit makes of them is not worth a word, and no minus sign is a hyphen. */
+  @Test
+  void flatKicksThatWereFittedAsChipsHaveNoNotesOnSpin() {
+    Path flat =
+        Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data/grsim-flat.log.gz");
+    String forced = run("calibrate", flat.toString(), "--kind=chip").out();
+    assertThat(forced).startsWith("Verdict: do not publish").contains("stay on the ground");
+    assertThat(forced).doesNotContain("have spin", "does not explain a part");
+    assertThat(forced).doesNotContainPattern("[ (]-\\d\\.\\d{4}");
+    List<String> verdict = forced.lines().takeWhile(l -> !l.isEmpty()).toList();
+    assertThat(verdict).allMatch(l -> l.length() <= 98);
+  }
+
+  /** Its cameras have no poses, and its time may run at any pace. */
+  @Test
+  void theClockOfASimulatorWithoutPosesIsNotJudged() {
+    Path flat =
+        Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data/grsim-flat.log.gz");
+    String out = run("calibrate", flat.toString()).out();
+    assertThat(out).startsWith("Verdict: check first. Run diagnose").doesNotContain("clock");
+  }
+
   private static JsonNode json(Path file) throws IOException {
     return JSON.readTree(file.toFile());
   }

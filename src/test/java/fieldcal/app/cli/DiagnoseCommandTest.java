@@ -96,6 +96,17 @@ class DiagnoseCommandTest {
     assertThat(out.resolve("diagnosis.html")).isNotEmptyFile();
   }
 
+  /** One kick shows that the model is wrong, but not what its error depends on. */
+  @Test
+  void aSingleKickGivesNoAdviceOnItsOwn() {
+    Path log =
+        Path.of(
+            System.getProperty("fieldcal.projectDir", "."), "test-data/mujoco-rolling-chip.log.gz");
+    assertThat(run("diagnose", log.toString()).out().replaceAll("\\s+", " "))
+        .contains("a single kick shows no cause")
+        .doesNotContain("each quarter of the field", "depending on", "held out any");
+  }
+
   /** The terminal's verdict, like the console's, knows of a diagnosis of the same kicks, and of no other. */
   @Test
   void calibrateCountsADiagnosisOfTheSameKicks() throws IOException {

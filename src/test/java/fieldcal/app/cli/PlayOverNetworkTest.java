@@ -135,8 +135,8 @@ class PlayOverNetworkTest {
     List<String> said = err.toString().lines().toList();
     assertThat(said.get(said.size() - 1))
         .matches(
-            "fieldcal: The play stopped after 1 of 4 good kicks: no vision for 3 s; the simulator"
-                + " at 127.0.0.1, ports \\d+ to \\d+ does not answer; to calibrate: fieldcal"
+            "fieldcal: The play stopped after 1 of 4 good kicks: no vision for 3 s \\(the simulator"
+                + " at 127.0.0.1, ports \\d+ to \\d+ does not answer\\)\\. To calibrate: fieldcal"
                 + " calibrate .*/session-\\*.log --out .*");
     assertThat(out.toString()).contains("1 good kick of 1 made");
   }
