@@ -4,6 +4,7 @@ import fieldcal.kick.KickKind;
 import fieldcal.verdict.PublishDecision;
 import fieldcal.verdict.PublishVerdict;
 import fieldcal.verdict.Reason;
+import fieldcal.verdict.VerdictRule;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -315,8 +316,10 @@ public record PublishWords(
     }
     if (reason instanceof Reason.AgreesWithPublished a) {
       return model(a.kind())
-          + " does not differ from the published one by more than its errors allow, or by less than"
-          + " matters.";
+          + text(
+              " differs from the published one by less than %.0f %%, or by no more than its errors"
+                  + " allow.",
+              VerdictRule.NOTABLE_PERCENT);
     }
     return "No "
         + reason.model().map(KickKind::id).orElse("")

@@ -43,7 +43,8 @@ class PublishWordsTest {
     Reason open = new Reason.Imprecise(KickKind.FLAT, "accSlide", 13, 10);
     Reason chips = new Reason.NoChips(5, 6);
     assertThat(notes(List.of(agrees))).hasSize(1);
-    assertThat(notes(List.of(agrees)).get(0)).contains("by more than its errors allow");
+    assertThat(notes(List.of(agrees)).get(0))
+        .contains("by less than 3 %, or by no more than its errors allow");
     assertThat(notes(List.of(open, agrees))).isEmpty();
     assertThat(notes(List.of(chips, agrees))).isEmpty();
   }
