@@ -87,6 +87,27 @@ class UnnamedCauseTest {
         .isLessThan(1.3 * diagnosis.extended().noiseMm());
   }
 
+  private static Diagnosis diagnosed(String effect) {
+    FittedField field =
+        FittedField.of(FittedField.SOUND.withScenario(ScenarioKind.FLAT, 19).withEffects(effect));
+    return new Diagnoser().diagnose(field.problem(), said -> {});
+  }
+
+  /** A rolling deceleration that grows with the square of the speed is nearly an air drag of 0.22, which leaves 1 to 2 % more of the noise. */
+  @Test
+  void aRollingLawOfTheSquareIsNoAirDrag() {
+    Diagnosis diagnosis = diagnosed("unnamed_roll_square:slope=0.003");
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    assertThat(diagnosis.learned()).anyMatch(l -> l.dependsOn().contains("speed"));
+  }
+
+  @Test
+  void anAirDragIsNoRollingLaw() {
+    assertThat(diagnosed("air_drag:cd=0.22").causes())
+        .extracting(c -> c.effect().id())
+        .containsExactly("air_drag");
+  }
+
   /** A carpet that is worn where most is played: more and more towards both touch lines it brakes a rolling ball. */
   private record UnwornEdges() implements ExtraLaw {
     private static final double MORE = 0.45;

@@ -28,7 +28,13 @@ public record Price(Weighing weighing) {
     return of(p.group() ? p.components().subList(0, 1) : p.components());
   }
 
-  static double of(List<Component> components) {
+  /**
+   * The price of components.
+   *
+   * @param components of one model
+   * @return what they must gain together, in units of chi-square
+   */
+  public static double of(List<Component> components) {
     double price = 0;
     for (Component c : components) {
       if (c.isLaw()) {

@@ -15,6 +15,9 @@ public final class LearnedLibrary {
   /** Knots of a curve, of a place along x and along y; chosen small: a term is a shape, no fit of noise. */
   private static final int KNOTS = 6;
 
+  /** Knots of the shortest curve that has a slope, a curvature and a turn: with more it would cost more than what it shows of another law's form. */
+  private static final int KNOTS_FORM = 4;
+
   /** Knots over the speed of what brakes the ball, 0.5 m/s apart: friction that rises before the ball stops (Stribeck) does so below 1 m/s. */
   private static final int KNOTS_SPEED = 14;
 
@@ -137,6 +140,20 @@ public final class LearnedLibrary {
             LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, speed),
             LearnedFamily.of(Quantity.ROLLING, Variable.HEADING, Harmonics.ofAngle(HARMONICS)),
             LearnedFamily.of(Quantity.ROLLING, Variable.PLACE, place(arena)))
+        .map(LearnedFamily::absent)
+        .filter(term -> term.canShowIn(arena))
+        .toList();
+  }
+
+  /**
+   * Short curves, of a few numbers each: laws of the ground that differ from a named cause only in their form. Longer curves would need more evidence than such a difference gives.
+   *
+   * @param arena what was recorded
+   * @return absent terms that can show in the recording
+   */
+  public static List<LearnedTerm> forms(Arena arena) {
+    Basis speed = curve(0, Ranges.typical().speed(), KNOTS_FORM);
+    return Stream.of(LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, speed))
         .map(LearnedFamily::absent)
         .filter(term -> term.canShowIn(arena))
         .toList();
