@@ -15,11 +15,14 @@ import fieldcal.effect.MotionEffect;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.SharedSolver;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** Judges the components of a model: each is taken out, and everything else is fitted again. Immutable and thread-safe. */
 public final class Decision {
@@ -215,16 +218,25 @@ public final class Decision {
   }
 
   /**
-   * What the values of a component follow, if it has a value for each kick.
+   * What the values of a component follow, if it has a value for each kick: all of them, or those of one kind of kick, which other devices kick and other laws move.
    *
    * @param model fitted to all kicks
    * @param i component
    * @return empty when they differ by chance, and for what all kicks share
    */
   public Optional<Dependence> follows(FittedModel model, int i) {
-    return model.model().components().get(i).isPerKick()
-        ? DependenceSearch.of(KickValues.of(model, i), settings.dependent(), seed)
-        : Optional.empty();
+    if (!model.model().components().get(i).isPerKick()) {
+      return Optional.empty();
+    }
+    KickValues all = KickValues.of(model, i);
+    List<KickValues> kinds =
+        Arrays.stream(KickKind.values())
+            .map(all::of)
+            .filter(k -> !k.kicks().isEmpty() && k.kicks().size() < all.kicks().size())
+            .toList();
+    return Stream.concat(Stream.of(all), kinds.stream())
+        .flatMap(v -> DependenceSearch.of(v, settings.dependent(), seed).stream())
+        .findFirst();
   }
 
   /** What learned curves explain together beside a law, in units of what is left. If this is more than the law explains, the law is only a form of it and gets no name. 0 unless there are several curves beside a law. */

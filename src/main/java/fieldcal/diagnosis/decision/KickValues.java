@@ -5,6 +5,7 @@ import fieldcal.diagnosis.model.EffectKick;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.Weighing;
 import fieldcal.fit.joint.ScoreSystem;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -24,6 +25,7 @@ record KickValues(double mean, List<Kick> kicks) {
    *
    * @param value value of the magnitude, estimated with the scatter of all kicks as the prior
    * @param reliability share of the value's variance over the kicks that its detections determine, 0 to 1; by the rest the value is shrunk to the mean
+   * @param kind flat or chip
    * @param time of the session, s
    * @param speed at the kick, m/s
    * @param heading direction of the kick, rad
@@ -33,6 +35,7 @@ record KickValues(double mean, List<Kick> kicks) {
   record Kick(
       double value,
       double reliability,
+      KickKind kind,
       double time,
       double speed,
       double heading,
@@ -65,6 +68,7 @@ record KickValues(double mean, List<Kick> kicks) {
           new Kick(
               own[kick.record().timeIndex() + 1 + random],
               Math.min(1, reliability),
+              kick.record().kind(),
               kick.sessionTime(own),
               Math.hypot(own[2], own[3]),
               Math.atan2(own[3], own[2]),
@@ -72,5 +76,24 @@ record KickValues(double mean, List<Kick> kicks) {
               own[1]));
     }
     return new KickValues(model.solution().values()[model.model().offset(component)], all);
+  }
+
+  /** The same of one kind of kick. */
+  KickValues of(KickKind kind) {
+    return new KickValues(mean, kicks.stream().filter(k -> k.kind == kind).toList());
+  }
+
+  /** Standard deviation of the values from kick to kick, as their detections give it without what all kicks have in common: a value shrunk to the mean by its reliability r has r times the variance of the scatter. 0 of fewer than two kicks. */
+  double scatter() {
+    double total = kicks.stream().mapToDouble(Kick::reliability).sum();
+    double own = kicks.stream().mapToDouble(Kick::value).sum();
+    double prior = kicks.stream().mapToDouble(k -> (1 - k.reliability()) * mean).sum();
+    double middle = (own - prior) / total;
+    double squares = 0;
+    for (Kick k : kicks) {
+      double off = k.value() - mean - k.reliability() * (middle - mean);
+      squares += off * off / k.reliability();
+    }
+    return kicks.size() < 2 ? 0 : Math.sqrt(squares / (kicks.size() - 1));
   }
 }

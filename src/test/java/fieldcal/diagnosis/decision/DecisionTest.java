@@ -246,11 +246,32 @@ class DecisionTest {
   /** Kicks differ, too, where a ball bobs before it slides, and a resistance in the slide looks like backspin: only what is larger is a kicker's. */
   @Test
   void aSpinThatTheBallItselfMayBeHasNoName() {
-    FittedField weak = FittedField.flats("kick_spin:fraction=-0.05,scatter=0.02");
+    FittedField weak = FittedField.flats("kick_spin:fraction=-0.05,scatter=0.006");
     Judgement little = judge(weak, new KickSpin(0)).get(0);
     assertThat(little.outcome()).isEqualTo(Outcome.BALL_ITSELF);
     assertThat(little.isName()).isFalse();
     FittedField clear = FittedField.flats("kick_spin:fraction=-0.2,scatter=0.1");
     assertThat(judge(clear, new KickSpin(0)).get(0).isName()).isTrue();
+  }
+
+  /** What is not known of the ball is the same in all kicks: spin that differs from kick to kick is the kicker's even if its mean is near zero. */
+  @Test
+  void aSpinThatScattersIsTheKickers() {
+    FittedField field = FittedField.flats("kick_spin:fraction=0.01,scatter=0.03");
+    Judgement judged = judge(field, new KickSpin(0)).get(0);
+    assertThat(judged.outcome()).as("%s", judged).isEqualTo(Outcome.NAMED);
+  }
+
+  /** Chips that lose the more speed the faster they land seem to have spin that follows their speed. The flat kicks beside them have none, which hides that. */
+  @Test
+  void valuesOfOneKindOfKickAreExaminedByThemselves() {
+    FittedField field =
+        FittedField.of(
+            FittedField.SOUND
+                .withScenario(ScenarioKind.MIXED, 24)
+                .withEffects("unnamed_impact_speed:slope=0.03"));
+    Judgement spin = judge(field, new KickSpin(0, 0, true)).get(0);
+    assertThat(spin.follows()).as("%s", spin).isPresent();
+    assertThat(spin.isName()).isFalse();
   }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.diagnosis.decision.Dependence.Form;
 import fieldcal.diagnosis.decision.KickValues.Kick;
 import fieldcal.effect.learned.Variable;
+import fieldcal.kick.KickKind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -33,6 +34,7 @@ class DependenceSearchTest {
           new Kick(
               0,
               1,
+              KickKind.FLAT,
               SESSION * (i + random.nextDouble()) / n,
               2 + 4 * random.nextDouble(),
               2 * Math.PI * random.nextDouble() - Math.PI,
@@ -51,6 +53,7 @@ class DependenceSearchTest {
                     new Kick(
                         value.applyAsDouble(k),
                         k.reliability(),
+                        k.kind(),
                         k.time(),
                         k.speed(),
                         k.heading(),
@@ -172,7 +175,7 @@ class DependenceSearchTest {
         for (Kick k : kicks) {
           double r = Math.min(1, 0.03 * k.speed() * k.speed());
           double value = MEAN + r * random.nextGaussian() / Math.sqrt(r);
-          drawn.add(new Kick(value, r, k.time(), k.speed(), k.heading(), k.x(), k.y()));
+          drawn.add(new Kick(value, r, k.kind(), k.time(), k.speed(), k.heading(), k.x(), k.y()));
         }
         return new KickValues(MEAN, drawn);
       }
@@ -227,8 +230,9 @@ class DependenceSearchTest {
     Random random = new Random(3);
     List<Kick> kicks = new ArrayList<>();
     for (Kick k : kicks(30, random)) {
-      kicks.add(new Kick(1e-3 * k.time(), 1, k.time(), k.speed(), k.heading(), k.x(), k.y()));
-      kicks.add(new Kick(0, 0.01, k.time() + 1, k.speed(), k.heading(), k.x(), k.y()));
+      kicks.add(
+          new Kick(1e-3 * k.time(), 1, k.kind(), k.time(), k.speed(), k.heading(), k.x(), k.y()));
+      kicks.add(new Kick(0, 0.01, k.kind(), k.time() + 1, k.speed(), k.heading(), k.x(), k.y()));
     }
     Dependence found = DependenceSearch.of(new KickValues(0, kicks), LIMIT, 1).orElseThrow();
     assertThat(found.form()).isEqualTo(Form.LINE);
