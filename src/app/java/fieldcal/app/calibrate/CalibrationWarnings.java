@@ -240,8 +240,8 @@ public final class CalibrationWarnings {
           String.format(
               Locale.ROOT,
               "In %d of %d kicks the model does not explain a part of the path, up to %.0f %% of"
-                  + " the detections. These kicks are used all the same; run diagnose to look for"
-                  + " the cause.",
+                  + " the detections. These kicks are used all the same; a diagnosis looks for the"
+                  + " cause.",
               shares.length,
               calibration.kicks().size(),
               100 * shares[shares.length - 1]));

@@ -96,7 +96,10 @@ final class CalibrationText {
         kicks.size() == 1 ? "kick" : "kicks",
         Double.isNaN(rms)
             ? ""
-            : String.format(Locale.ROOT, "; joint fit %.2f mm rms per axis", rms));
+            : String.format(
+                Locale.ROOT,
+                "; joint fit %.2f mm rms per axis, with values of each kick's own",
+                rms));
     line("  %-22s %-28s %3s  %-24s %s", "", "mean", "n", "joint fit", "published");
     List<Parameter> names =
         flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);

@@ -398,12 +398,12 @@ public record PublishWords(
     if (simulated) {
       return changes
           ? "Use the numbers on this simulated field only; for a real one, record kicks there."
-          : "Nothing has to be changed on this simulated field: the published model is right"
-              + " there.";
+          : "Nothing has to be changed on this simulated field: its published ball model is"
+              + " right.";
     }
     return changes
         ? "Enter the numbers in SSL-Vision, or send them from the console."
-        : "Nothing has to be changed: the published model is right.";
+        : "Nothing has to be changed in the ball model: the published one is right.";
   }
 
   private static String advice(Reason reason, boolean diagnose) {
@@ -444,9 +444,10 @@ public record PublishWords(
     }
     if (reason instanceof Reason.Diagnosed d) {
       return d.causes().isEmpty()
-          ? "Record the kicks that the diagnosis proposes."
-          : "Correct what the diagnosis names; otherwise accept its extended model for programs"
-              + " that use it.";
+          ? "The diagnosis shows on what the error depends. Record the kicks that it proposes, if"
+              + " any."
+          : "Correct the cameras, clocks and kickers that the diagnosis names. For all else, let"
+              + " your AI load extended_model.json.";
     }
     return "";
   }
