@@ -96,7 +96,7 @@ class CalibrateUnderModelTest {
   void theTerminalAndTheReportSayIt() throws IOException {
     String report = Files.readString(out.resolve("report.html"));
     for (String where : new String[] {answer.out(), report}) {
-      assertThat(where)
+      assertThat(where.replaceAll("\\s+", " "))
           .contains(
               "message carries the parameters, but not the effects they are valid with: air drag")
           .contains("no such camera")

@@ -56,7 +56,7 @@ class DiagnosisTextTest {
             " ", printed(SampleOutcome.without(whole, whole.kicks().get(2), whole.kicks().get(5))));
     assertThat(some)
         .contains("4 of 6 kicks used")
-        .contains("Left out: kick 3: what explains the other kicks")
+        .contains("Left out: kick 3: not explained by what explains the other kicks")
         .contains("Left out: kick 6: it could not be fitted.");
   }
 
