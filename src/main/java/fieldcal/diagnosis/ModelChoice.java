@@ -96,6 +96,11 @@ final class ModelChoice {
       return held.rmsMm() * (1 - share) <= Math.max(1000 * CameraNoise.FLOOR, other.held.rmsMm());
     }
 
+    /** Whether this follows held-out kicks as well, except for a share of its residual, and predicts them no worse. */
+    boolean mayReplace(Weighed other, double share, long seed) {
+      return isAsGoodAs(other, share) && !held.predictsWorseThan(other.held, seed);
+    }
+
     /** Whether this follows held-out kicks better beyond chance. With more values for each kick than the other, it must also predict better, since such values may fit what they do not help to predict; otherwise it must not predict worse. */
     boolean isBetterThan(Weighed other, long seed) {
       boolean sound =

@@ -80,10 +80,9 @@ final class RivalCurves {
       return named;
     }
     Weighed rival = unnamed.beside(choice.of(curved));
-    boolean asGood =
-        rival.isAsGoodAs(named, settings.formGain())
-            && !rival.held().predictsWorseThan(named.held(), seed);
-    return asGood ? rival : named.nameless(group::contains);
+    return rival.mayReplace(named, settings.formGain(), seed)
+        ? rival
+        : named.nameless(group::contains);
   }
 
   /** The model with curves in place of some components. Maps of the carpet are searched only where curves explain more than half of what these components explain. */

@@ -25,9 +25,6 @@ import java.util.Optional;
  * compared with the short curves that act where it acts. Not thread-safe.
  */
 final class RivalForms {
-  /** Curves that are tried in the place of one cause, in the order of the score test. */
-  private static final int TRIED = 2;
-
   private final ModelFitter fitter;
   private final SharedSolver solver;
   private final DecisionSettings settings;
@@ -73,17 +70,13 @@ final class RivalForms {
     Optional<FittedModel> rival =
         forms.scores(named.model()).stream()
             .filter(s -> s.gain() > dearer(named.model(), i, s.effect()))
-            .limit(TRIED)
             .flatMap(s -> insteadOf(named.model(), i, s).stream())
             .min(Comparator.comparingDouble(Price::total));
     if (rival.isEmpty()) {
       return named;
     }
     Weighed other = choice.of(rival.get());
-    boolean asGood =
-        other.isAsGoodAs(named, settings.formGain())
-            && !other.held().predictsWorseThan(named.held(), seed);
-    return asGood ? other : named;
+    return other.mayReplace(named, settings.formGain(), seed) ? other : named;
   }
 
   /** How much more a curve costs than a cause. In the cause's stead it gains at most what it gains beside it. */
