@@ -1,9 +1,12 @@
 package fieldcal.diagnosis;
 
+import fieldcal.diagnosis.decision.Decision;
+import fieldcal.diagnosis.decision.DecisionSettings;
 import fieldcal.diagnosis.decision.Judgement;
 import fieldcal.diagnosis.model.FittedModel;
 import fieldcal.diagnosis.model.ModelFitter;
 import fieldcal.diagnosis.search.Dictionary;
+import fieldcal.diagnosis.search.Price;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
@@ -22,6 +25,7 @@ final class CurveSearch {
   private final ModelFitter fitter;
   private final Arena arena;
   private final List<? extends Effect> catalogue;
+  private final DecisionSettings settings;
   private final double sessionStart;
 
   /**
@@ -35,6 +39,7 @@ final class CurveSearch {
     fitter = problem.fitter();
     arena = problem.arena();
     catalogue = problem.catalogue();
+    settings = problem.settings();
     sessionStart = problem.problem().sessionStart();
   }
 
@@ -53,7 +58,14 @@ final class CurveSearch {
     }
     // Once the model has what hid a law before, the law may be right after all.
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
-    return withMaps(with(all, start), mostBeside(start));
+    FittedModel curved = withMaps(with(all, start), mostBeside(start));
+    FittedModel mapped = withMaps(start, start.model().components().size());
+    return mapped == start ? curved : cheaper(curved, with(all, mapped));
+  }
+
+  /** Curves over the place absorb a part of what a map alone describes, and then a map explains too little of the rest; so the map may also come first. */
+  private static FittedModel cheaper(FittedModel curved, FittedModel mapped) {
+    return Price.total(mapped) < Price.total(curved) ? mapped : curved;
   }
 
   /** Curves and chance, but no laws or maps. */
@@ -83,7 +95,18 @@ final class CurveSearch {
     return failed.guarded(
         "the search for maps of the carpet",
         curved,
-        () -> isLeft(curved) ? search(curved, LearnedLibrary.maps(arena), most + 1) : curved);
+        () -> {
+          if (!isLeft(curved)) {
+            return curved;
+          }
+          FittedModel mapped = search(curved, LearnedLibrary.maps(arena), most + 1);
+          return showInMostKicks(mapped, curved) ? mapped : curved;
+        });
+  }
+
+  /** Whether the gain does not come from a few kicks. A map has so many numbers that it also leads the path of a ball that was touched. */
+  private boolean showInMostKicks(FittedModel mapped, FittedModel without) {
+    return mapped.shareOfMost(without, Decision.TOO_FEW_KICKS) > settings.fewKicks();
   }
 
   /** How many components a model may have that is grown from another one. */

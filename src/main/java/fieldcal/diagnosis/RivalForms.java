@@ -14,11 +14,13 @@ import fieldcal.diagnosis.search.Price;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.learned.LearnedLibrary;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /**
  * The stage that lets a law of another form compete with each named cause that all kicks share. A rolling deceleration that grows with the square of the speed is nearly an air drag: only a ball that slides, which the air brakes and the carpet's pile does not, tells them apart, and noise hides what the wrong one leaves. So each cause is
@@ -57,7 +59,7 @@ final class RivalForms {
     for (Judgement j : found.judged()) {
       boolean shared = !j.component().isPerKick() && !j.component().isLaw();
       boolean placed = j.component().hasPlace();
-      if (j.isName() && j.effect() instanceof MotionEffect && shared && !placed) {
+      if (j.isName() && shared && !placed) {
         // A curve that took the place of one cause changes the judgements of the others.
         int at = best.judged().stream().map(Judgement::component).toList().indexOf(j.component());
         best = at < 0 || fitter.effort().isSpent() ? best : against(best, at);
@@ -69,6 +71,7 @@ final class RivalForms {
   private Weighed against(Weighed named, int i) {
     Optional<FittedModel> rival =
         forms.scores(named.model()).stream()
+            .filter(s -> actAlike(s.effect(), named.judged().get(i).component()))
             .filter(s -> s.gain() > dearer(named.model(), i, s.effect()))
             .flatMap(s -> insteadOf(named.model(), i, s).stream())
             .min(Comparator.comparingDouble(Price::total));
@@ -77,6 +80,15 @@ final class RivalForms {
     }
     Weighed other = choice.of(rival.get());
     return other.mayReplace(named, settings.formGain(), seed) ? other : named;
+  }
+
+  /** Whether both change how the ball moves, or what the same camera reports. */
+  private static boolean actAlike(Effect curve, Component cause) {
+    if (curve instanceof MotionEffect) {
+      return cause.template() instanceof MotionEffect;
+    }
+    OptionalInt camera = ((LearnedTerm) curve).camera();
+    return camera.isPresent() && camera.equals(cause.camera());
   }
 
   /** How much more a curve costs than a cause. In the cause's stead it gains at most what it gains beside it. */

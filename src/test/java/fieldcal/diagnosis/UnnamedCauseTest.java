@@ -10,12 +10,18 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.imaging.InstalledCamera;
+import fieldcal.simulation.imaging.TabulatedError;
 import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.ExtraLaw;
+import fieldcal.simulation.physics.Table;
+import fieldcal.simulation.physics.TabulatedLaw;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -275,5 +281,72 @@ class UnnamedCauseTest {
         .isLessThan(0.5 * diagnosis.base().holdoutRmsMm());
     assertThat(diagnosis.extended().predictionErrorMm().get(1.0))
         .isLessThan(0.6 * diagnosis.base().predictionErrorMm().get(1.0));
+  }
+
+  /** A floor with two mounds and a dip, mm: a ball that crosses them is slower or faster for a moment and turns, on the whole a little as on a slope. */
+  private static double height(double x, double y) {
+    return 4 * mound(x - 2, y - 1.2) + 4 * mound(x - 2.6, y + 1.5) - 5 * mound(x + 2.2, y);
+  }
+
+  private static double mound(double x, double y) {
+    double width = 0.5;
+    return Math.exp(-(x * x + y * y) / (2 * width * width));
+  }
+
+  private static Table surface(double half, DoubleBinaryOperator of) {
+    int n = 81;
+    double[] grid =
+        IntStream.range(0, n).mapToDouble(i -> half * (2.0 * i / (n - 1) - 1)).toArray();
+    double[] values =
+        IntStream.range(0, n * n)
+            .mapToDouble(k -> of.applyAsDouble(grid[k % n], grid[k / n]))
+            .toArray();
+    return Table.surface(grid, grid, values);
+  }
+
+  @Test
+  void moundsAreNoSlope() {
+    Diagnosis diagnosis =
+        diagnosed(
+            ScenarioKind.FLAT,
+            20,
+            new TabulatedLaw(
+                TabulatedLaw.Quantity.FLOOR,
+                TabulatedLaw.Variable.PLACE,
+                surface(5, UnnamedCauseTest::height)));
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    LearnedTerm floor = (LearnedTerm) diagnosis.learned().get(0).effect();
+    assertThat(floor.family().quantity()).isEqualTo(Quantity.FLOOR);
+    assertThat(floor.valueAt(0, 2.3, 0.2) - floor.valueAt(0, -2.2, 0))
+        .as("difference of a mound and a dip, mm")
+        .isPositive();
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(0.7 * diagnosis.base().holdoutRmsMm());
+  }
+
+  /** The tangential distortion of a lens whose elements are not on one axis (Brown 1966), of the size of 10 mm at the edge of the image: nearly a tilt of the camera. */
+  @Test
+  void aDecentredLensIsNoWrongPose() {
+    double a = 0.8;
+    double b = -0.5;
+    SimulationSettings sound = FittedField.SOUND.withScenario(ScenarioKind.FLAT, 20);
+    List<InstalledCamera> cameras = new ArrayList<>(sound.installed());
+    TabulatedError decentred =
+        new TabulatedError(
+            TabulatedError.Quantity.SHIFT,
+            TabulatedError.Variable.IMAGE_POSITION,
+            List.of(
+                surface(6, (x, y) -> a * (3 * x * x + y * y) + 2 * b * x * y),
+                surface(6, (x, y) -> b * (x * x + 3 * y * y) + 2 * a * x * y)));
+    InstalledCamera first = cameras.get(0);
+    cameras.set(0, first.withErrors(first.errors().withTable(decentred)));
+    Diagnosis diagnosis =
+        new Diagnoser()
+            .diagnose(FittedField.of(sound.withInstalled(cameras)).problem(), said -> {});
+    assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
+    LearnedTerm shift = (LearnedTerm) diagnosis.learned().get(0).effect();
+    assertThat(shift.family().key()).isEqualTo("shift/image_position/camera 0");
+    assertThat(diagnosis.extended().holdoutRmsMm())
+        .isLessThan(1.2 * diagnosis.extended().noiseMm());
   }
 }

@@ -6,18 +6,22 @@ import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
+import fieldcal.ball.Gravity;
 import fieldcal.ball.Parameter;
 import fieldcal.camera.Camera;
 import fieldcal.effect.learned.LearnedFamily;
 import fieldcal.effect.learned.LearnedLibrary;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.effect.learned.Polynomial;
 import fieldcal.effect.learned.Quantity;
 import fieldcal.effect.learned.Spline;
+import fieldcal.effect.learned.Surface;
 import fieldcal.effect.learned.Variable;
 import fieldcal.effect.motion.FieldSlope;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -43,7 +47,8 @@ class LearnedTermTest {
   private static final double SHORT_ENOUGH = 1e-5;
 
   static List<LearnedTerm> terms() {
-    return LearnedLibrary.of(ARENA);
+    return Stream.concat(LearnedLibrary.of(ARENA).stream(), LearnedLibrary.forms(ARENA).stream())
+        .toList();
   }
 
   /** With coefficients that differ from each other, about half a scale each. */
@@ -144,7 +149,10 @@ class LearnedTermTest {
 
   @Test
   void everyFamilyHasItsOwnKey() {
-    assertThat(terms().stream().map(t -> t.family().key())).doesNotHaveDuplicates().hasSize(39);
+    assertThat(LearnedLibrary.of(ARENA))
+        .extracting(t -> t.family().key())
+        .doesNotHaveDuplicates()
+        .hasSize(40);
   }
 
   @Test
@@ -152,7 +160,7 @@ class LearnedTermTest {
     Arena flats = new Arena(-6, 6, -4, 4, new double[0], true, false, List.of(), List.of());
     assertThat(LearnedLibrary.of(flats))
         .noneMatch(t -> t.actsOn().equals("impact") || t.actsOn().equals("measurement"))
-        .hasSize(21);
+        .hasSize(22);
   }
 
   /** An acceleration that is the same everywhere is accRoll and accSlide changed by it. */
@@ -274,6 +282,40 @@ class LearnedTermTest {
         ExtendedTrajectory.chipWithHops(
             CHIP, FLAT, MotionEffects.of(List.of((MotionEffect) left)), 0, 0, 0, 0, 3, 0, 0, 0);
     assertThat(path.stateAt(1).y()).isEqualTo(0.05, within(0.002));
+  }
+
+  /** On top of a mound a rolling ball has lost (10/7)·g·h of its squared speed, and behind it has it back. */
+  @Test
+  void aBallHasItsSpeedAgainBehindAMound() {
+    int knots = 9;
+    double[] heights = new double[knots * knots];
+    heights[heights.length / 2] = 6;
+    Spline axis = new Spline(-2, 2, knots, false);
+    LearnedTerm mound =
+        LearnedFamily.of(Quantity.FLOOR, Variable.PLACE, new Surface(axis, axis, false))
+            .term(heights);
+    FlatModel hardlyBraked = new FlatModel(-3, -1e-7, 5.0 / 7);
+    ExtendedTrajectory crosses =
+        ExtendedTrajectory.flat(
+            hardlyBraked, MotionEffects.of(List.of((MotionEffect) mound)), 0, 0, -3, 0, 1.4, 0);
+    double rolling = 1;
+    double top = 0;
+    while (crosses.stateAt(top).x() < 0) {
+      top += 1e-4;
+    }
+    double loss = 10.0 / 7 * Gravity.ACCELERATION * 1e-3 * mound.valueAt(0, 0, 0);
+    assertThat(mound.valueAt(0, 0, 0)).isEqualTo(6 * 4.0 / 9, within(1e-9));
+    assertThat(crosses.stateAt(top).vx()).isEqualTo(Math.sqrt(rolling - loss), within(1e-5));
+    assertThat(crosses.stateAt(top + 3).vx()).isEqualTo(rolling, within(1e-5));
+  }
+
+  @Test
+  void aFloorNeedsASurface() {
+    assertThatThrownBy(
+            () ->
+                LearnedFamily.of(
+                    Quantity.FLOOR, Variable.PLACE, new Polynomial(2, -1, 1, -1, 1, true)))
+        .hasMessage("basis: must be a surface for floor, but is polynomial");
   }
 
   @Test

@@ -21,7 +21,7 @@ class ReachTest {
   void aFunctionOfAMapIsZeroBeyondItsReach() {
     SplittableRandom random = new SplittableRandom(SEED);
     List<LearnedTerm> maps = LearnedLibrary.maps(ARENA);
-    assertThat(maps).hasSize(2);
+    assertThat(maps).hasSize(3);
     for (LearnedTerm map : maps) {
       double[] one = new double[map.coefficients().length];
       for (int i = 0; i < one.length; i++) {

@@ -47,6 +47,7 @@ public final class LearnedWords {
       case ROLLING -> "rolling that depends on " + on;
       case SLIDING -> "sliding friction that depends on " + on;
       case PUSH -> "push that depends on " + on;
+      case FLOOR -> "height of the floor that depends on " + on;
       case NAP -> "direction of the carpet that depends on " + on;
       case AIR -> "moving air that depends on " + on;
       case VERTICAL_RESTITUTION -> "height of bounces that depends on " + on;
@@ -155,6 +156,7 @@ public final class LearnedWords {
               ? "change of the sliding friction"
               : "pull to the left of the slip";
       case PUSH -> "acceleration towards " + axis(curve);
+      case FLOOR -> "height of the floor";
       case NAP -> "change of the rolling deceleration towards " + axis(curve);
       case AIR -> "velocity of the air towards " + axis(curve);
       case VERTICAL_RESTITUTION -> "change of the vertical damping";
@@ -370,6 +372,7 @@ public final class LearnedWords {
               ? "sliding ball is braked " + (more ? "more" : "less")
               : "sliding ball is pulled to its " + (more ? "left" : "right");
       case PUSH -> "ball is pushed " + side(curve.component(), more);
+      case FLOOR -> "floor is " + (more ? "higher" : "lower");
       case NAP ->
           text(
               "ball that rolls %s is braked %s",

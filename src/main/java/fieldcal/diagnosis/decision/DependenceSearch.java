@@ -20,7 +20,7 @@ import org.apache.commons.math3.special.Beta;
 /**
  * Tests whether values that differ from kick to kick follow something that is recorded. If they do, the model lacks a law, and they do not differ by chance.
  *
- * <p>Tried are straight lines, curves of rising order and steps, of the values themselves and of their normal scores, in which a kick that is far off only comes last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often chance alone makes it as small is counted by assigning the same values to the kicks in other orders. So the level holds for any distribution of the values, and for any number of forms, even if they overlap.
+ * <p>Tried are straight lines, curves of rising order and steps, each alone and beside a straight line over the speed, of the values themselves and of their normal scores, in which a kick that is far off only comes last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often chance alone makes it as small is counted by assigning the same values to the kicks in other orders. So the level holds for any distribution of the values, and for any number of forms, even if they overlap.
  */
 final class DependenceSearch {
   /** When this many other orders do as well, the chance is above the limit, and no more are drawn (Besag and Clifford 1991): with ten the chance is known to a third of itself. */
@@ -73,6 +73,9 @@ final class DependenceSearch {
   private final double[][] kinds;
 
   private final List<Family> families = new ArrayList<>();
+
+  /** A straight line over the speed, orthogonal to the mean and of length 1. */
+  private double[] speedLine = {};
 
   private DependenceSearch(KickValues all, double limit) {
     this.limit = limit;
@@ -142,19 +145,32 @@ final class DependenceSearch {
     return new DependenceSearch(values, limit).test(seed);
   }
 
-  /** Forms over one quantity, each of which has the functions of the one before and more; or all steps. */
+  /** Forms over one quantity, each of which has the functions of the one before and more; or all steps. Beside a line over the speed, all functions are orthogonal to it. */
   private final class Family {
     final Variable on;
     final double[][] columns;
+
+    /** The same functions, not orthogonal to the line over the speed: so a step is told, level before and after it. */
+    final double[][] plain;
+
     final int[] sizes;
     final boolean steps;
+    final boolean besideSpeed;
     final double[] enough;
 
-    Family(Variable on, double[][] columns, int[] sizes, boolean steps) {
+    Family(
+        Variable on,
+        double[][] columns,
+        double[][] plain,
+        int[] sizes,
+        boolean steps,
+        boolean besideSpeed) {
       this.on = on;
       this.columns = columns;
+      this.plain = plain;
       this.sizes = sizes;
       this.steps = steps;
+      this.besideSpeed = besideSpeed;
       enough = new double[sizes.length];
     }
 
@@ -164,18 +180,27 @@ final class DependenceSearch {
 
     /** Share of the squares that a form explains. */
     double share(int form, double[] z, double squares) {
-      double sum = 0;
-      int from = steps ? form : 0;
-      int to = steps ? form + 1 : sizes[form];
-      for (int c = from; c < to; c++) {
-        double p = dot(columns[c], z);
+      double sum = bySpeed(z);
+      for (double[] column : of(columns, form)) {
+        double p = dot(column, z);
         sum += p * p;
       }
       return sum / squares;
     }
 
+    /** What the line over the speed explains, if the forms are beside one. */
+    double bySpeed(double[] z) {
+      double p = besideSpeed ? dot(speedLine, z) : 0;
+      return p * p;
+    }
+
+    /** The functions of a form without the line over the speed. */
+    double[][] of(double[][] all, int form) {
+      return steps ? new double[][] {all[form]} : Arrays.copyOf(all, sizes[form]);
+    }
+
     int functions(int form) {
-      return steps ? 1 : sizes[form];
+      return (steps ? 1 : sizes[form]) + (besideSpeed ? 1 : 0);
     }
 
     /** Chance of an F-test, times the forms of the family. */
@@ -186,17 +211,18 @@ final class DependenceSearch {
     /** Remembers which share each size of a form must explain for the same chance. */
     void require(double corrected) {
       for (int i = 0; i < sizes.length; i++) {
-        enough[i] = shareOf(corrected / count(), sizes[i]);
+        enough[i] = shareOf(corrected / count(), functions(i));
       }
     }
 
     /** Whether any form explains as much as it was required to. */
     boolean reaches(double[] z, double squares) {
-      double sum = 0;
+      double speed = bySpeed(z);
+      double sum = speed;
       int size = 0;
       for (int c = 0; c < columns.length; c++) {
         double p = dot(columns[c], z);
-        sum = steps ? p * p : sum + p * p;
+        sum = (steps ? speed : sum) + p * p;
         boolean whole = steps || c + 1 == sizes[size];
         if (whole && sum >= enough[steps ? 0 : size++] * squares) {
           return true;
@@ -315,21 +341,33 @@ final class DependenceSearch {
   }
 
   private void addFamilies() {
-    double[] times = kicks.stream().mapToDouble(Kick::time).toArray();
-    add(Variable.SESSION_TIME, polynomials(times, TIME_ORDER), orders(TIME_ORDER));
     double[] speeds = kicks.stream().mapToDouble(Kick::speed).toArray();
-    add(Variable.SPEED, polynomials(speeds, SPEED_ORDER), orders(SPEED_ORDER));
-    add(Variable.HEADING, waves(1, 2, 3, 4), HEADING_FUNCTIONS);
-    add(Variable.HEADING, waves(4, 8), QUARTER_FUNCTIONS);
-    add(Variable.PLACE, places(), PLACE_FUNCTIONS);
+    add(Variable.SPEED, polynomials(speeds, SPEED_ORDER), orders(SPEED_ORDER), false);
+    double[][] line = polynomials(speeds, 1);
+    boolean speedsDiffer = orthonormal(line, false) == 1;
+    speedLine = line[0];
+    for (boolean beside : speedsDiffer ? new boolean[] {false, true} : new boolean[1]) {
+      double[] times = kicks.stream().mapToDouble(Kick::time).toArray();
+      add(Variable.SESSION_TIME, polynomials(times, TIME_ORDER), orders(TIME_ORDER), beside);
+      add(Variable.HEADING, waves(1, 2, 3, 4), HEADING_FUNCTIONS, beside);
+      add(Variable.HEADING, waves(4, 8), QUARTER_FUNCTIONS, beside);
+      add(Variable.PLACE, places(), PLACE_FUNCTIONS, beside);
+      addSteps(beside);
+    }
+  }
+
+  private void addSteps(boolean besideSpeed) {
     double[][] steps = new double[Math.max(0, n - 2 * FEWEST_ON_A_SIDE + 1)][n];
+    double[][] plain = new double[steps.length][];
     for (int s = 0; s < steps.length; s++) {
       for (int i = FEWEST_ON_A_SIDE + s; i < n; i++) {
         steps[s][i] = 1;
       }
-      orthonormal(new double[][] {steps[s]});
+      plain[s] = steps[s].clone();
+      orthonormal(new double[][] {plain[s]}, false);
+      orthonormal(new double[][] {steps[s]}, besideSpeed);
     }
-    families.add(new Family(Variable.SESSION_TIME, steps, new int[] {1}, true));
+    families.add(new Family(Variable.SESSION_TIME, steps, plain, new int[] {1}, true, besideSpeed));
   }
 
   private static int[] orders(int highest) {
@@ -340,9 +378,11 @@ final class DependenceSearch {
     return orders;
   }
 
-  private void add(Variable on, double[][] functions, int[] sizes) {
-    int determined = orthonormal(functions);
-    int most = Math.min(determined, n / KICKS_PER_FUNCTION);
+  private void add(Variable on, double[][] functions, int[] sizes, boolean besideSpeed) {
+    double[][] plain = Arrays.stream(functions).map(double[]::clone).toArray(double[][]::new);
+    orthonormal(plain, false);
+    int determined = orthonormal(functions, besideSpeed);
+    int most = Math.min(determined, n / KICKS_PER_FUNCTION - (besideSpeed ? 1 : 0));
     int count = 0;
     while (count < sizes.length && sizes[count] <= most) {
       count++;
@@ -350,7 +390,7 @@ final class DependenceSearch {
     if (count > 0) {
       int[] kept = Arrays.copyOf(sizes, count);
       double[][] columns = Arrays.copyOf(functions, kept[count - 1]);
-      families.add(new Family(on, columns, kept, false));
+      families.add(new Family(on, columns, plain, kept, false, besideSpeed));
     }
   }
 
@@ -409,8 +449,8 @@ final class DependenceSearch {
     return c;
   }
 
-  /** Makes functions orthonormal: weights them, takes out the mean and what the functions before explain, and scales each to length 1 (Gram–Schmidt, twice because of rounding); returns how many are determined. */
-  private int orthonormal(double[][] columns) {
+  /** Makes functions orthonormal: weights them, takes out the mean, the line over the speed if they are beside it, and what the functions before explain, and scales each to length 1 (Gram–Schmidt, twice because of rounding); returns how many are determined. */
+  private int orthonormal(double[][] columns, boolean besideSpeed) {
     for (int c = 0; c < columns.length; c++) {
       double[] column = columns[c];
       for (int i = 0; i < n; i++) {
@@ -422,11 +462,11 @@ final class DependenceSearch {
         for (int i = 0; i < n; i++) {
           column[i] -= mean * roots[i];
         }
+        if (besideSpeed) {
+          takeOut(speedLine, column);
+        }
         for (int o = 0; o < c; o++) {
-          double p = dot(column, columns[o]);
-          for (int i = 0; i < n; i++) {
-            column[i] -= p * columns[o][i];
-          }
+          takeOut(columns[o], column);
         }
       }
       double after = dot(column, column);
@@ -441,63 +481,95 @@ final class DependenceSearch {
     return columns.length;
   }
 
+  private void takeOut(double[] unit, double[] column) {
+    double p = dot(column, unit);
+    for (int i = 0; i < n; i++) {
+      column[i] -= p * unit[i];
+    }
+  }
+
+  /** Describes a form; beside a line over the speed, the one of the two that explains more. */
   private Dependence describe(Family family, int form, double chance) {
-    int from = family.steps ? form : 0;
-    int functions = family.functions(form);
-    double[] fitted = fitted(Arrays.copyOfRange(family.columns, from, from + functions));
+    double[][] own = family.of(family.plain, form);
+    double[][] all = family.besideSpeed ? with(speedLine, own) : own;
+    double[] coefficients = coefficients(all);
+    double[] whole = sum(all, coefficients);
     double left = 0;
     for (int i = 0; i < n; i++) {
-      left += Math.pow(values[i] - fitted[i] * roots[i], 2);
+      left += Math.pow(values[i] - coefficients[all.length] * roots[i] - whole[i], 2);
     }
-    double explained = Math.max(0, 1 - left / dot(values, values));
+    double squares = dot(values, values);
+    double explained = Math.max(0, 1 - left / squares);
+    boolean bySpeed =
+        family.besideSpeed
+            && 2 * family.bySpeed(values) > squares * family.share(form, values, squares);
+    double[][] told = bySpeed ? new double[][] {speedLine} : own;
+    int first = all.length - own.length;
+    double[] factors = bySpeed ? coefficients : Arrays.copyOfRange(coefficients, first, all.length);
+    double[] fitted = sum(told, factors);
     int low = 0;
     int high = 0;
-    for (int i = 1; i < n; i++) {
+    for (int i = 0; i < n; i++) {
+      fitted[i] /= roots[i];
       low = fitted[i] < fitted[low] ? i : low;
       high = fitted[i] > fitted[high] ? i : high;
     }
-    Level lowest = level(family.on, low, fitted[low]);
-    Level highest = level(family.on, high, fitted[high]);
+    Variable on = bySpeed ? Variable.SPEED : family.on;
+    Level lowest = level(on, low, fitted[low]);
+    Level highest = level(on, high, fitted[high]);
     double place = Double.NaN;
     double change = Double.NaN;
     Form kind = Form.CURVE;
-    if (family.steps) {
-      int first = FEWEST_ON_A_SIDE + form;
+    if (family.steps && !bySpeed) {
+      int begin = FEWEST_ON_A_SIDE + form;
       kind = Form.STEP;
-      place = 0.5 * (kicks.get(first - 1).time() + kicks.get(first).time());
+      place = 0.5 * (kicks.get(begin - 1).time() + kicks.get(begin).time());
       change = fitted[n - 1] - fitted[0];
-    } else if (functions == 1) {
+    } else if (told.length == 1) {
       kind = Form.LINE;
       change = (highest.value() - lowest.value()) / (highest.x() - lowest.x());
     }
-    return new Dependence(
-        family.on, kind, functions, place, change, lowest, highest, explained, chance);
+    return new Dependence(on, kind, told.length, place, change, lowest, highest, explained, chance);
   }
 
-  /** The form at each kick, fitted with less weight for kicks that are far from it (Huber 1964), which would bend it. */
-  private double[] fitted(double[][] columns) {
-    double[] fitted = new double[n];
+  private static double[][] with(double[] first, double[][] rest) {
+    double[][] all = new double[rest.length + 1][];
+    all[0] = first;
+    System.arraycopy(rest, 0, all, 1, rest.length);
+    return all;
+  }
+
+  private double[] sum(double[][] columns, double[] coefficients) {
+    double[] sum = new double[n];
+    for (int c = 0; c < columns.length; c++) {
+      for (int i = 0; i < n; i++) {
+        sum[i] += coefficients[c] * columns[c][i];
+      }
+    }
+    return sum;
+  }
+
+  /** Coefficients of functions, and last of the constant, fitted with less weight for kicks that are far from the form (Huber 1964), which would bend it. */
+  private double[] coefficients(double[][] columns) {
+    int m = columns.length;
     double[] weights = new double[n];
     Arrays.fill(weights, 1);
+    double[] solved = new double[m + 1];
     for (int round = 0; round < ROUNDS; round++) {
-      RealMatrix a = new Array2DRowRealMatrix(n, columns.length + 1);
+      RealMatrix a = new Array2DRowRealMatrix(n, m + 1);
       RealVector z = new ArrayRealVector(n);
       for (int i = 0; i < n; i++) {
-        a.setEntry(i, 0, weights[i] * roots[i]);
-        for (int c = 0; c < columns.length; c++) {
-          a.setEntry(i, c + 1, weights[i] * columns[c][i]);
+        for (int c = 0; c < m; c++) {
+          a.setEntry(i, c, weights[i] * columns[c][i]);
         }
+        a.setEntry(i, m, weights[i] * roots[i]);
         z.setEntry(i, weights[i] * values[i]);
       }
-      RealVector solved = new SingularValueDecomposition(a).getSolver().solve(z);
+      solved = new SingularValueDecomposition(a).getSolver().solve(z).toArray();
+      double[] form = sum(columns, solved);
       double[] distances = new double[n];
       for (int i = 0; i < n; i++) {
-        double sum = solved.getEntry(0) * roots[i];
-        for (int c = 0; c < columns.length; c++) {
-          sum += solved.getEntry(c + 1) * columns[c][i];
-        }
-        fitted[i] = sum / roots[i];
-        distances[i] = Math.abs(values[i] - sum);
+        distances[i] = Math.abs(values[i] - solved[m] * roots[i] - form[i]);
       }
       double[] sorted = distances.clone();
       Arrays.sort(sorted);
@@ -506,7 +578,7 @@ final class DependenceSearch {
         weights[i] = distances[i] > scale ? Math.sqrt(scale / distances[i]) : 1;
       }
     }
-    return fitted;
+    return solved;
   }
 
   private Level level(Variable on, int kick, double value) {

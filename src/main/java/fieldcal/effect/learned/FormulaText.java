@@ -88,6 +88,7 @@ final class FormulaText {
       case SLIDING ->
           component == 0 ? "relative friction while sliding" : "pull to the left while sliding";
       case PUSH -> "acceleration towards " + axis(component);
+      case FLOOR -> "height of the floor";
       case NAP -> "relative rolling deceleration towards " + axis(component);
       case AIR -> "velocity of the air towards " + axis(component);
       case VERTICAL_RESTITUTION -> "vertical restitution";

@@ -39,6 +39,10 @@ public record LearnedFamily(
             "depends_on: " + v.label() + " is not known for " + quantity.label());
       }
     }
+    if (quantity == Quantity.FLOOR && !(basis instanceof Surface)) {
+      throw new IllegalArgumentException(
+          "basis: must be a surface for " + quantity.label() + ", but is " + basis.type());
+    }
     if (camera.isPresent() != quantity.actsOn().equals("measurement")) {
       throw new IllegalArgumentException(
           "camera: must be "
@@ -131,6 +135,7 @@ public record LearnedFamily(
       case ROLLING -> new LearnedRolling(this, coefficients);
       case SLIDING -> new LearnedSliding(this, coefficients);
       case PUSH -> new LearnedPush(this, coefficients);
+      case FLOOR -> new LearnedFloor(this, coefficients);
       case NAP -> new LearnedNap(this, coefficients);
       case AIR -> new LearnedAir(this, coefficients);
       case VERTICAL_RESTITUTION, TANGENTIAL_RESTITUTION, TURN ->

@@ -12,7 +12,7 @@ import java.util.Set;
  * A learned term as files hold it: {@code acts_on}, {@code quantity}, {@code depends_on} (a list of names), {@code camera} (of measurements), {@code basis} and {@code
  * coefficients}. A basis has its {@code type} and what that needs: {@code range} [from, to] and {@code knots} of a spline, also {@code range_y} and two {@code knots} of a
  * surface or of stripes, {@code order} and {@code period} of harmonics, {@code degree} and both ranges of a polynomial, {@code first} and {@code count} of levels; {@code centred}
- * of splines and surfaces.
+ * of splines, surfaces and polynomials.
  */
 public final class LearnedFields {
   private static final String ACTS_ON = "acts_on";
@@ -79,6 +79,7 @@ public final class LearnedFields {
       fields.put(DEGREE, p.degree());
       fields.put(RANGE, List.of(p.fromX(), p.toX()));
       fields.put(RANGE_Y, List.of(p.fromY(), p.toY()));
+      fields.put(CENTRED, p.centred());
     } else if (basis instanceof Levels l) {
       fields.put(FIRST, l.first());
       fields.put(COUNT, l.count());
@@ -146,7 +147,10 @@ public final class LearnedFields {
         case Polynomial.TYPE -> {
           double[] x = range(RANGE, fields.get(RANGE));
           double[] y = range(RANGE_Y, fields.get(RANGE_Y));
-          yield new Polynomial(whole(DEGREE, fields.get(DEGREE)), x[0], x[1], y[0], y[1]);
+          int degree = whole(DEGREE, fields.get(DEGREE));
+          // Documents of earlier versions have no other.
+          boolean centred = !fields.containsKey(CENTRED) || flag(fields.get(CENTRED));
+          yield new Polynomial(degree, x[0], x[1], y[0], y[1], centred);
         }
         default -> new Levels(whole(FIRST, fields.get(FIRST)), whole(COUNT, fields.get(COUNT)));
       };
@@ -161,7 +165,7 @@ public final class LearnedFields {
       case Surface.TYPE -> List.of(RANGE, RANGE_Y, KNOTS, CENTRED);
       case Stripes.TYPE -> List.of(RANGE, RANGE_Y, KNOTS);
       case Harmonics.TYPE -> List.of(ORDER, PERIOD);
-      case Polynomial.TYPE -> List.of(DEGREE, RANGE, RANGE_Y);
+      case Polynomial.TYPE -> List.of(DEGREE, RANGE, RANGE_Y, CENTRED);
       case Levels.TYPE -> List.of(FIRST, COUNT);
       default -> throw wrong(BASIS + "." + TYPE, "a known basis", type);
     };

@@ -5,10 +5,11 @@ import fieldcal.effect.Arena;
 import fieldcal.effect.ObservedCamera;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The families of smooth terms that a recording is searched for. Only the lateness over the speed and the maps have a constant part: elsewhere it is a parameter of the simple model or of a named effect (camera offset,
+ * The families of smooth terms that a recording is searched for. Only the lateness over the speed, the maps, and what takes a camera's place have a constant part: elsewhere it is a parameter of the simple model or of a named effect (camera offset,
  * time offset).
  */
 public final class LearnedLibrary {
@@ -146,17 +147,22 @@ public final class LearnedLibrary {
   }
 
   /**
-   * Short curves, of a few numbers each: laws of the ground that differ from a named cause only in their form. Longer curves would need more evidence than such a difference gives.
+   * Short curves and coarse maps that differ from a named cause only in their form: a law of the ground of a few numbers, a floor that is not even, a camera whose error is any smooth function of the place or whose lateness depends on the speed. Longer curves would need more evidence than such a difference gives.
    *
    * @param arena what was recorded
    * @return absent terms that can show in the recording
    */
   public static List<LearnedTerm> forms(Arena arena) {
     Basis speed = curve(0, Ranges.typical().speed(), KNOTS_FORM);
-    return Stream.of(LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, speed))
-        .map(LearnedFamily::absent)
-        .filter(term -> term.canShowIn(arena))
-        .toList();
+    List<LearnedFamily> all = new ArrayList<>();
+    all.add(LearnedFamily.of(Quantity.ROLLING, Variable.SPEED, speed));
+    all.add(LearnedFamily.of(Quantity.FLOOR, Variable.PLACE, place(arena)));
+    Basis lateness = new Spline(0, Ranges.typical().speed(), KNOTS_FORM, false);
+    for (ObservedCamera camera : arena.cameras()) {
+      ofImage(camera, arena, false).ifPresent(all::add);
+      all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SPEED, lateness, camera.id()));
+    }
+    return all.stream().map(LearnedFamily::absent).filter(term -> term.canShowIn(arena)).toList();
   }
 
   /**
@@ -171,7 +177,7 @@ public final class LearnedLibrary {
     double field = (x[1] - x[0]) * (y[1] - y[0]);
     double spacing = Math.max(MAP_SPACING, Math.sqrt(field / MOST_MAP_KNOTS));
     Basis map = new Surface(mapped(x, spacing), mapped(y, spacing), false);
-    return Stream.of(Quantity.FRICTION, Quantity.ACCELERATION_ALONG)
+    return Stream.of(Quantity.FRICTION, Quantity.ACCELERATION_ALONG, Quantity.FLOOR)
         .map(q -> LearnedFamily.of(q, Variable.PLACE, map).absent())
         .toList();
   }
@@ -201,6 +207,7 @@ public final class LearnedLibrary {
     all.add(LearnedFamily.of(across, Variable.SPEED, speed));
     all.add(LearnedFamily.of(across, Variable.HEADING, heading));
     all.add(LearnedFamily.of(across, Variable.PLACE, place(arena)));
+    all.add(LearnedFamily.of(Quantity.FLOOR, Variable.PLACE, place(arena)));
     all.add(LearnedFamily.of(Quantity.PUSH, Variable.PLACE, stripes(arena)));
     all.add(LearnedFamily.of(Quantity.PUSH, Variable.SESSION_TIME, session(arena)));
     all.add(LearnedFamily.of(Quantity.NAP, Variable.PLACE, stripes(arena)));
@@ -228,20 +235,30 @@ public final class LearnedLibrary {
   private static void camera(
       Arena arena, ObservedCamera camera, Ranges ranges, List<LearnedFamily> all) {
     int id = camera.id();
-    if (camera.camera().isPresent()) {
-      Camera below = camera.camera().get();
-      double view = VIEW_PER_HEIGHT * below.positionZ();
-      double[] x = seen(arena.x0() - below.positionX(), arena.x1() - below.positionX(), view);
-      double[] y = seen(arena.y0() - below.positionY(), arena.y1() - below.positionY(), view);
-      Basis area = new Polynomial(DEGREE, x[0], x[1], y[0], y[1]);
-      all.add(LearnedFamily.of(Quantity.SHIFT, Variable.IMAGE_POSITION, area, id));
-    }
+    ofImage(camera, arena, true).ifPresent(all::add);
     all.add(LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, session(arena), id));
     all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SESSION_TIME, session(arena), id));
     // With a constant, because the part of a lateness that does not depend on the speed cannot be
     // separated from the rest.
     Basis speed = new Spline(0, ranges.speed(), KNOTS, false);
     all.add(LearnedFamily.of(Quantity.TIME_ERROR, Variable.SPEED, speed, id));
+  }
+
+  /** An error of the reported place over the place in the image; empty where the camera's pose is unknown. */
+  private static Optional<LearnedFamily> ofImage(
+      ObservedCamera camera, Arena arena, boolean centred) {
+    return camera
+        .camera()
+        .map(
+            below -> {
+              double view = VIEW_PER_HEIGHT * below.positionZ();
+              double[] x =
+                  seen(arena.x0() - below.positionX(), arena.x1() - below.positionX(), view);
+              double[] y =
+                  seen(arena.y0() - below.positionY(), arena.y1() - below.positionY(), view);
+              Basis area = new Polynomial(DEGREE, x[0], x[1], y[0], y[1], centred);
+              return LearnedFamily.of(Quantity.SHIFT, Variable.IMAGE_POSITION, area, camera.id());
+            });
   }
 
   private static Spline curve(double from, double to, int knots) {

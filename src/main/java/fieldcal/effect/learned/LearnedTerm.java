@@ -20,6 +20,7 @@ public abstract sealed class LearnedTerm implements Effect
         LearnedRolling,
         LearnedSliding,
         LearnedPush,
+        LearnedFloor,
         LearnedNap,
         LearnedAir,
         LearnedBounce,

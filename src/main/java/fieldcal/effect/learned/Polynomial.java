@@ -3,16 +3,17 @@ package fieldcal.effect.learned;
 import java.util.Arrays;
 
 /**
- * Products of Legendre polynomials P_i(u)·P_j(v) with 1 ≤ i + j ≤ degree over a rectangle, first by the sum i + j, then by j; without the constant, and constant beyond the
- * rectangle's sides.
+ * Products of Legendre polynomials P_i(u)·P_j(v) with i + j ≤ degree over a rectangle, first by the sum i + j, then by j; constant beyond the rectangle's sides. Centred, without the constant P_0·P_0.
  *
  * @param degree 1 to 3
  * @param fromX beginning of the first number's range
  * @param toX its end
  * @param fromY beginning of the second number's range
  * @param toY its end
+ * @param centred whether the constant is left out
  */
-public record Polynomial(int degree, double fromX, double toX, double fromY, double toY)
+public record Polynomial(
+    int degree, double fromX, double toX, double fromY, double toY, boolean centred)
     implements Basis {
   static final String TYPE = "polynomial";
   private static final int HIGHEST_DEGREE = 3;
@@ -43,7 +44,7 @@ public record Polynomial(int degree, double fromX, double toX, double fromY, dou
 
   @Override
   public int size() {
-    return (degree + 1) * (degree + 2) / 2 - 1;
+    return (degree + 1) * (degree + 2) / 2 - (centred ? 1 : 0);
   }
 
   @Override
@@ -57,7 +58,7 @@ public record Polynomial(int degree, double fromX, double toX, double fromY, dou
     double x = scaled(u, fromX, toX);
     double y = scaled(v, fromY, toY);
     int n = 0;
-    for (int sum = 1; sum <= degree; sum++) {
+    for (int sum = lowest(); sum <= degree; sum++) {
       for (int j = 0; j <= sum; j++) {
         values[n++] = legendre(sum - j, x) * legendre(j, y);
       }
@@ -72,13 +73,18 @@ public record Polynomial(int degree, double fromX, double toX, double fromY, dou
       double y = scaled(v, fromY, toY);
       double total = 0;
       int n = 0;
-      for (int sum = 1; sum <= degree; sum++) {
+      for (int sum = lowest(); sum <= degree; sum++) {
         for (int j = 0; j <= sum; j++) {
           total += c[n++] * legendre(sum - j, x) * legendre(j, y);
         }
       }
       return total;
     };
+  }
+
+  /** The least sum i + j. */
+  private int lowest() {
+    return centred ? 1 : 0;
   }
 
   private static double scaled(double u, double from, double to) {

@@ -24,6 +24,9 @@ public enum Quantity {
   /** Force over the mass along x and y of the field on a ball on the carpet, m/s²: the coefficients of x come first, then those of y. A rolling ball follows it with 5/7, since it must be turned, too. */
   PUSH("ground", "push", "m/s²", 2, 0.05, 3, "a slope of 0.5 % pulls so much"),
 
+  /** Height of the floor under the carpet, mm, relative to the rest of the field: a ball is pulled downhill, by g times the slope. A rolling ball follows it with 5/7, since it must be turned, too. */
+  FLOOR("ground", "floor", "mm", 1, 1, 12, "DIN 18202: 4 mm within 1 m, 12 mm within 10 m"),
+
   /** Relative change of the rolling deceleration by the pile of the carpet (–): a·cos θ + b·sin θ for a ball that travels in direction θ. The coefficients of a come first, then those of b; positive brakes more. */
   NAP("ground", "nap", "", 2, 0.05, 0.9, "up to 0.08 with the heading in matches of 2026"),
 
@@ -116,7 +119,7 @@ public enum Quantity {
     return switch (this) {
       case SLIDING -> variable == Variable.HEADING;
       case PUSH -> variable == Variable.PLACE || variable == Variable.SESSION_TIME;
-      case NAP, AIR -> variable == Variable.PLACE;
+      case FLOOR, NAP, AIR -> variable == Variable.PLACE;
       case TIME_ERROR -> variable == Variable.SESSION_TIME || variable == Variable.SPEED;
       case SHIFT -> variable == Variable.SESSION_TIME || variable == Variable.IMAGE_POSITION;
       default -> true;

@@ -144,6 +144,11 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
     return cubics;
   }
 
+  /** Intervals per unit of the variable. */
+  double perUnit() {
+    return (knots - 1) / (to - from);
+  }
+
   /** Place in units of knots, 0 to K − 1. */
   double position(double u) {
     double p = (u - from) / (to - from) * (knots - 1);

@@ -87,7 +87,7 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
   }
 
   @Override
-  public Curve curve(double[] coefficients, int from) {
+  public Relief curve(double[] coefficients, int from) {
     int nx = x.knots();
     int ny = y.knots();
     double[][] control = new double[nx + 2][ny + 2];
@@ -103,8 +103,7 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     }
     control[0] = control[2];
     control[nx + 1] = control[nx - 1];
-    double[] cubics = cubics(control);
-    return (u, v) -> at(cubics, x.position(u), y.position(v));
+    return new Cells(this, cubics(control));
   }
 
   private double sumOfWaves(double[] coefficients, int from, int i, int j) {
@@ -134,17 +133,66 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     return cubics;
   }
 
-  private double at(double[] cubics, double p, double q) {
-    int i = x.interval(p);
-    int j = y.interval(q);
-    double s = p - i;
-    double t = q - j;
-    int cell = 16 * (i * (y.knots() - 1) + j);
-    double sum = 0;
-    for (int n = cell + 12; n >= cell; n -= 4) {
-      double ofY = cubics[n] + t * (cubics[n + 1] + t * (cubics[n + 2] + t * cubics[n + 3]));
-      sum = sum * s + ofY;
+  /** A curve over a place, with its slopes. Immutable. */
+  interface Relief extends Curve {
+    /**
+     * Adds a multiple of how much it rises along x and along y; 0 beyond the ends of the ranges, where it is constant.
+     *
+     * @param u first number
+     * @param v second number
+     * @param factor by which the slopes are multiplied, which are in the unit of the coefficients over that of the number
+     * @param sum to whose first two numbers they are added
+     */
+    void addGradient(double u, double v, double factor, double[] sum);
+  }
+
+  /** The cells between four knots, each with sixteen coefficients of the powers of its shares. */
+  private record Cells(Surface of, double[] cubics) implements Relief {
+    @Override
+    public double at(double u, double v) {
+      double p = of.x.position(u);
+      double q = of.y.position(v);
+      int i = of.x.interval(p);
+      int j = of.y.interval(q);
+      double s = p - i;
+      double t = q - j;
+      int cell = first(i, j);
+      double sum = 0;
+      for (int n = cell + 12; n >= cell; n -= 4) {
+        sum = sum * s + along(n, t);
+      }
+      return sum;
     }
-    return sum;
+
+    @Override
+    public void addGradient(double u, double v, double factor, double[] sum) {
+      double p = of.x.position(u);
+      double q = of.y.position(v);
+      int i = of.x.interval(p);
+      int j = of.y.interval(q);
+      double s = p - i;
+      double t = q - j;
+      int cell = first(i, j);
+      double ofX = 0;
+      double ofY = 0;
+      for (int power = 3; power >= 0; power--) {
+        int n = cell + 4 * power;
+        if (power > 0) {
+          ofX = ofX * s + power * along(n, t);
+        }
+        ofY = ofY * s + cubics[n + 1] + t * (2 * cubics[n + 2] + t * 3 * cubics[n + 3]);
+      }
+      sum[0] += factor * ofX * of.x.perUnit();
+      sum[1] += factor * ofY * of.y.perUnit();
+    }
+
+    private int first(int i, int j) {
+      return 16 * (i * (of.y.knots() - 1) + j);
+    }
+
+    /** The cubic along y that belongs to one power of the share along x. */
+    private double along(int n, double t) {
+      return cubics[n] + t * (cubics[n + 1] + t * (cubics[n + 2] + t * cubics[n + 3]));
+    }
   }
 }

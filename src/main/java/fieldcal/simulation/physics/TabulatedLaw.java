@@ -11,6 +11,10 @@ import java.util.Objects;
  * @param table the amount, in the unit of what changes
  */
 public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) implements ExtraLaw {
+  private static final double METRES_PER_MM = 1e-3;
+
+  /** To each side of the ball over which the floor's slope is taken, m: so it is continuous though the height is linear between the points. Mounds that a carpet covers are wider. */
+  private static final double SLOPE_OVER = 0.1;
 
   /** What a table may change. */
   public enum Quantity {
@@ -30,6 +34,8 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
     PUSH_X,
     /** Force over the mass along y on a ball on the carpet, m/s². */
     PUSH_Y,
+    /** Height of the floor, mm; pulls a ball on the carpet downhill, by g times the slope. */
+    FLOOR,
     /** Relative change of the rolling deceleration of a ball that travels along x (–), times the cosine for others; positive brakes more. */
     NAP_X,
     /** Relative change of the rolling deceleration of a ball that travels along y (–), times the sine for others. */
@@ -186,9 +192,20 @@ public record TabulatedLaw(Quantity changes, Variable dependsOn, Table table) im
   public void push(BallMoment moment, double[] acceleration) {
     boolean pushes = changes == Quantity.PUSH_X || changes == Quantity.PUSH_Y;
     // A ball on the carpet has no vertical speed, one in flight has none for an instant only.
-    if (pushes && moment.vz() == 0) {
+    boolean onCarpet = moment.vz() == 0;
+    if (pushes && onCarpet) {
       acceleration[changes == Quantity.PUSH_X ? 0 : 1] += at(moment);
+    } else if (changes == Quantity.FLOOR && onCarpet) {
+      double x = moment.x();
+      double y = moment.y();
+      acceleration[0] -= pull(table.at(x - SLOPE_OVER, y), table.at(x + SLOPE_OVER, y));
+      acceleration[1] -= pull(table.at(x, y - SLOPE_OVER), table.at(x, y + SLOPE_OVER));
     }
+  }
+
+  /** g times the slope between two heights in mm. */
+  private static double pull(double before, double behind) {
+    return BallPhysics.GRAVITY * METRES_PER_MM * (behind - before) / (2 * SLOPE_OVER);
   }
 
   @Override

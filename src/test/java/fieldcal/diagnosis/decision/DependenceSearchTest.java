@@ -137,6 +137,24 @@ class DependenceSearchTest {
     assertThat(found.change()).isCloseTo(-0.04, within(0.005));
   }
 
+  /** Spins that a ball only seems to have grow with its speed; another ball has others. Neither explains much alone. */
+  @Test
+  void whatFollowsTheSpeedWithEitherBallIsFound() {
+    for (int seed = 0; seed < 6; seed++) {
+      ToDoubleFunction<Kick> law = k -> -0.02 * k.speed() - (k.time() < 90 ? 0 : 0.05);
+      Dependence found = search(17, seed, 0.004, law).orElseThrow();
+      assertThat(found.explained()).as("seed %d: %s", seed, found).isGreaterThan(0.9);
+      if (found.on() == Variable.SPEED) {
+        assertThat(found.form()).isEqualTo(Form.LINE);
+        assertThat(found.change()).isCloseTo(-0.02, within(0.01));
+      } else {
+        assertThat(found.form()).isEqualTo(Form.STEP);
+        assertThat(found.change()).isCloseTo(-0.05, within(0.02));
+        assertThat(found.place()).isCloseTo(90, within(SESSION / 17));
+      }
+    }
+  }
+
   /** A kick that was cut off badly, or has a wrong number of hops. */
   @Test
   void aKickFarOffDoesNotHideTheRest() {

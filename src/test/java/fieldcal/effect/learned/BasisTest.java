@@ -24,8 +24,9 @@ class BasisTest {
     all.add(new Stripes(new Spline(-6, 6, 13, true), new Spline(-4, 4, 9, true)));
     all.add(Harmonics.ofAngle(1));
     all.add(Harmonics.ofAngle(4));
-    all.add(new Polynomial(3, -3, 2, -1, 5));
-    all.add(new Polynomial(1, -3, 2, -1, 5));
+    all.add(new Polynomial(3, -3, 2, -1, 5, true));
+    all.add(new Polynomial(3, -3, 2, -1, 5, false));
+    all.add(new Polynomial(1, -3, 2, -1, 5, true));
     all.add(new Levels(2, 3));
     return all;
   }
@@ -124,7 +125,7 @@ class BasisTest {
     assertThatThrownBy(() -> new Spline(0, 1, 2, true)).hasMessageStartingWith("knots:");
     assertThatThrownBy(() -> new Harmonics(5, 1)).hasMessageStartingWith("order:");
     assertThatThrownBy(() -> new Harmonics(1, 0)).hasMessageStartingWith("period:");
-    assertThatThrownBy(() -> new Polynomial(4, 0, 1, 0, 1)).hasMessageStartingWith("degree:");
+    assertThatThrownBy(() -> new Polynomial(4, 0, 1, 0, 1, true)).hasMessageStartingWith("degree:");
     assertThatThrownBy(() -> new Levels(1, 0)).hasMessageStartingWith("count:");
   }
 }

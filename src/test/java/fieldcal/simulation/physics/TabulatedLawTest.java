@@ -13,6 +13,7 @@ import fieldcal.effect.learned.LearnedFamily;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Spline;
 import fieldcal.effect.learned.Stripes;
+import fieldcal.effect.learned.Surface;
 import fieldcal.effect.motion.AirDrag;
 import fieldcal.simulation.physics.TabulatedLaw.Quantity;
 import fieldcal.simulation.physics.TabulatedLaw.Variable;
@@ -279,5 +280,18 @@ class TabulatedLawTest {
     isTheSame(
         with(draught, air, Quantity.AIR_X, Quantity.AIR_Y),
         List.of(AirDrag.USUAL, (MotionEffect) air));
+  }
+
+  @Test
+  void heightsOfTheFloorAreTheLearnedTermsFloor() {
+    Spline axis = new Spline(-2, 6, 11, false);
+    LearnedFamily family =
+        LearnedFamily.of(
+            fieldcal.effect.learned.Quantity.FLOOR,
+            fieldcal.effect.learned.Variable.PLACE,
+            new Surface(axis, axis, false));
+    LearnedTerm floor =
+        family.term(IntStream.range(0, family.size()).mapToDouble(i -> 8 * Math.sin(i)).toArray());
+    isTheSame(with(SOLID_BALL, floor, Quantity.FLOOR), List.of((MotionEffect) floor));
   }
 }
