@@ -213,6 +213,15 @@ public interface Effect {
   }
 
   /**
+   * Whether a calibration of the simple model estimates it and takes it out of the detections, so that it does not change the ball's parameters.
+   *
+   * @return false unless an effect says otherwise
+   */
+  default boolean isTakenOutByCalibration() {
+    return false;
+  }
+
+  /**
    * What it acts on, if not on everything: a camera, a robot. Two effects with the same id and subject are the same cause with other numbers.
    *
    * @return a text for comparison, made of the parameters that are neither estimated nor places
