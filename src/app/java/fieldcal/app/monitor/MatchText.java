@@ -347,13 +347,13 @@ final class MatchText {
       String uncalibrated = c.calibrated() ? "" : "  no usable calibration";
       add(
           lines,
-          "  %-9d %5s Hz %7s mm %15s mm %8d %8s s%s%s%s",
+          "  %-9d %5s Hz %7s mm %15s mm %8d %10s%s%s%s",
           c.id(),
           number("%.1f", c.rateHz()),
           number("%.2f", c.noiseMm()),
           number("%.1f", c.offsetXMm()) + ", " + number("%.1f", c.offsetYMm()),
           c.gaps(),
-          number("%.1f", c.longestGap()),
+          c.gaps() == 0 ? "–" : number("%.2f s", c.longestGap()),
           silent,
           apart,
           uncalibrated);
