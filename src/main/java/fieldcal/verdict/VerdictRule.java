@@ -110,7 +110,7 @@ public final class VerdictRule {
         fitted |= judge(kind);
       }
     }
-    if (calibration.kicks().stream().noneMatch(CalibratedKick::selected)) {
+    if (calibration.kicks().stream().noneMatch(CalibratedKick::trusted)) {
       reasons.add(new Reason.NoKicks(calibration.kicks().size()));
       fitted = false;
     }

@@ -343,7 +343,7 @@ class VerdictRuleTest {
 
   @Test
   void camerasThatAreNotWhatTheyAreTakenForAreCheckedFirst() {
-    VisionFault clock = new VisionFault.ClockRate(List.of(0, 1), 0.99);
+    VisionFault clock = new VisionFault.ClockRate(List.of(0, 1), 0.99, false);
     VisionFault turned = new VisionFault.MixedUp(List.of(1), false);
     for (VisionFault fault : List.of(clock, turned)) {
       Surroundings faulty =
@@ -353,6 +353,20 @@ class VerdictRuleTest {
       assertThat(judged(faulty).decision()).isEqualTo(PublishDecision.CHECK_FIRST);
       assertThat(judged(faulty).reasons().get(0)).isEqualTo(new Reason.FaultyVision(fault));
     }
+  }
+
+  /** grSim's clock is 3.5 % slow when the machine is busy; its own time counts there. */
+  @Test
+  void theClockOfASimulatorIsARemark() {
+    Reason remark = new Reason.FaultyVision(new VisionFault.ClockRate(List.of(0), 1.035, true));
+    Surroundings simulator =
+        new Surroundings(
+            List.of(
+                new Surroundings.Recorded(
+                    false, Optional.empty(), List.of(((Reason.FaultyVision) remark).fault()))),
+            Optional.empty());
+    assertThat(judged(simulator).decision()).isEqualTo(PublishDecision.PUBLISH);
+    assertThat(judged(simulator).reasons()).contains(remark);
   }
 
   private static Surroundings.Recorded recorded(boolean simulated) {

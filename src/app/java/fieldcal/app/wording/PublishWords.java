@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -62,7 +63,11 @@ public record PublishWords(
     return new PublishWords(
         verdict.decision().id(),
         title(verdict.decision()),
-        sentences(verdict.reasons().stream().filter(PublishWords::holdsBack).toList()),
+        Stream.concat(
+                models(verdict).stream(),
+                sentences(verdict.reasons().stream().filter(PublishWords::holdsBack).toList())
+                    .stream())
+            .toList(),
         sentences(verdict.reasons().stream().filter(r -> !holdsBack(r)).toList()),
         toDo(verdict));
   }
@@ -78,6 +83,16 @@ public record PublishWords(
 
   private static boolean holdsBack(Reason reason) {
     return reason.decision() != PublishDecision.PUBLISH;
+  }
+
+  /** The decision about each model, where these differ. */
+  private static Optional<String> models(PublishVerdict verdict) {
+    Optional<PublishDecision> flat = verdict.decision(KickKind.FLAT);
+    Optional<PublishDecision> chip = verdict.decision(KickKind.CHIP);
+    return flat.isEmpty() || chip.isEmpty() || flat.equals(chip)
+        ? Optional.empty()
+        : Optional.of(
+            "Flat model: " + title(flat.get()) + ". Chip model: " + title(chip.get()) + ".");
   }
 
   private static String title(PublishDecision decision) {
@@ -381,7 +396,7 @@ public record PublishWords(
       }
     }
     if (!wanted.isEmpty()) {
-      all.add("Record " + WordList.of(List.copyOf(wanted)) + ".");
+      all.add("Record " + beginners(verdict) + WordList.of(List.copyOf(wanted)) + ".");
     }
     if (verdict.decision() == PublishDecision.PUBLISH) {
       all.add(publish(verdict.reasons()));
@@ -392,6 +407,23 @@ public record PublishWords(
               + " wrong.");
     }
     return List.copyOf(all);
+  }
+
+  /** How many kicks to record where there are hardly any. */
+  private static String beginners(PublishVerdict verdict) {
+    List<String> kinds =
+        Stream.of(KickKind.values())
+            .filter(
+                kind ->
+                    verdict.reasons().stream()
+                        .anyMatch(
+                            r ->
+                                r instanceof Reason.FewKicks few
+                                    && few.kind() == kind
+                                    && few.kicks() < few.needed()))
+            .map(kind -> kind == KickKind.FLAT ? "twelve flat kicks" : "twelve chips")
+            .toList();
+    return kinds.isEmpty() ? "" : "at least " + WordList.of(kinds) + ", among them ";
   }
 
   /** Whether kicks are calibrated together that belong to different fields. */

@@ -37,6 +37,23 @@ class PublishWordsTest {
   }
 
   @Test
+  void modelsThatAreJudgedDifferentlyAreNamedFirst() {
+    PublishVerdict verdict =
+        new PublishVerdict(
+            PublishDecision.RECORD_MORE,
+            List.of(
+                new Reason.FewKicks(KickKind.CHIP, "dampingZ", 2, 5, 2),
+                new Reason.NothingPublished(KickKind.FLAT)),
+            false);
+    assertThat(PublishWords.of(verdict).reasons().get(0))
+        .isEqualTo("Flat model: publish. Chip model: record more.");
+    assertThat(PublishWords.of(verdict).headline())
+        .isEqualTo(
+            "Verdict: record more. Record at least twelve chips, among them chips that bounce three"
+                + " times or more.");
+  }
+
+  @Test
   void anOffsetThatIsTakenOutChangesNothing() {
     PublishWords words =
         after(
