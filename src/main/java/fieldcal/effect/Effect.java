@@ -213,11 +213,11 @@ public interface Effect {
   }
 
   /**
-   * Whether a calibration of the simple model estimates it and takes it out of the detections, so that it does not change the ball's parameters.
+   * Whether a calibration of the simple model allows for it, so that it does not change the ball's parameters: it takes the offsets of cameras out of the detections, and fits each kick's own velocity, whatever the robot was commanded.
    *
    * @return false unless an effect says otherwise
    */
-  default boolean isTakenOutByCalibration() {
+  default boolean isAllowedForByCalibration() {
     return false;
   }
 

@@ -25,7 +25,7 @@ import java.util.Map;
  * <p>The residual has two parts, and each is compared with the noise. What is left when every kick may have values of its own about the model's ({@link fieldcal.fit.JointFitter}) shows a law that is wrong within a kick ({@link Reason.ResidualAboveNoise}). By how much that grows when one model has to describe all kicks shows that
  * kicks differ from each other ({@link Reason.KicksDiffer}). Both are judged however few kicks there are: more kicks do not mend a model that is wrong.
  *
- * <p>A diagnosis ({@link Evidence#finding}) overrules the residual when it finds nothing wrong, and holds a model back when it names a cause that changes it, or finds an error without explaining any of it. Offsets of cameras, which a calibration takes out, do not change the model. What a diagnosis describes without naming a cause is part of the residual, and is judged with it.
+ * <p>A diagnosis ({@link Evidence#finding}) overrules the residual when it finds nothing wrong, and holds a model back when it names a cause that changes it, or finds an error without explaining any of it. What a calibration allows for, as offsets of cameras and the bias of a kicker, does not change the model. What a diagnosis describes without naming a cause is part of the residual, and is judged with it.
  */
 public final class VerdictRule {
   /** Fewest kicks for a mean: the scatter of fewer is known too badly to exclude values by it. */
@@ -280,11 +280,11 @@ public final class VerdictRule {
 
   private static boolean changesTheModel(Finding finding) {
     return finding.verdict() == Verdict.UNEXPLAINED_STRUCTURE
-        || finding.causes().stream().anyMatch(id -> !isTakenOut(id));
+        || finding.causes().stream().anyMatch(id -> !isAllowedFor(id));
   }
 
-  private static boolean isTakenOut(String effect) {
-    return EffectCatalogue.find(effect).map(Effect::isTakenOutByCalibration).orElse(false);
+  private static boolean isAllowedFor(String effect) {
+    return EffectCatalogue.find(effect).map(Effect::isAllowedForByCalibration).orElse(false);
   }
 
   /** Whether a diagnosis found nothing wrong, which counts for more than the residual. */

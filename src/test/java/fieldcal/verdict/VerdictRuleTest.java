@@ -183,6 +183,7 @@ class VerdictRuleTest {
   @CsvSource({
     // residual, of one model, diagnosis, causes, decision
     "1.0, 1.5, EXPLAINED, camera_offset, PUBLISH", // calibration takes it out
+    "1.0, 1.5, EXPLAINED, robot_kick_bias, PUBLISH", // each kick's own velocity is fitted
     "1.3, 1.6, PARTLY_EXPLAINED, camera_offset, PUBLISH", // the rest is small against the noise
     "1.0, 2.6, PARTLY_EXPLAINED, camera_offset, CHECK_FIRST",
     "1.0, 1.5, EXPLAINED, camera_offset air_drag, CHECK_FIRST",

@@ -1,6 +1,7 @@
 package fieldcal.app.monitor;
 
 import fieldcal.app.limits.LimitWords;
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
@@ -205,7 +206,7 @@ final class MatchText {
   }
 
   private static String value(double v) {
-    return String.format(Locale.ROOT, "%.3f", v);
+    return Amount.minus(String.format(Locale.ROOT, "%.3f", v));
   }
 
   /** In words: of negative accelerations a sign alone would mislead. */
@@ -370,7 +371,7 @@ final class MatchText {
   private static String number(String format, double value) {
     // A small negative number would be shown as -0.0.
     String text = String.format(Locale.ROOT, format, value).replaceFirst("^-(0\\.0+)$", "$1");
-    return Double.isFinite(value) ? text : "–";
+    return Double.isFinite(value) ? Amount.minus(text) : "–";
   }
 
   private void kicks(List<String> lines, BallSnapshot ball, int width) {

@@ -342,10 +342,10 @@ public record PublishWords(
 
   private static String diagnosed(Reason.Diagnosed d) {
     String causes = d.causes().isEmpty() ? "" : ": " + names(d.causes());
-    String takenOut =
+    String allowedFor =
         d.causes().isEmpty() || holdsBack(d)
             ? ""
-            : " This is taken out of these kicks, so the ball model needs no change for it.";
+            : " The calibration allows for this, so the ball model needs no change.";
     String small =
         holdsBack(d) || d.verdict() != Verdict.PARTLY_EXPLAINED
             ? ""
@@ -353,11 +353,15 @@ public record PublishWords(
                 + " extended_model.json may predict better with it.";
     return switch (d.verdict()) {
       case MODEL_ADEQUATE -> "The diagnosis found nothing that the model gets wrong.";
-      case EXPLAINED -> "The diagnosis explains what is wrong" + causes + "." + takenOut;
+      case EXPLAINED -> "The diagnosis explains what is wrong" + causes + "." + allowedFor;
       case PARTLY_EXPLAINED ->
           d.causes().isEmpty()
               ? "The diagnosis found no cause that is proven." + small
-              : "The diagnosis explains a part of what is wrong" + causes + "." + takenOut + small;
+              : "The diagnosis explains a part of what is wrong"
+                  + causes
+                  + "."
+                  + allowedFor
+                  + small;
       case UNEXPLAINED_STRUCTURE ->
           "The diagnosis found that the model is wrong, but no cause for it.";
     };

@@ -55,7 +55,7 @@ public record CameraOffset(double xMm, double yMm, int camera) implements Measur
   }
 
   @Override
-  public boolean isTakenOutByCalibration() {
+  public boolean isAllowedForByCalibration() {
     return true;
   }
 

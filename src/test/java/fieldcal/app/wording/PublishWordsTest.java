@@ -62,8 +62,8 @@ class PublishWordsTest {
     assertThat(words.headline()).startsWith("Verdict: publish.");
     assertThat(words.notes())
         .containsExactly(
-            "The diagnosis explains what is wrong: camera offset. This is taken out of these"
-                + " kicks, so the ball model needs no change for it.");
+            "The diagnosis explains what is wrong: camera offset. The calibration allows for"
+                + " this, so the ball model needs no change.");
   }
 
   /** Nobody can correct the air. */
