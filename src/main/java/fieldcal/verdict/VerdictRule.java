@@ -48,7 +48,7 @@ public final class VerdictRule {
 
   /**
    * Residuals of more than this many times the noise on the resting ball are far above it, within a kick as well as from kick to kick. Good fits reach 1.9: ten matches of 2026 have 0.7 mm on the resting ball and 1.3 mm RMS
-   * (Immortals-Robotics/Simulator, docs/calibration). From kick to kick, eight recordings with nothing wrong in them reach 0.3, those of a rigid-body simulator with a fixed loss (erforce) 1.4, and bounces that build up spin (ode-chip) 2.3.
+   * (Immortals-Robotics/Simulator, docs/calibration). From kick to kick, seven recordings with nothing wrong in them reach 0.1, those of a rigid-body simulator with a fixed loss (erforce) 1.4, and bounces that build up spin (ode-chip) 2.3.
    */
   public static final double FAR_ABOVE_NOISE = 2;
 
