@@ -54,10 +54,12 @@ public record CalibratedKick(KickFit fit, List<Sample> samples, Optional<String>
     if (distrusted.isPresent()) {
       return distrusted;
     }
-    if (samples.isEmpty()) {
+    List<String> averaged = Selection.averaged(fit.kind());
+    List<Sample> own = samples.stream().filter(s -> averaged.contains(s.parameter())).toList();
+    if (own.isEmpty()) {
       return Optional.of("determines no parameter");
     }
-    boolean any = samples.stream().anyMatch(s -> s.dropped().isEmpty());
-    return any ? Optional.empty() : samples.get(0).dropped();
+    boolean any = own.stream().anyMatch(s -> s.dropped().isEmpty());
+    return any ? Optional.empty() : own.get(0).dropped();
   }
 }

@@ -146,14 +146,17 @@ final class Selection {
         .toList();
   }
 
+  /** The parameters that are averaged: how a chip rolls is part of its fit, but the model has it from flat kicks. */
+  static List<String> averaged(KickKind kind) {
+    return kind == KickKind.FLAT
+        ? List.of("accSlide", "accRoll", "kSwitch")
+        : List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
+  }
+
   /** The average of each parameter over the kicks of one kind. */
   static Map<String, Average> averages(List<CalibratedKick> kicks, KickKind kind) {
-    List<String> names =
-        kind == KickKind.FLAT
-            ? List.of("accSlide", "accRoll", "kSwitch")
-            : List.of("dampingXyFirstHop", "dampingXyOtherHops", "dampingZ");
     Map<String, Average> averages = new LinkedHashMap<>();
-    for (String name : names) {
+    for (String name : averaged(kind)) {
       List<Sample> samples =
           kicks.stream()
               .filter(k -> k.fit().kind() == kind)

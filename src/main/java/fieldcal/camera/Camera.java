@@ -91,14 +91,19 @@ public final class Camera {
     Pinhole pinhole = Pinhole.of(c);
     String why;
     if (pinhole == null) {
-      why = "rotation and focal length give no pose";
+      why = "its published rotation or focal length is no calibration";
     } else if (!isPlace(pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ)) {
-      why = "the pose puts the camera at " + pinhole.position() + ", not above the field";
+      why =
+          "by its published rotation the camera is at "
+              + pinhole.position()
+              + ", not above the field";
     } else if (!positionUsable) {
       String note =
           c.hasDerivedPosition()
-              ? "the published position " + published + " is not above the field; the pose is used"
-              : "no position published; it follows from the pose";
+              ? "the published position "
+                  + published
+                  + " is not above the field; the one that follows from the rotation is used"
+              : "no position is published; it follows from the rotation";
       return withPose(c.id(), pinhole, ballPlane, note);
     } else {
       double apart =
@@ -108,13 +113,14 @@ public final class Camera {
       if (apart <= POSITION_TOLERANCE) {
         String note =
             String.format(
-                Locale.ROOT, "pose and published position agree to %.2f mm", apart * 1000);
+                Locale.ROOT, "rotation and published position agree to %.2f mm", apart * 1000);
         return withPose(c.id(), pinhole, ballPlane, note);
       }
       why =
           String.format(
               Locale.ROOT,
-              "the pose puts the camera at %s, %.2f m from the published %s",
+              "by its published rotation the camera is at %s, %.2f m from its published position"
+                  + " %s",
               pinhole.position(),
               apart,
               published);

@@ -213,6 +213,15 @@ public interface Effect {
   }
 
   /**
+   * Whether a calibration of the simple model allows for it, so that it does not change the ball's parameters: it takes the offsets of cameras out of the detections, and fits each kick's own velocity, whatever the robot was commanded.
+   *
+   * @return false unless an effect says otherwise
+   */
+  default boolean isAllowedForByCalibration() {
+    return false;
+  }
+
+  /**
    * What it acts on, if not on everything: a camera, a robot. Two effects with the same id and subject are the same cause with other numbers.
    *
    * @return a text for comparison, made of the parameters that are neither estimated nor places

@@ -15,7 +15,8 @@ import java.util.Optional;
  * @param rmsChipMm the same over chips, mm; NaN without any
  * @param used observations in the fit
  * @param rejected outliers left out
- * @param reducedChiSquare chi-square per degree of freedom against the cameras' noise
+ * @param reducedChiSquare chi-square per degree of freedom against the cameras' noise, when every kick may have values of its own about the model's
+ * @param oneModel residuals of one model without such values
  * @param iterations steps taken
  * @param converged whether the last step was too small to matter
  */
@@ -29,6 +30,7 @@ public record JointFit(
     int used,
     int rejected,
     double reducedChiSquare,
+    OneModel oneModel,
     int iterations,
     boolean converged) {
 
@@ -41,6 +43,14 @@ public record JointFit(
    * @param errorY standard error, m
    */
   public record Offset(double x, double y, double errorX, double errorY) {}
+
+  /**
+   * How well one model describes all kicks, when every kick has to follow it.
+   *
+   * @param rmsMm root mean square of the residuals per axis, mm
+   * @param reducedChiSquare chi-square per degree of freedom against the cameras' noise (–)
+   */
+  public record OneModel(double rmsMm, double reducedChiSquare) {}
 
   /**
    * Copies the collections. {@inheritDoc}

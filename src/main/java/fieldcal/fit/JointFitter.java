@@ -81,7 +81,7 @@ public final class JointFitter {
    */
   public JointFit fit(JointProblem problem) {
     SharedSolver solver = SharedSolver.withDefaults().settlingVariants();
-    return new Run(problem, solver, OUTLIER_ROUNDS).fit();
+    return new Run(problem, solver, OUTLIER_ROUNDS, true).fit();
   }
 
   /**
@@ -93,7 +93,7 @@ public final class JointFitter {
    */
   public JointFit fitRoughly(JointProblem problem) {
     SharedSolver solver = SharedSolver.withDefaults().settlingVariants().withTolerance(ROUGH);
-    return new Run(problem, solver, 0).fit();
+    return new Run(problem, solver, 0, true).fit();
   }
 
   /** One joint fit; used once. */
@@ -108,7 +108,7 @@ public final class JointFitter {
     private final int outlierRounds;
     private int iterations;
 
-    Run(JointProblem problem, SharedSolver solver, int outlierRounds) {
+    Run(JointProblem problem, SharedSolver solver, int outlierRounds, boolean scatters) {
       if (problem.fits().isEmpty()) {
         throw new IllegalArgumentException("a joint fit needs at least one kick");
       }
@@ -129,7 +129,7 @@ public final class JointFitter {
       globals = globals();
       scattering =
           IntStream.range(0, FlightTerm.OFFSETS)
-              .filter(k -> globals.get(k).estimated() && scatter(k) > 0)
+              .filter(k -> scatters && globals.get(k).estimated() && scatter(k) > 0)
               .toArray();
       for (int k : scattering) {
         double scale = globals.get(k).scale();
@@ -328,6 +328,15 @@ public final class JointFitter {
       return result(solution);
     }
 
+    /** The same with one model for all kicks. What the kicks' own fits keep is no outlier here: it would hide what the model misses. */
+    private JointFit.OneModel oneModel(SharedSolution<double[]> solution, double rmsMm) {
+      boolean even = problem.fits().stream().allMatch(f -> f.bounces().size() == 0);
+      if (scattering.length == 0 && even) {
+        return new JointFit.OneModel(rmsMm, solution.reducedChiSquare());
+      }
+      return new Run(problem.withEvenBounces(), solver, 0, false).fit().oneModel();
+    }
+
     private List<FlightTerm> screened(SharedSolution<double[]> solution) {
       List<FlightTerm> before = kicks(solution);
       double[] state = solution.state();
@@ -401,6 +410,7 @@ public final class JointFitter {
           used,
           observations - used,
           solution.reducedChiSquare(),
+          oneModel(solution, rms(squares[0] + squares[1], rows[0] + rows[1])),
           iterations,
           solution.stopReason() == StopReason.CONVERGED);
     }

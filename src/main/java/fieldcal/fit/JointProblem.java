@@ -36,4 +36,15 @@ public record JointProblem(
     Objects.requireNonNull(chip, "chip");
     Objects.requireNonNull(chipRoll, "chipRoll");
   }
+
+  /** The same kicks, chips with bounces that are all alike. */
+  JointProblem withEvenBounces() {
+    return new JointProblem(
+        fits.stream().map(KickFit::withEvenBounces).toList(),
+        cameras,
+        flat,
+        chip,
+        chipRoll,
+        offsets);
+  }
 }

@@ -122,6 +122,23 @@ public final class KickFit {
     return UnevenBounces.cover(this, cameras, scatter);
   }
 
+  /** The same fit of a chip whose bounces are all alike. */
+  KickFit withEvenBounces() {
+    return failure != null
+        ? this
+        : new KickFit(
+            kick,
+            kind,
+            estimates,
+            covariance,
+            trajectory,
+            residualX,
+            residualY,
+            used,
+            statistics,
+            UnevenBounces.NONE);
+  }
+
   /** How the bounces of a chip may differ from each other. */
   UnevenBounces bounces() {
     return bounces;

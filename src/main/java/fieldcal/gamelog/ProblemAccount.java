@@ -64,6 +64,16 @@ public final class ProblemAccount {
   }
 
   /**
+   * A place for people.
+   *
+   * @param offset in the log, bytes
+   * @return for example "byte 16", of a compressed file "byte 16 of the unpacked log": such a place may lie beyond the end of the file
+   */
+  public String place(long offset) {
+    return "byte " + offset + (file.toString().endsWith(".gz") ? " of the unpacked log" : "");
+  }
+
+  /**
    * How often a problem occurred.
    *
    * @param kind which
@@ -107,10 +117,10 @@ public final class ProblemAccount {
               String detail = first.detail().isEmpty() ? "" : " (" + first.detail() + ")";
               return String.format(
                   Locale.ROOT,
-                  "%d × %s; first at byte %d%s",
+                  "%d × %s; first at %s%s",
                   entry.getValue().count,
                   entry.getKey().text(),
-                  first.offset(),
+                  place(first.offset()),
                   detail);
             })
         .toList();

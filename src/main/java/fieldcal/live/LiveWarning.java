@@ -36,25 +36,34 @@ public record LiveWarning(
   /**
    * One sentence for the operator.
    *
-   * @return for example {@code acc_roll is -0.364 m/s², 30 % more than the published -0.280 m/s² (median of 31 kicks)}
+   * @return for example {@code acc_roll is −0.364 m/s², 30 % more than the published −0.280 m/s² (median of 31 kicks)}
    */
   public String text() {
     String unit = parameter.unit().isEmpty() ? "" : " " + parameter.unit();
     if (Double.isNaN(published)) {
       return String.format(
-          Locale.ROOT, "%s is %.3f%s, and nothing is published", parameter.id(), median, unit);
+          Locale.ROOT,
+          "%s is %s%s, and nothing is published",
+          parameter.id(),
+          number(median),
+          unit);
     }
     return String.format(
         Locale.ROOT,
-        "%s is %.3f%s, %.0f %% %s than the published %.3f%s (median of %d kicks)",
+        "%s is %s%s, %.0f %% %s than the published %s%s (median of %d kicks)",
         parameter.id(),
-        median,
+        number(median),
         unit,
         100 * Math.abs(deviation()),
         deviation() > 0 ? "more" : "less",
-        published,
+        number(published),
         unit,
         samples);
+  }
+
+  /** With a minus sign, not a hyphen. */
+  private static String number(double value) {
+    return String.format(Locale.ROOT, "%.3f", value).replace('-', '−');
   }
 
   /**
@@ -69,8 +78,8 @@ public record LiveWarning(
     String unit = parameter.unit().isEmpty() ? "" : " " + parameter.unit();
     return String.format(
         Locale.ROOT,
-        "Let the AI use %.3f%s until the ball is calibrated again on this carpet.",
-        median,
+        "Let the AI use %s%s until the ball is calibrated again on this carpet.",
+        number(median),
         unit);
   }
 }

@@ -17,7 +17,7 @@ public final class LimitEstimator {
    */
   public static TeamLimits estimate(Team team, TeamStatistics statistics) {
     VelocityLimit speeds =
-        new VelocityLimit(statistics.speeds(), "the robots never cruised at a highest speed");
+        new VelocityLimit(statistics.speeds(), "the robots never kept driving at a highest speed");
     LimitEstimate velocity = speeds.estimate();
     ManoeuvreTables faster = statistics.acceleratingManoeuvres();
     ManoeuvreTables slower = statistics.brakingManoeuvres();

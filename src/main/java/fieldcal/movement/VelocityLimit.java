@@ -84,7 +84,7 @@ final class VelocityLimit {
         2 * sure.width(),
         tops.samples(),
         false,
-        notReached + "; they certainly reached this one");
+        notReached + ", so the limit may be higher");
   }
 
   /** Robots that never exceed a speed clearly below the team's limit. */

@@ -167,6 +167,27 @@ public sealed interface Reason {
   }
 
   /**
+   * One model for all kicks leaves much larger residuals than values of each kick's own: no one value holds for all kicks.
+   *
+   * @param ratio residual of one model for all kicks over the noise on the resting ball (–)
+   * @param ownRatio the same when every kick may have its own values
+   * @param rmsMm residual of one model for all kicks per axis, mm
+   * @param ownRmsMm the same when every kick may have its own values, mm
+   */
+  record KicksDiffer(double ratio, double ownRatio, double rmsMm, double ownRmsMm)
+      implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.CHECK_FIRST;
+    }
+
+    @Override
+    public String id() {
+      return "kicks_differ";
+    }
+  }
+
+  /**
    * All kicks were taken to be of one kind, but do not all move like that: some may be of the other kind.
    *
    * @param kind that was asked for
@@ -267,7 +288,9 @@ public sealed interface Reason {
   record FaultyVision(VisionFault fault) implements Reason {
     @Override
     public PublishDecision decision() {
-      return PublishDecision.CHECK_FIRST;
+      return fault instanceof VisionFault.ClockRate clock && clock.simulator()
+          ? PublishDecision.PUBLISH
+          : PublishDecision.CHECK_FIRST;
     }
 
     @Override
@@ -334,12 +357,14 @@ public sealed interface Reason {
   }
 
   /**
-   * A diagnosis of these kicks found that the model is wrong.
+   * What a diagnosis of these kicks found.
    *
    * @param verdict of the diagnosis
    * @param causes ids of the effects that it names
+   * @param decision to publish where the model that can be published needs no change for it
    */
-  record Diagnosed(Verdict verdict, List<String> causes) implements Reason {
+  record Diagnosed(Verdict verdict, List<String> causes, PublishDecision decision)
+      implements Reason {
     /**
      * Copies the list. {@inheritDoc}
      *
@@ -347,14 +372,8 @@ public sealed interface Reason {
      */
     public Diagnosed {
       Objects.requireNonNull(verdict, "verdict");
+      Objects.requireNonNull(decision, "decision");
       causes = List.copyOf(causes);
-    }
-
-    @Override
-    public PublishDecision decision() {
-      return verdict == Verdict.MODEL_ADEQUATE
-          ? PublishDecision.PUBLISH
-          : PublishDecision.CHECK_FIRST;
     }
 
     @Override

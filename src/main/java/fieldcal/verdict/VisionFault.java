@@ -10,8 +10,9 @@ public sealed interface VisionFault {
    *
    * @param cameras ids, ascending
    * @param rate seconds of the recorder's clock per second of theirs; where these differ, the one farthest from 1
+   * @param simulator whether the cameras are a simulator's, whose time need not keep pace with the recorder's clock: then its own time counts
    */
-  record ClockRate(List<Integer> cameras, double rate) implements VisionFault {
+  record ClockRate(List<Integer> cameras, double rate, boolean simulator) implements VisionFault {
     /**
      * Copies the list. {@inheritDoc}
      *

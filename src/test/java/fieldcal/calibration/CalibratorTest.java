@@ -340,6 +340,9 @@ class CalibratorTest {
     CalibratedKick mute = new CalibratedKick(kick.fit(), List.of(), Optional.empty());
     assertThat(mute.rejected()).contains("determines no parameter");
     assertThat(mute.trusted()).isTrue();
+    Sample ofNoMean = new Sample(kick.fit().kick().id(), "dampingZ", 0.5, 0.01, Optional.empty());
+    CalibratedKick other = new CalibratedKick(kick.fit(), List.of(ofNoMean), Optional.empty());
+    assertThat(other.selected()).as("its value is in no mean of its kind").isFalse();
     // The joint fit was made from the same.
     int observations = c.trusted().stream().mapToInt(f -> f.kick().observations().size()).sum();
     assertThat(c.joint().orElseThrow().used() + c.joint().orElseThrow().rejected())

@@ -232,20 +232,21 @@ class CameraTest {
     Camera near = Camera.of(pose.withPosition(t, new double[] {-3, 2.02, 5}));
     assertThat(near.poseSource()).isEqualTo(PoseSource.CALIBRATION);
     assertThat(near.positionY()).isCloseTo(2, within(1e-12));
-    assertThat(near.consistency()).isEqualTo("pose and published position agree to 20.00 mm");
+    assertThat(near.consistency()).isEqualTo("rotation and published position agree to 20.00 mm");
 
     Camera far = Camera.of(pose.withPosition(t, new double[] {-3, 2, 5.2}));
     assertThat(far.poseSource()).isEqualTo(PoseSource.DERIVED_POSITION);
     assertThat(far.consistency())
         .isEqualTo(
-            "the pose puts the camera at (-3.000, 2.000, 5.000) m, 0.20 m from the published"
-                + " (-3.000, 2.000, 5.200) m; only the published position is used");
+            "by its published rotation the camera is at (-3.000, 2.000, 5.000) m, 0.20 m from its"
+                + " published position (-3.000, 2.000, 5.200) m; only the published position is"
+                + " used");
 
     Camera zero = Camera.of(pose.withPosition(t, new double[] {0, 0, 0}));
     assertThat(zero.poseSource()).isEqualTo(PoseSource.CALIBRATION);
     Camera absent = Camera.of(pose);
     assertThat(absent.poseSource()).isEqualTo(PoseSource.CALIBRATION);
-    assertThat(absent.consistency()).startsWith("no position published");
+    assertThat(absent.consistency()).startsWith("no position is published");
   }
 
   @Test

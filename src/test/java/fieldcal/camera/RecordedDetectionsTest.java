@@ -74,7 +74,7 @@ class RecordedDetectionsTest {
             camera -> {
               assertThat(camera.poseSource()).isEqualTo(PoseSource.CALIBRATION);
               assertThat(camera.consistency())
-                  .isEqualTo("pose and published position agree to 0.00 mm");
+                  .isEqualTo("rotation and published position agree to 0.00 mm");
             });
   }
 

@@ -137,6 +137,9 @@ class JointFitterTest {
     assertThat(fit.offsets().get(2).y() + fit.offsets().get(3).y()).isEqualTo(0, within(1e-6));
     assertThat(fit.reducedChiSquare()).isBetween(0.9, 1.1);
     assertThat(fit.rmsMm()).isBetween(1.3, 1.9);
+    assertThat(fit.oneModel().rmsMm())
+        .as("all kicks are alike")
+        .isEqualTo(fit.rmsMm(), within(0.1));
   }
 
   @Test
@@ -207,6 +210,11 @@ class JointFitterTest {
     assertThat(others.value()).isEqualTo(0.93, within(0.002));
     assertThat(others.standardError()).isBetween(0.009, 0.03);
     assertThat(fit.chip("dampingZ").orElseThrow().value()).isEqualTo(0.52, within(0.005));
+    assertThat(Math.sqrt(fit.reducedChiSquare())).isBetween(0.9, 1.1);
+    assertThat(Math.sqrt(fit.oneModel().reducedChiSquare()))
+        .as("no model is both")
+        .isGreaterThan(3);
+    assertThat(fit.oneModel().rmsMm()).isGreaterThan(3 * fit.rmsMm());
   }
 
   @Test

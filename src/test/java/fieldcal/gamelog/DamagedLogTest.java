@@ -219,6 +219,14 @@ class DamagedLogTest {
                 + " (216 bytes)");
   }
 
+  /** A compressed file is shorter than what it holds: a place in it without a word lies beyond its end. */
+  @Test
+  void aPlaceInACompressedFileSaysWhatItCounts() {
+    assertThat(new ProblemAccount(java.nio.file.Path.of("a.log.gz")).place(2309651))
+        .isEqualTo("byte 2309651 of the unpacked log");
+    assertThat(new ProblemAccount(java.nio.file.Path.of("a.log")).place(16)).isEqualTo("byte 16");
+  }
+
   @Test
   void mutatedLogsNeverThrowOrHang() throws IOException {
     long seed = 20261121;

@@ -152,9 +152,9 @@ class ParameterTrackTest {
     LiveWarning warning = roll.warning().orElseThrow();
     assertThat(warning.text())
         .containsPattern(
-            "3[789] % more than the published -0.280 m/s² \\(median of [4-7] kicks\\)");
+            "3[789] % more than the published −0.280 m/s² \\(median of [4-7] kicks\\)");
     assertThat(warning.advice())
-        .startsWith("Let the AI use -0.3")
+        .startsWith("Let the AI use −0.3")
         .endsWith("m/s² until the ball is calibrated again on this carpet.");
     assertThat(roll.estimate(PUBLISHED).enough()).isFalse();
     for (int i = 0; i < 60; i++) {
@@ -186,8 +186,8 @@ class ParameterTrackTest {
     BallModels corrected =
         new BallModels(Optional.of(new FlatModel(-3, -0.4, 0.66)), Optional.empty());
     assertThat(roll.warning().orElseThrow().text())
-        .contains("acc_roll is -0.4")
-        .contains("% more than the published -0.280 m/s² (median of");
+        .contains("acc_roll is −0.4")
+        .contains("% more than the published −0.280 m/s² (median of");
     assertThat(roll.compare(corrected)).isPresent();
     assertThat(roll.warning()).isEmpty();
   }

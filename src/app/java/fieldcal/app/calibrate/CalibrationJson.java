@@ -192,6 +192,8 @@ final class CalibrationJson {
           node.put("observations", j.used());
           node.put("rejected_observations", j.rejected());
           put(node, "reduced_chi_square", j.reducedChiSquare());
+          put(node, "one_model_rms_mm", j.oneModel().rmsMm());
+          put(node, "one_model_reduced_chi_square", j.oneModel().reducedChiSquare());
           node.put("converged", j.converged());
         });
     return node;

@@ -14,6 +14,7 @@ import fieldcal.kick.KickKind;
 import fieldcal.verdict.Evidence;
 import fieldcal.verdict.Finding;
 import fieldcal.verdict.PublishVerdict;
+import fieldcal.verdict.Reason;
 import fieldcal.verdict.Surroundings;
 import fieldcal.verdict.VerdictRule;
 import fieldcal.vision.BallModels;
@@ -111,6 +112,19 @@ public record CalibrationOutcome(
   }
 
   /**
+   * Whether there is a model of a kind to show: not where the recordings have no kick of that kind, or where what was fitted as chips did not fly.
+   *
+   * @param kind flat or chip
+   * @return true when its numbers mean something
+   */
+  public boolean shows(KickKind kind) {
+    boolean none =
+        kind == KickKind.CHIP
+            && verdict().reasons().stream().anyMatch(r -> r instanceof Reason.NoChips);
+    return calibration.tells(kind) && !none;
+  }
+
+  /**
    * The name of a kick in a {@link HandSelection}.
    *
    * @param kick one of the calibration's
@@ -169,6 +183,8 @@ public record CalibrationOutcome(
             .flatMap(j -> j.chip("accRoll"))
             .map(Estimate::value)
             .orElse(ChipModel.typical().accRoll());
-    return new BallModels(calibration.flatModel(), calibration.chipModel(roll));
+    return new BallModels(
+        calibration.flatModel(),
+        shows(KickKind.CHIP) ? calibration.chipModel(roll) : Optional.empty());
   }
 }

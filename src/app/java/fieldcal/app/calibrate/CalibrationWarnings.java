@@ -10,6 +10,7 @@ import fieldcal.fit.Agreement;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
 import fieldcal.verdict.Reason;
+import fieldcal.verdict.VerdictRule;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -34,6 +35,9 @@ public final class CalibrationWarnings {
   private final Calibration calibration;
   private final List<String> notes;
 
+  /** Whether kicks of several fields are mixed: then they differ, but not because of what the ball does. */
+  private final boolean mixed;
+
   /** Whether flat kicks were fitted as chips: what such a fit makes of bounces means nothing. */
   private final boolean noChips;
 
@@ -44,7 +48,15 @@ public final class CalibrationWarnings {
    */
   public CalibrationWarnings(CalibrationOutcome outcome) {
     calibration = outcome.calibration();
-    noChips = outcome.verdict().reasons().stream().anyMatch(r -> r instanceof Reason.NoChips);
+    List<Reason> reasons = outcome.verdict().reasons();
+    noChips = reasons.stream().anyMatch(r -> r instanceof Reason.NoChips);
+    mixed =
+        reasons.stream()
+            .anyMatch(
+                r ->
+                    r instanceof Reason.SeveralFields
+                        || r instanceof Reason.OtherCameras
+                        || r instanceof Reason.SimulatedField s && s.simulated() < s.recordings());
     notes =
         outcome
             .extended()
@@ -65,7 +77,10 @@ public final class CalibrationWarnings {
         .map(JointFit::offsets)
         .orElse(Map.of())
         .forEach((camera, o) -> sizes.put(camera, 1000 * Math.hypot(o.x(), o.y())));
-    offsets(sizes).ifPresent(warnings::add);
+    if (calibration.trusted().size() >= VerdictRule.FEWEST_KICKS) {
+      // What fewer kicks show may be their own error.
+      offsets(sizes).ifPresent(warnings::add);
+    }
     uncompared(
             calibration.kicks().stream()
                 .filter(k -> k.fit().failure().isEmpty())
@@ -73,6 +88,9 @@ public final class CalibrationWarnings {
                 .toList())
         .ifPresent(warnings::add);
     addLackOfFit(warnings);
+    if (mixed) {
+      return warnings;
+    }
     Stream.of(KickKind.values()).forEach(kind -> warnings.addAll(agreements(kind)));
     medians(Stream.of(KickKind.values()).flatMap(kind -> oneSided(kind).stream()).toList())
         .ifPresent(warnings::add);

@@ -76,10 +76,10 @@ public final class ReportBuilder {
 
   private CalibrationReport build(Function<CalibratedKick, CalibrationReport.Kick> kicks) {
     List<CalibrationReport.Model> models = new ArrayList<>();
-    if (calibration.tells(KickKind.FLAT)) {
+    if (outcome.shows(KickKind.FLAT)) {
       models.add(model(KickKind.FLAT));
     }
-    if (calibration.tells(KickKind.CHIP)) {
+    if (outcome.shows(KickKind.CHIP)) {
       models.add(model(KickKind.CHIP));
     }
     return new CalibrationReport(

@@ -12,6 +12,7 @@ import fieldcal.ball.Parameter;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.Calibration;
+import fieldcal.fit.CameraNoise;
 import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
@@ -24,6 +25,10 @@ import java.util.Optional;
 
 /** Prints a calibration for the operator's terminal. */
 final class CalibrationText {
+  private static final String LEGEND =
+      "n: kicks whose value is in the mean. A kick is used if at least one of its values is in a"
+          + " mean. The joint fit also uses kicks whose values are excluded.";
+
   private final PrintWriter out;
 
   CalibrationText(PrintWriter out) {
@@ -38,10 +43,26 @@ final class CalibrationText {
   /** All that stands below the verdict. */
   void details(CalibrationOutcome outcome, Path directory) {
     Calibration calibration = outcome.calibration();
+    boolean shown = false;
     for (KickKind kind : KickKind.values()) {
-      if (calibration.tells(kind)) {
+      if (outcome.shows(kind)) {
         model(outcome, kind);
+        shown = true;
       }
+    }
+    if (shown) {
+      String one =
+          calibration
+              .joint()
+              .map(
+                  j ->
+                      String.format(
+                          Locale.ROOT,
+                          " One model for all kicks leaves %.2f mm rms per axis.",
+                          j.oneModel().rmsMm()))
+              .orElse("");
+      new WrappedText(out).print("", "", LEGEND + one);
+      line("");
     }
     cameras(outcome);
     List<String> warnings = new CalibrationWarnings(outcome).list();
@@ -86,21 +107,19 @@ final class CalibrationText {
     boolean flat = kind == KickKind.FLAT;
     List<CalibratedKick> kicks = calibration.kicks(kind);
     long used = kicks.stream().filter(CalibratedKick::selected).count();
-    double rms =
-        calibration.joint().map(j -> flat ? j.rmsFlatMm() : j.rmsChipMm()).orElse(Double.NaN);
-    line(
-        "%s model: %d of %d %s used; n: kicks that determine the parameter%s",
-        flat ? "Flat" : "Chip",
-        used,
-        kicks.size(),
-        kicks.size() == 1 ? "kick" : "kicks",
-        Double.isNaN(rms)
-            ? ""
-            : String.format(
-                Locale.ROOT,
-                "; joint fit %.2f mm rms per axis, with values of each kick's own",
-                rms));
-    line("  %-22s %-28s %3s  %-24s %s", "", "mean", "n", "joint fit", "published");
+    new WrappedText(out)
+        .print(
+            "",
+            "    ",
+            String.format(
+                    Locale.ROOT,
+                    "%s model: %d of %d %s used.",
+                    flat ? "Flat" : "Chip",
+                    used,
+                    kicks.size(),
+                    kicks.size() == 1 ? "kick" : "kicks")
+                + calibration.joint().map(j -> residuals(j, kind)).orElse(""));
+    line("  %-22s %-23s %3s  %-23s %s", "", "mean", "n", "joint fit", "published");
     List<Parameter> names =
         flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
     Map<String, Average> averages = flat ? calibration.flat() : calibration.chip();
@@ -110,31 +129,41 @@ final class CalibrationText {
             : outcome.initial().chip().map(ChipModel::parameters).orElse(List.of());
     for (Parameter p : names) {
       Average a = averages.get(p.name());
-      String mean =
-          a.n() == 0 ? "undetermined" : withError(a.mean(), a.standardError()) + " " + p.unit();
+      String mean = a.n() == 0 ? "undetermined" : withError(a.mean(), a.standardError());
       Optional<Estimate> joint =
           calibration.joint().flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()));
       String together =
           joint
-              .filter(Estimate::usable)
+              .filter(e -> e.usable() && calibration.trusted().size() > 1)
               .map(e -> withError(e.value(), e.standardError()))
               .orElse("undetermined");
       line(
-          "  %-22s %-28s %3d  %-24s %-18s  %s",
-          ParameterWords.inFiles(p.name()),
+          "  %-22s %-23s %3d  %-23s %s",
+          ParameterWords.inFiles(p.name()) + (p.unit().isEmpty() ? "" : ", " + p.unit()),
           mean,
           a.n(),
           together,
-          compared(published, p.name(), a),
-          ParameterWords.words(p.name()));
+          compared(published, p.name(), a));
     }
     line("");
   }
 
-  /** With as many decimals as show two digits of the error, at least four. */
+  private static String residuals(JointFit joint, KickKind kind) {
+    double rms = kind == KickKind.FLAT ? joint.rmsFlatMm() : joint.rmsChipMm();
+    return Double.isNaN(rms)
+        ? ""
+        : String.format(
+            Locale.ROOT,
+            " Joint fit: %.2f mm rms per axis, with values of its own for each kick.",
+            rms);
+  }
+
+  /** With as many decimals as show two digits of the error, at least four. An error that is not known is no error of zero. */
   static String withError(double value, double error) {
-    int decimals =
-        error > 0 ? Math.min(7, Math.max(4, 1 - (int) Math.floor(Math.log10(error)))) : 4;
+    if (!(error > 0)) {
+      return Amount.minus(String.format(Locale.ROOT, "%9.4f, error unknown", value));
+    }
+    int decimals = Math.min(7, Math.max(4, 1 - (int) Math.floor(Math.log10(error))));
     return Amount.minus(
         String.format(Locale.ROOT, "%9." + decimals + "f ± %." + decimals + "f", value, error));
   }
@@ -171,23 +200,30 @@ final class CalibrationText {
               }
               JointFit.Offset o = offsets.get(view.id());
               boolean known = o != null && Double.isFinite(o.errorX());
-              line(
-                  "camera %d: noise %.2f mm%s%s",
-                  view.id(),
-                  1000 * view.noise(),
-                  known
-                      ? Amount.minus(
-                          String.format(
-                              Locale.ROOT,
-                              ", offset x %+.2f ± %.2f mm, y %+.2f ± %.2f mm (taken out)",
-                              hundredths(1000 * o.x()),
-                              1000 * o.errorX(),
-                              hundredths(1000 * o.y()),
-                              1000 * o.errorY()))
-                      : "",
-                  view.camera()
-                      .map(c -> c.hasPixels() ? "" : "; only its published position is used")
-                      .orElse("; no geometry"));
+              new WrappedText(out)
+                  .print(
+                      "",
+                      "    ",
+                      String.format(
+                          Locale.ROOT,
+                          "camera %d: noise %.2f mm%s%s%s",
+                          view.id(),
+                          1000 * view.noise(),
+                          view.noise() > CameraNoise.FLOOR ? "" : " (the least that is assumed)",
+                          known
+                              ? Amount.minus(
+                                  String.format(
+                                      Locale.ROOT,
+                                      ", offset x %+.2f ± %.2f mm, y %+.2f ± %.2f mm (taken out)",
+                                      hundredths(1000 * o.x()),
+                                      1000 * o.errorX(),
+                                      hundredths(1000 * o.y()),
+                                      1000 * o.errorY()))
+                              : "",
+                          view.camera()
+                              .map(
+                                  c -> c.hasPixels() ? "" : "; only its published position is used")
+                              .orElse("; no geometry")));
             });
   }
 
@@ -214,11 +250,14 @@ final class CalibrationText {
       line("%nKicks not used:");
       out.forEach(
           k ->
-              line(
-                  "  %d (%s): %s",
-                  k.fit().kick().id(),
-                  k.fit().kind().id(),
-                  k.rejected().map(ParameterWords::spelledOut).orElse("")));
+              wrapped(
+                  "  ",
+                  String.format(
+                      Locale.ROOT,
+                      "%d (%s): %s",
+                      k.fit().kick().id(),
+                      k.fit().kind().id(),
+                      k.rejected().map(ParameterWords::spelledOut).orElse(""))));
     }
   }
 }

@@ -5,6 +5,7 @@ import fieldcal.app.compare.FieldComparison;
 import fieldcal.app.compare.FieldComparison.Named;
 import fieldcal.app.compare.Row;
 import fieldcal.app.statistics.Comparison;
+import fieldcal.app.wording.Amount;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,10 +23,10 @@ final class CompareText {
     FieldComparison c = outcome.comparison();
     line("%s", c.verdict());
     if (!c.differences().isEmpty()) {
-      line("%n%-46s %24s %24s %7s %8s", "the ball", "field", "simulator", "error*", "pass**");
+      line("%n%-46s %25s %25s %7s %8s", "the ball", "field", "simulator", "error*", "pass**");
       for (Named n : c.differences()) {
         line(
-            "%-46s %24s %24s %7s %8s",
+            "%-46s %25s %25s %7s %8s",
             n.words(),
             value(n.real(), n.realError(), n.unit()),
             value(n.sim(), n.simError(), n.unit()),
@@ -82,17 +83,19 @@ final class CompareText {
         Double.isFinite(error)
             ? String.format(Locale.ROOT, number + " ± " + number, value, error)
             : String.format(Locale.ROOT, number, value);
-    return unit.isEmpty() ? text : text + " " + unit;
+    return Amount.minus(text) + (unit.isEmpty() ? "" : " " + unit);
   }
 
   /** By how much farther a difference alone makes the pass roll on the field. */
   private static String metres(double share, FieldComparison c) {
     double more = share * (c.passReal() - c.passSim());
-    return Double.isFinite(more) ? String.format(Locale.ROOT, "%+.2f m", more) : "–";
+    return Double.isFinite(more) ? Amount.minus(String.format(Locale.ROOT, "%+.2f m", more)) : "–";
   }
 
   private static String share(double share) {
-    return Double.isFinite(share) ? String.format(Locale.ROOT, "%.0f %%", 100 * share) : "–";
+    return Double.isFinite(share)
+        ? Amount.minus(String.format(Locale.ROOT, "%.0f %%", 100 * share))
+        : "–";
   }
 
   private void line(String format, Object... args) {

@@ -40,7 +40,7 @@ final class LimitsText {
     if (!outcome.problems().isEmpty()) {
       line("%nIn the data:");
       for (DataProblem p : outcome.problems()) {
-        line("  %s", p);
+        new WrappedText(out).print("  ", "    ", p.toString());
       }
     }
     if (directory != null) {
@@ -111,17 +111,21 @@ final class LimitsText {
     }
   }
 
+  private void sentence(String format, Object... args) {
+    new WrappedText(out).print("", "  ", String.format(Locale.ROOT, format, args));
+  }
+
   private void verdict(String team, TeamLimits limits) {
     if (isUnseen(limits)) {
       return;
     }
     if (!limits.acceleration().known() && !limits.braking().known()) {
-      line("%s: its robots were not seen for long enough.", team);
+      sentence("%s: its robots were not seen for long enough.", team);
       return;
     }
     for (LimitDeviation d : limits.deviations()) {
-      line(
-          "%s: it %s%n  (%s, coefficient %.3f ± %.3f; seen in %s: %.0f %% of the manoeuvres are at"
+      sentence(
+          "%s: it %s (%s, coefficient %.3f ± %.3f; seen in %s: %.0f %% of the manoeuvres are at"
               + " the limit with it, %.0f %% without).",
           team,
           LimitWords.sentence(limits, d),
@@ -134,21 +138,21 @@ final class LimitsText {
     }
     for (Envelope e : limits.envelopes()) {
       if (!e.points().isEmpty()) {
-        line(
+        sentence(
             "%s: %s%s.",
             team,
             LimitWords.sentence(e),
-            e.shaped() ? "; one limit for all directions does not describe it" : "");
+            e.shaped() ? "; no single limit holds for all directions" : "");
       }
     }
     if (limits.deviations().isEmpty() && limits.envelopes().stream().noneMatch(Envelope::shaped)) {
-      line("%s: one limit for all speeds and directions describes it.", team);
+      sentence("%s: one limit holds for all speeds and directions.", team);
     }
     for (RobotDifference r : limits.robots()) {
-      line("%s: %s.", team, LimitWords.sentence(r));
+      sentence("%s: %s.", team, LimitWords.sentence(r));
     }
     for (SpeedCap cap : limits.speedCaps()) {
-      line(
+      sentence(
           "%s: robot %d never drives faster than %.2f ± %.2f m/s (%d times at that speed).",
           team, cap.robot(), cap.speed(), cap.standardError(), cap.samples());
     }

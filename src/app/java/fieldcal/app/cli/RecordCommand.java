@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     sortOptions = false,
     description =
-        "Records what vision, and if wanted the referee, send by multicast as an SSL game log."
+        "Records vision, and the referee if wanted, from the network as an SSL game log."
             + " Ctrl-C ends the recording; the file is complete then.",
     footer = {"", "Example: fieldcal record --out flat-kicks.log.gz"})
 final class RecordCommand implements Callable<Integer> {

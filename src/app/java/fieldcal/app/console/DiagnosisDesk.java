@@ -62,8 +62,12 @@ final class DiagnosisDesk {
 
   /** Whether the kicks or the recordings are others than those that were diagnosed. */
   boolean outdated(KickDesk.View view) {
-    return noted()
-        .filter(d -> !d.isOf(view.selection().dropped().keySet(), view.logs()))
+    return view.outcome()
+        .flatMap(
+            now ->
+                noted()
+                    .filter(
+                        d -> !d.isOf(view.selection().dropped().keySet(), now.data().recordings())))
         .isPresent();
   }
 
@@ -80,7 +84,7 @@ final class DiagnosisDesk {
                 Verdict.ofId(note.verdict())
                     .map(
                         v -> new Finding(v, note.causes().stream().map(CauseNote::effect).toList()))
-                    .map(f -> new FormerDiagnosis(f, note.dropped(), note.logs())));
+                    .map(f -> new FormerDiagnosis(f, note.dropped(), note.recordings())));
   }
 
   /** Diagnoses the kicks that are not dropped by hand. */
@@ -138,7 +142,7 @@ final class DiagnosisDesk {
         words.lines(),
         outcome.diagnosis().causes().stream().map(c -> note(c, causes.of(c))).toList(),
         outcome.calibration().selection().dropped().keySet(),
-        FormerDiagnosis.names(outcome.calibration().logs()));
+        FormerDiagnosis.identities(outcome.calibration().data().recordings()));
   }
 
   private static CauseNote note(Cause cause, CauseText text) {

@@ -51,7 +51,7 @@ record SessionNotes(
    * @param lines what it means in numbers
    * @param causes what was found
    * @param dropped the kicks that were left out by hand, to see whether it still holds
-   * @param logs the recordings it was made from
+   * @param recordings the recordings it was made from, by start and size
    */
   @JsonIgnoreProperties(ignoreUnknown = true)
   record DiagnosisNote(
@@ -60,7 +60,12 @@ record SessionNotes(
       List<String> lines,
       List<CauseNote> causes,
       Set<String> dropped,
-      List<String> logs) {}
+      List<String> recordings) {
+    /** Copies the lists; notes of an earlier version do not name the recordings. */
+    DiagnosisNote {
+      recordings = recordings == null ? List.of() : List.copyOf(recordings);
+    }
+  }
 
   /**
    * One cause in words.

@@ -61,6 +61,8 @@ final class DiagnosisJson {
     root.put("verdict", diagnosis.verdict().id());
     ArrayNode sources = root.putArray("sources");
     outcome.calibration().logs().forEach(log -> sources.add(log.toString()));
+    ArrayNode recordings = root.putArray("recordings");
+    FormerDiagnosis.identities(outcome.calibration().data().recordings()).forEach(recordings::add);
     root.put("seed", diagnosis.seed());
     root.set("cameras", cameras());
     ObjectNode base = quality(diagnosis.base());

@@ -3,6 +3,7 @@ package fieldcal.app.diagnose;
 import com.fasterxml.jackson.databind.JsonNode;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.diagnosis.Verdict;
 import fieldcal.verdict.Finding;
 import java.io.IOException;
@@ -19,16 +20,16 @@ import java.util.TreeSet;
  *
  * @param finding verdict and causes
  * @param dropped keys of the kicks that were left out by hand
- * @param logs names of the recordings, without folders
+ * @param recordings the {@linkplain RecordingFacts#identity identities} of the recordings, in order
  */
-public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String> logs) {
+public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String> recordings) {
   /** The file in the directory of the results. */
   public static final String FILE = "diagnosis.json";
 
   /** Copies the collections. {@inheritDoc} */
   public FormerDiagnosis {
     dropped = Set.copyOf(dropped);
-    logs = List.copyOf(logs);
+    recordings = List.copyOf(recordings);
   }
 
   /**
@@ -52,28 +53,31 @@ public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String>
 
   private static Optional<FormerDiagnosis> of(JsonNode root) {
     JsonNode dropped = root.path("kicks").path("dropped");
-    if (!DiagnosisJson.SCHEMA.equals(root.path("schema").textValue()) || !dropped.isArray()) {
+    JsonNode from = root.path("recordings");
+    if (!DiagnosisJson.SCHEMA.equals(root.path("schema").textValue())
+        || !dropped.isArray()
+        || !from.isArray()) {
       return Optional.empty();
     }
-    List<String> logs = new ArrayList<>();
-    root.path("sources").forEach(log -> logs.add(name(Path.of(log.asText()))));
+    List<String> recordings = new ArrayList<>();
+    from.forEach(recording -> recordings.add(recording.asText()));
     List<String> causes = new ArrayList<>();
     root.path("causes").forEach(cause -> causes.add(cause.path("effect").asText()));
     Set<String> keys = new TreeSet<>();
     dropped.forEach(key -> keys.add(key.asText()));
     return Verdict.ofId(root.path("verdict").asText())
-        .map(verdict -> new FormerDiagnosis(new Finding(verdict, causes), keys, logs));
+        .map(verdict -> new FormerDiagnosis(new Finding(verdict, causes), keys, recordings));
   }
 
   /**
    * Whether it is a diagnosis of these kicks.
    *
    * @param nowDropped keys of the kicks that are left out by hand now
-   * @param nowLogs the recordings that are used now, in order
+   * @param now the recordings that are used now, in order
    * @return false when a recording or a decision is another
    */
-  public boolean isOf(Set<String> nowDropped, List<Path> nowLogs) {
-    return dropped.equals(nowDropped) && logs.equals(names(nowLogs));
+  public boolean isOf(Set<String> nowDropped, List<RecordingFacts> now) {
+    return dropped.equals(nowDropped) && recordings.equals(identities(now));
   }
 
   /**
@@ -83,22 +87,19 @@ public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String>
    * @return empty when it was made of other kicks, or all kicks are taken to be of one kind now
    */
   public Optional<Finding> about(CalibrationOutcome now) {
-    return now.forced().isEmpty() && isOf(now.selection().dropped().keySet(), now.logs())
+    return now.forced().isEmpty()
+            && isOf(now.selection().dropped().keySet(), now.data().recordings())
         ? Optional.of(finding)
         : Optional.empty();
   }
 
   /**
-   * Names that stay when a folder is moved.
+   * What stays when a file is renamed or a folder is moved, and is another when a file is replaced.
    *
-   * @param logs recordings
-   * @return the names of the files
+   * @param recordings in order
+   * @return the identity of each
    */
-  public static List<String> names(List<Path> logs) {
-    return logs.stream().map(FormerDiagnosis::name).toList();
-  }
-
-  private static String name(Path log) {
-    return log.getFileName().toString();
+  public static List<String> identities(List<RecordingFacts> recordings) {
+    return recordings.stream().map(RecordingFacts::identity).toList();
   }
 }

@@ -1,6 +1,7 @@
 package fieldcal.app.monitor;
 
 import fieldcal.app.limits.LimitWords;
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
 import fieldcal.gamelog.RefereeState;
@@ -205,7 +206,7 @@ final class MatchText {
   }
 
   private static String value(double v) {
-    return String.format(Locale.ROOT, "%.3f", v);
+    return Amount.minus(String.format(Locale.ROOT, "%.3f", v));
   }
 
   /** In words: of negative accelerations a sign alone would mislead. */
@@ -347,13 +348,13 @@ final class MatchText {
       String uncalibrated = c.calibrated() ? "" : "  no usable calibration";
       add(
           lines,
-          "  %-9d %5s Hz %7s mm %15s mm %8d %8s s%s%s%s",
+          "  %-9d %5s Hz %7s mm %15s mm %8d %10s%s%s%s",
           c.id(),
           number("%.1f", c.rateHz()),
           number("%.2f", c.noiseMm()),
           number("%.1f", c.offsetXMm()) + ", " + number("%.1f", c.offsetYMm()),
           c.gaps(),
-          number("%.1f", c.longestGap()),
+          c.gaps() == 0 ? "–" : number("%.2f s", c.longestGap()),
           silent,
           apart,
           uncalibrated);
@@ -370,7 +371,7 @@ final class MatchText {
   private static String number(String format, double value) {
     // A small negative number would be shown as -0.0.
     String text = String.format(Locale.ROOT, format, value).replaceFirst("^-(0\\.0+)$", "$1");
-    return Double.isFinite(value) ? text : "–";
+    return Double.isFinite(value) ? Amount.minus(text) : "–";
   }
 
   private void kicks(List<String> lines, BallSnapshot ball, int width) {

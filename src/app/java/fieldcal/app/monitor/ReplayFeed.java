@@ -97,10 +97,11 @@ public final class ReplayFeed implements MatchFeed {
       lines.add(
           String.format(
               Locale.ROOT,
-              "%s: %d times, first at byte %d",
+              "%s: %d %s, first at %s",
               kind.text(),
               account.count(kind),
-              account.first(kind).get(0).offset()));
+              account.count(kind) == 1 ? "time" : "times",
+              account.place(account.first(kind).get(0).offset())));
     }
     if (summary.frames() == 0) {
       lines.add("no vision frame in the recording");

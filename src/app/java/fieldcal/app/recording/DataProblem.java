@@ -48,7 +48,7 @@ public record DataProblem(String where, String what, long count, String advice) 
   public static DataProblem of(Path log, ProblemAccount account, ProblemKind kind) {
     ProblemAccount.Occurrence first = account.first(kind).get(0);
     String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
-    String place = log + ", byte " + first.offset();
+    String place = log + ", " + account.place(first.offset());
     return new DataProblem(place, kind.text() + detail, account.count(kind), advice(kind));
   }
 

@@ -356,13 +356,13 @@ public final class KickCollector {
       List<VisionFault> all = new ArrayList<>();
       List<Integer> off =
           clocks.keySet().stream().filter(c -> clocks.get(c).ratesDiffer()).toList();
-      if (!off.isEmpty() && !simulated && !isPlaceholder()) {
+      if (!off.isEmpty()) {
         double farthest =
             off.stream()
                 .map(c -> clocks.get(c).rate())
                 .max(Comparator.comparingDouble(r -> Math.abs(r - 1)))
                 .orElseThrow();
-        all.add(new VisionFault.ClockRate(off, farthest));
+        all.add(new VisionFault.ClockRate(off, farthest, simulated || isPlaceholder()));
       }
       layout
           .findings(published())
@@ -475,7 +475,8 @@ public final class KickCollector {
                   log + ", camera " + number,
                   camera.consistency(),
                   1,
-                  "calibrate the camera; a simulator may publish placeholders"));
+                  "on a real field, calibrate the camera; a simulator often publishes placeholders,"
+                      + " and then there is nothing to do"));
         }
       } catch (IllegalArgumentException unusable) {
         problems.add(

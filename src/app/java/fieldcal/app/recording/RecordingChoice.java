@@ -61,6 +61,11 @@ public record RecordingChoice(List<Entry> entries) {
      * @return a few words
      */
     public String words() {
+      String cut = "the file is cut off: its end is missing or damaged";
+      return !facts.cut() ? choice() : choice().isEmpty() ? cut : choice() + "; " + cut;
+    }
+
+    private String choice() {
       if (byHand) {
         return used
             ? "used by hand" + (apart == Apart.NO ? "" : ", though " + why())

@@ -1,7 +1,9 @@
 package fieldcal.app.recording;
 
 import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.MessageType;
+import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.gamelog.RefereeDecoder;
 import fieldcal.gamelog.RefereeState;
@@ -16,6 +18,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Where a recording comes from, found without looking at its frames.
@@ -25,6 +28,8 @@ import java.util.Optional;
  * @param playing how long the referee let a match run, s
  * @param geometry the first one; empty when the recording has none
  * @param startUnixNanos when the first message was received, Unix time, ns; 0 without messages
+ * @param bytes size of the file
+ * @param cut whether the end of the file is missing or damaged
  * @param faults what its frames show of its cameras; empty until somebody looked at them
  */
 public record RecordingFacts(
@@ -33,6 +38,8 @@ public record RecordingFacts(
     double playing,
     Optional<FieldGeometry> geometry,
     long startUnixNanos,
+    long bytes,
+    boolean cut,
     List<VisionFault> faults) {
   /** A shorter start is somebody who tries out the game controller, s. */
   private static final double MATCH_FROM = 10;
@@ -94,7 +101,16 @@ public record RecordingFacts(
    * @return the changed copy
    */
   RecordingFacts showing(List<VisionFault> found) {
-    return new RecordingFacts(log, origin, playing, geometry, startUnixNanos, found);
+    return new RecordingFacts(log, origin, playing, geometry, startUnixNanos, bytes, cut, found);
+  }
+
+  /**
+   * What tells this recording from others, whatever its file is called and wherever it is.
+   *
+   * @return start and size
+   */
+  public String identity() {
+    return startUnixNanos + " ns, " + bytes + " bytes";
   }
 
   /**
@@ -159,7 +175,15 @@ public record RecordingFacts(
         }
       }
       RecordingOrigin origin = simulated ? RecordingOrigin.SIMULATION : RecordingOrigin.FIELD;
-      return new RecordingFacts(log, origin, playing, geometry, start, List.of());
+      return new RecordingFacts(
+          log, origin, playing, geometry, start, Files.size(log), isCut(), List.of());
+    }
+
+    private boolean isCut() {
+      ProblemAccount problems = reader.problems();
+      return Stream.of(
+              LogProblem.TRUNCATED_GZIP, LogProblem.DAMAGED_GZIP, LogProblem.TRUNCATED_RECORD)
+          .anyMatch(kind -> problems.count(kind) > 0);
     }
 
     private void referee(RefereeDecoder decoder, double time) {

@@ -56,16 +56,12 @@ public final class NextKicks {
           + " server.";
 
   private static final String SHIFT_OR_HEIGHT =
-      "With only two cameras, no kick tells a shifted camera from a wrong height of the"
-          + " ball: both shift the two views against each other by the same distance"
-          + " everywhere. Look up or measure which height of the ball's centre vision"
-          + " assumes (21.5 mm is right), compare a resting ball's reported position with"
-          + " its pixels, or record with a third camera.";
+      "With only two cameras, no kick tells a shift from a wrong height of the ball: look up"
+          + " which height of the ball's centre vision assumes (21.5 mm is right).";
 
   private static final String SHIFT_OR_PLACE =
-      "No kick is needed to tell a misplaced camera from one that reports everything"
-          + " shifted: calibrating the camera corrects both. A tilt or a wrong height would"
-          + " show in slow flat kicks from below the camera to the corners of its view.";
+      "No kick is needed to tell a misplaced camera from a shifted one: calibrating the camera"
+          + " corrects both.";
 
   /** Texts on causes that no kick tells apart, or need not. */
   private static final Set<String> WITHOUT_KICKS =

@@ -98,7 +98,8 @@ public final class ParameterWords {
    * @return for example {@code sliding deceleration -3.012 m/s²}
    */
   public static String withValue(String name, double value) {
-    return String.format(Locale.ROOT, "%s %.3f%s", words(name), value, unit(name));
+    String number = Amount.minus(String.format(Locale.ROOT, "%.3f", value));
+    return words(name) + " " + number + unit(name);
   }
 
   /**

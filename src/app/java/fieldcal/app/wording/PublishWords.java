@@ -1,5 +1,9 @@
 package fieldcal.app.wording;
 
+import fieldcal.diagnosis.Verdict;
+import fieldcal.effect.EffectCatalogue;
+import fieldcal.effect.KickerEffect;
+import fieldcal.effect.MeasurementEffect;
 import fieldcal.kick.KickKind;
 import fieldcal.verdict.PublishDecision;
 import fieldcal.verdict.PublishVerdict;
@@ -12,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -58,12 +63,12 @@ public record PublishWords(
     return new PublishWords(
         verdict.decision().id(),
         title(verdict.decision()),
-        sentences(verdict.reasons().stream().filter(PublishWords::holdsBack).toList()),
-        sentences(
-            verdict.reasons().stream()
-                .filter(r -> !holdsBack(r))
-                .filter(r -> !isIdle(r, verdict))
-                .toList()),
+        Stream.concat(
+                models(verdict).stream(),
+                sentences(verdict.reasons().stream().filter(PublishWords::holdsBack).toList())
+                    .stream())
+            .toList(),
+        sentences(verdict.reasons().stream().filter(r -> !holdsBack(r)).toList()),
         toDo(verdict));
   }
 
@@ -80,12 +85,14 @@ public record PublishWords(
     return reason.decision() != PublishDecision.PUBLISH;
   }
 
-  /** Whether a remark would reassure although nothing is known: a value that is wide open, or must not be used, agrees with any other. */
-  private static boolean isIdle(Reason remark, PublishVerdict verdict) {
-    return remark instanceof Reason.AgreesWithPublished agrees
-        && (verdict.decision() == PublishDecision.DO_NOT_PUBLISH
-            || verdict.reasons().stream()
-                .anyMatch(r -> r instanceof Reason.Imprecise i && i.kind() == agrees.kind()));
+  /** The decision about each model, where these differ. */
+  private static Optional<String> models(PublishVerdict verdict) {
+    Optional<PublishDecision> flat = verdict.decision(KickKind.FLAT);
+    Optional<PublishDecision> chip = verdict.decision(KickKind.CHIP);
+    return flat.isEmpty() || chip.isEmpty() || flat.equals(chip)
+        ? Optional.empty()
+        : Optional.of(
+            "Flat model: " + title(flat.get()) + ". Chip model: " + title(chip.get()) + ".");
   }
 
   private static String title(PublishDecision decision) {
@@ -268,6 +275,13 @@ public record PublishWords(
       return text("The residuals are %.1f times the noise of the cameras", r.ratio())
           + (holdsBack(r) ? ": the ball does not move as the model says." : ".");
     }
+    if (reason instanceof Reason.KicksDiffer d) {
+      return text(
+              "One model for all kicks is off by %.1f mm, %.1f times the noise of the cameras; with"
+                  + " values of its own for each kick, by %.1f mm.",
+              d.rmsMm(), d.ratio(), d.ownRmsMm())
+          + NO_SINGLE_VALUE;
+    }
     return rest(reason);
   }
 
@@ -328,11 +342,26 @@ public record PublishWords(
 
   private static String diagnosed(Reason.Diagnosed d) {
     String causes = d.causes().isEmpty() ? "" : ": " + names(d.causes());
+    String allowedFor =
+        d.causes().isEmpty() || holdsBack(d)
+            ? ""
+            : " The calibration allows for this, so the ball model needs no change.";
+    String small =
+        holdsBack(d) || d.verdict() != Verdict.PARTLY_EXPLAINED
+            ? ""
+            : " What else it found is small against the noise; programs that load"
+                + " extended_model.json may predict better with it.";
     return switch (d.verdict()) {
       case MODEL_ADEQUATE -> "The diagnosis found nothing that the model gets wrong.";
-      case EXPLAINED -> "The diagnosis explains what the model gets wrong" + causes + ".";
+      case EXPLAINED -> "The diagnosis explains what is wrong" + causes + "." + allowedFor;
       case PARTLY_EXPLAINED ->
-          "The diagnosis explains a part of what the model gets wrong" + causes + ".";
+          d.causes().isEmpty()
+              ? "The diagnosis found no cause that is proven." + small
+              : "The diagnosis explains a part of what is wrong"
+                  + causes
+                  + "."
+                  + allowedFor
+                  + small;
       case UNEXPLAINED_STRUCTURE ->
           "The diagnosis found that the model is wrong, but no cause for it.";
     };
@@ -371,12 +400,34 @@ public record PublishWords(
       }
     }
     if (!wanted.isEmpty()) {
-      all.add("Record " + WordList.of(List.copyOf(wanted)) + ".");
+      all.add("Record " + beginners(verdict) + WordList.of(List.copyOf(wanted)) + ".");
     }
     if (verdict.decision() == PublishDecision.PUBLISH) {
       all.add(publish(verdict.reasons()));
     }
+    if (all.isEmpty()) {
+      all.add(
+          "Look at the kicks with excluded values or large residuals, and drop those that went"
+              + " wrong.");
+    }
     return List.copyOf(all);
+  }
+
+  /** How many kicks to record where there are hardly any. */
+  private static String beginners(PublishVerdict verdict) {
+    List<String> kinds =
+        Stream.of(KickKind.values())
+            .filter(
+                kind ->
+                    verdict.reasons().stream()
+                        .anyMatch(
+                            r ->
+                                r instanceof Reason.FewKicks few
+                                    && few.kind() == kind
+                                    && few.kicks() < few.needed()))
+            .map(kind -> kind == KickKind.FLAT ? "twelve flat kicks" : "twelve chips")
+            .toList();
+    return kinds.isEmpty() ? "" : "at least " + WordList.of(kinds) + ", among them ";
   }
 
   /** Whether kicks are calibrated together that belong to different fields. */
@@ -409,7 +460,8 @@ public record PublishWords(
   private static String advice(Reason reason, boolean diagnose) {
     if (reason instanceof Reason.MeanAgainstJoint
         || reason instanceof Reason.ManyExcluded
-        || reason instanceof Reason.ResidualAboveNoise) {
+        || reason instanceof Reason.ResidualAboveNoise
+        || reason instanceof Reason.KicksDiffer) {
       return diagnose ? "Run diagnose on these recordings: it looks for the cause." : "";
     }
     if (reason instanceof Reason.NoKicks none) {
@@ -443,13 +495,38 @@ public record PublishWords(
           + " calibrate without it.";
     }
     if (reason instanceof Reason.Diagnosed d) {
-      return d.causes().isEmpty()
-          ? "The diagnosis shows on what the error depends. Record the kicks that it proposes, if"
-              + " any."
-          : "Correct the cameras, clocks and kickers that the diagnosis names. For all else, let"
-              + " your AI load extended_model.json.";
+      return afterDiagnosis(d);
     }
     return "";
+  }
+
+  /** What can be mended is to be mended; the ball model that vision publishes cannot hold the rest. */
+  private static String afterDiagnosis(Reason.Diagnosed d) {
+    if (d.verdict() == Verdict.UNEXPLAINED_STRUCTURE) {
+      return "Record the kicks that the diagnosis proposes, and run diagnose again before you"
+          + " publish.";
+    }
+    List<String> mended = d.causes().stream().filter(PublishWords::canBeMended).toList();
+    List<String> others = d.causes().stream().filter(id -> !canBeMended(id)).toList();
+    if (mended.isEmpty()) {
+      return "Let your AI load extended_model.json, which contains what the diagnosis found;"
+          + " vision's ball model cannot hold it.";
+    }
+    return "Correct this where it arises, and record again: "
+        + names(mended)
+        + "."
+        + (others.isEmpty()
+            ? ""
+            : " For the rest ("
+                + names(others)
+                + "), let your AI load extended_model.json; vision's ball model cannot hold it.");
+  }
+
+  /** Whether it is an error of a camera, a clock or a kicker. */
+  private static boolean canBeMended(String effect) {
+    return EffectCatalogue.find(effect)
+        .filter(e -> e instanceof MeasurementEffect || e instanceof KickerEffect)
+        .isPresent();
   }
 
   private static String value(String parameter, double value) {

@@ -158,7 +158,9 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** Which kicks would tell more; of a single kick it is not known what its error depends on. */
   private static Optional<String> toRecord(Diagnosis d) {
     return d.kicks().size() == 1
-        ? Optional.of("Record twenty kicks of all speeds: a single kick shows no cause.")
+        ? Optional.of(
+            "Record at least twelve flat kicks and twelve chips of all speeds: a single kick shows"
+                + " no cause.")
         : d.unexplained().dependsOn().stream().findFirst().map(StructureWords::kicksToRecord);
   }
 

@@ -10,13 +10,21 @@ final class VisionFaultWords {
 
   static String sentence(VisionFault fault) {
     if (fault instanceof VisionFault.ClockRate clock) {
-      return String.format(
-          Locale.ROOT,
-          "%s: one second of the time stamps lasts %.3f s on the recorder's clock. If vision's"
-              + " clock is wrong, accelerations are %.0f %% wrong.",
-          cameras(clock.cameras()),
-          clock.rate(),
-          100 * Math.abs(1 - clock.rate() * clock.rate()));
+      double wrong = 100 * Math.abs(1 - clock.rate() * clock.rate());
+      String rates =
+          String.format(
+              Locale.ROOT,
+              "%s: one second of the time stamps lasts %.3f s on the recorder's clock.",
+              cameras(clock.cameras()),
+              clock.rate());
+      return rates
+          + String.format(
+              Locale.ROOT,
+              clock.simulator()
+                  ? " A simulator may run slower or faster than real time, so this does no harm"
+                      + " there; on a real field, accelerations would be %.0f %% wrong."
+                  : " If vision's clock is wrong, accelerations are %.0f %% wrong.",
+              wrong);
     }
     VisionFault.MixedUp mixed = (VisionFault.MixedUp) fault;
     String cameras = cameras(mixed.cameras());

@@ -70,7 +70,7 @@ const CalibrationViews = (() => {
     const body = report.models.flatMap(model => {
       const kicks = report.kicks.filter(k => k.kind === model.kind);
       const used = kicks.filter(k => k.selected).length;
-      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used; n: kicks that determine the parameter' + (known(model.jointRmsMm) ? '; joint fit ' + number(model.jointRmsMm, 2) + ' mm rms per axis' : '');
+      const group = (model.kind === 'FLAT' ? 'Flat' : 'Chip') + ' — ' + used + ' of ' + kicks.length + (kicks.length === 1 ? ' kick' : ' kicks') + ' used; n: kicks whose value is in the mean' + (known(model.jointRmsMm) ? '; joint fit ' + number(model.jointRmsMm, 2) + ' mm rms per axis with values of its own for each kick' : '');
       return [el('tr', {class: 'group'}, el('th', {colspan: 6}, el('span', {}, group))), ...model.parameters.map(modelRow)];
     });
     const head = ['Parameter', 'Mean ± s.e.', 'n', 'Joint fit', 'Published', 'Difference'];

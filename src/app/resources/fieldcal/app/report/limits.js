@@ -35,7 +35,7 @@
       }
       const numbers = KINDS.map(([key, label, unit]) => label.toLowerCase() + (team[key].reached || !known(team[key].value) ? ' ' : ' at least ') + withError(team[key].value, team[key].standardError, unit));
       const shaped = team.envelopes.filter(e => e.shaped);
-      const what = team.effects.length === 0 ? shaped.length > 0 ? 'the limit depends on the direction.' : 'one limit for all speeds and directions describes it.'
+      const what = team.effects.length === 0 ? shaped.length > 0 ? 'the limit depends on the direction.' : 'one limit holds for all speeds and directions.'
         : team.effects.map(e => 'it ' + e.sentence + ' (' + e.effect + ', coefficient ' + withError(e.coefficient, e.standardError) + '; seen in ' + e.seenIn + ': '
           + number(100 * e.shareWith, 0) + ' % of the manoeuvres are at the limit with it, ' + number(100 * e.shareWithout, 0) + ' % without)').join('; ') + '.';
       lines.push(el('p', {}, el('b', {}, name), ': ' + numbers.join(', ') + '; ' + what));

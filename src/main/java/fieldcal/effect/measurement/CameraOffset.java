@@ -55,6 +55,11 @@ public record CameraOffset(double xMm, double yMm, int camera) implements Measur
   }
 
   @Override
+  public boolean isAllowedForByCalibration() {
+    return true;
+  }
+
+  @Override
   public CameraOffset withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 3);
     return new CameraOffset(v[0], v[1], (int) v[2]);

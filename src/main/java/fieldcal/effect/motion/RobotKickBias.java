@@ -60,6 +60,11 @@ public record RobotKickBias(double percent, double yaw, Team team, int robot)
   }
 
   @Override
+  public boolean isAllowedForByCalibration() {
+    return true;
+  }
+
+  @Override
   public RobotKickBias withParameters(double... values) {
     double[] v = EffectParameters.require(ID, values, 4);
     return new RobotKickBias(v[0], v[1], v[2] == 0 ? Team.YELLOW : Team.BLUE, (int) v[3]);

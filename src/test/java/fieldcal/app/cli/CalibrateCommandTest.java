@@ -86,18 +86,50 @@ class CalibrateCommandTest {
     String forced = run("calibrate", flat.toString(), "--kind=chip").out();
     assertThat(forced).startsWith("Verdict: do not publish").contains("stay on the ground");
     assertThat(forced).doesNotContain("have spin", "does not explain a part");
+    assertThat(forced)
+        .as("numbers that must not be used")
+        .doesNotContain("Chip model:", "damping_z");
     assertThat(forced).doesNotContainPattern("[ (]-\\d\\.\\d{4}");
     List<String> verdict = forced.lines().takeWhile(l -> !l.isEmpty()).toList();
     assertThat(verdict).allMatch(l -> l.length() <= 98);
   }
 
-  /** Its cameras have no poses, and its time may run at any pace. */
+  /** Of a single kick, a joint fit knows no more than the kick. Its residual is the first reason. */
   @Test
-  void theClockOfASimulatorWithoutPosesIsNotJudged() {
+  void oneKickFarFromTheModelIsCheckedFirst() {
+    Path one =
+        Path.of(
+            System.getProperty("fieldcal.projectDir", "."), "test-data/mujoco-rolling-chip.log.gz");
+    String out = run("calibrate", one.toString()).out();
+    assertThat(out)
+        .startsWith("Verdict: check first. Run diagnose")
+        .contains("12.4 times the noise")
+        .containsPattern("Record at least twelve chips, among\\s+them")
+        .contains("Chip model: 0 of 1 kick used.")
+        .containsPattern("damping_xy_first_hop +undetermined +0 +undetermined")
+        .doesNotContain("calibrate the cameras");
+  }
+
+  /** A diagnosis of these kicks lets one model describe all of them; so does the verdict. */
+  @Test
+  void oneModelHasToDescribeAllKicks() {
+    for (String name : List.of("ode-chip", "erforce-chip", "erforce-flat", "integrated-mixed")) {
+      Path log =
+          Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", name + ".log.gz");
+      assertThat(run("calibrate", log.toString()).out())
+          .startsWith("Verdict: " + (name.equals("ode-chip") ? "check first" : "publish"));
+    }
+  }
+
+  /** Its cameras have no poses, and its time may run at any pace: that is told, as info does, and holds nobody back. */
+  @Test
+  void theClockOfASimulatorWithoutPosesIsARemark() {
     Path flat =
         Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data/grsim-flat.log.gz");
     String out = run("calibrate", flat.toString()).out();
-    assertThat(out).startsWith("Verdict: check first. Run diagnose").doesNotContain("clock");
+    assertThat(out)
+        .startsWith("Verdict: check first. Run diagnose")
+        .contains("  - Cameras 0, 1, 2 and 3: one second of the time stamps lasts 1.035 s");
   }
 
   private static JsonNode json(Path file) throws IOException {

@@ -122,7 +122,7 @@ class DiagnoseCommandTest {
     assertThat(run("diagnose", log, "--out=" + out).exit()).isZero();
     String after = run("calibrate", log, "--out=" + out).out();
     assertThat(after)
-        .startsWith("Verdict: check first. Correct the cameras, clocks and kickers that")
+        .startsWith("Verdict: check first. Let your AI load extended_model.json, which contains")
         .contains("air drag");
     JsonNode json = new ObjectMapper().readTree(out.resolve("calibration.json").toFile());
     assertThat(json.path("verdict").path("because").toString()).contains("air drag");

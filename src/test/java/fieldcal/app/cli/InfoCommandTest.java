@@ -44,7 +44,7 @@ class InfoCommandTest {
         .contains("12.04 × 9.02 m")
         .contains("66.7 Hz")
         .containsPattern(
-            "flat model +sliding deceleration -\\d\\.\\d{3} m/s², rolling deceleration -0\\.\\d{3}"
+            "flat model +sliding deceleration −\\d\\.\\d{3} m/s², rolling deceleration −0\\.\\d{3}"
                 + " m/s², switch to rolling 0\\.\\d{3}")
         .contains("only the published position is used")
         .contains("referee     silent");

@@ -45,8 +45,9 @@ class SameVerdictTest {
   @CsvSource({
     "good, publish, ''",
     "one-kick, record_more, few_kicks few_kicks few_kicks",
-    "wrong-model, check_first, mean_against_joint_fit many_excluded many_excluded many_excluded",
-    "two-fields, do_not_publish, several_fields simulated_field",
+    "wrong-model, check_first, mean_against_joint_fit many_excluded many_excluded many_excluded"
+        + " kicks_differ",
+    "two-fields, do_not_publish, several_fields simulated_field kicks_differ",
   })
   void theVerdictIsTheSameEverywhere(String name, String decision, String holdBack)
       throws IOException {

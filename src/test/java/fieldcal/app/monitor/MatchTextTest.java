@@ -66,7 +66,7 @@ class MatchTextTest {
     assertThat(lines).allSatisfy(line -> assertThat(line.length()).isLessThan(80));
     assertThat(lines)
         .anyMatch(
-            line -> line.matches(" +rolling deceleration, m/s² +-0.400 +-0.280 +43 % more +31"))
+            line -> line.matches(" +rolling deceleration, m/s² +−0.400 +−0.280 +43 % more +31"))
         .anyMatch(line -> line.matches(" +vertical damping +0.520 +0.520 +too few yet +3/31"))
         .anyMatch(line -> line.matches(" +switch to rolling +– +0.650 +0/31"));
   }
@@ -90,7 +90,7 @@ class MatchTextTest {
   @Test
   void aKickNamesWhatItDeterminesWithUnits() {
     assertThat(text.kick(kick()))
-        .endsWith("sliding deceleration -3.012 m/s², switch to rolling 0.655 (may have spin)");
+        .endsWith("sliding deceleration −3.012 m/s², switch to rolling 0.655 (may have spin)");
   }
 
   private static LiveKick kick() {
@@ -146,7 +146,7 @@ class MatchTextTest {
     String all = String.join(" ", text.lines(status(), width)).replaceAll(" +", " ");
     assertThat(all)
         .contains(
-            "WARNING since 00:00:30: rolling deceleration (acc_roll) is -0.400 m/s², 43 % more")
+            "WARNING since 00:00:30: rolling deceleration (acc_roll) is −0.400 m/s², 43 % more")
         .contains("(median of 31 kicks)")
         .contains("SILENT for 12 s, joined again 6 times (no route)");
   }

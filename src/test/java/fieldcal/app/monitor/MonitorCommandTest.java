@@ -64,7 +64,7 @@ class MonitorCommandTest {
         .contains("referee: first half, normal start")
         .containsPattern("#\\d+ +flat +\\d\\.\\d m/s (yellow|blue) \\d+")
         .contains("BALL     ")
-        .containsPattern("rolling deceleration, m/s² +-0\\.\\d\\d\\d")
+        .containsPattern("rolling deceleration, m/s² +−0\\.\\d\\d\\d")
         .contains("ROBOTS")
         .doesNotContain("by –")
         .contains("CAMERAS")
@@ -74,7 +74,7 @@ class MonitorCommandTest {
   @Test
   void camerasHaveANoiseAndThoseThatAreApartAreMarked() {
     String out = run("monitor", "--log", "" + log).out();
-    String row = " +\\d\\d\\.\\d Hz +[1-4]\\.\\d\\d mm +-?\\d+\\.\\d, -?\\d+\\.\\d mm .* s";
+    String row = " +\\d\\d\\.\\d Hz +[1-4]\\.\\d\\d mm +−?\\d+\\.\\d, −?\\d+\\.\\d mm +\\d+ .*";
     assertThat(out)
         .containsPattern("\n +1" + row + " +2[0-4] mm apart from camera [023]\n")
         .containsPattern("\n +0" + row + " +2[0-4] mm apart from camera 1\n");
@@ -114,9 +114,9 @@ class MonitorCommandTest {
             + " damping_xy_first_hop: 0.8 damping_xy_other_hops: 0.85 damping_z: 0.47 }");
     assertThat(watched("--models", "" + models))
         .containsPattern(
-            "WARNING +sliding deceleration \\(acc_slide\\) is -\\d\\.\\d+ m/s², \\d\\d % more than"
-                + " the published -2\\.100 m/s² \\(median of \\d kicks\\)\\. Let the AI use"
-                + " -\\d\\.\\d+ m/s² until the ball is calibrated again on this carpet\\.")
+            "WARNING +sliding deceleration \\(acc_slide\\) is −\\d\\.\\d+ m/s², \\d\\d % more than"
+                + " the published −2\\.100 m/s² \\(median of \\d kicks\\)\\. Let the AI use"
+                + " −\\d\\.\\d+ m/s² until the ball is calibrated again on this carpet\\.")
         .containsPattern("sliding deceleration, m/s² .* too few yet +\\d+/31");
   }
 

@@ -67,7 +67,7 @@ class NetworkFeedTest {
     assertThat(text.toString())
         .contains("watching 224.5.23.177:" + port)
         .contains("referee is heard: first half, normal start")
-        .contains("sliding deceleration -3.");
+        .contains("sliding deceleration −3.");
     assertThat(StateFile.read(folder.resolve("state.json")).size()).isGreaterThan(5);
     assertThat(folder.resolve("changes.jsonl")).content().contains("\"event\":\"summary\"");
   }

@@ -59,6 +59,25 @@ class RecordingChoiceTest {
     assertThat(words(choice, "rehearsal")).isEqualTo("used by hand, though from a simulated field");
   }
 
+  /** That a file is cut off is said whatever else is said of it. */
+  @Test
+  void aFileThatIsCutOffIsNamed() {
+    RecordingChoice choice =
+        RecordingChoice.of(List.of(cut(REAL), cut(ELSEWHERE), AGAIN), Map.of());
+    assertThat(words(choice, "real"))
+        .isEqualTo("the file is cut off: its end is missing or damaged");
+    assertThat(words(choice, "elsewhere"))
+        .isEqualTo(
+            "from another field (9.00 × 9.00 m); the file is cut off: its end is missing or"
+                + " damaged");
+    assertThat(words(choice, "again")).isEmpty();
+  }
+
+  private static RecordingFacts cut(RecordingFacts f) {
+    return new RecordingFacts(
+        f.log(), f.origin(), f.playing(), f.geometry(), f.startUnixNanos(), 900, true, f.faults());
+  }
+
   @Test
   void thoseLikeOneComeFromTheSamePlace() {
     List<RecordingFacts> all = List.of(AGAIN, ELSEWHERE, MATCH, REAL, REHEARSAL, TWIN);
@@ -85,6 +104,13 @@ class RecordingChoiceTest {
             0, 500, 390, 290, 0.1, 1, 0, 0, 0, 0, 0, 1000 * height, 0, 0, height, 780, 580);
     FieldGeometry field = FieldGeometry.of(length, 9, 1.8, 0.18, 0.3, List.of(camera));
     return new RecordingFacts(
-        Path.of(name), origin, playing, Optional.of(field), s * 1_000_000_000L, List.of());
+        Path.of(name),
+        origin,
+        playing,
+        Optional.of(field),
+        s * 1_000_000_000L,
+        1000,
+        false,
+        List.of());
   }
 }

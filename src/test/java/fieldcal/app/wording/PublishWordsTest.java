@@ -2,6 +2,7 @@ package fieldcal.app.wording;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.diagnosis.Verdict;
 import fieldcal.kick.KickKind;
 import fieldcal.verdict.FieldSize;
 import fieldcal.verdict.PublishDecision;
@@ -35,26 +36,74 @@ class PublishWordsTest {
                 + " until they stop (2 to 4 m/s) and flat kicks that roll for two metres or more.");
   }
 
-  /** Who rehearses must not carry the rehearsal's numbers to the field. */
-  /** A value that is wide open agrees with any other: that is no news. */
   @Test
-  void agreementOfAnUncertainModelIsNotPraised() {
-    Reason agrees = new Reason.AgreesWithPublished(KickKind.FLAT);
-    Reason open = new Reason.Imprecise(KickKind.FLAT, "accSlide", 13, 10);
-    Reason chips = new Reason.NoChips(5, 6);
-    assertThat(notes(List.of(agrees))).hasSize(1);
-    assertThat(notes(List.of(agrees)).get(0))
-        .contains("by less than 3 %, or by no more than its errors allow");
-    assertThat(notes(List.of(open, agrees))).isEmpty();
-    assertThat(notes(List.of(chips, agrees))).isEmpty();
+  void modelsThatAreJudgedDifferentlyAreNamedFirst() {
+    PublishVerdict verdict =
+        new PublishVerdict(
+            PublishDecision.RECORD_MORE,
+            List.of(
+                new Reason.FewKicks(KickKind.CHIP, "dampingZ", 2, 5, 2),
+                new Reason.NothingPublished(KickKind.FLAT)),
+            false);
+    assertThat(PublishWords.of(verdict).reasons().get(0))
+        .isEqualTo("Flat model: publish. Chip model: record more.");
+    assertThat(PublishWords.of(verdict).headline())
+        .isEqualTo(
+            "Verdict: record more. Record at least twelve chips, among them chips that bounce three"
+                + " times or more.");
   }
 
-  private static List<String> notes(List<Reason> reasons) {
-    PublishDecision gravest =
-        reasons.stream().map(Reason::decision).reduce(PublishDecision.PUBLISH, PublishDecision::or);
-    return PublishWords.of(new PublishVerdict(gravest, reasons, false)).notes();
+  @Test
+  void anOffsetThatIsTakenOutChangesNothing() {
+    PublishWords words =
+        after(
+            new Reason.Diagnosed(
+                Verdict.EXPLAINED, List.of("camera_offset"), PublishDecision.PUBLISH));
+    assertThat(words.headline()).startsWith("Verdict: publish.");
+    assertThat(words.notes())
+        .containsExactly(
+            "The diagnosis explains what is wrong: camera offset. The calibration allows for"
+                + " this, so the ball model needs no change.");
   }
 
+  /** Nobody can correct the air. */
+  @Test
+  void onlyWhatCanBeMendedIsToBeMended() {
+    assertThat(advice("air_drag"))
+        .isEqualTo(
+            "Let your AI load extended_model.json, which contains what the diagnosis found;"
+                + " vision's ball model cannot hold it.");
+    assertThat(advice("camera_time_offset", "air_drag"))
+        .isEqualTo(
+            "Correct this where it arises, and record again: wrong time stamps. For the rest (air"
+                + " drag), let your AI load extended_model.json; vision's ball model cannot hold"
+                + " it.");
+  }
+
+  private static String advice(String... causes) {
+    return after(
+            new Reason.Diagnosed(Verdict.EXPLAINED, List.of(causes), PublishDecision.CHECK_FIRST))
+        .toDo()
+        .get(0);
+  }
+
+  private static PublishWords after(Reason.Diagnosed diagnosed) {
+    return PublishWords.of(new PublishVerdict(diagnosed.decision(), List.of(diagnosed), false));
+  }
+
+  @Test
+  void aModelThatDoesNotHoldForAllKicksIsNamedWithItsResidual() {
+    PublishVerdict verdict =
+        new PublishVerdict(
+            PublishDecision.CHECK_FIRST, List.of(new Reason.KicksDiffer(2.5, 0.99, 2.6, 1)), true);
+    assertThat(PublishWords.of(verdict).reasons())
+        .containsExactly(
+            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; with"
+                + " values of its own for each kick, by 1.0 mm. No single value describes all"
+                + " kicks.");
+  }
+
+  /** Who rehearses must not carry the rehearsal's numbers to the field. */
   @Test
   void aRehearsalIsNotForSslVision() {
     List<Reason> real = List.of(new Reason.NothingPublished(KickKind.FLAT));
