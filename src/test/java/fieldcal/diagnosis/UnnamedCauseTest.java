@@ -3,6 +3,7 @@ package fieldcal.diagnosis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.effect.learned.Quantity;
 import fieldcal.fit.KickFit;
@@ -10,11 +11,15 @@ import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
+import fieldcal.simulation.imaging.CameraErrors;
+import fieldcal.simulation.imaging.CameraRig;
 import fieldcal.simulation.imaging.InstalledCamera;
+import fieldcal.simulation.imaging.Nuisance;
 import fieldcal.simulation.imaging.TabulatedError;
 import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.BallPhysics;
 import fieldcal.simulation.physics.ExtraLaw;
+import fieldcal.simulation.physics.Region;
 import fieldcal.simulation.physics.Table;
 import fieldcal.simulation.physics.TabulatedLaw;
 import java.util.ArrayList;
@@ -324,13 +329,30 @@ class UnnamedCauseTest {
         .isLessThan(0.7 * diagnosis.base().holdoutRmsMm());
   }
 
-  /** The tangential distortion of a lens whose elements are not on one axis (Brown 1966), of the size of 10 mm at the edge of the image: nearly a tilt of the camera. */
+  private static InstalledCamera camera(int id, double x, CameraErrors errors) {
+    CameraCalibration published = CameraRig.lookingDown(id, x, 0, 5, Region.NONE);
+    return new InstalledCamera(
+        published,
+        published,
+        false,
+        Region.NONE,
+        0.7e-3,
+        InstalledCamera.NoiseGrowth.IMAGE,
+        1e-3,
+        1e-2,
+        75,
+        4e-3 * id,
+        0.02,
+        1e-3,
+        Nuisance.NONE,
+        errors);
+  }
+
+  /** The tangential distortion of a lens whose elements are not on one axis (Brown 1966), of 10 mm at the edge of what the camera sees: nearly a tilt of the camera. */
   @Test
   void aDecentredLensIsNoWrongPose() {
-    double a = 0.8;
-    double b = -0.5;
-    SimulationSettings sound = FittedField.SOUND.withScenario(ScenarioKind.FLAT, 20);
-    List<InstalledCamera> cameras = new ArrayList<>(sound.installed());
+    double a = 0.5;
+    double b = -0.3;
     TabulatedError decentred =
         new TabulatedError(
             TabulatedError.Quantity.SHIFT,
@@ -338,11 +360,14 @@ class UnnamedCauseTest {
             List.of(
                 surface(6, (x, y) -> a * (3 * x * x + y * y) + 2 * b * x * y),
                 surface(6, (x, y) -> b * (x * x + 3 * y * y) + 2 * a * x * y)));
-    InstalledCamera first = cameras.get(0);
-    cameras.set(0, first.withErrors(first.errors().withTable(decentred)));
-    Diagnosis diagnosis =
-        new Diagnoser()
-            .diagnose(FittedField.of(sound.withInstalled(cameras)).problem(), said -> {});
+    SimulationSettings world =
+        FittedField.SOUND
+            .withScenario(ScenarioKind.FLAT, 20)
+            .withInstalled(
+                List.of(
+                    camera(0, -2.2, CameraErrors.NONE.withTable(decentred)),
+                    camera(1, 2.2, CameraErrors.NONE)));
+    Diagnosis diagnosis = new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
     assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
     LearnedTerm shift = (LearnedTerm) diagnosis.learned().get(0).effect();
     assertThat(shift.family().key()).isEqualTo("shift/image_position/camera 0");
