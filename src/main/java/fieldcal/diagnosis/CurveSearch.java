@@ -59,6 +59,9 @@ final class CurveSearch {
     // Once the model has what hid a law before, the law may be right after all.
     catalogue.stream().filter(e -> !e.starts().isEmpty()).forEach(all::add);
     FittedModel curved = withMaps(with(all, start), mostBeside(start));
+    if (!isLeft(curved)) {
+      return curved;
+    }
     FittedModel mapped = withMaps(start, start.model().components().size());
     return mapped == start ? curved : cheaper(curved, with(all, mapped));
   }

@@ -11,6 +11,7 @@ import fieldcal.diagnosis.search.Alternatives;
 import fieldcal.diagnosis.search.Alternatives.Scored;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.Price;
+import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.learned.LearnedLibrary;
@@ -20,7 +21,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 
 /**
  * The stage that lets a law of another form compete with each named cause that all kicks share. A rolling deceleration that grows with the square of the speed is nearly an air drag: only a ball that slides, which the air brakes and the carpet's pile does not, tells them apart, and noise hides what the wrong one leaves. So each cause is
@@ -32,7 +32,8 @@ final class RivalForms {
   private final DecisionSettings settings;
   private final long seed;
   private final ModelChoice choice;
-  private final Alternatives forms;
+  private final List<LearnedTerm> forms;
+  private final Arena arena;
 
   /**
    * @param problem the screened kicks and what may explain them
@@ -44,8 +45,8 @@ final class RivalForms {
     solver = problem.solver();
     settings = problem.settings();
     seed = problem.seed();
-    List<? extends Effect> curves = LearnedLibrary.forms(problem.arena());
-    forms = new Alternatives(fitter, new Dictionary(curves, problem.arena()));
+    arena = problem.arena();
+    forms = LearnedLibrary.forms(arena);
   }
 
   /**
@@ -69,12 +70,17 @@ final class RivalForms {
   }
 
   private Weighed against(Weighed named, int i) {
+    Component cause = named.judged().get(i).component();
+    List<LearnedTerm> alike = forms.stream().filter(form -> actAlike(form, cause)).toList();
+    if (alike.isEmpty()) {
+      return named;
+    }
     Optional<FittedModel> rival =
-        forms.scores(named.model()).stream()
-            .filter(s -> actAlike(s.effect(), named.judged().get(i).component()))
-            .filter(s -> s.gain() > dearer(named.model(), i, s.effect()))
-            .flatMap(s -> insteadOf(named.model(), i, s).stream())
-            .min(Comparator.comparingDouble(Price::total));
+        new Alternatives(fitter, new Dictionary(alike, arena))
+            .scores(named.model()).stream()
+                .filter(s -> s.gain() > dearer(named.model(), i, s.effect()))
+                .flatMap(s -> insteadOf(named.model(), i, s).stream())
+                .min(Comparator.comparingDouble(Price::total));
     if (rival.isEmpty()) {
       return named;
     }
@@ -83,12 +89,10 @@ final class RivalForms {
   }
 
   /** Whether both change how the ball moves, or what the same camera reports. */
-  private static boolean actAlike(Effect curve, Component cause) {
-    if (curve instanceof MotionEffect) {
-      return cause.template() instanceof MotionEffect;
-    }
-    OptionalInt camera = ((LearnedTerm) curve).camera();
-    return camera.isPresent() && camera.equals(cause.camera());
+  private static boolean actAlike(LearnedTerm form, Component cause) {
+    return form instanceof MotionEffect
+        ? cause.template() instanceof MotionEffect
+        : form.camera().equals(cause.camera());
   }
 
   /** How much more a curve costs than a cause. In the cause's stead it gains at most what it gains beside it. */

@@ -314,7 +314,7 @@ class UnnamedCauseTest {
     Diagnosis diagnosis =
         diagnosed(
             ScenarioKind.FLAT,
-            20,
+            16,
             new TabulatedLaw(
                 TabulatedLaw.Quantity.FLOOR,
                 TabulatedLaw.Variable.PLACE,
@@ -362,7 +362,7 @@ class UnnamedCauseTest {
                 surface(6, (x, y) -> b * (x * x + 3 * y * y) + 2 * a * x * y)));
     SimulationSettings world =
         FittedField.SOUND
-            .withScenario(ScenarioKind.FLAT, 20)
+            .withScenario(ScenarioKind.FLAT, 14)
             .withInstalled(
                 List.of(
                     camera(0, -2.2, CameraErrors.NONE.withTable(decentred)),

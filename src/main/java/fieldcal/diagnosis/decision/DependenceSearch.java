@@ -20,7 +20,7 @@ import org.apache.commons.math3.special.Beta;
 /**
  * Tests whether values that differ from kick to kick follow something that is recorded. If they do, the model lacks a law, and they do not differ by chance.
  *
- * <p>Tried are straight lines, curves of rising order and steps, each alone and beside a straight line over the speed, of the values themselves and of their normal scores, in which a kick that is far off only comes last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often chance alone makes it as small is counted by assigning the same values to the kicks in other orders. So the level holds for any distribution of the values, and for any number of forms, even if they overlap.
+ * <p>Tried are straight lines, curves of rising order and steps, those over the session's time also beside a straight line over the speed, of the values themselves and of their normal scores, in which a kick that is far off only comes last in the order (van der Waerden 1952). The statistic is the smallest chance of an F-test, times the number of forms of that kind (the minimum-p statistic of Westfall and Young, "Resampling-based multiple testing", 1993). How often chance alone makes it as small is counted by assigning the same values to the kicks in other orders. So the level holds for any distribution of the values, and for any number of forms, even if they overlap.
  */
 final class DependenceSearch {
   /** When this many other orders do as well, the chance is above the limit, and no more are drawn (Besag and Clifford 1991): with ten the chance is known to a third of itself. */
@@ -346,12 +346,12 @@ final class DependenceSearch {
     double[][] line = polynomials(speeds, 1);
     boolean speedsDiffer = orthonormal(line, false) == 1;
     speedLine = line[0];
+    add(Variable.HEADING, waves(1, 2, 3, 4), HEADING_FUNCTIONS, false);
+    add(Variable.HEADING, waves(4, 8), QUARTER_FUNCTIONS, false);
+    add(Variable.PLACE, places(), PLACE_FUNCTIONS, false);
+    double[] times = kicks.stream().mapToDouble(Kick::time).toArray();
     for (boolean beside : speedsDiffer ? new boolean[] {false, true} : new boolean[1]) {
-      double[] times = kicks.stream().mapToDouble(Kick::time).toArray();
       add(Variable.SESSION_TIME, polynomials(times, TIME_ORDER), orders(TIME_ORDER), beside);
-      add(Variable.HEADING, waves(1, 2, 3, 4), HEADING_FUNCTIONS, beside);
-      add(Variable.HEADING, waves(4, 8), QUARTER_FUNCTIONS, beside);
-      add(Variable.PLACE, places(), PLACE_FUNCTIONS, beside);
       addSteps(beside);
     }
   }
