@@ -82,6 +82,9 @@ public final class CalibrationPlay {
     }
     ball.update(world.ball(), world.time());
     Situation s = new Situation(plan, ball, driver, safety, motions, following, world);
+    for (int i = 0; i < 2; i++) {
+      following.get(i).look(s.robot(i), Double.isNaN(span) ? 0 : span);
+    }
     if (stopped.isPresent()) {
       return followed(s, watchLastBall(s), span);
     }

@@ -32,6 +32,7 @@ final class Following {
   private static final double FASTER = 0.1;
 
   private final double braking;
+  private final Whereabouts whereabouts = new Whereabouts();
   private double reference;
   private double standsSince;
   private double overrun = KNOWN * FEARED;
@@ -45,7 +46,17 @@ final class Following {
   }
 
   /**
-   * Takes the next tick.
+   * Takes what is known at the beginning of a tick.
+   *
+   * @param robot as it is known now; null when it was never seen
+   * @param span since the last tick, s
+   */
+  void look(Robot robot, double span) {
+    whereabouts.look(robot, span);
+  }
+
+  /**
+   * Takes what the robot is ordered at the end of a tick.
    *
    * @param robot as it was seen last; null when it was never seen
    * @param seen whether it is seen now; otherwise nothing is learned
@@ -53,6 +64,7 @@ final class Following {
    * @param span since the last tick, s
    */
   void update(Robot robot, boolean seen, Velocity ordered, double span) {
+    whereabouts.order(ordered);
     if (robot == null || !seen) {
       reference = 0;
       learn(-lostNow);
@@ -99,6 +111,11 @@ final class Following {
     overrunNow = 0;
     lostNow = 0;
     standsSince = 0;
+  }
+
+  /** How much farther in a direction, given as a unit vector, the robot may be than it is known to be, m. */
+  double beyond(Robot robot, double nx, double ny) {
+    return whereabouts.beyond(robot, nx, ny);
   }
 
   /** How late it follows, s. */

@@ -20,8 +20,14 @@ final class Safety {
   /** The part of its sideways motion that it keeps then. */
   private static final double ASIDE = 0.9;
 
-  /** Inward speed per distance beyond, 1/s: a robot that drives 4° beside its way along the edge at 2.5 m/s is held within 2 cm. */
-  private static final double PUSH_BACK = 10;
+  /** Distance from the edge of the area at which robots are held, m: a little beyond their targets, so that they reach these. */
+  private static final double HELD = 0.75 * PlayArea.RESERVE;
+
+  /**
+   * Speed per distance from there, 1/s, outward before it and inward beyond. For robots that follow as usual, times their delay of 0.13 s, this is 1.3: from π/2 on such a control oscillates. Others
+   * drive outward more calmly. A robot that drives 4° beside its way at 2.5 m/s is held within 2 cm.
+   */
+  private static final double GAIN = 10;
 
   private static final int ROUNDS = 3;
 
@@ -35,26 +41,34 @@ final class Safety {
     clearance = limits.clearance();
   }
 
-  /** How a robot can react: its delay, s, and its deceleration, m/s². */
-  private record Able(double delay, double braking) {}
+  /** How a robot can react: its delay, s, its deceleration, m/s², and the part of the usual gains that it tolerates. */
+  private record Able(double delay, double braking, double calm) {}
+
+  /** How far it is to where a robot is held, in the four directions, when it begins to do what it is ordered now, m; negative beyond. */
+  private record Room(double right, double left, double up, double down) {}
 
   /** The velocity nearest to the wanted one that is safe for a robot that follows its orders this late. */
   Velocity limited(
       Robot robot, Velocity wanted, Following following, List<Robot> others, List<Robot> ours) {
     double[] v = {wanted.vx(), wanted.vy()};
-    Able able = new Able(Math.max(DELAY, following.late()), following.calm() * braking);
+    double calm = following.calm();
+    Able able = new Able(Math.max(DELAY, following.late()), calm * braking, calm);
+    Room room = room(robot, following, able);
+    v[0] *= alongEdge(Math.min(room.up(), room.down()));
+    v[1] *= alongEdge(Math.min(room.right(), room.left()));
     for (int round = 0; round < ROUNDS; round++) {
       for (Robot other : others) {
         if (!other.id().equals(robot.id())) {
-          keepApart(robot, other, ours.contains(other), able, v);
+          keepApart(robot, other, ours.contains(other), following, able, v);
         }
       }
-      keepInside(robot, able, v);
+      keepInside(room, robot.speed(), able, v);
     }
     return new Velocity(v[0], v[1], wanted.angular());
   }
 
-  private void keepApart(Robot robot, Robot other, boolean ours, Able able, double[] v) {
+  private void keepApart(
+      Robot robot, Robot other, boolean ours, Following following, Able able, double[] v) {
     double dx = other.x() - robot.x();
     double dy = other.y() - robot.y();
     double distance = Math.hypot(dx, dy);
@@ -65,7 +79,8 @@ final class Safety {
     double ny = dy / distance;
     double theirs = -(other.vx() * nx + other.vy() * ny);
     double mine = robot.vx() * nx + robot.vy() * ny;
-    double gap = distance - 2 * PlayArea.ROBOT_RADIUS - 0.5 * clearance;
+    double gap =
+        distance - 2 * PlayArea.ROBOT_RADIUS - 0.5 * clearance - following.beyond(robot, nx, ny);
     double ahead = gap - Math.max(0, mine + theirs) * able.delay();
     double allowed;
     if (ahead < 0) {
@@ -89,21 +104,46 @@ final class Safety {
     }
   }
 
-  private void keepInside(Robot robot, Able able, double[] v) {
-    v[0] = inside(robot.x(), robot.vx(), able, v[0], area.length() / 2 + area.margin());
-    v[1] = inside(robot.y(), robot.vy(), able, v[1], area.width() / 2 + area.margin());
+  private Room room(Robot robot, Following following, Able able) {
+    double x = area.length() / 2 + area.margin() - HELD;
+    double y = area.width() / 2 + area.margin() - HELD;
+    return new Room(
+        ahead(x - robot.x() - following.beyond(robot, 1, 0), robot.vx(), able),
+        ahead(x + robot.x() - following.beyond(robot, -1, 0), -robot.vx(), able),
+        ahead(y - robot.y() - following.beyond(robot, 0, 1), robot.vy(), able),
+        ahead(y + robot.y() - following.beyond(robot, 0, -1), -robot.vy(), able));
   }
 
-  private static double inside(
-      double position, double speed, Able able, double wanted, double limit) {
-    double low = -outward(position + limit, -speed, able);
-    double high = outward(limit - position, speed, able);
-    return Math.max(low, Math.min(high, wanted));
+  private static void keepInside(Room room, double speed, Able able, double[] v) {
+    double left = -outward(room.left(), speed, able);
+    double right = outward(room.right(), speed, able);
+    double down = -outward(room.down(), speed, able);
+    double up = outward(room.up(), speed, able);
+    v[0] = Math.max(left, Math.min(right, v[0]));
+    v[1] = Math.max(down, Math.min(up, v[1]));
   }
 
-  /** Fastest outward when there is this much room; inward when there is none. */
-  private static double outward(double room, double speed, Able able) {
-    double ahead = room - 0.75 * PlayArea.RESERVE - Math.max(0, speed) * able.delay();
-    return ahead < 0 ? Math.max(-APART, PUSH_BACK * ahead) : Math.sqrt(able.braking() * ahead);
+  private static double ahead(double room, double speed, Able able) {
+    return room - Math.max(0, speed) * able.delay();
+  }
+
+  /**
+   * Part of the speed along an edge that a robot keeps beyond the place where it is held; none at the edge. It drives beside its way by a part of its speed, and its wheels need their force to turn it
+   * inward.
+   */
+  private static double alongEdge(double ahead) {
+    return Math.max(0, Math.min(1, 1 + ahead / HELD));
+  }
+
+  /**
+   * Fastest outward when there is this much room; inward when there is none, where a late robot that swings does no harm. A robot that is told to stand brakes along its way: the faster it is along
+   * the edge, the longer it goes on outward.
+   */
+  private static double outward(double ahead, double speed, Able able) {
+    if (ahead < 0) {
+      return Math.max(-APART, GAIN * ahead);
+    }
+    double even = Math.min(able.calm() * GAIN, 2 * able.braking() / speed) * ahead;
+    return Math.min(even, Math.sqrt(able.braking() * ahead));
   }
 }

@@ -18,6 +18,9 @@ class SafetyTest {
   private static final double ACCELERATION = 3;
   private static final int DELAY = 3;
 
+  /** Distance from the edge at which robots are held, m: 75 % of the play's reserve. */
+  private static final double HELD = 0.75 * PlayArea.RESERVE;
+
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 22, 29})
   void nobodyIsHit(long seed) {
@@ -59,5 +62,124 @@ class SafetyTest {
           .isTrue();
       assertThat(AREA.clearance(x, y)).as("tick %d", i).isPositive();
     }
+  }
+
+  /**
+   * As in a play in which a robot crept outward to a ball beyond the lines: vision had just seen it push back, since it knows velocities late, and then its camera stalled. The robot obeyed all the
+   * same.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 5, 10, 20, 60})
+  void whoIsNotSeenStaysInside(int seenFor) {
+    Safety safety = new Safety(AREA, PlayLimits.DEFAULT);
+    Following following = known();
+    Velocity outward = new Velocity(0.24, 0.18, 0);
+    double edge = AREA.width() / 2 + AREA.margin();
+    double y = edge - 0.045;
+    double vy = -0.07;
+    double seenY = y;
+    Velocity told = new Velocity(0.24, 0.15, 0);
+    int stall = (int) Math.round(Situation.ROBOT_UNSEEN / TICK);
+    for (int i = 0; i < seenFor + stall + 10; i++) {
+      boolean isSeen = i < seenFor;
+      seenY = isSeen ? y : seenY + TICK * vy;
+      double seenAt = TICK * Math.min(i, seenFor - 1);
+      Robot robot = new Robot(FakeField.YELLOW, 0, seenY, 0, 0.24, vy, seenAt);
+      following.look(robot, TICK);
+      // The play stops a robot that was not seen for so long.
+      boolean stopped = i >= seenFor + stall;
+      Velocity order =
+          stopped
+              ? Velocity.ZERO
+              : safety.limited(robot, outward, following, List.of(robot), List.of(robot));
+      following.update(robot, true, order, TICK);
+      y += told.vy() * TICK;
+      told = order;
+      assertThat(y).as("tick %d", i).isLessThan(edge - HELD / 3);
+    }
+  }
+
+  /**
+   * A robot that is to drive along the edge, but still rolls back and outward, drives 4° beside its way and follows late: 70 ms from command to wheel, a lag of 0.1 s, at most 1.5 m/s². Its wheels
+   * have not the force to speed up and to turn inward at once.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.06, 0.12})
+  void whoFollowsLateStaysInside(double outward) {
+    Safety safety = new Safety(new PlayArea(12, 9, 0.2, 0), PlayLimits.DEFAULT);
+    Following following = new Following(PlayLimits.DEFAULT.braking());
+    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Deque<Robot> inSight = new ArrayDeque<>();
+    double x = -5;
+    double y = 4.6;
+    double vx = -0.5;
+    double vy = outward;
+    double farthest = 0;
+    double turn = Math.toRadians(4);
+    for (int i = 0; i < 500; i++) {
+      inSight.add(new Robot(FakeField.YELLOW, x, y, 0, vx, vy, i * TICK));
+      // Vision knows velocities late.
+      Robot late = inSight.size() > 8 ? inSight.remove() : inSight.peek();
+      Robot robot = new Robot(FakeField.YELLOW, x, y, 0, late.vx(), late.vy(), i * TICK);
+      following.look(robot, TICK);
+      Velocity order =
+          safety.limited(robot, new Velocity(1.8, 0, 0), following, List.of(robot), List.of(robot));
+      onTheWay.add(order);
+      if (onTheWay.size() > 7) {
+        Velocity told = onTheWay.remove();
+        double dx = told.vx() * Math.cos(turn) - told.vy() * Math.sin(turn) - vx;
+        double dy = told.vx() * Math.sin(turn) + told.vy() * Math.cos(turn) - vy;
+        double share = Math.min(1 / 0.1, 1.5 / Math.hypot(dx, dy)) * TICK;
+        vx += share * dx;
+        vy += share * dy;
+      }
+      x += vx * TICK;
+      y += vy * TICK;
+      farthest = Math.max(farthest, y);
+    }
+    assertThat(4.7 - farthest).as("distance from the edge").isGreaterThan(HELD / 2);
+    assertThat(x).as("it still gets ahead").isGreaterThan(-2);
+  }
+
+  /** When vision fails, the play tells its robots to stand: they brake along their way. */
+  @ParameterizedTest
+  @ValueSource(ints = {5, 10, 20, 45, 90})
+  void whoIsStoppedAtAnyMomentStaysInside(int degrees) {
+    Safety safety = new Safety(new PlayArea(12, 9, 0.2, 0), PlayLimits.DEFAULT);
+    Following following = known();
+    double angle = Math.toRadians(degrees);
+    Velocity outward = new Velocity(2.5 * Math.cos(angle), 2.5 * Math.sin(angle), 0);
+    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    double y = 3.5;
+    double vx = outward.vx();
+    double vy = outward.vy();
+    for (int i = 0; i < 1000; i++) {
+      Robot robot = new Robot(FakeField.YELLOW, 0, y, 0, vx, vy, i * TICK);
+      following.look(robot, TICK);
+      onTheWay.add(safety.limited(robot, outward, following, List.of(robot), List.of(robot)));
+      if (onTheWay.size() > DELAY) {
+        Velocity told = onTheWay.remove();
+        double dx = told.vx() - vx;
+        double dy = told.vy() - vy;
+        double change = Math.hypot(dx, dy);
+        double share = change > ACCELERATION * TICK ? ACCELERATION * TICK / change : 1;
+        vx += share * dx;
+        vy += share * dy;
+      }
+      y += vy * TICK;
+      double way = Math.max(0, vy) * (DELAY * TICK + Math.hypot(vx, vy) / (2 * ACCELERATION));
+      assertThat(y + way).as("tick %d", i).isLessThan(4.7);
+    }
+  }
+
+  /** The gains for robots that follow as usual. */
+  private static Following known() {
+    Following following = new Following(PlayLimits.DEFAULT.braking());
+    for (int i = 0; i < 2000; i++) {
+      double speed = Math.max(0, 2 - 0.02 * (i % 200));
+      Robot robot = new Robot(FakeField.YELLOW, 0, 0, 0, speed + 0.1, 0, i * TICK);
+      following.update(robot, true, new Velocity(speed, 0, 0), TICK);
+    }
+    return following;
   }
 }
