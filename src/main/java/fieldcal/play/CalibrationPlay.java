@@ -24,6 +24,9 @@ public final class CalibrationPlay {
   /** Longest that a ball is watched after the play was stopped, s; chosen: a kick of 6.5 m/s has left the field by then, and of a slower one enough was seen. */
   private static final double LAST_BALL = 5;
 
+  /** Longest time that passes for the play from one tick to the next, s; chosen: twice that of the slowest host. */
+  private static final double LONGEST_TICK = 0.2;
+
   private final PlayPlan plan;
   private final Ledger ledger;
   private final BallMemory ball = new BallMemory();
@@ -40,6 +43,7 @@ public final class CalibrationPlay {
   private String holding;
   private double heldSince;
   private double lastTick = Double.NaN;
+  private double passed;
   private double idle;
   private int madeBefore;
   private double enoughSince = Double.NaN;
@@ -74,16 +78,18 @@ public final class CalibrationPlay {
    * @return one order for each of the two robots, valid until the next tick, and where a ball is to be placed, if somebody must do so
    */
   public PlayAnswer tick(PlayWorld world) {
-    // A host that paused for long has not been idle.
-    double span = Math.max(0, Math.min(0.2, world.time() - lastTick));
+    // A host that paused for long has not been idle, nor has one whose clock jumped.
+    double sinceLast = world.time() - lastTick;
+    double span = sinceLast > 0 ? Math.min(LONGEST_TICK, sinceLast) : 0;
+    passed += span;
     lastTick = world.time();
     if (step.phase().over()) {
       return standStill();
     }
     ball.update(world.ball(), world.time());
-    Situation s = new Situation(plan, ball, driver, safety, motions, following, world);
+    Situation s = new Situation(plan, ball, driver, safety, motions, following, world, passed);
     for (int i = 0; i < 2; i++) {
-      following.get(i).look(s.robot(i), Double.isNaN(span) ? 0 : span);
+      following.get(i).look(s.robot(i), span);
     }
     if (stopped.isPresent()) {
       return followed(s, watchLastBall(s), span);
@@ -99,20 +105,14 @@ public final class CalibrationPlay {
     // The play ends with the reason that it last waited for.
     waitingFor = step.phase().over() ? waitingFor : s.waitingFor();
     PlayAnswer answer = s.answer();
-    watchProgress(s, answer, Double.isNaN(span) ? 0 : span);
+    watchProgress(s, answer, span);
     return followed(s, step.phase().over() ? standStill() : answer, span);
   }
 
   /** The answer; also records how the robots follow it. */
   private PlayAnswer followed(Situation s, PlayAnswer answer, double span) {
     for (int i = 0; i < 2; i++) {
-      following
-          .get(i)
-          .update(
-              s.robot(i),
-              s.sees(i),
-              answer.orders().get(i).velocity(),
-              Double.isNaN(span) ? 0 : span);
+      following.get(i).update(s.robot(i), s.sees(i), answer.orders().get(i).velocity(), span);
     }
     return answer;
   }
@@ -158,7 +158,7 @@ public final class CalibrationPlay {
   private PlayAnswer hold(Situation s, Hold hold) {
     String reason = hold.reason();
     if (holding == null) {
-      heldSince = s.time();
+      heldSince = passed;
     }
     holding = reason;
     waiting = Optional.of(reason);
@@ -167,9 +167,9 @@ public final class CalibrationPlay {
     boolean allowed = paused || s.world().permission() != Permission.RUN;
     if (allowed) {
       // Somebody asked for it: wait as long as it takes.
-      heldSince = s.time();
-    } else if (s.time() - heldSince > plan.limits().patience()) {
-      stop(String.format(Locale.ROOT, "%s for %.0f s", reason, s.time() - heldSince));
+      heldSince = passed;
+    } else if (passed - heldSince > plan.limits().patience()) {
+      stop(String.format(Locale.ROOT, "%s for %.0f s", reason, passed - heldSince));
     }
     return standStill();
   }
@@ -208,8 +208,8 @@ public final class CalibrationPlay {
       step = new EndStep(PlayPhase.FINISHED, "");
       waiting = Optional.empty();
     } else if (ledger.enough() && step instanceof CheckStep) {
-      enoughSince = Double.isNaN(enoughSince) ? s.time() : enoughSince;
-      if (s.time() - enoughSince > LAST_FITS) {
+      enoughSince = Double.isNaN(enoughSince) ? passed : enoughSince;
+      if (passed - enoughSince > LAST_FITS) {
         stop("the last kicks were not judged");
       }
     } else {
@@ -244,7 +244,7 @@ public final class CalibrationPlay {
       return;
     }
     stopped = Optional.of(reason);
-    stoppedAt = lastTick;
+    stoppedAt = passed;
     waiting = stopped;
     if (!step.isUnderWay()) {
       step = new EndStep(PlayPhase.STOPPED, reason);
@@ -253,7 +253,7 @@ public final class CalibrationPlay {
 
   private PlayAnswer watchLastBall(Situation s) {
     step = step.watch(s);
-    boolean enough = endsNow || s.time() - stoppedAt > LAST_BALL;
+    boolean enough = endsNow || passed - stoppedAt > LAST_BALL;
     if (enough && step instanceof WatchStep watch) {
       step = watch.cut(s);
     }

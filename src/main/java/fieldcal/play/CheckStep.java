@@ -38,7 +38,7 @@ final class CheckStep implements Step {
   @Override
   public Step tick(Situation s) {
     if (Double.isNaN(since)) {
-      since = s.time();
+      since = s.passed();
     }
     if (ledger.enough()) {
       s.waitFor("the last kicks are being fitted", WaitingFor.NOTHING);
@@ -49,7 +49,7 @@ final class CheckStep implements Step {
       s.dribble(holder);
       return withBall(s, ledger.next(s));
     }
-    double hidden = ball.known() ? s.ballUnseen() : s.time() - since;
+    double hidden = ball.known() ? s.ballUnseen() : s.passed() - since;
     if (!ball.known() || hidden > LOST) {
       s.waitFor("the ball is not seen", s.theBall());
       return hidden > LOST ? unseen() : this;
@@ -62,7 +62,7 @@ final class CheckStep implements Step {
     }
     if (ball.resting() < RESTS || hidden > 0.3) {
       s.waitFor(hidden > 0.3 ? "the ball is not seen" : "the ball still moves", s.theBall());
-      return s.time() - since > s.limits().flightTimeout()
+      return s.passed() - since > s.limits().flightTimeout()
           ? new HelpStep(ledger, "the ball does not come to rest")
           : this;
     }
@@ -114,10 +114,10 @@ final class CheckStep implements Step {
     s.waitFor(
         third.map(r -> r.id() + " is in the way").orElse("no robot can reach the ball"),
         third.map(r -> WaitingFor.robot(r.id())).orElse(s.theBall()));
-    if (s.time() - since > POLITE) {
+    if (s.passed() - since > POLITE) {
       third.ifPresent(r -> giveWay(s, r, s.plan().lineOf(kick)));
     }
-    return s.time() - since > 0.25 * s.limits().patience()
+    return s.passed() - since > 0.25 * s.limits().patience()
         ? new HelpStep(ledger, s.waiting().orElseThrow())
         : this;
   }

@@ -41,7 +41,7 @@ final class HelpStep implements Step {
     }
     BallMemory ball = s.ball();
     boolean back = ball.known() && s.ballUnseen() < 0.2 && ball.resting() > 0.3;
-    boolean well = back && s.area().reachable(ball.x(), ball.y()) && s.time() - since > 0.5;
+    boolean well = back && s.area().reachable(ball.x(), ball.y()) && s.passed() - since > 0.5;
     // A ball that could be reached but was not taken must have been moved, unless the robots that
     // stood around it have left.
     boolean helped = !reachable || ball.distance(ballX, ballY) > ELSEWHERE;
@@ -49,7 +49,7 @@ final class HelpStep implements Step {
       ledger.helped();
       return new CheckStep(ledger, -1);
     }
-    if (s.time() - since > s.limits().patience()) {
+    if (s.passed() - since > s.limits().patience()) {
       return new EndStep(PlayPhase.STOPPED, reason + "; nobody placed the ball");
     }
     s.request(x, y, reason);
@@ -57,7 +57,7 @@ final class HelpStep implements Step {
   }
 
   private void begin(Situation s) {
-    since = s.time();
+    since = s.passed();
     BallMemory ball = s.ball();
     ballX = ball.x();
     ballY = ball.y();

@@ -32,12 +32,12 @@ final class RevealStep implements Step {
     double px = s.robot(robot).x();
     double py = s.robot(robot).y();
     if (Double.isNaN(since)) {
-      since = s.time();
+      since = s.passed();
       x = px;
       y = py;
     }
     boolean seen = s.ball().known() && s.ballUnseen() < IN_SIGHT;
-    if (seen || Math.hypot(px - x, py - y) > SHADOW || s.time() - since > TIMEOUT) {
+    if (seen || Math.hypot(px - x, py - y) > SHADOW || s.passed() - since > TIMEOUT) {
       ledger.carries(-1);
       return new CheckStep(ledger, -1);
     }

@@ -22,6 +22,7 @@ final class Situation {
   private final List<Motion> motions;
   private final List<Following> following;
   private final PlayWorld world;
+  private final double passed;
   private final List<Robot> seen;
   private final Robot[] ours = new Robot[2];
   private final Velocity[] velocities = {Velocity.ZERO, Velocity.ZERO};
@@ -39,7 +40,8 @@ final class Situation {
       Safety safety,
       List<Motion> motions,
       List<Following> following,
-      PlayWorld world) {
+      PlayWorld world,
+      double passed) {
     this.plan = plan;
     this.ball = ball;
     this.driver = driver;
@@ -47,6 +49,7 @@ final class Situation {
     this.motions = motions;
     this.following = following;
     this.world = world;
+    this.passed = passed;
     // A robot that was taken off the field stays an obstacle for some seconds only.
     seen = world.robots().stream().filter(r -> world.time() - r.seen() < 3 && isFinite(r)).toList();
     for (Robot r : seen) {
@@ -80,6 +83,11 @@ final class Situation {
 
   double time() {
     return world.time();
+  }
+
+  /** For how long the play has been running, s. Waits are measured with it: vision's clock may jump. */
+  double passed() {
+    return passed;
   }
 
   BallMemory ball() {

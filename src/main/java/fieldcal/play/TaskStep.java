@@ -26,7 +26,7 @@ abstract class TaskStep implements Step {
   @Override
   public final Step tick(Situation s) {
     if (Double.isNaN(since)) {
-      since = s.time();
+      since = s.passed();
     }
     return tick(s, task.kicker());
   }
@@ -36,7 +36,7 @@ abstract class TaskStep implements Step {
 
   /** For how long it goes on, s. */
   final double age(Situation s) {
-    return s.time() - since;
+    return s.passed() - since;
   }
 
   /** Sends the other robot to where it receives. */

@@ -435,6 +435,35 @@ class CalibrationPlayTest {
     assertThat(play.state().waitingFor().robot()).contains(BLUE);
   }
 
+  /** Vision was restarted with another clock, for example. */
+  @Test
+  void aForwardJumpOfTheClockIsNoWait() {
+    flat(2);
+    field.robots.get(BLUE).visible = false;
+    field.run(play, 5);
+    field.time += 1000;
+    field.run(play, 5);
+    assertThat(play.state().waiting()).contains("blue 7 is not seen");
+    assertThat(play.over()).isFalse();
+    field.robots.get(BLUE).visible = true;
+    assertFinishes();
+  }
+
+  @Test
+  void aForwardJumpOfTheClockLeavesTimeToPlaceTheBall() {
+    flat(2);
+    field.ball(6.35, 3);
+    field.somebodyHelps = false;
+    field.run(play, 5);
+    assertThat(field.request).isPresent();
+    field.time += 1000;
+    field.run(play, 5);
+    assertThat(field.request).isPresent();
+    assertThat(play.over()).isFalse();
+    field.somebodyHelps = true;
+    assertFinishes();
+  }
+
   @Test
   void aRobotThatFellOverIsNamed() {
     flat(2);
