@@ -40,9 +40,6 @@ public final class InteractiveField {
   /** From a robot's centre to that of a ball that touches it, m. */
   private static final double STUCK_BEHIND = 0.112;
 
-  /** Between the centres of robots with a hand's breadth between them, m. */
-  private static final double TWO_ROBOTS = 0.28;
-
   private final SimulationSettings settings;
   private final Simulation simulation;
   private final SimulatedWorld world;
@@ -351,16 +348,12 @@ public final class InteractiveField {
     for (RobotId player : players) {
       boolean gone = troubled(FieldTrouble.Kind.ROBOT_GONE, player);
       boolean taken = begun.stream().anyMatch(t -> t.kind() == FieldTrouble.Kind.ROBOT_GONE);
-      if (taken && !gone && absent.containsKey(player) && isFree(absent.get(player))) {
+      if (taken && !gone && absent.containsKey(player)) {
+        absent.computeIfPresent(
+            player, (id, pose) -> PutDown.near(pose, world.robots(), settings.field()));
         setPresent(player, true);
       }
     }
-  }
-
-  /** Nobody puts a robot onto another. */
-  private boolean isFree(double[] pose) {
-    return world.robots().stream()
-        .allMatch(r -> Math.hypot(r.x() - pose[0], r.y() - pose[1]) > TWO_ROBOTS);
   }
 
   /** A bystander with somewhere to go; it stops before it would hit anybody. */

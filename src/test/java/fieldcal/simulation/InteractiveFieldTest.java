@@ -78,6 +78,24 @@ class InteractiveFieldTest {
     assertThat(sees(run(field, 0.5), SECOND)).isTrue();
   }
 
+  /** As in a play whose other robot had crept to where the robot was taken off: it was kept off the field for ever. */
+  @Test
+  void aRobotIsPutDownBesideAnotherThatStandsInItsPlace() {
+    InteractiveField field = field(new FieldTrouble(FieldTrouble.Kind.ROBOT_GONE, 1, 2, 1));
+    field.placeRobot(SECOND, 4.4, 2.9, 1);
+    run(field, 1.5);
+    field.placeRobot(FIRST, 4.38, 2.85, 0);
+    run(field, 1.6);
+    SimulatedRobot back = robot(field, SECOND);
+    double apart = Math.hypot(back.x() - 4.38, back.y() - 2.85);
+    assertThat(apart).as("distance of the robots").isBetween(0.28, 0.32);
+    assertThat(back.orientation()).isEqualTo(1);
+  }
+
+  private static SimulatedRobot robot(InteractiveField field, RobotId id) {
+    return field.world().robots().stream().filter(r -> r.id().equals(id)).findFirst().orElseThrow();
+  }
+
   @Test
   void noFrameArrivesWhileVisionIsOut() {
     InteractiveField field = field(new FieldTrouble(FieldTrouble.Kind.NO_VISION, 0.5, 1, 0));
