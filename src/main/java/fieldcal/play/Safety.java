@@ -5,7 +5,8 @@ import fieldcal.play.RobotOrder.Velocity;
 import java.util.List;
 
 /**
- * Limits every velocity before it is sent: no robot closes in on another, or on the edge of the area, faster than it can still brake. Our robots give way to a robot that drives into them.
+ * Limits every velocity before it is sent: no robot closes in on another, or on the edge of the area, faster than it can still brake; before a bystander that stands, even if that one pulls out. Our
+ * robots give way to a robot that drives into them.
  */
 final class Safety {
   /** From camera to wheel and back, s; more for robots that follow later. */
@@ -28,6 +29,12 @@ final class Safety {
    * drive outward more calmly. A robot that drives 4° beside its way at 2.5 m/s is held within 2 cm.
    */
   private static final double GAIN = 10;
+
+  /** Acceleration with which a bystander may pull out, m/s²: the most that ER-Force orders its robots of 2020 (robotics-erlangen/framework, config/robots/generation_2020.txt, strategy). */
+  private static final double BYSTANDER = 3;
+
+  /** A contact that is no faster harms nobody, m/s: the goal of the play. */
+  private static final double HARMLESS = 0.1;
 
   private static final int ROUNDS = 3;
 
@@ -90,6 +97,10 @@ final class Safety {
       double share = ours && theirs > 0.02 ? 0.5 : 1;
       allowed = share * Math.sqrt(2 * able.braking() * ahead) - (ours ? 0 : Math.max(0, theirs));
       allowed = Math.min(allowed, 8 * ahead);
+      if (!ours) {
+        allowed =
+            Math.min(allowed, Math.max(HARMLESS, beforeReach(ahead, able) - Math.max(0, theirs)));
+      }
     }
     if (mine > Math.max(0, allowed) + LATE) {
       // The wheels use all their force to brake: turning aside meanwhile would weaken that.
@@ -102,6 +113,20 @@ final class Safety {
       v[0] -= (closing - allowed) * nx;
       v[1] -= (closing - allowed) * ny;
     }
+  }
+
+  /**
+   * Fastest closing speed from which a robot stops before a bystander that may begin to drive towards it now: with the speed v, its delay t and its braking b, v² / 2b + a (t + v / b)² / 2 is the
+   * distance between them.
+   */
+  private static double beforeReach(double ahead, Able able) {
+    double perBraking = BYSTANDER / able.braking();
+    double squared = (1 + perBraking) / (2 * able.braking());
+    double linear = perBraking * able.delay();
+    double free = ahead - 0.5 * BYSTANDER * able.delay() * able.delay();
+    return free > 0
+        ? (Math.sqrt(linear * linear + 4 * squared * free) - linear) / (2 * squared)
+        : 0;
   }
 
   private Room room(Robot robot, Following following, Able able) {

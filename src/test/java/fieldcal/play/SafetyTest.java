@@ -141,6 +141,54 @@ class SafetyTest {
     assertThat(x).as("it still gets ahead").isGreaterThan(-2);
   }
 
+  /**
+   * As in a play in which a bystander pulled out, and stopped in front of a robot that follows late: 70 ms from command to wheel, a lag of 0.1 s, at most 1.5 m/s². Our robot stands when they meet.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.3, 0.5, 0.7, 0.85, 1, 1.2, 1.5})
+  void whoPullsOutIsNotHit(double distance) {
+    Safety safety = new Safety(new PlayArea(12, 9, 0.2, 0), PlayLimits.DEFAULT);
+    Following following = new Following(PlayLimits.DEFAULT.braking());
+    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Deque<Double> speeds = new ArrayDeque<>();
+    Deque<Double> theirSpeeds = new ArrayDeque<>();
+    double x = -5;
+    double vx = 0;
+    double theirs = 0;
+    double their = 0;
+    boolean pulls = false;
+    for (int i = 0; i < 3000; i++) {
+      pulls |= theirs - x < distance;
+      // It stops a robot's width before ours, as bystanders do.
+      boolean stops = theirs - x < 0.45;
+      their = !pulls ? 0 : stops ? Math.max(0, their - 3.5 * TICK) : Math.min(1, their + 3 * TICK);
+      theirs -= their * TICK;
+      speeds.add(vx);
+      theirSpeeds.add(-their);
+      // Vision knows velocities late.
+      boolean late = speeds.size() > 8;
+      double vision = late ? speeds.remove() : 0;
+      double other = late ? theirSpeeds.remove() : 0;
+      Robot robot = new Robot(FakeField.YELLOW, x, 0, 0, vision, 0, i * TICK);
+      Robot third = new Robot(FakeField.THIRD, theirs, 0, 0, other, 0, i * TICK);
+      following.look(robot, TICK);
+      Velocity order =
+          safety.limited(
+              robot, new Velocity(2, 0, 0), following, List.of(robot, third), List.of(robot));
+      following.update(robot, true, order, TICK);
+      onTheWay.add(order);
+      if (onTheWay.size() > 7) {
+        double change = (onTheWay.remove().vx() - vx) / 0.1;
+        vx += Math.max(-1.5, Math.min(1.5, change)) * TICK;
+      }
+      x += vx * TICK;
+      assertThat(theirs - x > 0.18 || vx < 0.1)
+          .as("tick %d: %.3f m apart, our robot drives %.2f m/s", i, theirs - x, vx)
+          .isTrue();
+    }
+    assertThat(pulls || theirs - x < 0.6).as("it gets there").isTrue();
+  }
+
   /** When vision fails, the play tells its robots to stand: they brake along their way. */
   @ParameterizedTest
   @ValueSource(ints = {5, 10, 20, 45, 90})
