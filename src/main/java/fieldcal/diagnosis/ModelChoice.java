@@ -14,7 +14,9 @@ import fieldcal.diagnosis.search.CauseSearch;
 import fieldcal.diagnosis.search.Dictionary;
 import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.HoldOut;
+import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.CameraNoise;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
@@ -145,7 +147,10 @@ final class ModelChoice {
    */
   private Weighed weigh(FittedModel found) {
     List<Weighed> way = new ArrayList<>();
-    FittedModel at = found;
+    // A search for curves does not ask which named effect explains as much as what it adds. Where
+    // nothing is left, one may; once everything else that it needs has been taken out, none would.
+    boolean explained = hasCurve(found) && !Leftover.of(found).isSignificant();
+    FittedModel at = explained ? simplified(found) : found;
     boolean simplified = false;
     while (true) {
       progress.accept("judging " + counted(at.model().components().size()));
@@ -158,19 +163,29 @@ final class ModelChoice {
         at = spent ? without(at, judged, failed) : withoutWeakest(at, judged, failed);
         continue;
       }
-      if (simplified || spent) {
-        return best(way);
-      }
-      progress.accept("looking for simpler models");
-      CauseSearch search = new CauseSearch(fitter, dictionary, maxCauses, solver, progress);
-      FittedModel simpler = search.simplified(at);
+      FittedModel simpler = simplified || spent ? at : simplified(at);
       simplified = true;
       if (simpler == at) {
         return best(way);
       }
-      trace.addAll(search.trace());
-      at = fitter.fit(simpler.resumed(), simpler, Weighing.ALIKE, solver);
+      at = simpler;
     }
+  }
+
+  private static boolean hasCurve(FittedModel model) {
+    return model.model().components().stream().anyMatch(c -> c.template() instanceof LearnedTerm);
+  }
+
+  /** With simpler components, or a law, in place of others that explain no more; the same if there are none. */
+  private FittedModel simplified(FittedModel model) {
+    progress.accept("looking for simpler models");
+    CauseSearch search = new CauseSearch(fitter, dictionary, maxCauses, solver, progress);
+    FittedModel simpler = search.simplified(model);
+    if (simpler == model) {
+      return model;
+    }
+    trace.addAll(search.trace());
+    return fitter.fit(simpler.resumed(), simpler, Weighing.ALIKE, solver);
   }
 
   private static String counted(int components) {

@@ -79,7 +79,8 @@ final class PredictiveSelection {
   private Held next(Held before, List<SearchStep> trace) {
     Held best = before;
     List<Component> chosen = List.of();
-    for (List<Component> added : proposals(before.model)) {
+    boolean spent = fitter.effort().isSpent();
+    for (List<Component> added : spent ? List.<List<Component>>of() : proposals(before.model)) {
       List<Component> all = new ArrayList<>(before.model.started());
       all.removeIf(c -> added.stream().anyMatch(c::isSameCause));
       all.addAll(added);

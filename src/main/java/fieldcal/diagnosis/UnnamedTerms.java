@@ -165,7 +165,7 @@ final class UnnamedTerms {
     for (int i = 0; i < CurveSearch.MOST_LEARNED; i++) {
       Weighed before = best;
       for (FittedModel start : from) {
-        for (FittedModel law : laws.beside(start)) {
+        for (FittedModel law : isSpent() ? List.<FittedModel>of() : laws.beside(start)) {
           Weighed with = lean(found.model(), choice.of(law));
           boolean sound = !with.held().predictsWorseThan(before.held(), seed);
           best = sound && excess(with) < IMITATED * excess(best) ? with : best;

@@ -83,7 +83,7 @@ class UnnamedCauseTest {
   @ParameterizedTest
   @ValueSource(doubles = {0.4, 1.6})
   void aBallThatWasTouchedIsLeftOutBesideADraught(double aside) {
-    FittedField field = field(ScenarioKind.FLAT, 16, new Draught());
+    FittedField field = field(ScenarioKind.FLAT, 12, new Draught());
     List<KickFit> fits = new ArrayList<>(field.problem().fits());
     Kick touched = fits.get(TOUCHED).kick();
     fits.set(
@@ -92,7 +92,7 @@ class UnnamedCauseTest {
     Diagnosis diagnosis = new Diagnoser().diagnose(field.problem(fits), said -> {});
     assertThat(diagnosis.kicks())
         .as("%s", diagnosis.trace())
-        .hasSize(15)
+        .hasSize(11)
         .noneMatch(k -> k.kick().time() == touched.time());
     assertThat(diagnosis.extended().holdoutRmsMm())
         .isLessThan(1.3 * diagnosis.extended().noiseMm());
@@ -249,7 +249,7 @@ class UnnamedCauseTest {
 
   @Test
   void rollsOfCarpetThatLieInOppositeDirectionsAreLearned() {
-    Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 20, new RollsOfCarpet());
+    Diagnosis diagnosis = diagnosed(ScenarioKind.FLAT, 16, new RollsOfCarpet());
     assertThat(diagnosis.causes()).as("%s", diagnosis.trace()).isEmpty();
     LearnedTerm nap = (LearnedTerm) diagnosis.learned().get(0).effect();
     assertThat(nap.family().quantity()).isEqualTo(Quantity.NAP);

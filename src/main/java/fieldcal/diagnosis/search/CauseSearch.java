@@ -131,12 +131,12 @@ public final class CauseSearch {
         break;
       }
     }
+    if (fitter.effort().isSpent()) {
+      return best;
+    }
     Simplification simplification = new Simplification(refits, dictionary, trace);
     if (!revises) {
       return simplification.withLawForOther(best).orElse(best);
-    }
-    if (fitter.effort().isSpent()) {
-      return best;
     }
     if (free || best != start) {
       // What an earlier search has exchanged and moved cannot be improved now.

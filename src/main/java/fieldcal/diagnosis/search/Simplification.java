@@ -67,30 +67,42 @@ final class Simplification {
   /** The model with a law in place of another component, if the law, fitted again from its starts, explains as much; empty if none does. Before, the two may have shared what the law alone explains. */
   Optional<FittedModel> withLawForOther(FittedModel best) {
     List<Component> had = best.model().components();
-    for (Component out : had) {
-      if (!(out.template() instanceof MotionEffect) || out.isLaw()) {
+    List<Component> replaceable =
+        had.stream()
+            .filter(c -> c.template() instanceof MotionEffect && !c.isLaw())
+            .filter(c -> c.isPerKick() || weakness(best, c) < LITTLE)
+            .toList();
+    if (replaceable.isEmpty()) {
+      return Optional.empty();
+    }
+    List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
+    had.stream().filter(Component::isLaw).map(Component::template).forEach(laws::add);
+    return laws.stream()
+        .flatMap(law -> law.starts().stream())
+        .flatMap(start -> withLawForOther(best, replaceable, start).stream())
+        .findFirst();
+  }
+
+  /** The same for one start of one law. Beside everything else the law explains at least as much as in the place of a component, so that one fit may show that it can take no place. */
+  private Optional<FittedModel> withLawForOther(
+      FittedModel best, List<Component> replaceable, Effect start) {
+    Component law = Component.of(start, start.magnitudes());
+    List<Component> had = new ArrayList<>(best.model().components());
+    had.removeIf(Component::isLaw);
+    FittedModel beside = refits.fit(best, Pursuit.added(had, List.of(law)));
+    double most = price.gain(best, beside) + LAW_PREFERRED;
+    for (Component out : replaceable) {
+      double saved = Price.of(List.of(out));
+      if (most + saved <= 0) {
         continue;
       }
       List<Component> rest = new ArrayList<>(had);
       rest.remove(out);
-      List<Effect> laws = new ArrayList<>(dictionary.laws(best.model()));
-      for (Component c : had) {
-        if (c.isLaw()) {
-          laws.add(c.template());
-          rest.remove(c);
-        }
-      }
-      boolean small = weakness(best, out) < LITTLE;
-      for (Effect law : small || out.isPerKick() ? laws : List.<Effect>of()) {
-        for (Effect start : law.starts()) {
-          Component c = Component.of(start, start.magnitudes());
-          FittedModel next = refits.fit(best, Pursuit.added(rest, List.of(c)));
-          double gain = price.gain(best, next) + Price.of(List.of(out)) + LAW_PREFERRED;
-          if (gain > 0) {
-            trace.add(new SearchStep(c + " for " + out, Action.SWAPPED, Double.NaN, gain));
-            return Optional.of(next);
-          }
-        }
+      FittedModel next = refits.fit(best, Pursuit.added(rest, List.of(law)));
+      double gain = price.gain(best, next) + saved + LAW_PREFERRED;
+      if (gain > 0) {
+        trace.add(new SearchStep(law + " for " + out, Action.SWAPPED, Double.NaN, gain));
+        return Optional.of(next);
       }
     }
     return Optional.empty();

@@ -135,13 +135,23 @@ public record Spline(double from, double to, int knots, boolean centred) impleme
   static double[] cubics(double[] control) {
     double[] cubics = new double[4 * (control.length - 3)];
     for (int i = 0; i < control.length - 3; i++) {
-      for (int k = 0; k < 4; k++) {
-        for (int power = 0; power < 4; power++) {
-          cubics[4 * i + power] += POWERS[k][power] / 6 * control[i + k];
-        }
-      }
+      cubic(control[i], control[i + 1], control[i + 2], control[i + 3], cubics, 4 * i, 1);
     }
     return cubics;
+  }
+
+  /**
+   * The cubic between the second and the third of four values of successive B-splines: the powers of the share, multiplied out from {@link #POWERS}.
+   *
+   * @param cubic receives four coefficients, of rising powers
+   * @param at index of the first
+   * @param stride from one to the next
+   */
+  static void cubic(double a, double b, double c, double d, double[] cubic, int at, int stride) {
+    cubic[at] = (a + 4 * b + c) / 6;
+    cubic[at + stride] = (c - a) / 2;
+    cubic[at + 2 * stride] = (a - 2 * b + c) / 2;
+    cubic[at + 3 * stride] = (d - a) / 6 + (b - c) / 2;
   }
 
   /** Intervals per unit of the variable. */

@@ -1,7 +1,6 @@
 package fieldcal.effect.learned;
 
 import fieldcal.effect.Area;
-import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -119,15 +118,15 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
   private double[] cubics(double[][] control) {
     int cellsX = x.knots() - 1;
     int cellsY = y.knots() - 1;
-    double[][] ofY = Arrays.stream(control).map(Spline::cubics).toArray(double[][]::new);
+    double[][] ofY = new double[control.length][];
+    for (int i = 0; i < control.length; i++) {
+      ofY[i] = Spline.cubics(control[i]);
+    }
     double[] cubics = new double[16 * cellsX * cellsY];
-    for (int c = 0; c < 4 * cellsY; c++) {
-      int column = c;
-      double[] ofX = Spline.cubics(Arrays.stream(ofY).mapToDouble(row -> row[column]).toArray());
-      for (int i = 0; i < cellsX; i++) {
-        for (int power = 0; power < 4; power++) {
-          cubics[16 * (i * cellsY + c / 4) + 4 * power + c % 4] = ofX[4 * i + power];
-        }
+    for (int i = 0; i < cellsX; i++) {
+      for (int c = 0; c < 4 * cellsY; c++) {
+        int at = 16 * (i * cellsY + c / 4) + c % 4;
+        Spline.cubic(ofY[i][c], ofY[i + 1][c], ofY[i + 2][c], ofY[i + 3][c], cubics, at, 4);
       }
     }
     return cubics;
@@ -154,14 +153,11 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
       double q = of.y.position(v);
       int i = of.x.interval(p);
       int j = of.y.interval(q);
+      int cell = first(i, j);
       double s = p - i;
       double t = q - j;
-      int cell = first(i, j);
-      double sum = 0;
-      for (int n = cell + 12; n >= cell; n -= 4) {
-        sum = sum * s + along(n, t);
-      }
-      return sum;
+      return along(cell, t)
+          + s * (along(cell + 4, t) + s * (along(cell + 8, t) + s * along(cell + 12, t)));
     }
 
     @Override
@@ -170,18 +166,13 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
       double q = of.y.position(v);
       int i = of.x.interval(p);
       int j = of.y.interval(q);
+      int cell = first(i, j);
       double s = p - i;
       double t = q - j;
-      int cell = first(i, j);
-      double ofX = 0;
-      double ofY = 0;
-      for (int power = 3; power >= 0; power--) {
-        int n = cell + 4 * power;
-        if (power > 0) {
-          ofX = ofX * s + power * along(n, t);
-        }
-        ofY = ofY * s + cubics[n + 1] + t * (2 * cubics[n + 2] + t * 3 * cubics[n + 3]);
-      }
+      double ofX = along(cell + 4, t) + s * (2 * along(cell + 8, t) + s * 3 * along(cell + 12, t));
+      double ofY =
+          slope(cell, t)
+              + s * (slope(cell + 4, t) + s * (slope(cell + 8, t) + s * slope(cell + 12, t)));
       sum[0] += factor * ofX * of.x.perUnit();
       sum[1] += factor * ofY * of.y.perUnit();
     }
@@ -193,6 +184,11 @@ public record Surface(Spline x, Spline y, boolean centred) implements Basis {
     /** The cubic along y that belongs to one power of the share along x. */
     private double along(int n, double t) {
       return cubics[n] + t * (cubics[n + 1] + t * (cubics[n + 2] + t * cubics[n + 3]));
+    }
+
+    /** How it rises along y. */
+    private double slope(int n, double t) {
+      return cubics[n + 1] + t * (2 * cubics[n + 2] + t * 3 * cubics[n + 3]);
     }
   }
 }
