@@ -16,13 +16,13 @@ import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
-import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.CameraNoise;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 
@@ -150,7 +150,7 @@ final class ModelChoice {
     // A search for curves does not ask which named effect explains as much as what it adds. Where
     // nothing is left, one may; once everything else that it needs has been taken out, none would.
     boolean explained = hasCurve(found) && !Leftover.of(found).isSignificant();
-    FittedModel at = explained ? simplified(found) : found;
+    FittedModel at = explained ? replaced(found, CauseSearch::withoutCurves) : found;
     boolean simplified = false;
     while (true) {
       progress.accept("judging " + counted(at.model().components().size()));
@@ -163,7 +163,7 @@ final class ModelChoice {
         at = spent ? without(at, judged, failed) : withoutWeakest(at, judged, failed);
         continue;
       }
-      FittedModel simpler = simplified || spent ? at : simplified(at);
+      FittedModel simpler = simplified || spent ? at : replaced(at, CauseSearch::simplified);
       simplified = true;
       if (simpler == at) {
         return best(way);
@@ -173,14 +173,15 @@ final class ModelChoice {
   }
 
   private static boolean hasCurve(FittedModel model) {
-    return model.model().components().stream().anyMatch(c -> c.template() instanceof LearnedTerm);
+    return model.model().components().stream().anyMatch(Component::isCurve);
   }
 
-  /** With simpler components, or a law, in place of others that explain no more; the same if there are none. */
-  private FittedModel simplified(FittedModel model) {
+  /** With simpler components in place of others that explain no more; the same if there are none. */
+  private FittedModel replaced(
+      FittedModel model, BiFunction<CauseSearch, FittedModel, FittedModel> how) {
     progress.accept("looking for simpler models");
     CauseSearch search = new CauseSearch(fitter, dictionary, maxCauses, solver, progress);
-    FittedModel simpler = search.simplified(model);
+    FittedModel simpler = how.apply(search, model);
     if (simpler == model) {
       return model;
     }

@@ -232,6 +232,17 @@ public final class CauseSearch {
     return new Simplification(refits, dictionary, trace).simplified(model, maxComponents);
   }
 
+  /**
+   * Replaces learned curves by effects that explain as much.
+   *
+   * @param model fitted to the same kicks
+   * @return the model, or one with effects in the place of curves
+   */
+  public FittedModel withoutCurves(FittedModel model) {
+    return new Simplification(refits(Weighing.EXPLAINED_FIRST), dictionary, trace)
+        .withoutCurves(model);
+  }
+
   /** Whether hardly more than noise is left, over all kicks or in most of them. In the others the ball may not have been free. */
   private static boolean isExplained(FittedModel model) {
     int well = 0;

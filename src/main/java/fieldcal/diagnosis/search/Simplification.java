@@ -55,13 +55,25 @@ final class Simplification {
     FittedModel best = model;
     for (int round = 0; round < rounds; round++) {
       FittedModel at = best;
-      Optional<FittedModel> simpler = withLawForOther(at).or(() -> once(at));
+      Optional<FittedModel> simpler = withLawForOther(at).or(() -> once(at, set -> true));
       if (simpler.isEmpty()) {
         return best;
       }
       best = simpler.get();
     }
     return best;
+  }
+
+  /** Lets effects stand for learned curves wherever they explain as much. */
+  FittedModel withoutCurves(FittedModel model) {
+    FittedModel best = model;
+    while (true) {
+      Optional<FittedModel> simpler = once(best, set -> set.stream().allMatch(Component::isCurve));
+      if (simpler.isEmpty()) {
+        return best;
+      }
+      best = simpler.get();
+    }
   }
 
   /** The model with a law in place of another component, if the law, fitted again from its starts, explains as much; empty if none does. Before, the two may have shared what the law alone explains. */
@@ -113,7 +125,8 @@ final class Simplification {
     return Pursuit.loss(best, best.model().components().indexOf(c)) / best.solution().rows();
   }
 
-  private Optional<FittedModel> once(FittedModel best) {
+  /** Lets one component stand for one of the sets that may be replaced; empty if none explains as much. */
+  private Optional<FittedModel> once(FittedModel best, Predicate<List<Component>> mayBeReplaced) {
     List<Component> had = best.model().components();
     List<Effect> now = best.effects();
     List<Proposal> proposals = dictionary.everywhere(best.model().with(List.of()));
@@ -122,6 +135,9 @@ final class Simplification {
     Scorer scorer = new Scorer(best, Shortlist.components(proposals), refits.weighing());
     for (List<Integer> set : sets(had)) {
       List<Component> removed = set.stream().map(i -> had.get(i).startingAt(now.get(i))).toList();
+      if (!mayBeReplaced.test(removed)) {
+        continue;
+      }
       Sweep sweep = scorer.without(set);
       int[] columns =
           set.stream().flatMapToInt(i -> Arrays.stream(scorer.modelColumns(i))).toArray();
