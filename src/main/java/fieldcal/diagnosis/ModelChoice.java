@@ -16,6 +16,7 @@ import fieldcal.diagnosis.search.SearchStep;
 import fieldcal.diagnosis.validation.HoldOut;
 import fieldcal.diagnosis.validation.Leftover;
 import fieldcal.effect.Effect;
+import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.CameraNoise;
 import fieldcal.fit.joint.SharedSolver;
 import java.util.ArrayList;
@@ -150,7 +151,10 @@ final class ModelChoice {
     // A search for curves does not ask which named effect explains as much as what it adds. Where
     // nothing is left, one may; once everything else that it needs has been taken out, none would.
     boolean explained = hasCurve(found) && !Leftover.of(found).isSignificant();
-    FittedModel at = explained ? replaced(found, CauseSearch::withoutCurves) : found;
+    FittedModel at =
+        explained
+            ? replaced(found, (search, model) -> search.without(ModelChoice::isCurve, model))
+            : found;
     boolean simplified = false;
     while (true) {
       progress.accept("judging " + counted(at.model().components().size()));
@@ -173,7 +177,11 @@ final class ModelChoice {
   }
 
   private static boolean hasCurve(FittedModel model) {
-    return model.model().components().stream().anyMatch(Component::isCurve);
+    return model.model().components().stream().anyMatch(ModelChoice::isCurve);
+  }
+
+  private static boolean isCurve(Component c) {
+    return c.template() instanceof LearnedTerm;
   }
 
   /** With simpler components in place of others that explain no more; the same if there are none. */

@@ -4,7 +4,6 @@ import fieldcal.ball.Parameter;
 import fieldcal.effect.Area;
 import fieldcal.effect.Arena;
 import fieldcal.effect.Effect;
-import fieldcal.effect.learned.LearnedTerm;
 import fieldcal.fit.joint.SharedProblem.Prior;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -174,15 +173,6 @@ public final class Component {
    */
   public Effect template() {
     return template;
-  }
-
-  /**
-   * Whether this is a learned curve.
-   *
-   * @return false for effects of the catalogue
-   */
-  public boolean isCurve() {
-    return template instanceof LearnedTerm;
   }
 
   /**

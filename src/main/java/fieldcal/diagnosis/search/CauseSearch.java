@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
@@ -233,14 +234,15 @@ public final class CauseSearch {
   }
 
   /**
-   * Replaces learned curves by effects that explain as much.
+   * Replaces some components by effects that explain as much.
    *
+   * @param which may be replaced
    * @param model fitted to the same kicks
-   * @return the model, or one with effects in the place of curves
+   * @return the model, or one with effects in their place
    */
-  public FittedModel withoutCurves(FittedModel model) {
+  public FittedModel without(Predicate<Component> which, FittedModel model) {
     return new Simplification(refits(Weighing.EXPLAINED_FIRST), dictionary, trace)
-        .withoutCurves(model);
+        .without(which, model);
   }
 
   /** Whether hardly more than noise is left, over all kicks or in most of them. In the others the ball may not have been free. */

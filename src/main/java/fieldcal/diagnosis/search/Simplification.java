@@ -64,11 +64,11 @@ final class Simplification {
     return best;
   }
 
-  /** Lets effects stand for learned curves wherever they explain as much. */
-  FittedModel withoutCurves(FittedModel model) {
+  /** Lets effects stand for such components wherever they explain as much. */
+  FittedModel without(Predicate<Component> which, FittedModel model) {
     FittedModel best = model;
     while (true) {
-      Optional<FittedModel> simpler = once(best, set -> set.stream().allMatch(Component::isCurve));
+      Optional<FittedModel> simpler = once(best, set -> set.stream().allMatch(which));
       if (simpler.isEmpty()) {
         return best;
       }
