@@ -60,7 +60,7 @@ final class PredictiveSelection {
     Held best = held(start.resumed(), start);
     int most = start.model().components().size() + MOST_ADDED;
     boolean grown = false;
-    while (best.model.model().components().size() < most) {
+    while (best.model.model().components().size() < most && !fitter.effort().isSpent()) {
       Held next = next(best, trace);
       if (next == best) {
         break;
@@ -79,8 +79,7 @@ final class PredictiveSelection {
   private Held next(Held before, List<SearchStep> trace) {
     Held best = before;
     List<Component> chosen = List.of();
-    boolean spent = fitter.effort().isSpent();
-    for (List<Component> added : spent ? List.<List<Component>>of() : proposals(before.model)) {
+    for (List<Component> added : proposals(before.model)) {
       List<Component> all = new ArrayList<>(before.model.started());
       all.removeIf(c -> added.stream().anyMatch(c::isSameCause));
       all.addAll(added);

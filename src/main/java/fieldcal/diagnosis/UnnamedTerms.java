@@ -165,7 +165,10 @@ final class UnnamedTerms {
     for (int i = 0; i < CurveSearch.MOST_LEARNED; i++) {
       Weighed before = best;
       for (FittedModel start : from) {
-        for (FittedModel law : isSpent() ? List.<FittedModel>of() : laws.beside(start)) {
+        if (isSpent()) {
+          return best;
+        }
+        for (FittedModel law : laws.beside(start)) {
           Weighed with = lean(found.model(), choice.of(law));
           boolean sound = !with.held().predictsWorseThan(before.held(), seed);
           best = sound && excess(with) < IMITATED * excess(best) ? with : best;

@@ -34,7 +34,7 @@ class DriverTest {
     List<Circle> ball = List.of(new Circle(ballX, ballY, Task.AROUND));
     double aim = Math.atan2(-2.34 - ballY, -ballX);
     Pose behind = Task.behind(ballX, ballY, aim, Task.BEHIND);
-    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Wheels wheels = Wheels.sluggish(TICK, 0);
     Deque<Velocity> inSight = new ArrayDeque<>();
     double x = 0.6;
     double y = startY;
@@ -52,16 +52,9 @@ class DriverTest {
               .orElse(Velocity.ZERO);
       Velocity order = safety.limited(robot, wanted, following, List.of(robot), List.of(robot));
       following.update(robot, true, order, TICK);
-      onTheWay.add(order);
-      if (onTheWay.size() > 7) {
-        Velocity told = onTheWay.remove();
-        double dx = told.vx() - vx;
-        double dy = told.vy() - vy;
-        double change = Math.hypot(dx, dy) / 0.1;
-        double share = (change > 1.5 ? 1.5 / change : 1) * TICK / 0.1;
-        vx += share * dx;
-        vy += share * dy;
-      }
+      wheels.follow(order);
+      vx = wheels.vx();
+      vy = wheels.vy();
       x += vx * TICK;
       y += vy * TICK;
       assertThat(Math.hypot(x - ballX, y - ballY))

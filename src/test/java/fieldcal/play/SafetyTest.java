@@ -33,7 +33,7 @@ class SafetyTest {
     double vx = 0;
     double vy = 0;
     Velocity wanted = Velocity.ZERO;
-    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Wheels wheels = Wheels.prompt(TICK, DELAY, ACCELERATION);
     for (int i = 0; i < 6000; i++) {
       if (i % 8 == 0) {
         // Mostly past the other robot, now on one side of it, now on the other.
@@ -42,17 +42,10 @@ class SafetyTest {
         wanted = new Velocity(speed * Math.cos(angle), speed * Math.sin(angle), 0);
       }
       Robot robot = new Robot(FakeField.YELLOW, x, y, 0, vx, vy, 0);
-      onTheWay.add(
+      wheels.follow(
           safety.limited(robot, wanted, following, List.of(robot, standing), List.of(robot)));
-      if (onTheWay.size() > DELAY) {
-        Velocity told = onTheWay.remove();
-        double dx = told.vx() - vx;
-        double dy = told.vy() - vy;
-        double change = Math.hypot(dx, dy);
-        double share = change > ACCELERATION * TICK ? ACCELERATION * TICK / change : 1;
-        vx += share * dx;
-        vy += share * dy;
-      }
+      vx = wheels.vx();
+      vy = wheels.vy();
       x += vx * TICK;
       y += vy * TICK;
       double distance = Math.hypot(x, y);
@@ -108,14 +101,14 @@ class SafetyTest {
   void whoFollowsLateStaysInside(double outward) {
     Safety safety = new Safety(new PlayArea(12, 9, 0.2, 0), PlayLimits.DEFAULT);
     Following following = new Following(PlayLimits.DEFAULT.braking());
-    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Wheels wheels = Wheels.sluggish(TICK, Math.toRadians(4));
+    wheels.start(-0.5, outward);
     Deque<Robot> inSight = new ArrayDeque<>();
     double x = -5;
     double y = 4.6;
     double vx = -0.5;
     double vy = outward;
     double farthest = 0;
-    double turn = Math.toRadians(4);
     for (int i = 0; i < 500; i++) {
       inSight.add(new Robot(FakeField.YELLOW, x, y, 0, vx, vy, i * TICK));
       // Vision knows velocities late.
@@ -124,15 +117,9 @@ class SafetyTest {
       following.look(robot, TICK);
       Velocity order =
           safety.limited(robot, new Velocity(1.8, 0, 0), following, List.of(robot), List.of(robot));
-      onTheWay.add(order);
-      if (onTheWay.size() > 7) {
-        Velocity told = onTheWay.remove();
-        double dx = told.vx() * Math.cos(turn) - told.vy() * Math.sin(turn) - vx;
-        double dy = told.vx() * Math.sin(turn) + told.vy() * Math.cos(turn) - vy;
-        double share = Math.min(1 / 0.1, 1.5 / Math.hypot(dx, dy)) * TICK;
-        vx += share * dx;
-        vy += share * dy;
-      }
+      wheels.follow(order);
+      vx = wheels.vx();
+      vy = wheels.vy();
       x += vx * TICK;
       y += vy * TICK;
       farthest = Math.max(farthest, y);
@@ -149,7 +136,7 @@ class SafetyTest {
   void whoPullsOutIsNotHit(double distance) {
     Safety safety = new Safety(new PlayArea(12, 9, 0.2, 0), PlayLimits.DEFAULT);
     Following following = new Following(PlayLimits.DEFAULT.braking());
-    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Wheels wheels = Wheels.sluggish(TICK, 0);
     Deque<Double> speeds = new ArrayDeque<>();
     Deque<Double> theirSpeeds = new ArrayDeque<>();
     double x = -5;
@@ -176,11 +163,8 @@ class SafetyTest {
           safety.limited(
               robot, new Velocity(2, 0, 0), following, List.of(robot, third), List.of(robot));
       following.update(robot, true, order, TICK);
-      onTheWay.add(order);
-      if (onTheWay.size() > 7) {
-        double change = (onTheWay.remove().vx() - vx) / 0.1;
-        vx += Math.max(-1.5, Math.min(1.5, change)) * TICK;
-      }
+      wheels.follow(order);
+      vx = wheels.vx();
       x += vx * TICK;
       assertThat(theirs - x > 0.18 || vx < 0.1)
           .as("tick %d: %.3f m apart, our robot drives %.2f m/s", i, theirs - x, vx)
@@ -197,23 +181,17 @@ class SafetyTest {
     Following following = known();
     double angle = Math.toRadians(degrees);
     Velocity outward = new Velocity(2.5 * Math.cos(angle), 2.5 * Math.sin(angle), 0);
-    Deque<Velocity> onTheWay = new ArrayDeque<>();
+    Wheels wheels = Wheels.prompt(TICK, DELAY, ACCELERATION);
+    wheels.start(outward.vx(), outward.vy());
     double y = 3.5;
     double vx = outward.vx();
     double vy = outward.vy();
     for (int i = 0; i < 1000; i++) {
       Robot robot = new Robot(FakeField.YELLOW, 0, y, 0, vx, vy, i * TICK);
       following.look(robot, TICK);
-      onTheWay.add(safety.limited(robot, outward, following, List.of(robot), List.of(robot)));
-      if (onTheWay.size() > DELAY) {
-        Velocity told = onTheWay.remove();
-        double dx = told.vx() - vx;
-        double dy = told.vy() - vy;
-        double change = Math.hypot(dx, dy);
-        double share = change > ACCELERATION * TICK ? ACCELERATION * TICK / change : 1;
-        vx += share * dx;
-        vy += share * dy;
-      }
+      wheels.follow(safety.limited(robot, outward, following, List.of(robot), List.of(robot)));
+      vx = wheels.vx();
+      vy = wheels.vy();
       y += vy * TICK;
       double way = Math.max(0, vy) * (DELAY * TICK + Math.hypot(vx, vy) / (2 * ACCELERATION));
       assertThat(y + way).as("tick %d", i).isLessThan(4.7);
