@@ -25,10 +25,13 @@ final class Safety {
   private static final double HELD = 0.75 * PlayArea.RESERVE;
 
   /**
-   * Speed per distance from there, 1/s, outward before it and inward beyond. For robots that follow as usual, times their delay of 0.13 s, this is 1.3: from π/2 on such a control oscillates. Others
-   * drive outward more calmly. A robot that drives 4° beside its way at 2.5 m/s is held within 2 cm.
+   * Speed per distance from there, 1/s, outward before it and inward beyond. For robots that follow as usual, times their delay of 0.13 s, this is 1.3: from π/2 on such a control oscillates.
+   * Others drive outward more calmly.
    */
   private static final double GAIN = 10;
+
+  /** The part of its speed with which any robot may drive beside its way: 5°; chosen, a robot of which this was not found out yet must stay inside, too. */
+  private static final double BESIDE = 0.09;
 
   /** Acceleration with which a bystander may pull out, m/s²: the most that ER-Force orders its robots of 2020 (robotics-erlangen/framework, config/robots/generation_2020.txt, strategy). */
   private static final double BYSTANDER = 3;
@@ -69,7 +72,7 @@ final class Safety {
           keepApart(robot, other, ours.contains(other), following, able, v);
         }
       }
-      keepInside(room, robot.speed(), able, v);
+      keepInside(room, robot, able, v);
     }
     return new Velocity(v[0], v[1], wanted.angular());
   }
@@ -139,11 +142,15 @@ final class Safety {
         ahead(y + robot.y() - following.beyond(robot, 0, -1), -robot.vy(), able));
   }
 
-  private static void keepInside(Room room, double speed, Able able, double[] v) {
-    double left = -outward(room.left(), speed, able);
-    double right = outward(room.right(), speed, able);
-    double down = -outward(room.down(), speed, able);
-    double up = outward(room.up(), speed, able);
+  /** A robot drives beside its way by a part of the speed that it has, or will have when it does what it is ordered: outward, if it comes to the worst. */
+  private static void keepInside(Room room, Robot robot, Able able, double[] v) {
+    double speed = Math.max(robot.speed(), Math.hypot(v[0], v[1]));
+    double besideX = BESIDE * Math.max(Math.abs(robot.vy()), Math.abs(v[1]));
+    double besideY = BESIDE * Math.max(Math.abs(robot.vx()), Math.abs(v[0]));
+    double left = besideX - outward(room.left(), speed, able);
+    double right = outward(room.right(), speed, able) - besideX;
+    double down = besideY - outward(room.down(), speed, able);
+    double up = outward(room.up(), speed, able) - besideY;
     v[0] = Math.max(left, Math.min(right, v[0]));
     v[1] = Math.max(down, Math.min(up, v[1]));
   }

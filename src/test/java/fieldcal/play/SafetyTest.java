@@ -9,6 +9,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whatever is wanted, a robot that accelerates within its limits and hears of it late hits nobody and stays inside. */
@@ -196,6 +197,62 @@ class SafetyTest {
       double way = Math.max(0, vy) * (DELAY * TICK + Math.hypot(vx, vy) / (2 * ACCELERATION));
       assertThat(y + way).as("tick %d", i).isLessThan(4.7);
     }
+  }
+
+  /**
+   * As in a play in which a robot drove beside its way and along the edge when the other one was taken off: it was told to stand, and went on outward for 9 cm while it braked. Nobody knows yet that it
+   * drives beside its way.
+   */
+  @ParameterizedTest
+  @CsvSource({"5, 4", "20, -4", "10, 4", "10, 0", "20, 4", "45, 4", "90, 4", "5, 6"})
+  void whoFollowsLateAndIsStoppedAtAnyMomentStaysInside(int degrees, int beside) {
+    Safety safety = new Safety(new PlayArea(12, 9, 0.2, 0), PlayLimits.DEFAULT);
+    Following following = late();
+    double angle = Math.toRadians(degrees);
+    Velocity wanted = new Velocity(1.8 * Math.cos(angle), 1.8 * Math.sin(angle), 0);
+    Wheels wheels = Wheels.sluggish(TICK, Math.toRadians(beside));
+    Deque<Robot> inSight = new ArrayDeque<>();
+    double y = 3.5;
+    for (int i = 0; i < 1500; i++) {
+      inSight.add(new Robot(FakeField.YELLOW, 0, y, 0, wheels.vx(), wheels.vy(), i * TICK));
+      // Vision knows velocities late.
+      Robot late = inSight.size() > 8 ? inSight.remove() : inSight.peek();
+      Robot robot = new Robot(FakeField.YELLOW, 0, y, 0, late.vx(), late.vy(), i * TICK);
+      following.look(robot, TICK);
+      wheels.follow(safety.limited(robot, wanted, following, List.of(robot), List.of(robot)));
+      y += wheels.vy() * TICK;
+      assertThat(4.7 - y - overrun(wheels)).as("tick %d", i).isGreaterThan(0.01);
+    }
+    assertThat(y).as("it still gets near the edge").isGreaterThan(4.4);
+  }
+
+  /** How far it goes on along y when it is told to stand, m. */
+  private static double overrun(Wheels wheels) {
+    Wheels stopped = wheels.copy();
+    double y = 0;
+    double farthest = 0;
+    for (int i = 0; i < 300; i++) {
+      stopped.follow(Velocity.ZERO);
+      y += stopped.vy() * TICK;
+      farthest = Math.max(farthest, y);
+    }
+    return farthest;
+  }
+
+  /** The gains for robots that follow late, as far as they are measured. */
+  private static Following late() {
+    Following following = new Following(PlayLimits.DEFAULT.braking());
+    Wheels wheels = Wheels.sluggish(TICK, 0);
+    Deque<Double> speeds = new ArrayDeque<>();
+    for (int i = 0; i < 2000; i++) {
+      Velocity order = new Velocity(Math.max(0, 1.8 - 0.013 * Math.max(0, i % 250 - 100)), 0, 0);
+      speeds.add(wheels.vx());
+      double speed = speeds.size() > 8 ? speeds.remove() : 0;
+      Robot robot = new Robot(FakeField.YELLOW, 0, 0, 0, speed, 0, i * TICK);
+      following.update(robot, true, order, TICK);
+      wheels.follow(order);
+    }
+    return following;
   }
 
   /** The gains for robots that follow as usual. */

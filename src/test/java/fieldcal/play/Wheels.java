@@ -40,6 +40,14 @@ final class Wheels {
     return new Wheels(tick, (int) Math.round(0.07 / tick), 0.1, 1.5, turn);
   }
 
+  /** Others that turn as these do and have heard the same orders. */
+  Wheels copy() {
+    Wheels copy = new Wheels(tick, delay, lag, acceleration, turn);
+    copy.onTheWay.addAll(onTheWay);
+    copy.start(vx, vy);
+    return copy;
+  }
+
   /** With which they turn now. */
   void start(double x, double y) {
     vx = x;
