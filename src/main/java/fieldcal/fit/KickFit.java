@@ -127,16 +127,7 @@ public final class KickFit {
     return failure != null
         ? this
         : new KickFit(
-            kick,
-            kind,
-            estimates,
-            covariance,
-            trajectory,
-            residualX,
-            residualY,
-            used,
-            statistics,
-            UnevenBounces.NONE);
+            kick, kind, estimates, covariance, trajectory, residualX, residualY, used, statistics);
   }
 
   /** How the bounces of a chip may differ from each other. */
