@@ -63,7 +63,7 @@ final class RivalForms {
       if (j.isName() && shared && !placed) {
         // A curve that took the place of one cause changes the judgements of the others.
         int at = best.judged().stream().map(Judgement::component).toList().indexOf(j.component());
-        best = at < 0 || fitter.effort().isSpent() ? best : against(best, at);
+        best = at < 0 ? best : against(best, at);
       }
     }
     return best;

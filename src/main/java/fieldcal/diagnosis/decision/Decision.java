@@ -14,6 +14,7 @@ import fieldcal.effect.Effect;
 import fieldcal.effect.MotionEffect;
 import fieldcal.effect.MotionEffect.SpinAtKick;
 import fieldcal.effect.learned.LearnedTerm;
+import fieldcal.fit.CameraNoise;
 import fieldcal.fit.joint.SharedSolver;
 import fieldcal.kick.KickKind;
 import java.util.ArrayList;
@@ -172,7 +173,7 @@ public final class Decision {
         scales.evidence[i],
         gains.seen,
         follows,
-        outcome(scales, i, follows.isPresent(), without, gains.heard));
+        outcome(scales, i, follows.isPresent(), without, gains));
   }
 
   /**
@@ -185,6 +186,12 @@ public final class Decision {
     static Gains of(FittedModel model, HoldOut with, HoldOut without, long seed) {
       return new Gains(
           with.gainOn(without, seed), with.heardBy(model).gainOn(without.heardBy(model), seed));
+    }
+
+    /** Root mean square of what the component changes on kicks that were held out, mm. */
+    double sizeMm() {
+      double before = 100 * seen[0] / seen[1];
+      return Math.sqrt(Math.max(0, seen[0] * (2 * before - seen[0])));
     }
 
     /** The gain with the larger lower bound. Where kicks differ by chance, what acts within a kick shows if each kick has its own value, and what differs between kicks shows if all have the mean. */
@@ -283,9 +290,9 @@ public final class Decision {
     return best;
   }
 
-  private Outcome outcome(
-      Scales scales, int i, boolean follows, HoldOut heldWithout, double[] gain) {
+  private Outcome outcome(Scales scales, int i, boolean follows, HoldOut heldWithout, Gains gains) {
     FittedModel model = scales.model;
+    double[] gain = gains.heard;
     Component c = scales.component(i);
     Proof proof = new Proof(model, i, settings);
     double evidence = scales.evidence[i];
@@ -339,6 +346,9 @@ public final class Decision {
     double least = c.isPerKick() ? settings.formGain() : settings.leastGain();
     if (!(gain[1] > 100 * least && gain[HoldOut.LOWER] > 0)) {
       return Outcome.NO_GAIN;
+    }
+    if (gains.sizeMm() < 1000 * CameraNoise.FLOOR) {
+      return Outcome.TOO_SMALL;
     }
     if (c.isPerKick() && proof.isBallItself()) {
       return Outcome.BALL_ITSELF;

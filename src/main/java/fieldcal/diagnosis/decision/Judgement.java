@@ -40,7 +40,9 @@ public record Judgement(
     /** It may be a form of something else: of a larger cause of its kind, of a learned curve, or of what is left. */
     FORM,
     /** Kicks that were held out do not gain by it. */
-    NO_GAIN
+    NO_GAIN,
+    /** Kicks that were held out gain by it, but less than any model of the ball is right to. */
+    TOO_SMALL
   }
 
   /**

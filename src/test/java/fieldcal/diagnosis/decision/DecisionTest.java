@@ -28,6 +28,7 @@ import fieldcal.effect.motion.WornRegion;
 import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
+import fieldcal.simulation.imaging.CameraSettings;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -82,6 +83,27 @@ class DecisionTest {
         judge(field, new AirDrag(0), new CarpetNap(0, 0), new CameraOffset(0, 0, 1));
     assertThat(judged).allMatch(j -> j.outcome() != Outcome.NAMED);
     assertThat(outcomes(judged)).as("%s", judged).contains(Outcome.CHANCE);
+  }
+
+  /** Noise reaches neither, but what changes less than the least noise of a camera may as well be an error of the model. */
+  @Test
+  void whatChangesLessThanAnyModelIsRightToIsTooSmallForAName() {
+    String[] offsets = {
+      "camera_offset:x_mm=0.6,y_mm=0,camera=1", "camera_offset:x_mm=3,y_mm=0,camera=1"
+    };
+    List<List<Judgement>> judged = new ArrayList<>();
+    for (String offset : offsets) {
+      CameraSettings quiet = CameraSettings.DEFAULT.withCount(2).withNoise(3e-4, 3e-4);
+      FittedField field =
+          FittedField.of(
+              FittedField.SOUND
+                  .withScenario(ScenarioKind.FLAT, 10)
+                  .withCameras(quiet)
+                  .withEffects(offset));
+      judged.add(judge(field, new CameraOffset(0, 0, 1)));
+    }
+    assertThat(outcomes(judged.get(0))).as("%s", judged).containsExactly(Outcome.TOO_SMALL);
+    assertThat(outcomes(judged.get(1))).as("%s", judged).containsExactly(Outcome.NAMED);
   }
 
   /** A nap of that strength is a cause by itself; beside a drag that explains a thousand times as much it may be how well the drag's law is known. */
