@@ -91,7 +91,7 @@ public final class Camera {
     Pinhole pinhole = Pinhole.of(c);
     String why;
     if (pinhole == null) {
-      why = "its published rotation or focal length is no calibration";
+      why = "its published rotation or focal length is not a calibration";
     } else if (!isPlace(pinhole.cameraX, pinhole.cameraY, pinhole.cameraZ)) {
       why =
           "by its published rotation the camera is at "

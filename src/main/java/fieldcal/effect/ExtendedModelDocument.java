@@ -81,7 +81,7 @@ public final class ExtendedModelDocument {
     Map<String, Set<String>> needs = new LinkedHashMap<>();
     for (Effect e : model.effects()) {
       if (e instanceof KickerEffect) {
-        need(needs, e, "what each robot is told when it kicks");
+        need(needs, e, "what each robot is commanded when it kicks");
       } else if (e instanceof MeasurementEffect m) {
         need(needs, e, "which camera made a detection, and its time stamp");
         if (!m.isApplicable(ObservedCamera.unknown(0, 1))) {

@@ -112,7 +112,7 @@ class ExtendedModelDocumentTest {
     ExtendedModel model =
         new ExtendedModel(Optional.of(FlatModel.typical()), Optional.empty(), effects(), 0);
     assertThat(ExtendedModelDocument.of(model, EPOCH).get("needs").toString())
-        .contains("what each robot is told when it kicks (robot_kick_bias)")
+        .contains("what each robot is commanded when it kicks (robot_kick_bias)")
         .contains(
             "the time since session_start_unix (drift, clock_skew, camera_moved, ball_changed)")
         .contains("geometry of the cameras (camera_pose_error");

@@ -34,7 +34,7 @@ import picocli.CommandLine.Spec;
     name = "export",
     mixinStandardHelpOptions = true,
     description =
-        "Writes a calibrated model in the form that a simulator, a vision or a team's software"
+        "Writes a calibrated model in the form that a simulator, vision or a team's software"
             + " reads, and says what that form cannot carry and what it costs.")
 final class ExportCommand implements Callable<Integer> {
   /** The one target that can be written while it runs. */

@@ -115,7 +115,7 @@ final class MonitorCommand implements Callable<Integer> {
         paramLabel = "ADDR:PORT",
         description =
             "where vision sends to; the league's multicast group is 224.5.23.2:10006;"
-                + " 255.255.255.255:10006 hears a vision that broadcasts")
+                + " 255.255.255.255:10006 receives vision that is broadcast")
     private String vision;
   }
 

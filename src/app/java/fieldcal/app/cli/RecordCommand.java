@@ -50,7 +50,7 @@ final class RecordCommand implements Callable<Integer> {
       defaultValue = LEAGUE_VISION,
       description =
           "where vision sends to (default: the league's multicast group, ${DEFAULT-VALUE});"
-              + " 255.255.255.255:10006 hears a vision that broadcasts")
+              + " 255.255.255.255:10006 receives vision that is broadcast")
   private String multicast;
 
   @Option(

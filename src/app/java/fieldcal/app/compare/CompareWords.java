@@ -30,7 +30,7 @@ final class CompareWords {
           Double.isFinite(error)
               ? String.format(
                   Locale.ROOT,
-                  "An AI tuned on the simulator predicts the ball %.0f mm wrong 1 s ahead",
+                  "The predictions of an AI tuned on the simulator are off by %.0f mm after 1 s",
                   1000 * error)
               : "The ball behaves differently in the simulator";
       return ahead + part(named, Comparator.comparingDouble(Named::shareOfError), true) + ".";

@@ -58,7 +58,7 @@ final class BounceWords extends MotionText {
         text(
             "The carpet grips the ball at a bounce and %s (coefficient of friction %s).",
             slip, Amount.of(effect.value("friction"))),
-        "The spin of one bounce lasts until the next, so each bounce takes less speed than the one"
-            + " before; two fixed dampings cannot follow that.");
+        "The ball keeps the spin of one bounce until the next, so each bounce takes less speed than"
+            + " the one before; two fixed dampings cannot follow that.");
   }
 }

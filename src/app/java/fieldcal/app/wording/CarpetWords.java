@@ -47,7 +47,7 @@ final class CarpetWords extends MotionText {
     return Sentences.extended(
         text(
             "The carpet has a direction: balls that roll %s are braked %s %% more than on average,"
-                + " and balls that roll the other way are braked less by as much.",
+                + " and balls that roll the other way that much less.",
             FieldWords.direction(against), Amount.of(100 * Math.abs(amplitude))),
         slow.isEmpty()
             ? ""
@@ -133,7 +133,7 @@ final class CarpetWords extends MotionText {
                         whole(PASS), far(c.along()), whole(PASS_TIME)))
             .orElse(""),
         "Check the carpet there for wear, moisture, dust and seams",
-        "; until it is mended,");
+        "; until it is repaired,");
   }
 
   Sentences carpetSeam() {

@@ -130,8 +130,8 @@ public final class CauseWords {
     }
     String other =
         text(
-            "%s would explain these kicks as well: %s. This one is named because it is simpler or"
-                + " explains a little more.",
+            "%s would explain these kicks about as well: %s. This one is named because it is"
+                + " simpler or explains a little more.",
             names.size() > 1 ? "Other causes" : "Another cause", String.join(" or ", names));
     return Stream.of(whichCamera(cause, cameras), names.isEmpty() ? "" : other)
         .filter(s -> !s.isEmpty())
@@ -153,7 +153,7 @@ public final class CauseWords {
         Comparator.comparingInt((String camera) -> camera.length())
             .thenComparing(Comparator.naturalOrder()));
     return text(
-        "These kicks cannot tell whether %s or %s %s.",
+        "These kicks do not show whether %s or %s %s.",
         String.join(", ", all.subList(0, all.size() - 1)),
         all.get(all.size() - 1),
         EffectWords.ofOneCamera(cause.effect().id()));

@@ -21,23 +21,23 @@ final class ChanceWords {
               "rolling",
               "rolling deceleration (acc_roll)",
               "",
-              "leave a margin on long passes. See whether several balls are in play, or one that is"
-                  + " dirty or out of round."),
+              "leave a margin on long passes. Check whether several balls are in play, or one that"
+                  + " is dirty or not round."),
           "bounce_scatter",
           new ChanceWords(
               "height of bounces",
               "vertical damping of bounces (damping_z)",
               "",
-              "let robots wait for the second bounce of a chip. See whether the carpet is rough or"
-                  + " has seams where the chips come down."),
+              "let robots wait for the second bounce of a chip. Check whether the carpet is rough"
+                  + " or has seams where the chips land."),
           "pull_scatter",
           new ChanceWords(
               "sideways pull",
               "pull of the rolling ball to its left",
               "m/s²",
               "leave a margin on long passes. Let a ball roll slowly from the same place several"
-                  + " times: if it curves another way each time, its weight is not in its centre;"
-                  + " use another ball."));
+                  + " times: if it curves a different way each time, its weight is not in its"
+                  + " centre; use another ball."));
 
   private final String name;
   private final String quantity;
@@ -151,9 +151,9 @@ final class ChanceWords {
           LearnedWords.variable(d.on()));
     }
     return d.form() == Dependence.Form.STEP
-        ? "See whether another ball came into play then, or something was done to the carpet, and"
+        ? "Check whether another ball came into play then, or something was done to the carpet, and"
             + " calibrate the kicks before and after it separately."
-        : "See what changed meanwhile, such as temperature, humidity or the wear of the ball, and"
-            + " calibrate again during the session.";
+        : "Check what changed in the meantime, such as temperature, humidity or the wear of the"
+            + " ball, and calibrate again during the session.";
   }
 }

@@ -46,12 +46,12 @@ final class Headline {
     String unit = cm ? " cm" : " mm";
     String wrong =
         text(
-            "%s are predicted %s wrong after %s s",
+            "Predictions of %s are off by %s after %s s",
             kicks(d), length(before, cm) + unit, VerdictText.seconds(horizon.get()));
     if (!found) {
       return wrong + ".";
     }
-    String both = wrong + "; with what was found, " + length(after, cm) + unit;
+    String both = wrong + "; with what was found, by " + length(after, cm) + unit;
     return after < (1 - LEAST_GAIN) * before
         ? both + "."
         : both + compared(before, after) + ". " + followed(d);
@@ -89,7 +89,7 @@ final class Headline {
   private static String followed(Diagnosis d) {
     return text(
         held(d)
-            ? "Whole kicks that were held out are followed to %s mm instead of %s mm."
+            ? "Whole held-out kicks are followed to %s mm instead of %s mm."
             : "Whole kicks are followed to %s mm instead of %s mm.",
         VerdictText.mm(residual(d, d.extended())),
         VerdictText.mm(residual(d, d.base())));
@@ -99,9 +99,7 @@ final class Headline {
   private static String missed(Diagnosis d, boolean found) {
     String model =
         text(
-            held(d)
-                ? "The model misses kicks that were held out by %s mm"
-                : "The model misses by %s mm",
+            held(d) ? "The model misses held-out kicks by %s mm" : "The model misses by %s mm",
             VerdictText.mm(residual(d, d.base())));
     return found
         ? text(
@@ -121,9 +119,9 @@ final class Headline {
     double chips = d.kicks().stream().filter(k -> k.kind() == KickKind.CHIP).count();
     double share = d.kicks().isEmpty() ? 0 : chips / d.kicks().size();
     if (share >= 1 - STRAYS) {
-      return "Chips";
+      return "chips";
     }
-    return share <= STRAYS ? "Passes" : "Kicks";
+    return share <= STRAYS ? "passes" : "kicks";
   }
 
   /** A second where there is one, else the longest. */

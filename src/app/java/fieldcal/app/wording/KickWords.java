@@ -31,7 +31,7 @@ final class KickWords extends MotionText {
         KickerSpin.of(effect, errors).sentence(),
         pass("without spin", PASS, PASS_TIME) + switching,
         "Check at which height the kickers hit the ball, and whether the dribblers still turn then",
-        "; until that is mended,");
+        "; until that is corrected,");
   }
 
   Sentences sideSpin() {
@@ -54,7 +54,7 @@ final class KickWords extends MotionText {
             .orElse(""),
         "Check whether the ball lies in the middle of the kickers, and whether the dribblers are"
             + " straight",
-        "; until that is mended,");
+        "; until that is corrected,");
   }
 
   Sentences robotKickBias() {

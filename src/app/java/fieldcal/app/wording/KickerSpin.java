@@ -46,14 +46,14 @@ record KickerSpin(double flat, double chips, double error) {
   String sentence() {
     if (!isApart()) {
       return isUnsure(flat)
-          ? "The kickers give the ball topspin with some kicks and backspin with others."
+          ? "The kickers give the ball topspin in some kicks and backspin in others."
           : text(
               "The kickers give the ball %s: %s %% of the spin of a rolling ball.",
               sort(flat), MotionText.percent(Math.abs(flat)));
     }
     if (isUnsure(chips) && isUnsure(flat)) {
       return text(
-          "The kickers give the ball topspin with some kicks and backspin with others: on average"
+          "The kickers give the ball topspin in some kicks and backspin in others: on average"
               + " %s ± %s %% of the spin of a rolling ball in chips, %s ± %s %% in flat kicks.",
           MotionText.percent(chips),
           MotionText.percent(error),

@@ -54,7 +54,7 @@ abstract class MotionText {
         .map(
             c ->
                 text(
-                    "A chip at %s m/s, 45° steep, travels %s in %s s than it would %s.",
+                    "A chip at %s m/s and an elevation of 45° travels %s in %s s than it would %s.",
                     whole(CHIP), far(c.along()), Amount.decimals(CHIP_TIME, 1), without))
         .orElse("");
   }

@@ -18,34 +18,36 @@ public final class NextKicks {
   private static final String WHICH_CLOCK =
       "Record ten flat kicks of 5–6 m/s each at the beginning and at the end of a session of twenty"
           + " minutes or more, from camera to camera, half of them along the rows of the images and"
-          + " half along their columns, both ways: a wrong rate grows over the session, a late"
-          + " stamp stays, a rolling shutter changes with the row and not with the column.";
+          + " half along their columns, both ways: the error of a wrong rate grows over the"
+          + " session, that of a late stamp stays the same, and that of a rolling shutter depends"
+          + " on the row, not on the column.";
 
   private static final String PLACE_OR_STAMP =
-      "Let a ball rest at three places that two cameras see, and kick six flat ones of 5–6 m/s"
-          + " through each in both directions: a late stamp shifts only the moving ball, along its"
-          + " direction of travel; a misplaced camera shifts the resting ball as well.";
+      "Let a ball rest at three places that two cameras see, and make six flat kicks of 5–6 m/s"
+          + " through each place, in both directions: a late stamp shifts only the moving ball,"
+          + " along its direction of travel; a misplaced camera also shifts the resting ball.";
 
   private static final String SCALE_OR_LENS =
       "Record four flat kicks of 2–3 m/s through the middle of each camera's view and four along"
           + " its edges and into its corners: a wrong height shifts the ball in proportion to its"
-          + " distance from the middle, a wrong lens hardly at half way and strongly at the edges.";
+          + " distance from the middle, a wrong lens hardly shifts it half way out, but strongly at"
+          + " the edges.";
 
   private static final String WHERE_OR_WHEN =
-      "Repeat the same four flat kicks of 2–3 m/s, to and fro, in both halves of the field, at the"
-          + " beginning and at the end of the session: a worn part stays where it is and slows both"
-          + " ways, a carpet's direction slows one way in both halves, a change over time shows in"
-          + " the repetition.";
+      "Make the same four flat kicks of 2–3 m/s, in both directions, in both halves of the field,"
+          + " at the beginning and at the end of the session: a worn part brakes kicks in one half,"
+          + " in both directions; the direction of the carpet brakes kicks in one direction, in"
+          + " both halves; a change over time shows between the beginning and the end.";
 
   private static final String BOUNCES =
       "Record four chips each of 3, 4.5 and 6 m/s at the same angle, with the dribbler off, and the"
-          + " same again with the ball spinning on the dribbler before: only bounces that depend on"
-          + " spin differ between the two.";
+          + " same again with the ball spinning on the dribbler before each kick: only bounces that"
+          + " depend on spin differ between the two.";
 
   private static final String SPIN_OR_KICKER =
       "Let both robots kick the same flat kicks of 2, 4 and 6 m/s from the same place, with their"
           + " commands recorded: a kicker of the wrong strength changes the speed right after the"
-          + " kick, spin how far the ball slides after it.";
+          + " kick, and spin changes how far the ball slides.";
 
   private static final String WHICH_IS_SHIFTED =
       "No kick shows which camera is right: lay a ball on a mark of the field that both"
@@ -56,8 +58,8 @@ public final class NextKicks {
           + " server.";
 
   private static final String SHIFT_OR_HEIGHT =
-      "With only two cameras, no kick tells a shift from a wrong height of the ball: look up"
-          + " which height of the ball's centre vision assumes (21.5 mm is right).";
+      "With only two cameras, no kick distinguishes a shift from a wrong height of the ball: look"
+          + " up which height of the ball's centre vision assumes (21.5 mm is right).";
 
   private static final String SHIFT_OR_PLACE =
       "No kick is needed to tell a misplaced camera from a shifted one: calibrating the camera"
@@ -105,26 +107,28 @@ public final class NextKicks {
               "camera_offset",
               "lens_distortion_error",
               "Record four flat kicks of 2–3 m/s through the middle of the camera's view and four"
-                  + " along each edge: an offset is the same everywhere, a wrong lens pulls"
-                  + " opposite edges apart."),
+                  + " along each edge: an offset is the same everywhere, a wrong lens"
+                  + " shifts opposite edges in opposite directions."),
           pair(
               "carpet_nap",
               "field_slope",
               "Record six flat kicks of 1.5–2 m/s that roll out, straight across the direction that"
                   + " was found, both ways, and six of 5–6 m/s along it: a slope bends the path of"
-                  + " the ones that cross and acts on a sliding ball too, the carpet does neither."
-                  + " A ball laid down at rest that starts to roll proves the slope."),
+                  + " those that cross it, and also acts on a sliding ball; the direction of the"
+                  + " carpet does neither. If a ball that is laid down starts to roll, there is a"
+                  + " slope."),
           pair(
               "worn_region",
               "field_slope",
-              "Kick the same flat kick of 2 m/s to and fro through the place, four times each, and"
-                  + " let it roll out: a worn part brakes both ways, a slope one way only."),
+              "Make the same flat kick of 2 m/s through the place in both directions, four times"
+                  + " each, and let it roll out: a worn part brakes in both directions, a slope in"
+                  + " one only."),
           pair(
               "air_drag",
               "speed_dependent_restitution",
               "Record six flat kicks of 6 m/s and four chips each of 3 and 6 m/s of which at least"
-                  + " three bounces are seen: the air brakes the flat ones too, bounces change the"
-                  + " height of the next hop."));
+                  + " three bounces are seen: the air also brakes flat kicks, while bounces only"
+                  + " change the height of the next hop."));
 
   /** What each cause is called, and the kicks in which it shows. */
   private static final Map<String, Sign> SIGNS =
@@ -207,7 +211,7 @@ public final class NextKicks {
               "rolling_shutter",
               "a rolling shutter",
               "flat kicks of 5–6 m/s along the columns of a camera's image, both ways"),
-          sign("wind", "moving air", "hard chips on one line, to and fro"),
+          sign("wind", "moving air", "hard chips on one line, in both directions"),
           sign(
               "slip_dependent_friction",
               "friction that depends on slip",

@@ -277,8 +277,8 @@ public record PublishWords(
     }
     if (reason instanceof Reason.KicksDiffer d) {
       return text(
-              "One model for all kicks is off by %.1f mm, %.1f times the noise of the cameras; with"
-                  + " values of its own for each kick, by %.1f mm.",
+              "One model for all kicks is off by %.1f mm, %.1f times the noise of the cameras; a"
+                  + " model of its own for each kick is off by %.1f mm.",
               d.rmsMm(), d.ratio(), d.ownRmsMm())
           + NO_SINGLE_VALUE;
     }
@@ -349,7 +349,7 @@ public record PublishWords(
     String small =
         holdsBack(d) || d.verdict() != Verdict.PARTLY_EXPLAINED
             ? ""
-            : " What else it found is small against the noise; programs that load"
+            : " Everything else that it found is small compared with the noise; programs that load"
                 + " extended_model.json may predict better with it.";
     return switch (d.verdict()) {
       case MODEL_ADEQUATE -> "The diagnosis found nothing that the model gets wrong.";
@@ -512,7 +512,7 @@ public record PublishWords(
       return "Let your AI load extended_model.json, which contains what the diagnosis found;"
           + " vision's ball model cannot hold it.";
     }
-    return "Correct this where it arises, and record again: "
+    return "Correct this at its source, and record again: "
         + names(mended)
         + "."
         + (others.isEmpty()

@@ -75,16 +75,16 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   private static String adequate(Diagnosis d, List<String> lines) {
     lines.add(
         text(
-            "The kicks fit to %s mm rms; the noise of the cameras alone makes %s mm.",
+            "The kicks fit to %s mm rms; the noise of the cameras alone is %s mm.",
             mm(d.base().rmsMm()), mm(d.base().noiseMm())));
     lines.add(
         text(
-            "%d kinds of causes were tried. None of them predicts kicks that were held out any"
-                + " better.",
+            "%d kinds of causes were tried. None of them improves the prediction of held-out"
+                + " kicks.",
             kinds(d)));
     return hasFewKicks(d)
         ? "These few kicks show nothing wrong with the model."
-        : "The model is right: nothing to correct.";
+        : "The model is right: change nothing.";
   }
 
   /**
@@ -123,7 +123,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String found =
         laws.isEmpty()
             ? "The model is wrong, and no cause is proven."
-            : text("The model is wrong. Another law takes the place of one of its own: %s.", laws);
+            : text("The model is wrong. Another law replaces one of its own: %s.", laws);
     return found + curves(d) + chance(d) + unproven(d) + undecided(d);
   }
 
@@ -138,8 +138,8 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
         d.kicks().size() == 1
             ? "The pictures show where the model errs."
             : text(
-                "None of the %d kinds of causes that were tried predicts kicks that were held out"
-                    + " any better, so none is named. The pictures show where the model errs.",
+                "None of the %d kinds of causes that were tried improves the prediction of held-out"
+                    + " kicks, so none is named. The pictures show where the model errs.",
                 kinds(d)));
     toRecord(d).ifPresent(lines::add);
     return "Something is wrong that no known cause explains.";
@@ -275,7 +275,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
                     + " %s mm); there are too few kicks to hold some out.",
                 mm(before.rmsMm()), mm(after.rmsMm()), mm(after.noiseMm()))
             : text(
-                "With what was found, kicks that were held out fit to %s mm"
+                "With what was found, held-out kicks fit to %s mm"
                     + " instead of %s mm (the cameras' noise is %s mm).",
                 mm(after.holdoutRmsMm()), mm(before.holdoutRmsMm()), mm(after.noiseMm()));
     return horizons.isEmpty() ? held : held + " Predictions are off by " + horizons + ".";
@@ -342,7 +342,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String names = names(d, f -> !f.isShownToHelp());
     return names.isEmpty()
         ? ""
-        : text(" Kicks that were held out do not show whether this helps: %s.", names);
+        : text(" Held-out kicks do not show whether this helps: %s.", names);
   }
 
   private static String names(Diagnosis d, Predicate<LearnedFinding> which) {

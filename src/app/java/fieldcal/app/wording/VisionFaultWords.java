@@ -29,7 +29,7 @@ final class VisionFaultWords {
     VisionFault.MixedUp mixed = (VisionFault.MixedUp) fault;
     String cameras = cameras(mixed.cameras());
     if (mixed.swapped()) {
-      return cameras + " have each other's number.";
+      return cameras + " have swapped numbers.";
     }
     return mixed.cameras().size() == 1
         ? cameras + " is rotated by 180°."

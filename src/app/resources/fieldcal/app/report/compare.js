@@ -30,7 +30,7 @@
     table('differences', ['Difference', 'Field', 'Simulator', 'Unit', 'Share of the error 1 s ahead', 'Pass on the field'], report.differences.map(row => el('tr', {},
       ...sides(row), el('td', {}, share(row.shareOfError)), el('td', {}, metres(row.shareOfPass)))),
       'A share is the part of the error that vanishes when this difference alone is taken away; shares need not add up to 100 %, since differences can act together or against each other. The last column is how much farther this difference alone lets a pass at 5 m/s roll on the field.');
-    const lines = report.prediction.map(p => 'An AI that was tuned on the simulator predicts the field’s kicks ' + number(p.mm, 0) + ' mm wrong ' + number(p.seconds, 1) + ' s ahead.');
+    const lines = report.prediction.map(p => 'The predictions of an AI that was tuned on the simulator are off by ' + number(p.mm, 0) + ' mm on the field after ' + number(p.seconds, 1) + ' s.');
     if (known(report.passReal)) lines.push('A pass at 5 m/s rolls ' + number(report.passReal, 2) + ' m on the field and ' + number(report.passSim, 2) + ' m in the simulator.');
     content('cost').replaceChildren(list(lines));
     const head = ['', 'Field', 'Simulator', 'Unit', ''];

@@ -138,7 +138,8 @@ public final class Tables {
                 TEXT,
                 "carpet",
                 "",
-                "which stretch of matches without another ball or carpet; missing without a venue");
+                "which stretch of matches with the same carpet and kind of ball; missing without a"
+                    + " venue");
     for (String name : List.of("acc_slide", "acc_roll")) {
       matches.maybe(DOUBLE, "published_" + name, "m/s²", "of the model that vision published");
     }
@@ -224,7 +225,7 @@ public final class Tables {
         .maybe(
             DOUBLE, "value", "m/s, m/s², rad/s, rad/s² or none", "missing when it is undetermined")
         .maybe(DOUBLE, "standard_error", "as value", "missing when it is unknown")
-        .always(LONG, "samples", "", "observations that it rests on")
+        .always(LONG, "samples", "", "observations that it is based on")
         .maybe(
             BOOLEAN,
             "reached",
@@ -242,8 +243,8 @@ public final class Tables {
   private static Table trackers() {
     return table(
             "trackers",
-            "What a tracker of a team or of an automatic referee says of the ball, against the fits"
-                + " of the kicks.")
+            "What a tracker of a team or of an automatic referee reports of the ball, compared with"
+                + " the fits of the kicks.")
         .always(TEXT, "source", "", "what the tracker calls itself; may be empty")
         .always(TEXT, "uuid", "", "distinguishes trackers of the same name")
         .always(LONG, "frames", "", "frames that it sent")
@@ -263,7 +264,7 @@ public final class Tables {
         .always(INT, "kicks", "", "kicks that it reports")
         .always(INT, "matched", "", "kicks whose fit is trusted and that it reports")
         .always(INT, "missed", "", "kicks whose fit is trusted and that it does not report")
-        .always(INT, "invented", "", "kicks that it reports and the detections do not show")
+        .always(INT, "invented", "", "kicks that it reports but the detections do not show")
         .maybe(
             DOUBLE,
             "speed_bias",
@@ -294,7 +295,7 @@ public final class Tables {
   private static Table limitsHistograms() {
     return table(
             "limits_histograms",
-            "A cell of a histogram of movements that counted something. Counts of several matches"
+            "A cell of a histogram of movements, if it is not empty. Counts of several matches"
                 + " add up, and limits can be estimated from the sums.")
         .maybe(TEXT, COLOUR, "", "yellow or blue; missing for what both teams share")
         .maybe(TEXT, "team", "", "name of the team, as the referee says")
@@ -359,7 +360,7 @@ public final class Tables {
             INT,
             "camera",
             "",
-            "id of the camera; missing for all at once, and for what is no camera")
+            "id of the camera; missing if all changed at once, and for a carpet or ball")
         .always(TIME, "after", "", "end of the last match before the change")
         .always(TIME, "before", "", "start of the first match after the change")
         .always(TEXT, "last_match", "", "log of the last match before the change")
@@ -387,7 +388,7 @@ public final class Tables {
         .maybe(
             DOUBLE, "value", "m/s, m/s², rad/s, rad/s² or none", "missing when it is undetermined")
         .maybe(DOUBLE, "standard_error", "as value", "missing when it is unknown")
-        .always(LONG, "samples", "", "observations that it rests on")
+        .always(LONG, "samples", "", "observations that it is based on")
         .maybe(BOOLEAN, "reached", "", "as in robots")
         .maybe(TEXT, "note", "", "as in robots")
         .always(INT, "matches", "", "matches of the team in the tournament")

@@ -39,7 +39,7 @@ class DiagnosisTextTest {
   void nothingWrongIsSaidAtOnce() {
     List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
     assertThat(lines.get(0))
-        .startsWith("Kicks are predicted 13 mm wrong after 1 s. The model is right");
+        .startsWith("Predictions of kicks are off by 13 mm after 1 s. The model is right");
     assertThat(lines.get(1)).contains("24 kicks");
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
     assertThat(String.join(" ", lines)).doesNotContain("So few kicks");
@@ -64,15 +64,17 @@ class DiagnosisTextTest {
   void causesComeInWordsWithTheirNumbers() {
     String text = String.join("\n", printed(SampleDiagnosis.explained(24), 2));
     assertThat(text)
-        .startsWith("Kicks are predicted 38 mm wrong after 1 s; with what was found, 12 mm. The");
+        .startsWith(
+            "Predictions of kicks are off by 38 mm after 1 s; with what was found, by 12 mm. The");
     assertThat(text.replace('\n', ' '))
         .contains("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
     assertThat(text).contains("21.20 ± 0.12").contains("12 mm (12 to 13), 83 %");
     assertThat(text).contains("; certain; gains");
-    assertThat(text).contains("These kicks cannot tell whether camera 0 or camera 1 is shifted.");
+    assertThat(text).contains("These kicks do not show whether camera 0 or camera 1 is shifted.");
     assertThat(text.replaceAll("\\s+", " "))
-        .contains("Another cause would explain these kicks as well: wrong ball height in vision.");
+        .contains(
+            "Another cause would explain these kicks about as well: wrong ball height in vision.");
     assertThat(text).doesNotContain("evidence", "18234");
     assertThat(text).contains("calibrated model").contains("14.20").contains("64.9");
     assertThat(text).contains("with what was found").contains("1.52").contains("29.0");
@@ -83,7 +85,8 @@ class DiagnosisTextTest {
   @Test
   void whatIsUnexplainedSaysOnWhatItDepends() {
     String text = String.join("\n", printed(SampleDiagnosis.unexplained(24), 12));
-    assertThat(text).startsWith("Kicks are predicted 19 mm wrong after 1 s. Something is wrong");
+    assertThat(text)
+        .startsWith("Predictions of kicks are off by 19 mm after 1 s. Something is wrong");
     assertThat(text).contains("depending on the time since the kick");
     assertThat(text).contains("In the data:\n  ").contains("\n  9 more, see diagnosis.json");
   }
@@ -92,7 +95,8 @@ class DiagnosisTextTest {
   void whatIsPartlyExplainedSaysWhatIsFoundWhatIsLeftAndWhatToDo() {
     String text = String.join("\n", printed(SampleDiagnosis.partly(24), 0));
     assertThat(text)
-        .startsWith("Kicks are predicted 50 cm wrong after 1 s; with what was found, 9 cm. The");
+        .startsWith(
+            "Predictions of kicks are off by 50 cm after 1 s; with what was found, by 9 cm. The");
     String line = text.replace("\n   ", " ").replace('\n', ' ');
     assertThat(line).contains("a part of its error is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");
@@ -141,7 +145,7 @@ class DiagnosisTextTest {
     String text =
         String.join(" ", printed(SampleDiagnosis.with(d, d.causes(), base, List.of()), 0));
     assertThat(text)
-        .startsWith("Kicks are predicted 54 mm wrong after 1 s")
+        .startsWith("Predictions of kicks are off by 54 mm after 1 s")
         .contains("54.3")
         .contains("some kicks are predicted far worse than most")
         .contains("of all kicks is 1049 mm");

@@ -250,17 +250,18 @@ class CauseWordsTest {
         Arguments.of(
             new Dependence(Variable.SESSION_TIME, Form.STEP, 1, 186, 0.17, low, high, 0.97, 1e-5),
             "From 3.1 minutes into the session on, the rolling deceleration (acc_roll) is 17 %"
-                + " higher. See whether another ball"),
+                + " higher. Check whether another ball"),
         Arguments.of(
             new Dependence(Variable.SESSION_TIME, Form.LINE, 1, none, 1e-3, low, high, 0.75, 1e-5),
             "The rolling deceleration (acc_roll) drifts during the session: it is 12 % below its"
                 + " mean at minute 1.1 and 10 % above it at minute 4.2. Beyond that it differs by"
-                + " 6.0 % from kick to kick, and nothing that was recorded says why. See what"
+                + " 6.0 % from kick to kick, and nothing that was recorded says why. Check what"
                 + " changed"),
         Arguments.of(
             new Dependence(Variable.SESSION_TIME, Form.CURVE, 4, none, none, low, high, 0.97, 1e-5),
             "follows the time since the session began in a smooth curve: it is lowest at minute"
-                + " 1.1, 12 % below its mean, and highest at minute 4.2, 10 % above it. See what"),
+                + " 1.1, 12 % below its mean, and highest at minute 4.2, 10 % above it. Check"
+                + " what"),
         Arguments.of(
             new Dependence(
                 Variable.SPEED,
@@ -424,8 +425,7 @@ class CauseWordsTest {
             12,
             new Gain(1, 10, 0.5, 1.5),
             List.of());
-    assertThat(WORDS.of(unsure).what())
-        .contains("topspin with some kicks and backspin with others");
+    assertThat(WORDS.of(unsure).what()).contains("topspin in some kicks and backspin in others");
     assertThat(WORDS.of(unsure).name()).isEqualTo("topspin/backspin from the kicker");
     Effect chips = new KickSpin(0.02, -0.3, true);
     Map<String, Double> errors = Map.of("fraction", 0.04, "chips", 0.04);
@@ -433,7 +433,7 @@ class CauseWordsTest {
         .contains("chips 28 % backspin and flat kicks no spin that is certain (2.0 ± 4.0 %)");
     assertThat(WORDS.of(new KickSpin(0.02, -0.05, true), errors).what())
         .isEqualTo(
-            "The kickers give the ball topspin with some kicks and backspin with others: on average"
+            "The kickers give the ball topspin in some kicks and backspin in others: on average"
                 + " −3.0 ± 4.0 % of the spin of a rolling ball in chips, 2.0 ± 4.0 % in flat"
                 + " kicks.");
     assertThat(WORDS.of(chips, errors).strength())
@@ -446,7 +446,7 @@ class CauseWordsTest {
   @Test
   void ofTwoCamerasItIsSaidThatEitherMayBeWrong() {
     assertThat(rivals(new CameraOffset(21, 0, 1), "camera_offset of camera 0"))
-        .isEqualTo("These kicks cannot tell whether camera 0 or camera 1 is shifted.");
+        .isEqualTo("These kicks do not show whether camera 0 or camera 1 is shifted.");
     assertThat(
             rivals(
                 new CameraTimeOffset(3, 10),
@@ -454,16 +454,17 @@ class CauseWordsTest {
                 "rolling_shutter",
                 "camera_time_offset of camera 0"))
         .startsWith(
-            "These kicks cannot tell whether camera 0, camera 2 or camera 10 has wrong time stamps."
-                + " Another cause would explain these kicks as well: rolling shutter.");
+            "These kicks do not show whether camera 0, camera 2 or camera 10 has wrong time stamps."
+                + " Another cause would explain these kicks about as well: rolling shutter.");
     assertThat(rivals(new BallHeightError(8), "camera_offset of camera 1"))
-        .startsWith("Another cause would explain these kicks as well: offset of camera 1.");
+        .startsWith("Another cause would explain these kicks about as well: offset of camera 1.");
     assertThat(
             rivals(
                 new LensDistortionError(0.01, LensDistortionError.ALL_CAMERAS),
                 "lens_distortion_error of camera 1"))
         .startsWith(
-            "Another cause would explain these kicks as well: wrong lens distortion of camera 1.");
+            "Another cause would explain these kicks about as well: wrong lens distortion of camera"
+                + " 1.");
     assertThat(EffectName.of("camera_offset of camera 1")).isEqualTo("offset of camera 1");
     assertThat(EffectName.of("camera_pose_error of camera 1")).isEqualTo("misplaced camera 1");
     assertThat(EffectName.of("clock_skew of camera 2"))

@@ -75,7 +75,7 @@ class PublishWordsTest {
                 + " vision's ball model cannot hold it.");
     assertThat(advice("camera_time_offset", "air_drag"))
         .isEqualTo(
-            "Correct this where it arises, and record again: wrong time stamps. For the rest (air"
+            "Correct this at its source, and record again: wrong time stamps. For the rest (air"
                 + " drag), let your AI load extended_model.json; vision's ball model cannot hold"
                 + " it.");
   }
@@ -98,8 +98,8 @@ class PublishWordsTest {
             PublishDecision.CHECK_FIRST, List.of(new Reason.KicksDiffer(2.5, 0.99, 2.6, 1)), true);
     assertThat(PublishWords.of(verdict).reasons())
         .containsExactly(
-            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; with"
-                + " values of its own for each kick, by 1.0 mm. No single value describes all"
+            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; a"
+                + " model of its own for each kick is off by 1.0 mm. No single value describes all"
                 + " kicks.");
   }
 

@@ -26,12 +26,13 @@ class VerdictTextTest {
   void explainedNamesTheCausesAndTheGain() {
     VerdictText text = VerdictText.of(SampleDiagnosis.explained(4));
     assertThat(text.headline())
-        .isEqualTo("Kicks are predicted 38 mm wrong after 1 s; with what was found, 12 mm.");
+        .isEqualTo(
+            "Predictions of kicks are off by 38 mm after 1 s; with what was found, by 12 mm.");
     assertThat(text.verdict())
         .isEqualTo("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text.lines())
         .containsExactly(
-            "With what was found, kicks that were held out fit to 1.6 mm instead"
+            "With what was found, held-out kicks fit to 1.6 mm instead"
                 + " of 14.6 mm (the cameras' noise is 1.5 mm). Predictions are off by 5.1 mm"
                 + " instead of 21 mm 0.5 s ahead, 12 mm instead of 38 mm 1 s ahead, 29 mm instead"
                 + " of 65 mm 2 s ahead.");
@@ -42,9 +43,9 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.adequate(12));
     assertThat(text.first())
         .isEqualTo(
-            "Kicks are predicted 13 mm wrong after 1 s. The model is right: nothing to correct.");
+            "Predictions of kicks are off by 13 mm after 1 s. The model is right: change nothing.");
     assertThat(text.lines().get(0))
-        .contains("fit to 1.5 mm rms; the noise of the cameras alone makes 1.5 mm");
+        .contains("fit to 1.5 mm rms; the noise of the cameras alone is 1.5 mm");
     assertThat(text.lines().get(1))
         .startsWith(EffectCatalogue.all().size() + " kinds of causes were tried");
   }
@@ -58,7 +59,7 @@ class VerdictTextTest {
   @Test
   void unexplainedBlamesNobody() {
     VerdictText text = VerdictText.of(SampleDiagnosis.unexplained(4));
-    assertThat(text.headline()).isEqualTo("Kicks are predicted 19 mm wrong after 1 s.");
+    assertThat(text.headline()).isEqualTo("Predictions of kicks are off by 19 mm after 1 s.");
     assertThat(text.verdict()).isEqualTo("Something is wrong that no known cause explains.");
     assertThat(text.lines().get(0))
         .isEqualTo(
@@ -72,7 +73,8 @@ class VerdictTextTest {
   void partlyExplainedSaysWhatIsFoundWhatIsLeftAndWhatToDo() {
     VerdictText text = VerdictText.of(SampleDiagnosis.partly(4));
     assertThat(text.headline())
-        .isEqualTo("Kicks are predicted 50 cm wrong after 1 s; with what was found, 9 cm.");
+        .isEqualTo(
+            "Predictions of kicks are off by 50 cm after 1 s; with what was found, by 9 cm.");
     assertThat(text.verdict())
         .startsWith("The model is wrong, and a part of its error is explained: air drag. This also")
         .contains(
@@ -95,7 +97,7 @@ class VerdictTextTest {
     Diagnosis lawAlone = SampleDiagnosis.with(d, List.of(), d.base(), d.problems());
     assertThat(VerdictText.of(lawAlone).verdict())
         .startsWith(
-            "The model is wrong. Another law takes the place of one of its own: bounces that build"
+            "The model is wrong. Another law replaces one of its own: bounces that build"
                 + " up spin. This also helps without a proven cause: ")
         .doesNotContain("no known cause", "Another law applies");
   }
@@ -105,18 +107,18 @@ class VerdictTextTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "103.6 | 95.7 | 104 mm wrong after 1 s; with what was found, 96 mm, hardly better.",
-        "60.0 | 55.0 | 60 mm wrong after 1 s; with what was found, 55 mm, hardly better.",
-        "12.5 | 12.4 | 13 mm wrong after 1 s; with what was found, 12 mm, no better.",
-        "41.6 | 47.6 | 42 mm wrong after 1 s; with what was found, 48 mm, worse."
+        "103.6 | 95.7 | 104 mm after 1 s; with what was found, by 96 mm, hardly better.",
+        "60.0 | 55.0 | 60 mm after 1 s; with what was found, by 55 mm, hardly better.",
+        "12.5 | 12.4 | 13 mm after 1 s; with what was found, by 12 mm, no better.",
+        "41.6 | 47.6 | 42 mm after 1 s; with what was found, by 48 mm, worse."
       })
   void theFirstLinePromisesNoMoreThanTheTableHolds(double before, double after, String said) {
     Diagnosis d = predicting(Map.of(1.0, before), Map.of(1.0, after));
     assertThat(VerdictText.of(d).headline())
         .isEqualTo(
-            "Kicks are predicted "
+            "Predictions of kicks are off by "
                 + said
-                + " Whole kicks that were held out are followed to 1.6 mm instead of 14.6 mm.");
+                + " Whole held-out kicks are followed to 1.6 mm instead of 14.6 mm.");
   }
 
   @Test
@@ -127,7 +129,8 @@ class VerdictTextTest {
         .isEqualTo("The model misses by 14.2 mm; with what was found, by 1.5 mm.");
     Quality brief = SampleDiagnosis.quality(14.2, 1.5, 14.6, Map.of(0.5, 50.2));
     assertThat(headline(d, brief))
-        .isEqualTo("Kicks are predicted 50 mm wrong after 0.5 s; with what was found, 5 mm.");
+        .isEqualTo(
+            "Predictions of kicks are off by 50 mm after 0.5 s; with what was found, by 5 mm.");
   }
 
   private static String headline(Diagnosis d, Quality base) {
@@ -186,7 +189,8 @@ class VerdictTextTest {
         new Quality(13.6, 1.5, 17.8, Map.of(0.5, 514.7, 1.0, 1048.7), Map.of(0.5, 28.1, 1.0, 54.3));
     VerdictText text = VerdictText.of(SampleDiagnosis.with(d, d.causes(), base, List.of()));
     assertThat(text.headline())
-        .isEqualTo("Kicks are predicted 54 mm wrong after 1 s; with what was found, 12 mm.");
+        .isEqualTo(
+            "Predictions of kicks are off by 54 mm after 1 s; with what was found, by 12 mm.");
     assertThat(text.lines())
         .contains(
             "With the calibrated model, some kicks are predicted far worse than most: 1 s ahead,"
@@ -197,12 +201,12 @@ class VerdictTextTest {
   /** A low chip may be taken for a flat kick, and a wild flat kick for a chip. */
   @ParameterizedTest
   @CsvSource({
-    "34, 1, Passes",
-    "9, 1, Passes",
-    "8, 2, Kicks",
-    "2, 8, Kicks",
-    "1, 9, Chips",
-    "1, 34, Chips"
+    "34, 1, passes",
+    "9, 1, passes",
+    "8, 2, kicks",
+    "2, 8, kicks",
+    "1, 9, chips",
+    "1, 34, chips"
   })
   void kicksAreCalledWhatNearlyAllOfThemAre(int flats, int chips, String called) {
     Diagnosis d = SampleDiagnosis.adequate(8);
@@ -210,7 +214,7 @@ class VerdictTextTest {
     kicks.addAll(Collections.nCopies(flats, first(d, KickKind.FLAT)));
     kicks.addAll(Collections.nCopies(chips, first(d, KickKind.CHIP)));
     assertThat(VerdictText.of(SampleDiagnosis.of(d, kicks)).headline())
-        .isEqualTo(called + " are predicted 13 mm wrong after 1 s.");
+        .isEqualTo("Predictions of " + called + " are off by 13 mm after 1 s.");
   }
 
   private static KickResiduals first(Diagnosis d, KickKind kind) {
@@ -237,7 +241,7 @@ class VerdictTextTest {
     assertThat(verdict)
         .contains("This also helps without a proven cause: height of bounces that depends on")
         .endsWith(
-            " Kicks that were held out do not show whether this helps: braking that depends on the"
+            " Held-out kicks do not show whether this helps: braking that depends on the"
                 + " speed.");
   }
 

@@ -51,10 +51,10 @@ class DiagnosisReportTest {
         .isEqualTo(new DiagnosisReport.EffectParameter("x_mm", "mm", 21.2, 0.12));
     assertThat(offset.parameters().get(2).error()).as("which camera").isNaN();
     assertThat(offset.rivals())
-        .startsWith("These kicks cannot tell whether camera 0 or camera 1 is shifted.")
+        .startsWith("These kicks do not show whether camera 0 or camera 1 is shifted.")
         .contains("wrong ball height in vision");
     assertThat(offset.certainty()).isEqualTo("certain");
-    assertThat(report.verdict().headline()).startsWith("Kicks are predicted 38 mm wrong");
+    assertThat(report.verdict().headline()).startsWith("Predictions of kicks are off by 38 mm");
     assertThat(report.before().horizons()).containsExactly(0.5, 1, 2);
     assertThat(report.after().typicalErrorMm()).containsExactly(5.1, 12.4, 29.0);
     assertThat(report.candidates()).hasSize(d.candidates().size());
