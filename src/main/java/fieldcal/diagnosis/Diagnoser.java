@@ -28,7 +28,7 @@ public final class Diagnoser {
    * Pieces of paths after which nothing is begun that can be left out; a processor of 2024 integrates about a million in a second. Chosen: flat kicks that causes explain needed half a million, chips of one mixture 15 million, and three recordings that nothing explains 50, 150 and 570
    * million.
    */
-  private static final long MOST_EFFORT = 30_000_000;
+  private static final long MOST_EFFORT = 60_000_000;
 
   private final List<? extends Effect> catalogue;
   private final long mostEffort;
