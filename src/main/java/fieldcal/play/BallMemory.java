@@ -49,8 +49,9 @@ final class BallMemory {
     return seen > Double.NEGATIVE_INFINITY;
   }
 
-  double unseen(double time) {
-    return time - seen;
+  /** When a camera saw it last, s. */
+  double seen() {
+    return seen;
   }
 
   double x() {

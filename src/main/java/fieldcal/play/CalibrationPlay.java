@@ -15,8 +15,11 @@ import java.util.function.Consumer;
  * is thrown once it runs: the play waits until a problem is over, or ends with a reason in {@link #state}. Not thread-safe.
  */
 public final class CalibrationPlay {
-  /** When there was no frame for longer, it is not known where the robots are, s. */
+  /** When no frame has arrived for longer, it is not known where the robots are, s. */
   private static final double NO_VISION = 0.15;
+
+  /** A vision that is later is too late to drive by, s; real ones are 0.03 to 0.15 s late. */
+  private static final double TOO_LATE = 0.3;
 
   /** Longest wait for the last fits, s. */
   private static final double LAST_FITS = 60;
@@ -34,6 +37,7 @@ public final class CalibrationPlay {
   private final Safety safety;
   private final List<Motion> motions = List.of(new Motion(), new Motion());
   private final List<Following> following;
+  private final VisionDelay vision = new VisionDelay();
 
   private Step step;
   private Optional<String> waiting = Optional.empty();
@@ -87,7 +91,10 @@ public final class CalibrationPlay {
       return standStill();
     }
     ball.update(world.ball(), world.time());
-    Situation s = new Situation(plan, ball, driver, safety, motions, following, world, passed);
+    vision.update(world.time(), world.visionTime(), span);
+    double delay = vision.delay();
+    Situation s =
+        new Situation(plan, ball, driver, safety, motions, following, world, passed, delay);
     for (int i = 0; i < 2; i++) {
       following.get(i).look(s.robot(i), span);
     }
@@ -136,8 +143,11 @@ public final class CalibrationPlay {
     if (permission != Permission.RUN) {
       return held("referee: " + permission.name());
     }
-    if (!(s.time() - s.world().visionTime() < NO_VISION)) {
+    if (!(vision.silent() < NO_VISION)) {
       return held("no vision");
+    }
+    if (s.visionDelay() > TOO_LATE) {
+      return held(String.format(Locale.ROOT, "vision is more than %.1f s late", TOO_LATE));
     }
     for (int i = 0; i < 2; i++) {
       if (!s.sees(i)) {

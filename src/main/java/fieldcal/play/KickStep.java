@@ -9,7 +9,10 @@ final class KickStep extends TaskStep {
   /** A slow ball farther from the dribbler was not pushed there by it, m. */
   private static final double ELSEWHERE = 0.5;
 
-  /** Longest time after it was disarmed in which a kicker may still fire, s: 70 ms until a slow robot hears of it, 60 ms until the ball is seen to leave, and three frames that show its speed. */
+  /**
+   * Longest time after it was disarmed in which a kicker of a robot that hears no later than usual may still fire, s: 70 ms until a slow robot hears of it, 60 ms until the ball is seen to leave, and
+   * three frames that show its speed.
+   */
   private static final double ON_ITS_WAY = 0.2;
 
   private double disarmed = Double.NaN;
@@ -28,11 +31,11 @@ final class KickStep extends TaskStep {
       return watch(s);
     }
     if (isKicked(s)) {
-      return new WatchStep(ledger, task, s.time());
+      return new WatchStep(ledger, task, s);
     }
     driveReceiver(s);
     if (!Double.isNaN(disarmed)) {
-      return s.time() - disarmed > ON_ITS_WAY ? misfired(s, reason) : this;
+      return mayFire(s) ? this : misfired(s, reason);
     }
     Robot r = s.robot(i);
     boolean passed = task.along(r.x(), r.y()) > -0.03;
@@ -55,10 +58,14 @@ final class KickStep extends TaskStep {
   }
 
   private boolean isKicked(Situation s) {
-    boolean mayFire = !(s.time() - disarmed > ON_ITS_WAY);
     double moved = s.ball().distance(task.x(), task.y());
     double fast = Math.max(0.5, 0.3 * task.kick().speed() * Math.cos(task.kick().elevation()));
-    return mayFire && moved > 0.06 && s.ball().speed() > fast;
+    return mayFire(s) && moved > 0.06 && s.ball().speed() > fast;
+  }
+
+  /** Whether a kick that was ordered before it was disarmed may still come to light: what counts is the time that vision has shown, which is late, or stands still while vision is silent. */
+  private boolean mayFire(Situation s) {
+    return !(s.world().visionTime() - disarmed > ON_ITS_WAY + s.heardLate(task.kicker()));
   }
 
   @Override
@@ -74,9 +81,9 @@ final class KickStep extends TaskStep {
       disarmed = Double.isNaN(disarmed) ? s.time() : disarmed;
     }
     if (isKicked(s)) {
-      return new WatchStep(ledger, task, s.time());
+      return new WatchStep(ledger, task, s);
     }
-    return s.time() - disarmed > ON_ITS_WAY ? lookAgain() : this;
+    return mayFire(s) ? this : lookAgain();
   }
 
   /** The robot stands, disarmed. A kick that still happens counts as one. */

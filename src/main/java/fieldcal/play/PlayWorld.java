@@ -9,7 +9,7 @@ import java.util.Optional;
  * What a host knows of the field at one tick. All times count from the same zero, whatever it is; positions are those of the field frame, m.
  *
  * @param time now, s; must not decrease from tick to tick
- * @param visionTime when any camera last sent a frame, s
+ * @param visionTime when the frame that arrived last, of any camera, was captured, s; it changes with every frame, and how far it is behind {@code time} shows how late vision is
  * @param ball the ball as it was seen last; empty when it was never seen
  * @param robots all robots that the host knows of, both teams
  * @param permission what the referee allows

@@ -8,7 +8,7 @@ import fieldcal.vision.RobotId;
  * @param number running number of this play, from 1; failed ones count
  * @param planned what was wanted
  * @param robot who kicked
- * @param time when the ball was seen to move, s, some hundredths late
+ * @param time when a camera first showed that the ball moved, s: by the time stamp of its frame, some hundredths after the kick, however late vision is
  * @param x where the ball lay, m
  * @param y where the ball lay, m
  * @param direction in which the robot was to kick, rad, counter-clockwise from x

@@ -23,6 +23,7 @@ final class Situation {
   private final List<Following> following;
   private final PlayWorld world;
   private final double passed;
+  private final double visionDelay;
   private final List<Robot> seen;
   private final Robot[] ours = new Robot[2];
   private final Velocity[] velocities = {Velocity.ZERO, Velocity.ZERO};
@@ -41,7 +42,8 @@ final class Situation {
       List<Motion> motions,
       List<Following> following,
       PlayWorld world,
-      double passed) {
+      double passed,
+      double visionDelay) {
     this.plan = plan;
     this.ball = ball;
     this.driver = driver;
@@ -50,6 +52,7 @@ final class Situation {
     this.following = following;
     this.world = world;
     this.passed = passed;
+    this.visionDelay = visionDelay;
     // A robot that was taken off the field stays an obstacle for some seconds only.
     seen = world.robots().stream().filter(r -> world.time() - r.seen() < 3 && isFinite(r)).toList();
     for (Robot r : seen) {
@@ -90,6 +93,23 @@ final class Situation {
     return passed;
   }
 
+  /** How late vision's frames arrive, s. */
+  double visionDelay() {
+    return visionDelay;
+  }
+
+  /** For how long something has not been seen that was seen then, beyond the delay of vision, s. */
+  private double unseen(double seen) {
+    return Math.max(0, world.time() - visionDelay - seen);
+  }
+
+  /**
+   * How much later than usual a robot does what it is ordered, s: the delay of vision is not part of it, as far as it is known. Weak brakes count as lateness, too.
+   */
+  double heardLate(int index) {
+    return Math.max(0, following.get(index).late() - Following.USUAL - visionDelay);
+  }
+
   BallMemory ball() {
     return ball;
   }
@@ -100,7 +120,7 @@ final class Situation {
   }
 
   boolean sees(int index) {
-    return ours[index] != null && world.time() - ours[index].seen() < ROBOT_UNSEEN;
+    return ours[index] != null && unseen(ours[index].seen()) < ROBOT_UNSEEN;
   }
 
   /** Whether one of our robots does not move, although it is commanded to drive. */
@@ -109,7 +129,7 @@ final class Situation {
   }
 
   double ballUnseen() {
-    return ball.unseen(world.time());
+    return unseen(ball.seen());
   }
 
   /** Robots that are not ours. */

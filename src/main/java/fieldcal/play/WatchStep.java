@@ -15,14 +15,16 @@ final class WatchStep implements Step {
   private final Ledger ledger;
   private final Task task;
   private final double kicked;
+  private final double shown;
   private final int number;
   private double outside = Double.NaN;
   private double held = Double.NaN;
 
-  WatchStep(Ledger ledger, Task task, double kicked) {
+  WatchStep(Ledger ledger, Task task, Situation s) {
     this.ledger = ledger;
     this.task = task;
-    this.kicked = kicked;
+    kicked = s.time();
+    shown = s.ball().seen();
     number = ledger.takeNumber(task.kicker());
   }
 
@@ -81,7 +83,7 @@ final class WatchStep implements Step {
             number,
             task.kick(),
             s.plan().robot(task.kicker()),
-            kicked,
+            shown,
             task.x(),
             task.y(),
             task.aim(),

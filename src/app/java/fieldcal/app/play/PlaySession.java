@@ -433,10 +433,13 @@ public final class PlaySession {
     show(world, play.tick(world), elapsed);
   }
 
-  private static boolean stands(PlayWorld world, RobotId id) {
+  private boolean stands(PlayWorld world, RobotId id) {
     return world
         .robot(id)
-        .map(robot -> world.time() - robot.seen() < UNSEEN && robot.speed() < STANDS)
+        .map(
+            robot ->
+                world.time() - model.visionDelay() - robot.seen() < UNSEEN
+                    && robot.speed() < STANDS)
         .orElse(false);
   }
 

@@ -178,20 +178,21 @@ final class RobotTracker {
     return !Double.isNaN(time);
   }
 
-  /** Where it is now, if it went on as it did; beyond {@link #GOES_ON} it is taken to stand. */
-  Robot at(double now) {
+  /** Where it is now, if it went on as it did, with a vision that is late by {@code delay}; not seen for {@link #GOES_ON} beyond that, it is taken to stand. */
+  Robot at(double now, double delay) {
     Track best = best();
     if (best == null) {
       // It was put elsewhere, where no camera is sure of it yet.
       return last;
     }
+    boolean known = now - delay - time < GOES_ON;
     double[] sum = new double[7];
     for (Map.Entry<Integer, Track> entry : tracks.entrySet()) {
       Track t = entry.getValue();
       boolean here = Math.hypot(t.x - best.x, t.y - best.y) < GATE;
       if (t.sure() && time - t.time < PRESENT && here) {
         double weight = Math.min(SETTLED, t.seen);
-        double ahead = now - time < GOES_ON ? Math.max(0, now - t.time) : time - t.time;
+        double ahead = known ? Math.max(0, now - t.time) : time - t.time;
         double turned = Math.IEEEremainder(t.orientation - best.orientation, 2 * Math.PI);
         sum[0] += weight;
         sum[1] += weight * (t.x + ahead * t.vx - offsets.x(entry.getKey()));
@@ -201,7 +202,6 @@ final class RobotTracker {
         sum[5] += weight * t.vy;
       }
     }
-    boolean known = now - time < GOES_ON;
     return new Robot(
         id,
         sum[1] / sum[0],

@@ -3,6 +3,7 @@ package fieldcal.app.play;
 import fieldcal.play.PlayWorld;
 import fieldcal.play.PlayWorld.Permission;
 import fieldcal.play.PlayWorld.Robot;
+import fieldcal.play.VisionDelay;
 import fieldcal.vision.RobotDetection;
 import fieldcal.vision.RobotId;
 import fieldcal.vision.VisionFrame;
@@ -18,6 +19,7 @@ public final class WorldModel {
   private final CameraOffsets offsets = new CameraOffsets();
   private final BallTracker ball = new BallTracker(offsets);
   private final Map<RobotId, RobotTracker> robots = new TreeMap<>();
+  private final VisionDelay vision = new VisionDelay();
   private double newest = Double.NEGATIVE_INFINITY;
 
   /** Nothing seen yet. */
@@ -29,7 +31,7 @@ public final class WorldModel {
    * @param frame of any camera
    */
   public void accept(VisionFrame frame) {
-    newest = Math.max(newest, frame.captureTime());
+    newest = frame.captureTime();
     ball.accept(frame);
     for (RobotDetection robot : frame.robots()) {
       robots
@@ -46,16 +48,26 @@ public final class WorldModel {
    * @return what is known
    */
   public PlayWorld at(double now, Permission permission) {
+    vision.update(now, newest, 0);
     List<Robot> seen = new ArrayList<>();
     for (RobotTracker tracker : robots.values()) {
       if (!tracker.known()) {
         continue;
       }
-      Robot robot = tracker.at(now);
+      Robot robot = tracker.at(now, vision.delay());
       if (now - robot.seen() < FORGET) {
         seen.add(robot);
       }
     }
     return new PlayWorld(now, newest, ball.ball(now), seen, permission);
+  }
+
+  /**
+   * How late frames arrive, as {@link #at} has found in every tick.
+   *
+   * @return s
+   */
+  public double visionDelay() {
+    return vision.delay();
   }
 }

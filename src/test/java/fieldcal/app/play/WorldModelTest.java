@@ -77,6 +77,7 @@ class WorldModelTest {
     for (int i = 0; i < 200; i++) {
       t = 0.015 * i;
       model.accept(frame(0, t, t, 1));
+      model.at(t, Permission.RUN);
     }
     assertThat(first(model, t + 0.2).x()).isCloseTo(t + 0.2, within(0.005));
     assertThat(first(model, t + 0.2).vx()).isCloseTo(1, within(0.02));
