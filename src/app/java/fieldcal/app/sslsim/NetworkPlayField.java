@@ -180,9 +180,10 @@ public final class NetworkPlayField implements PlayField {
     return origin;
   }
 
+  /** By positions of two fields nobody drives. {@inheritDoc} */
   @Override
   public Optional<String> hold() {
-    return client.hold();
+    return client.hold().or(network::mixed);
   }
 
   @Override
@@ -295,6 +296,7 @@ public final class NetworkPlayField implements PlayField {
   @Override
   public List<String> complaints() {
     List<String> all = new ArrayList<>(client.complaints());
+    all.addAll(network.complaints());
     all.addAll(watch.complaints());
     return all;
   }
