@@ -26,6 +26,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -59,6 +60,21 @@ final class PlayCommand implements Callable<Integer> {
   private static final double SLOWEST = 0.7;
 
   private static final double FASTEST = 10;
+
+  /** More than any robot of the league drives, m/s; chosen. Below, a kick would take minutes. */
+  private static final double FASTEST_DRIVE = 10;
+
+  private static final double SLOWEST_DRIVE = 0.1;
+
+  /** Options that only mean something on the simulated field, or only on the network. */
+  private static final List<String> SIMULATED =
+      List.of(
+          "--preset", "--like", "--effect", "--vision-like", "--robots-like", "--troubles", "--pace");
+
+  private static final List<String> NETWORK = List.of("--vision", "--referee", "--interface");
+
+  /** The flattest chip, degrees; chosen: a flatter one does not leave the carpet for long enough to be told from a flat kick. */
+  private static final double FLATTEST = 10;
 
   /** The steepest chip, degrees; the play takes up to 1.4 rad. */
   private static final double STEEPEST = 80;
@@ -235,6 +251,7 @@ final class PlayCommand implements Callable<Integer> {
         throw new IllegalArgumentException(
             "name one field: --sim, --ssl-sim HOST or --robots-at HOST:PORT");
       }
+      checkField();
       request = request();
       simulated = sim ? Optional.of(simulated(request)) : Optional.empty();
     } catch (IllegalArgumentException e) {
@@ -399,15 +416,31 @@ final class PlayCommand implements Callable<Integer> {
         .withLimits(limits, Optional.ofNullable(margin));
   }
 
+  /** An option that the chosen field ignores was meant for another one. */
+  private void checkField() {
+    refuse(sim ? NETWORK : SIMULATED, sim ? "--sim" : sslSim != null ? "--ssl-sim" : "--robots-at");
+    if (sslSim == null) {
+      refuse(List.of("--port"), sim ? "--sim" : "--robots-at");
+    }
+  }
+
+  private void refuse(List<String> options, String field) {
+    for (String option : options) {
+      if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw new IllegalArgumentException(option + " has no effect with " + field);
+      }
+    }
+  }
+
   private void checkRanges() {
     OptionRange.check("--kicks", kicks, 1, SessionRequest.MOST_KICKS, "");
     OptionRange.check("--speed-min", speedMin, SLOWEST, FASTEST, " m/s");
     OptionRange.check("--speed-max", speedMax, SLOWEST, FASTEST, " m/s");
-    OptionRange.check("--elevation", elevation, 0, STEEPEST, "°");
+    OptionRange.check("--elevation", elevation, FLATTEST, STEEPEST, "°");
     OptionRange.check("--margin", margin, 0, 1, " m");
     OptionRange.check("--troubles", troubles, 0, MOST_TROUBLES, "");
     OptionRange.positive("--receiver-distance", receiverDistance);
-    OptionRange.positive("--drive-speed", driveSpeed);
+    OptionRange.check("--drive-speed", driveSpeed, SLOWEST_DRIVE, FASTEST_DRIVE, " m/s");
     OptionRange.positive("--patience", patience);
     OptionRange.positive("--pace", pace);
   }

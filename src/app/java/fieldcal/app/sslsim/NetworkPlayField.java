@@ -287,7 +287,7 @@ public final class NetworkPlayField implements PlayField {
     List<String> notes = new ArrayList<>(network.notes());
     notes.addAll(watch.notes());
     if (Double.isNaN(newestFrame)) {
-      notes.add("Is vision running, and does it send to " + network + "?");
+      notes.add("check that vision is running, and that it sends to " + network);
     }
     notes.addAll(client.notes());
     return notes;

@@ -161,6 +161,14 @@ class PlayCommandTest {
         "play --sim --kind flat --kicks 3 --half left",
         "play --sim --kind flat --kicks 3 --speed-min 9 --speed-max 4",
         "play --sim --kind flat --kicks 3 --preset moon",
+        "play --sim --kind flat --kicks 3 --referee 224.5.23.1:10003",
+        "play --sim --kind flat --kicks 3 --port 10300",
+        "play --ssl-sim 127.0.0.1 --kind flat --kicks 3 --preset lab",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --robots-like sluggish",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --troubles 2",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --port 10300",
+        "play --sim --kind flat --kicks 3 --drive-speed 1e9",
+        "play --sim --kind chip --kicks 3 --elevation 0",
         "play --sim --kind flat --kicks 3 --effect gravity:g=2"
       })
   void badUsageIsStatusTwo(String line) {
