@@ -69,7 +69,13 @@ final class PlayCommand implements Callable<Integer> {
   /** Options that only mean something on the simulated field, or only on the network. */
   private static final List<String> SIMULATED =
       List.of(
-          "--preset", "--like", "--effect", "--vision-like", "--robots-like", "--troubles", "--pace");
+          "--preset",
+          "--like",
+          "--effect",
+          "--vision-like",
+          "--robots-like",
+          "--troubles",
+          "--pace");
 
   private static final List<String> NETWORK = List.of("--vision", "--referee", "--interface");
 
@@ -293,6 +299,7 @@ final class PlayCommand implements Callable<Integer> {
     try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none());
         WorkProgress fitting = new WorkProgress(Heartbeat.of(spec))) {
       PlaySession session = new PlaySession(request, field, s -> follow(s, field, text, progress));
+      session.whileItHasNotBegun(reason -> text.complaints(List.of(reason), progress));
       PrintWriter err = spec.commandLine().getErr();
       Runnable cleanUp = () -> forgetUnlessKept(directory);
       try (StopOnExit stop = new StopOnExit(session, Optional.ofNullable(out), cleanUp, err)) {
@@ -320,6 +327,7 @@ final class PlayCommand implements Callable<Integer> {
         request,
         truth.map(t -> t.get("ideal_model")),
         Optional.ofNullable(out).map(o -> result.directory()));
+    tellLeftOut(result);
     simulatorNotes(field);
     if (!result.session().complete()) {
       throw new InputException(stopped(result, field));
@@ -345,6 +353,17 @@ final class PlayCommand implements Callable<Integer> {
       SessionSnapshot s, PlayField field, PlayText text, TerminalProgress progress) {
     text.complaints(field.complaints(), progress);
     text.follow(s, progress);
+  }
+
+  /** Earlier sessions of the directory that are not part of the result. */
+  private void tellLeftOut(PlayRun.Result result) throws IOException {
+    if (out == null || result.calibration().isEmpty()) {
+      return;
+    }
+    Path log = result.session().log().orElseThrow();
+    for (Path other : PlayRun.leftOut(out, log)) {
+      spec.commandLine().getOut().println("left out: " + other + " is of another field or seed");
+    }
   }
 
   private void simulatorNotes(PlayField field) {

@@ -98,8 +98,8 @@ final class MixedFields {
     if (ignored.merge(from, 1, Integer::sum) == TOLD) {
       told.add(
           String.format(
-              "two senders of vision at once: camera %d comes from %s, and from %s, which is ignored;"
-                  + " switch one off, or give one another address",
+              "two senders of vision at once: camera %d comes from %s, and from %s, which is"
+                  + " ignored; switch one off, or give one another address",
               camera, text(owner), text(from)));
     }
     if (ignored.size() > 4 * MOST) {

@@ -59,13 +59,16 @@ public final class NetworkPlayField implements PlayField {
   private double refereeHeard = Double.NEGATIVE_INFINITY;
   private double teleported = Double.NEGATIVE_INFINITY;
   private Optional<String> over = Optional.empty();
+  private double lastJumps;
 
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
+      double jumpsBefore = watch.jumps();
       boolean whole = watch.frame(frame.captureTime(), network.arrival());
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
       if (over.isEmpty() && sent < newestFrame - CLOCK_JUMP) {
+        lastJumps = jumpsBefore;
         over =
             Optional.of(
                 String.format(
@@ -193,7 +196,8 @@ public final class NetworkPlayField implements PlayField {
 
   @Override
   public double clockJumps() {
-    return watch.jumps();
+    // A jump that ends the play changes no time that it is told.
+    return over.isPresent() ? lastJumps : watch.jumps();
   }
 
   @Override

@@ -8,6 +8,7 @@ import fieldcal.app.calibrate.CommandFile;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.DatagramSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -137,6 +138,26 @@ class PlayCommandTest {
     assertThat(err.toString())
         .startsWith("fieldcal: The play stopped after ")
         .contains(" of 2 good kicks: ");
+  }
+
+  @Test
+  void whoPlaysOnAnotherFieldIsToldWhichSessionIsLeftOut() {
+    assertThat(run("play --sim --kind flat --kicks 1 --seed 2 --out DIR")).isZero();
+    assertThat(out.toString()).doesNotContain("left out");
+    assertThat(run("play --sim --kind flat --kicks 1 --seed 3 --out DIR")).isZero();
+    assertThat(out.toString()).contains("left out: " + directory.resolve("session-flat.log"));
+  }
+
+  @Test
+  void whoWaitsForVisionIsToldSo() throws IOException {
+    int port;
+    try (DatagramSocket free = new DatagramSocket()) {
+      port = free.getLocalPort();
+    }
+    String line = "play --ssl-sim 127.0.0.1 --kind flat --kicks 1 --patience 2 --vision 127.0.0.1:";
+    assertThat(run(line + port)).isEqualTo(1);
+    assertThat(out.toString()).contains("waiting for the geometry of the field from vision");
+    assertThat(err.toString()).contains("vision sent no geometry for 5 s. ").doesNotContain("?.");
   }
 
   @Test
