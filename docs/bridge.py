@@ -3,6 +3,7 @@
 
 It needs nothing but Python. Write your radio into drive(); everything else may stay. Usage: bridge.py [PORT]
 """
+import logging  # Unlike print, it does not fail when the terminal is gone.
 import signal
 import socket
 import struct
@@ -45,6 +46,15 @@ def commands(packet):
                          kick=c.get(3, 0.0), angle=c.get(4, 0.0), dribbler=c.get(5, 0.0))
 
 
+def stopped(robot):
+    try:
+        drive(robot, STOP)
+        return True
+    except Exception as error:
+        logging.error("robot %d is not stopped yet: %r", robot, error)
+        return False
+
+
 def main():
     for number in {signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)}:  # Windows has no SIGHUP.
         signal.signal(number, signal.default_int_handler)  # kill and a closed terminal end it as Ctrl-C does.
@@ -64,13 +74,14 @@ def main():
             except socket.timeout:
                 pass
             except Exception as error:  # A wrong packet, or your radio: go on, and stop the robots if it lasts.
-                print("command lost: %r" % error, file=sys.stderr)
-            for robot in [r for r in heard if time.monotonic() - heard[r] > SILENCE]:
-                drive(robot, STOP)  # The play has ended, or the network has.
-                del heard[robot]
+                logging.error("command lost: %r", error)
+            now = time.monotonic()  # A silent robot: the play has ended, or the network has. Stop it as soon as the radio can.
+            heard = {r: last for r, last in heard.items() if now - last <= SILENCE or not stopped(r)}
     finally:
-        for robot in heard:
-            drive(robot, STOP)
+        end = time.monotonic() + 10 * SILENCE  # So long the radio may take to work again.
+        while heard and time.monotonic() < end:
+            heard = {r: last for r, last in heard.items() if not stopped(r)}
+            time.sleep(SILENCE / 4 if heard else 0)
 
 
 if __name__ == "__main__":

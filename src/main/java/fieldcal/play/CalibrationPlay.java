@@ -199,15 +199,16 @@ public final class CalibrationPlay {
     for (int i = 0; i < 2; i++) {
       Motion motion = motions.get(i);
       boolean before = motion.stuck();
-      motion.update(s.robot(i), answer.orders().get(i).velocity().speed(), span);
+      boolean kicks = step instanceof TaskStep && step.kicker() == i;
+      motion.update(s.robot(i), answer.orders().get(i).velocity().speed(), kicks, span);
       if (!motion.stuck()) {
         continue;
       }
-      waiting = Optional.of(plan.robot(i) + " does not move");
+      waiting = Optional.of(s.doesNotMove(i));
       waitingFor = heading(answer.orders().get(i));
       if (motion.stuckForGood()) {
         stop(waiting.get());
-      } else if (!before && step instanceof TaskStep && step.kicker() == i) {
+      } else if (!before && kicks) {
         // The other robot may be able to do it.
         ledger.remember(waiting.get());
         step = new CheckStep(ledger, -1);

@@ -128,6 +128,15 @@ final class Situation {
     return motions.get(index).stuck();
   }
 
+  /** Whether one of our robots has not moved for long enough that nothing else that it did not do is of interest. */
+  boolean hardlyMoves(int index) {
+    return motions.get(index).hardlyMoves();
+  }
+
+  String doesNotMove(int index) {
+    return plan.robot(index) + " does not move";
+  }
+
   double ballUnseen() {
     return unseen(ball.seen());
   }

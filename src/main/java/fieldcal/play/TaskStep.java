@@ -50,8 +50,11 @@ abstract class TaskStep implements Step {
     return lookAgain();
   }
 
-  /** The kicker was fired and the ball did not move: decides again what to do. */
+  /** The kicker was fired and the ball did not move: decides again what to do. It is not the kicker's fault when the robot did not move. */
   final Step misfired(Situation s, String reason) {
+    if (s.hardlyMoves(task.kicker())) {
+      return giveUp(s.doesNotMove(task.kicker()));
+    }
     ledger.misfired(task.kicker(), reason, s.time());
     return lookAgain();
   }

@@ -476,6 +476,20 @@ class CalibrationPlayTest {
     assertThat(play.state().waiting()).contains("yellow 3 does not move");
   }
 
+  /** Its kicker cannot reach the ball: that is not the kicker's fault. */
+  @Test
+  void aRobotThatStopsMovingBeforeItsKickIsNotToldToHaveABadKicker() {
+    flat(2);
+    until(PlayPhase.KICK);
+    double begin = field.time;
+    field.robots.values().forEach(robot -> robot.obeys = false);
+    field.run(play, 60);
+    assertThat(play.state().phase()).isEqualTo(PlayPhase.STOPPED);
+    assertThat(play.state().waiting().orElseThrow()).endsWith("does not move");
+    assertThat(play.state().remarks()).isEmpty();
+    assertThat(field.time - begin).isBetween(19.0, 22.0);
+  }
+
   @Test
   void aThirdRobotInTheWayIsDrivenRound() {
     flat(3);

@@ -26,6 +26,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -59,6 +60,27 @@ final class PlayCommand implements Callable<Integer> {
   private static final double SLOWEST = 0.7;
 
   private static final double FASTEST = 10;
+
+  /** More than any robot of the league drives, m/s; chosen. Below, a kick would take minutes. */
+  private static final double FASTEST_DRIVE = 10;
+
+  private static final double SLOWEST_DRIVE = 0.1;
+
+  /** Options that only mean something on the simulated field, or only on the network. */
+  private static final List<String> SIMULATED =
+      List.of(
+          "--preset",
+          "--like",
+          "--effect",
+          "--vision-like",
+          "--robots-like",
+          "--troubles",
+          "--pace");
+
+  private static final List<String> NETWORK = List.of("--vision", "--referee", "--interface");
+
+  /** The flattest chip, degrees; chosen: a flatter one does not leave the carpet for long enough to be told from a flat kick. */
+  private static final double FLATTEST = 10;
 
   /** The steepest chip, degrees; the play takes up to 1.4 rad. */
   private static final double STEEPEST = 80;
@@ -235,6 +257,7 @@ final class PlayCommand implements Callable<Integer> {
         throw new IllegalArgumentException(
             "name one field: --sim, --ssl-sim HOST or --robots-at HOST:PORT");
       }
+      checkField();
       request = request();
       simulated = sim ? Optional.of(simulated(request)) : Optional.empty();
     } catch (IllegalArgumentException e) {
@@ -276,6 +299,7 @@ final class PlayCommand implements Callable<Integer> {
     try (TerminalProgress progress = TerminalProgress.ofWords(Heartbeat.none());
         WorkProgress fitting = new WorkProgress(Heartbeat.of(spec))) {
       PlaySession session = new PlaySession(request, field, s -> follow(s, field, text, progress));
+      session.whileItHasNotBegun(reason -> text.complaints(List.of(reason), progress));
       PrintWriter err = spec.commandLine().getErr();
       Runnable cleanUp = () -> forgetUnlessKept(directory);
       try (StopOnExit stop = new StopOnExit(session, Optional.ofNullable(out), cleanUp, err)) {
@@ -303,6 +327,7 @@ final class PlayCommand implements Callable<Integer> {
         request,
         truth.map(t -> t.get("ideal_model")),
         Optional.ofNullable(out).map(o -> result.directory()));
+    tellLeftOut(result);
     simulatorNotes(field);
     if (!result.session().complete()) {
       throw new InputException(stopped(result, field));
@@ -328,6 +353,17 @@ final class PlayCommand implements Callable<Integer> {
       SessionSnapshot s, PlayField field, PlayText text, TerminalProgress progress) {
     text.complaints(field.complaints(), progress);
     text.follow(s, progress);
+  }
+
+  /** Earlier sessions of the directory that are not part of the result. */
+  private void tellLeftOut(PlayRun.Result result) throws IOException {
+    if (out == null || result.calibration().isEmpty()) {
+      return;
+    }
+    Path log = result.session().log().orElseThrow();
+    for (Path other : PlayRun.leftOut(out, log)) {
+      spec.commandLine().getOut().println("left out: " + other + " is of another field or seed");
+    }
   }
 
   private void simulatorNotes(PlayField field) {
@@ -399,15 +435,31 @@ final class PlayCommand implements Callable<Integer> {
         .withLimits(limits, Optional.ofNullable(margin));
   }
 
+  /** An option that the chosen field ignores was meant for another one. */
+  private void checkField() {
+    refuse(sim ? NETWORK : SIMULATED, sim ? "--sim" : sslSim != null ? "--ssl-sim" : "--robots-at");
+    if (sslSim == null) {
+      refuse(List.of("--port"), sim ? "--sim" : "--robots-at");
+    }
+  }
+
+  private void refuse(List<String> options, String field) {
+    for (String option : options) {
+      if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw new IllegalArgumentException(option + " has no effect with " + field);
+      }
+    }
+  }
+
   private void checkRanges() {
     OptionRange.check("--kicks", kicks, 1, SessionRequest.MOST_KICKS, "");
     OptionRange.check("--speed-min", speedMin, SLOWEST, FASTEST, " m/s");
     OptionRange.check("--speed-max", speedMax, SLOWEST, FASTEST, " m/s");
-    OptionRange.check("--elevation", elevation, 0, STEEPEST, "°");
+    OptionRange.check("--elevation", elevation, FLATTEST, STEEPEST, "°");
     OptionRange.check("--margin", margin, 0, 1, " m");
     OptionRange.check("--troubles", troubles, 0, MOST_TROUBLES, "");
     OptionRange.positive("--receiver-distance", receiverDistance);
-    OptionRange.positive("--drive-speed", driveSpeed);
+    OptionRange.check("--drive-speed", driveSpeed, SLOWEST_DRIVE, FASTEST_DRIVE, " m/s");
     OptionRange.positive("--patience", patience);
     OptionRange.positive("--pace", pace);
   }

@@ -144,6 +144,24 @@ public final class MatchNetwork implements AutoCloseable {
   }
 
   /**
+   * Whether one sender of vision mixes two fields now; for the thread that calls {@link #receive}.
+   *
+   * @return a clause for the operator; empty when all is well
+   */
+  public Optional<String> mixed() {
+    return visionSource.mixed().mixed();
+  }
+
+  /**
+   * What the operator should hear of at once; for the thread that calls {@link #receive}.
+   *
+   * @return a sentence each; none ever changes or goes away
+   */
+  public List<String> complaints() {
+    return visionSource.mixed().told();
+  }
+
+  /**
    * How it does, for the operator.
    *
    * @return one line for each thing worth knowing

@@ -41,6 +41,10 @@ final class Sources<D> {
       return decoder;
     }
 
+    InetSocketAddress address() {
+      return address;
+    }
+
     /** Whether anything it sent could be read; asked between its packets. */
     private boolean wasUnderstood() {
       return packets > wrong;
@@ -115,6 +119,16 @@ final class Sources<D> {
     }
     owner.last = now;
     return true;
+  }
+
+  /** Who is listened to for something; somebody must have said it. */
+  synchronized InetSocketAddress owner(Object what) {
+    return owners.get(what).address;
+  }
+
+  /** For how long that one has not said it, ns. */
+  synchronized long age(Object what, long now) {
+    return now - owners.get(what).last;
   }
 
   /** Packets of senders that were too many, and of those that made room for others. */

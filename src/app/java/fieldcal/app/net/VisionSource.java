@@ -44,6 +44,7 @@ public final class VisionSource {
 
   private final Sources<VisionDecoder> sources;
   private final Sink sink;
+  private final MixedFields mixed = new MixedFields();
   private volatile long frames;
   private volatile long lastFrame;
   private Arrival arrival;
@@ -75,8 +76,7 @@ public final class VisionSource {
     }
     Optional<FieldGeometry> geometry =
         content.geometry().filter(g -> sources.owns(source, GEOMETRY, now));
-    Optional<VisionFrame> frame =
-        content.frame().filter(f -> sources.owns(source, f.cameraId(), now));
+    Optional<VisionFrame> frame = content.frame().filter(f -> listensTo(source, f, now));
     if (geometry.isPresent() || frame.isPresent()) {
       sink.visionMessage(packet.data(), now);
     }
@@ -88,6 +88,21 @@ public final class VisionSource {
       seamless = true;
       sink.frame(frame.get());
     }
+  }
+
+  private boolean listensTo(Sources.Source<VisionDecoder> source, VisionFrame frame, long now) {
+    int camera = frame.cameraId();
+    if (sources.owns(source, camera, now)) {
+      mixed.frame(source.address(), frame);
+      return true;
+    }
+    mixed.ignored(source.address(), camera, sources.owner(camera), sources.age(camera, now));
+    return false;
+  }
+
+  /** Where two fields come in at once; from the thread that calls {@link #accept}. */
+  MixedFields mixed() {
+    return mixed;
   }
 
   /**

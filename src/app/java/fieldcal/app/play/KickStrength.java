@@ -2,6 +2,7 @@ package fieldcal.app.play;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CommandFile.Command;
+import fieldcal.fit.Estimate;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
 import fieldcal.vision.RobotId;
@@ -13,7 +14,7 @@ import java.util.TreeMap;
 
 /**
  * What one robot makes of its kick commands: measured speed = offset + gain · commanded speed, turned by yaw; what is left scatters from kick to kick. Standard errors assume that this scatter is
- * random and the same at all speeds.
+ * random and the same at all speeds. A few kicks may agree by chance: their errors also assume that kicks scatter by at least about 1 % and 0.5°, and are widened by Student's t.
  *
  * @param robot who
  * @param kind flat kicks or chips
@@ -22,7 +23,7 @@ import java.util.TreeMap;
  * @param gainError standard error; NaN with too few kicks to tell
  * @param offset m/s; NaN when the speeds are too few or too alike to tell it from the gain: then the gain is measured over commanded speed
  * @param offsetError m/s; NaN when the offset was not estimated
- * @param speedScatter standard deviation from kick to kick, m/s; NaN with too few kicks
+ * @param speedScatter standard deviation from kick to kick, m/s; NaN with too few kicks to tell: two more than are fitted are needed
  * @param yaw to the left of what was commanded, rad
  * @param yawError rad; NaN with one kick
  * @param yawScatter rad; NaN with one kick
@@ -49,10 +50,24 @@ public record KickStrength(
   /** Kicks whose commanded speeds differ less than that, as a standard deviation, cannot tell an offset from a gain, m/s. */
   private static final double LEAST_SPREAD = 0.4;
 
+  /** What kicks scatter by, as far as is known before there are any, as a share of the speed, and rad; chosen: good kickers do. It weighs as much as one kick. */
+  private static final double USUAL_SPEED_SCATTER = 0.01;
+
+  private static final double USUAL_ANGLE_SCATTER = Math.toRadians(0.5);
+
+  /** The scatter that standard errors assume, with what usual kicks scatter by, and the squares of what is left with so many degrees of freedom; NaN without any. */
+  private static double assumedScatter(double usual, double squares, int free) {
+    if (free < 1) {
+      return Double.NaN;
+    }
+    // The usual scatter is one more degree of freedom, samples are another one more.
+    return Estimate.student(free + 2) * Math.sqrt((usual * usual + squares) / (free + 1));
+  }
+
   /** Told and measured, of one kick. */
   record Pair(double told, double speed, double yaw, double elevation) {}
 
-  /** Mean, its standard error and the scatter. */
+  /** Mean, its standard error, if it is one of angles, and the scatter. */
   private record Mean(double value, double error, double scatter) {
     static Mean of(double[] values) {
       double sum = 0;
@@ -64,8 +79,10 @@ public record KickStrength(
       for (double v : values) {
         squares += (v - mean) * (v - mean);
       }
-      double scatter = values.length > 1 ? Math.sqrt(squares / (values.length - 1)) : Double.NaN;
-      return new Mean(mean, scatter / Math.sqrt(values.length), scatter);
+      int free = values.length - 1;
+      double scatter = free > 0 ? Math.sqrt(squares / free) : Double.NaN;
+      double assumed = assumedScatter(USUAL_ANGLE_SCATTER, squares, free);
+      return new Mean(mean, assumed / Math.sqrt(values.length), scatter);
     }
   }
 
@@ -127,15 +144,16 @@ public record KickStrength(
       rest += Math.pow(p.speed - through - gain * p.told, 2);
     }
     int free = n - (line ? 2 : 1);
-    double scatter = free > 0 ? Math.sqrt(rest / free) : Double.NaN;
+    double scatter = free > 1 ? Math.sqrt(rest / free) : Double.NaN;
+    double assumed = assumedScatter(USUAL_SPEED_SCATTER * speeds / n, rest, free);
     double offsetError =
-        line ? scatter * Math.sqrt(1.0 / n + centre * centre / squares) : Double.NaN;
+        line ? assumed * Math.sqrt(1.0 / n + centre * centre / squares) : Double.NaN;
     return new KickStrength(
         robot,
         kind,
         n,
         gain,
-        scatter / Math.sqrt(squares),
+        assumed / Math.sqrt(squares),
         offset,
         offsetError,
         scatter,

@@ -127,6 +127,21 @@ public final class PlayRun {
   }
 
   /**
+   * The sessions in a directory that are not calibrated together with one of them, because they are of another field.
+   *
+   * @param directory of the sessions
+   * @param session one of them
+   * @return their game logs by name
+   * @throws IOException when one cannot be read
+   */
+  public static List<Path> leftOut(Path directory, Path session) throws IOException {
+    List<Path> others = new ArrayList<>(logs(directory));
+    others.removeAll(alike(directory, session));
+    others.remove(session);
+    return others;
+  }
+
+  /**
    * The sessions that were recorded in a directory.
    *
    * @param directory may be missing

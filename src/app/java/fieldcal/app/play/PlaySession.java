@@ -50,6 +50,12 @@ public final class PlaySession {
   /** Vision must send the geometry within that time, s; SSL-Vision does every three seconds. */
   private static final double GEOMETRY = 10;
 
+  /** It is at least waited for that long, whatever the patience, s. */
+  private static final double LEAST_GEOMETRY = 5;
+
+  /** After so long the operator hears what is waited for, s. */
+  private static final double TELL_WAIT = 2.5;
+
   /** At the end robots are told to stand for at least, and at most, so many ticks: more than one, since one may get lost. */
   private static final int FEWEST_LAST_TICKS = 20;
 
@@ -79,6 +85,7 @@ public final class PlaySession {
   private volatile boolean robotsStand;
   private final CountDownLatch ended = new CountDownLatch(1);
 
+  private Consumer<String> whileWaiting = reason -> {};
   private SessionRecorder recorder;
   private CalibrationPlay play;
   private FieldGeometry geometry;
@@ -183,8 +190,20 @@ public final class PlaySession {
     }
   }
 
+  /**
+   * Who wants to hear what is waited for before the first snapshot; to be called before {@link #run}.
+   *
+   * @param listener gets a clause for the operator, on the thread of {@link #run}
+   */
+  public void whileItHasNotBegun(Consumer<String> listener) {
+    whileWaiting = listener;
+  }
+
   private void waitForGeometry() throws IOException {
     double first = Double.NaN;
+    boolean told = false;
+    double patience = request.limits().patience();
+    double longest = Math.min(GEOMETRY, Math.max(LEAST_GEOMETRY, patience));
     while (geometry == null) {
       double now = field.next(receiver);
       first = Double.isNaN(first) ? now : first;
@@ -194,12 +213,16 @@ public final class PlaySession {
       if (field.over().isPresent()) {
         throw new IOException(field.over().get());
       }
-      if (now - first > GEOMETRY) {
+      if (geometry == null && !told && now - first > Math.min(TELL_WAIT, patience / 2)) {
+        told = true;
+        whileWaiting.accept("waiting for the geometry of the field from vision");
+      }
+      if (now - first > longest) {
         throw new IOException(
             "vision sent no geometry for "
-                + (int) GEOMETRY
+                + Math.round(longest)
                 + " s. "
-                + (field.notes().isEmpty() ? "Is it running?" : String.join(". ", field.notes())));
+                + (field.notes().isEmpty() ? "Is it running?" : String.join("; ", field.notes())));
       }
     }
   }

@@ -59,13 +59,16 @@ public final class NetworkPlayField implements PlayField {
   private double refereeHeard = Double.NEGATIVE_INFINITY;
   private double teleported = Double.NEGATIVE_INFINITY;
   private Optional<String> over = Optional.empty();
+  private double lastJumps;
 
   private final class Sink implements MatchNetwork.Sink {
     @Override
     public void frame(VisionFrame frame) {
+      double jumpsBefore = watch.jumps();
       boolean whole = watch.frame(frame.captureTime(), network.arrival());
       double sent = Double.isNaN(frame.sentTime()) ? frame.captureTime() : frame.sentTime();
       if (over.isEmpty() && sent < newestFrame - CLOCK_JUMP) {
+        lastJumps = jumpsBefore;
         over =
             Optional.of(
                 String.format(
@@ -180,9 +183,10 @@ public final class NetworkPlayField implements PlayField {
     return origin;
   }
 
+  /** By positions of two fields nobody drives. {@inheritDoc} */
   @Override
   public Optional<String> hold() {
-    return client.hold();
+    return client.hold().or(network::mixed);
   }
 
   @Override
@@ -192,7 +196,8 @@ public final class NetworkPlayField implements PlayField {
 
   @Override
   public double clockJumps() {
-    return watch.jumps();
+    // A jump that ends the play changes no time that it is told.
+    return over.isPresent() ? lastJumps : watch.jumps();
   }
 
   @Override
@@ -286,7 +291,7 @@ public final class NetworkPlayField implements PlayField {
     List<String> notes = new ArrayList<>(network.notes());
     notes.addAll(watch.notes());
     if (Double.isNaN(newestFrame)) {
-      notes.add("Is vision running, and does it send to " + network + "?");
+      notes.add("check that vision is running, and that it sends to " + network);
     }
     notes.addAll(client.notes());
     return notes;
@@ -295,6 +300,7 @@ public final class NetworkPlayField implements PlayField {
   @Override
   public List<String> complaints() {
     List<String> all = new ArrayList<>(client.complaints());
+    all.addAll(network.complaints());
     all.addAll(watch.complaints());
     return all;
   }

@@ -8,6 +8,7 @@ import fieldcal.app.calibrate.CommandFile;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.DatagramSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -140,6 +141,26 @@ class PlayCommandTest {
   }
 
   @Test
+  void whoPlaysOnAnotherFieldIsToldWhichSessionIsLeftOut() {
+    assertThat(run("play --sim --kind flat --kicks 1 --seed 2 --out DIR")).isZero();
+    assertThat(out.toString()).doesNotContain("left out");
+    assertThat(run("play --sim --kind flat --kicks 1 --seed 3 --out DIR")).isZero();
+    assertThat(out.toString()).contains("left out: " + directory.resolve("session-flat.log"));
+  }
+
+  @Test
+  void whoWaitsForVisionIsToldSo() throws IOException {
+    int port;
+    try (DatagramSocket free = new DatagramSocket()) {
+      port = free.getLocalPort();
+    }
+    String line = "play --ssl-sim 127.0.0.1 --kind flat --kicks 1 --patience 2 --vision 127.0.0.1:";
+    assertThat(run(line + port)).isEqualTo(1);
+    assertThat(out.toString()).contains("waiting for the geometry of the field from vision");
+    assertThat(err.toString()).contains("vision sent no geometry for 5 s. ").doesNotContain("?.");
+  }
+
+  @Test
   void aLineOffTheFieldIsRefused() {
     assertThat(run("play --sim --kind chip --kicks 3 --across 40 --out DIR")).isEqualTo(1);
     assertThat(err.toString().lines()).hasSize(1);
@@ -161,6 +182,14 @@ class PlayCommandTest {
         "play --sim --kind flat --kicks 3 --half left",
         "play --sim --kind flat --kicks 3 --speed-min 9 --speed-max 4",
         "play --sim --kind flat --kicks 3 --preset moon",
+        "play --sim --kind flat --kicks 3 --referee 224.5.23.1:10003",
+        "play --sim --kind flat --kicks 3 --port 10300",
+        "play --ssl-sim 127.0.0.1 --kind flat --kicks 3 --preset lab",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --robots-like sluggish",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --troubles 2",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --port 10300",
+        "play --sim --kind flat --kicks 3 --drive-speed 1e9",
+        "play --sim --kind chip --kicks 3 --elevation 0",
         "play --sim --kind flat --kicks 3 --effect gravity:g=2"
       })
   void badUsageIsStatusTwo(String line) {

@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import fieldcal.proto.Referee;
 import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
+import fieldcal.vision.RobotDetection;
+import fieldcal.vision.RobotId;
+import fieldcal.vision.Team;
 import fieldcal.vision.VisionEncoder;
 import fieldcal.vision.VisionFrame;
 import fieldcal.vision.VisionPacket;
@@ -74,6 +77,61 @@ class SourcesTest {
               assertThat(b.ignored()).isEqualTo(51);
               assertThat(b.cameras()).isEmpty();
             });
+  }
+
+  private static byte[] robot(int camera, double time, double x) {
+    RobotDetection robot =
+        new RobotDetection(new RobotId(Team.YELLOW, 3), x, 0.5, 0, 1, Double.NaN);
+    VisionFrame frame =
+        new VisionFrame(camera, 1, time, time + 0.01, Double.NaN, List.of(), List.of(robot));
+    return new VisionEncoder(EPOCH).encode(VisionPacket.of(frame));
+  }
+
+  @Test
+  void twoSendersOfOneCameraAreNamed() {
+    for (int i = 0; i < 150; i++) {
+      double now = i / 70.0;
+      send(FIELD_A, robot(0, now, 1), now);
+      send(FIELD_B, robot(0, now, -2), now + 0.001);
+    }
+    assertThat(vision.mixed().told())
+        .containsExactly(
+            "two senders of vision at once: camera 0 comes from 10.0.0.1:4001, and from"
+                + " 10.0.0.2:4001, which is ignored; switch one off, or give one another address");
+    assertThat(vision.mixed().mixed()).isEmpty();
+  }
+
+  @Test
+  void visionThatIsStartedAnewIsNoSecondOne() {
+    for (int i = 0; i < 700; i++) {
+      double now = i / 70.0;
+      send(i < 70 ? FIELD_A : FIELD_B, robot(0, now, 1), now);
+    }
+    assertThat(vision.mixed().told()).isEmpty();
+  }
+
+  /** A relay sends the frames of both from its own address. */
+  @Test
+  void twoFieldsFromOneSenderAreNoticedWhileTheyLast() {
+    for (int i = 0; i < 100; i++) {
+      double now = i / 70.0;
+      send(FIELD_A, robot(0, now, 1 + 0.02 * i), now);
+    }
+    assertThat(vision.mixed().mixed()).isEmpty();
+    for (int i = 100; i < 150; i++) {
+      double now = i / 70.0;
+      send(FIELD_A, robot(0, now, 3), now);
+      send(FIELD_A, robot(0, now, -2), now + 0.001);
+    }
+    assertThat(vision.mixed().mixed())
+        .contains(
+            "vision mixes two fields: robots are in two places at once in the frames from"
+                + " 10.0.0.1:4001");
+    for (int i = 150; i < 250; i++) {
+      double now = i / 70.0;
+      send(FIELD_A, robot(0, now, 3), now);
+    }
+    assertThat(vision.mixed().mixed()).isEmpty();
   }
 
   @Test

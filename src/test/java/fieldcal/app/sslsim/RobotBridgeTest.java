@@ -22,6 +22,7 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.SocketTimeoutException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -32,6 +33,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -225,8 +227,15 @@ class RobotBridgeTest {
     void of(Process example, int port, BridgeClient client, BufferedReader said) throws Exception;
   }
 
+  private static Path example() {
+    return Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "bridge.py");
+  }
+
   private static void withTheExample(Visit visit) throws Exception {
-    Path example = Path.of(System.getProperty("fieldcal.projectDir", "."), "docs", "bridge.py");
+    with(example(), visit);
+  }
+
+  private static void with(Path example, Visit visit) throws Exception {
     int port = freePort();
     Process process;
     try {
@@ -334,6 +343,45 @@ class RobotBridgeTest {
           assertThat(stopOf(3, said)).contains("kick 0.000");
           assertThat(stopOf(11, said)).contains("kick 0.000");
           assertThat(example.waitFor(5, TimeUnit.SECONDS)).isTrue();
+        });
+  }
+
+  /** The example with a radio that fails as long as a file is there. */
+  private static Path withBrokenRadio(Path directory, Path broken) throws IOException {
+    String text = Files.readString(example());
+    String radio = "    print(\"robot %d: \"";
+    assertThat(text).contains(radio);
+    String fails =
+        "    import os\n    if os.path.exists('"
+            + broken
+            + "'):\n        raise OSError('radio: busy')\n";
+    return Files.writeString(directory.resolve("bridge.py"), text.replace(radio, fails + radio));
+  }
+
+  /** A radio keeps the last command: robots that it could not stop are stopped as soon as it works again. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theExampleStopsTheRobotsWhenItsRadioWorksAgain(boolean ended, @TempDir Path directory)
+      throws Exception {
+    Path broken = directory.resolve("broken");
+    with(
+        withBrokenRadio(directory, broken),
+        (example, port, client, said) -> {
+          command(client, 3, 11);
+          Files.createFile(broken);
+          if (ended) {
+            new ProcessBuilder("kill", Long.toString(example.pid())).start().waitFor();
+          }
+          Thread.sleep(600);
+          assertThat(example.isAlive()).isTrue();
+          Files.delete(broken);
+          assertThat(stopOf(3, said)).contains("kick 0.000");
+          assertThat(stopOf(11, said)).contains("kick 0.000");
+          if (!ended) {
+            // It goes on.
+            Thread.sleep(350);
+            command(client, 3);
+          }
         });
   }
 }
