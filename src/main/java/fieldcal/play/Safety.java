@@ -39,6 +39,9 @@ final class Safety {
   /** A contact that is no faster harms nobody, m/s: the goal of the play. */
   private static final double HARMLESS = 0.1;
 
+  /** Speed beside its way that a turning robot may have anywhere, m/s: a turn while it creeps hardly matters. */
+  private static final double TURNED = 0.1;
+
   private static final int ROUNDS = 3;
 
   private final PlayArea area;
@@ -66,15 +69,19 @@ final class Safety {
     Room room = room(robot, following, able);
     v[0] *= alongEdge(Math.min(room.up(), room.down()));
     v[1] *= alongEdge(Math.min(room.right(), room.left()));
+    double later = Math.max(0, following.late() - Following.USUAL);
+    double turn = turnInside(room, robot, later, able, v);
+    double angular = Math.max(-turn, Math.min(turn, wanted.angular()));
+    double beside = BESIDE + later * Math.abs(angular);
     for (int round = 0; round < ROUNDS; round++) {
       for (Robot other : others) {
         if (!other.id().equals(robot.id())) {
           keepApart(robot, other, ours.contains(other), following, able, v);
         }
       }
-      keepInside(room, robot, able, v);
+      keepInside(room, robot, beside, able, v);
     }
-    return new Velocity(v[0], v[1], wanted.angular());
+    return new Velocity(v[0], v[1], angular);
   }
 
   private void keepApart(
@@ -143,16 +150,30 @@ final class Safety {
   }
 
   /** A robot drives beside its way by a part of the speed that it has, or will have when it does what it is ordered: outward, if it comes to the worst. */
-  private static void keepInside(Room room, Robot robot, Able able, double[] v) {
+  private static void keepInside(Room room, Robot robot, double beside, Able able, double[] v) {
     double speed = Math.max(robot.speed(), Math.hypot(v[0], v[1]));
-    double besideX = BESIDE * Math.max(Math.abs(robot.vy()), Math.abs(v[1]));
-    double besideY = BESIDE * Math.max(Math.abs(robot.vx()), Math.abs(v[0]));
+    double besideX = beside * Math.max(Math.abs(robot.vy()), Math.abs(v[1]));
+    double besideY = beside * Math.max(Math.abs(robot.vx()), Math.abs(v[0]));
     double left = besideX - outward(room.left(), speed, able);
     double right = outward(room.right(), speed, able) - besideX;
     double down = besideY - outward(room.down(), speed, able);
     double up = outward(room.up(), speed, able) - besideY;
     v[0] = Math.max(left, Math.min(right, v[0]));
     v[1] = Math.max(down, Math.min(up, v[1]));
+  }
+
+  /**
+   * Fastest turn, rad/s, of a robot that follows later than usual by {@code later}. What it is ordered is meant for the direction that it looks to as far as that is known: one that turns drives
+   * beside its way by the angle that it has turned meanwhile. Robots that follow as usual turn as they want.
+   */
+  private static double turnInside(Room room, Robot robot, double later, Able able, double[] v) {
+    double speedX = Math.max(Math.abs(robot.vx()), Math.abs(v[0]));
+    double speedY = Math.max(Math.abs(robot.vy()), Math.abs(v[1]));
+    double speed = Math.hypot(speedX, speedY);
+    double x = outward(Math.min(room.left(), room.right()), speed, able);
+    double y = outward(Math.min(room.down(), room.up()), speed, able);
+    double angle = Math.min(Math.max(TURNED, x) / speedY, Math.max(TURNED, y) / speedX);
+    return later > 0 ? angle / later : Double.POSITIVE_INFINITY;
   }
 
   private static double ahead(double room, double speed, Able able) {

@@ -226,6 +226,64 @@ class SafetyTest {
     assertThat(y).as("it still gets near the edge").isGreaterThan(4.4);
   }
 
+  /**
+   * As in plays whose vision was 0.15 s late, with robots that heard after 0.12 s and followed with a lag of 0.25 s: they turned away while they drove along the edge, what they were ordered was meant
+   * for where they had looked before, and they drove 0.25 m out.
+   */
+  @ParameterizedTest
+  @CsvSource({"4.4, 2.9, 4.9", "4.4, 2.9, -3.5", "4, 2.9, 4.9", "4.4, 2.9, 0"})
+  void whoTurnsAndFollowsLateStaysInside(double fromX, double fromY, double turn) {
+    Safety safety = new Safety(new PlayArea(9, 6, 0, 0), PlayLimits.DEFAULT);
+    Following following = new Following(PlayLimits.DEFAULT.braking());
+    double x = fromX;
+    double y = fromY;
+    double heading = 0;
+    double vx = 0;
+    double vy = 0;
+    double angular = 0;
+    Deque<double[]> inSight = new ArrayDeque<>();
+    Deque<double[]> onTheWay = new ArrayDeque<>();
+    double farthest = -9;
+    for (int i = 0; i < 400; i++) {
+      inSight.add(new double[] {x, y, heading, vx, vy, angular});
+      double[] seen = inSight.size() > 15 ? inSight.remove() : inSight.peek();
+      double known = seen[2] + 0.15 * seen[5];
+      Robot robot =
+          new Robot(
+              FakeField.YELLOW,
+              seen[0] + 0.15 * seen[3],
+              seen[1] + 0.15 * seen[4],
+              known,
+              seen[3],
+              seen[4],
+              i * TICK);
+      following.look(robot, TICK);
+      double left = Math.IEEEremainder(Math.copySign(3, turn) - known, 2 * Math.PI);
+      Velocity wanted =
+          new Velocity(0, -1.8, Math.max(-Math.abs(turn), Math.min(Math.abs(turn), 3 * left)));
+      Velocity order = safety.limited(robot, wanted, following, List.of(robot), List.of(robot));
+      following.update(robot, true, order, TICK);
+      onTheWay.add(new double[] {order.vx(), order.vy(), order.angular(), known});
+      double[] told = onTheWay.size() > 12 ? onTheWay.remove() : new double[4];
+      double off = heading - told[3];
+      double dx = told[0] * Math.cos(off) - told[1] * Math.sin(off) - vx;
+      double dy = told[0] * Math.sin(off) + told[1] * Math.cos(off) - vy;
+      double share = Math.min(1 / 0.25, 2.5 / Math.hypot(dx, dy)) * TICK;
+      vx += dx == 0 && dy == 0 ? 0 : share * dx;
+      vy += dx == 0 && dy == 0 ? 0 : share * dy;
+      angular += (told[2] - angular) / 0.25 * TICK;
+      x += vx * TICK;
+      y += vy * TICK;
+      heading += angular * TICK;
+      farthest = Math.max(farthest, Math.max(Math.abs(x) - 4.5, y - 3));
+      if (y < -1) {
+        break;
+      }
+    }
+    assertThat(farthest).as("how far outside").isLessThan(0);
+    assertThat(y).as("it gets ahead").isLessThan(-1);
+  }
+
   /** How far it goes on along y when it is told to stand, m. */
   private static double overrun(Wheels wheels) {
     Wheels stopped = wheels.copy();
