@@ -89,7 +89,8 @@ class UsageErrorTest {
         "record --out | --out needs a value: FILE",
         "play --sim --kind flat --kicks 3 --kicks 4 | --kicks is given more than once",
         "play --sim --kind flat --kicks 3 --pace 0 | --pace must be a positive number, but is 0",
-        "play --sim --kind chip --kicks 3 --elevation 95 | --elevation must be 0 to 80°, but is 95",
+        "play --sim --kind chip --kicks 3 --elevation 95 | --elevation must be 10 to 80°, but is"
+            + " 95",
         "play --sim --kind flat --kicks 3 --troubles -1 | --troubles must be 0 to 100, but is -1",
         "play --sim --kind flat --kicks 3 --patience -1 | --patience must be a positive number, but"
             + " is -1",
