@@ -9,6 +9,7 @@ import fieldcal.kick.KickKind;
 import fieldcal.simulation.ScenarioKind;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** One kick among many is no free ball, and nobody noticed: it leaves more than all others together. */
@@ -48,6 +49,7 @@ class TouchedKickTest {
         .withGusts(2, 5, 8, 11);
   }
 
+  @Tag("study")
   @Test
   void gustsHideNoCause() {
     FittedField field = gusts("speed_dependent_roll:slope=0.08");

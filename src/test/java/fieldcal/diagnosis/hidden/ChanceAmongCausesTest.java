@@ -13,8 +13,8 @@ import fieldcal.simulation.physics.BallMoment;
 import fieldcal.simulation.physics.ExtraLaw;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 
 /** Balls roll a hundredth farther or less far in each kick: too little to be seen in one of them, and enough to be followed by a drift, a step, a patch and a direction of the carpet together. */
 class ChanceAmongCausesTest {
@@ -38,9 +38,18 @@ class ChanceAmongCausesTest {
     return new Diagnoser().diagnose(FittedField.of(world).problem(), said -> {});
   }
 
-  @ParameterizedTest
-  @ValueSource(longs = {11, 12})
-  void isNotTakenForOtherCauses(long seed) {
+  @Test
+  void isNotTakenForOtherCauses() {
+    requireOwnScatter(11);
+  }
+
+  @Tag("study")
+  @Test
+  void isNotTakenForOtherCausesInAnotherField() {
+    requireOwnScatter(12);
+  }
+
+  private static void requireOwnScatter(long seed) {
     Diagnosis diagnosis =
         diagnosed(seed, "slip_dependent_friction:slope=0.13", "camera_offset:camera=1,y_mm=9");
     assertThat(diagnosis.causes())
@@ -54,9 +63,18 @@ class ChanceAmongCausesTest {
   }
 
   /** What changes from kick to kick in a way of its own has its name beside chance. */
-  @ParameterizedTest
-  @ValueSource(longs = {21, 22})
-  void leavesADriftItsName(long seed) {
+  @Test
+  void leavesADriftItsName() {
+    requireDrift(21);
+  }
+
+  @Tag("study")
+  @Test
+  void leavesADriftItsNameInAnotherField() {
+    requireDrift(22);
+  }
+
+  private static void requireDrift(long seed) {
     Diagnosis diagnosis = diagnosed(seed, "drift:percent_per_10min=25");
     assertThat(diagnosis.causes())
         .as("%s", diagnosis.trace())

@@ -10,6 +10,7 @@ import fieldcal.simulation.ScenarioKind;
 import fieldcal.simulation.SimulationSettings;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** A part of the carpet that brakes more, under flat kicks and chips: its edges and the chips' numbers of hops must not hold each other up where they do not belong. */
@@ -53,6 +54,7 @@ class WornRegionAmongChipsTest {
   }
 
   /** Three flat kicks of this world pass for chips as long as the region is not known, and one of them would again each time that the simple model is asked. */
+  @Tag("study")
   @Test
   void kindsOfKicksThatTheRegionMadeClearAreNotAskedAgain() {
     SimulationSettings world =
