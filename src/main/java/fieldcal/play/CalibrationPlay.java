@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * Two robots collect kicks. It is given the world each tick and returns what both robots are to do.
@@ -17,9 +19,6 @@ import java.util.function.Consumer;
 public final class CalibrationPlay {
   /** When no frame has arrived for longer, it is not known where the robots are, s. */
   private static final double NO_VISION = 0.15;
-
-  /** A vision that is later is too late to drive by, s; real ones are 0.03 to 0.15 s late. */
-  private static final double TOO_LATE = 0.3;
 
   /** Longest wait for the last fits, s. */
   private static final double LAST_FITS = 60;
@@ -146,8 +145,9 @@ public final class CalibrationPlay {
     if (!(vision.silent() < NO_VISION)) {
       return held("no vision");
     }
-    if (s.visionDelay() > TOO_LATE) {
-      return held(String.format(Locale.ROOT, "vision is more than %.1f s late", TOO_LATE));
+    if (s.visionDelay() > Situation.TOO_LATE) {
+      return held(
+          String.format(Locale.ROOT, "vision is more than %.1f s late", Situation.TOO_LATE));
     }
     for (int i = 0; i < 2; i++) {
       if (!s.sees(i)) {
@@ -155,10 +155,27 @@ public final class CalibrationPlay {
         WaitingFor missing = WaitingFor.robot(id);
         // It is looked for where it was last.
         WaitingFor there = s.world().robot(id).map(r -> missing.at(r.x(), r.y())).orElse(missing);
-        return Optional.of(new Hold(id + " is not seen", there));
+        return Optional.of(new Hold(missing(s), there));
       }
     }
     return Optional.empty();
+  }
+
+  /** Who is not seen; when that is neither of our robots ever, also who is: the numbers or the teams may be wrong. */
+  private String missing(Situation s) {
+    List<RobotId> gone =
+        IntStream.range(0, 2).filter(i -> !s.sees(i)).mapToObj(plan::robot).toList();
+    String names = gone.stream().map(RobotId::toString).collect(Collectors.joining(" and "));
+    String reason = names + (gone.size() == 1 ? " is not seen" : " are not seen");
+    boolean never = gone.stream().allMatch(id -> s.world().robot(id).isEmpty());
+    List<RobotId> others = s.others().stream().map(PlayWorld.Robot::id).sorted().toList();
+    if (!never || others.isEmpty()) {
+      return reason;
+    }
+    return reason
+        + " (vision sees "
+        + others.stream().map(RobotId::toString).collect(Collectors.joining(", "))
+        + ")";
   }
 
   private static Optional<Hold> held(String reason) {

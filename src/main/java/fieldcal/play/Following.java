@@ -39,6 +39,7 @@ final class Following {
   private double lost = KNOWN;
   private double overrunNow;
   private double lostNow;
+  private boolean turnsRound;
 
   /** Creates it with the deceleration, m/s², that robots are ordered and expected to reach. */
   Following(double braking) {
@@ -80,14 +81,11 @@ final class Following {
     double along = (ordered.vx() * robot.vx() + ordered.vy() * robot.vy()) / speed;
     // An order to stop at once is taken as one to brake with the expected deceleration.
     double next = Math.max(Math.max(0, along), reference - braking * span);
-    boolean turnsRound = along < -FASTER;
     boolean goesOn = next > reference + FASTER;
-    if (turnsRound || goesOn) {
-      // A robot that is to turn round brakes harder than one that is to stop, and one that goes on
-      // may
-      // not have slowed down yet.
-      boolean slowedDown = !turnsRound && speed < reference + FASTER;
-      learn(slowedDown ? 0 : -lostNow);
+    turnsRound |= along < -FASTER;
+    if (goesOn) {
+      // It may not have slowed down yet.
+      learn(speed < reference + FASTER ? 0 : -lostNow);
       reference = Math.min(next, speed);
     } else if (next >= speed) {
       learn(0);
@@ -103,7 +101,9 @@ final class Following {
   /** Learns from what the robot did since it was ordered to slow down, and from a last loss of speed. */
   private void learn(double more) {
     double loses = lostNow + more;
-    if (loses > SLOW) {
+    // A robot that is to turn round brakes harder than one that is to stop: it is at least so late.
+    boolean isLateness = !turnsRound || overrunNow > loses * late();
+    if (loses > SLOW && isLateness) {
       double keeps = Math.pow(0.5, loses / MEMORY);
       overrun = keeps * overrun + overrunNow;
       lost = keeps * lost + loses;
@@ -111,6 +111,7 @@ final class Following {
     overrunNow = 0;
     lostNow = 0;
     standsSince = 0;
+    turnsRound = false;
   }
 
   /** How much farther in a direction, given as a unit vector, the robot may be than it is known to be, m. */

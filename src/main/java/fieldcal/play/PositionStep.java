@@ -1,6 +1,7 @@
 package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
+import fieldcal.vision.RobotId;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -11,12 +12,13 @@ final class PositionStep extends TaskStep {
   /** When a robot stands in the way for longer, the kick goes past it in another direction, s. */
   private static final double BLOCKED = 3;
 
-  /** A robot that takes longer to get behind the ball is waited for, s. */
+  /** A robot that takes longer to get behind the ball is waited for, s; the operator is told. */
   private static final double SLOW = 5;
 
   /** A ball that was not seen for longer may lie elsewhere by now: nobody drives up to it, s. */
   private static final double SEEN = 0.2;
 
+  private final Swing[] swings = {new Swing(), new Swing()};
   private double blocked = Double.NaN;
 
   PositionStep(Ledger ledger, Task task) {
@@ -34,12 +36,26 @@ final class PositionStep extends TaskStep {
       return movedAway("the ball moved before " + s.plan().robot(i) + " was behind it");
     }
     boolean ready = ready(s);
+    watchSwings(s);
     if (age(s) > TIMEOUT || s.time() - blocked > BLOCKED) {
       String late = s.waiting().orElse(s.plan().robot(i) + " did not get behind the ball");
       boolean aboutKicker = s.waitingFor().robot().map(s.plan().robot(i)::equals).orElse(true);
       return giveUp(aboutKicker ? late + measured(s) : late);
     }
     return ready ? new KickStep(ledger, task) : this;
+  }
+
+  private void watchSwings(Situation s) {
+    for (int i = 0; i < 2; i++) {
+      double wanted = i == task.kicker() ? task.aim() : task.receiver().orientation();
+      swings[i].look(Math.IEEEremainder(s.robot(i).orientation() - wanted, 2 * Math.PI));
+      if (swings[i].swings() && age(s) > SLOW) {
+        RobotId robot = s.plan().robot(i);
+        s.waitFor(
+            robot + " swings around its target: vision, the radio or the robot itself is too late",
+            WaitingFor.robot(robot));
+      }
+    }
   }
 
   /** Where vision sees the kicker, for the operator who has to find out what is wrong. */

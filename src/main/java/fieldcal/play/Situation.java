@@ -8,10 +8,14 @@ import fieldcal.play.RobotOrder.Pose;
 import fieldcal.play.RobotOrder.Velocity;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** One tick as the steps see it: what there is, and what they order. */
 final class Situation {
+  /** A frame that comes later, or a robot that follows later, is too late to play, s; real visions are 0.03 to 0.15 s late. */
+  static final double TOO_LATE = 0.3;
+
   /** How long a robot may drive on without being seen, s. */
   static final double ROBOT_UNSEEN = 0.25;
 
@@ -265,8 +269,20 @@ final class Situation {
     kicks[index] = kick;
   }
 
+  /** Waits for something. If it is a robot of ours that follows too late, this is told, too: nothing else may be amiss. */
   void waitFor(String reason, WaitingFor object) {
     waiting = reason;
+    for (int i = 0; i < 2; i++) {
+      if (object.robot().equals(Optional.of(plan.robot(i))) && heardLate(i) > TOO_LATE) {
+        waiting =
+            String.format(
+                Locale.ROOT,
+                "%s: it follows its commands more than %.1f s late, because of the radio, its"
+                    + " brakes or frames that are held up",
+                reason,
+                TOO_LATE);
+      }
+    }
     waitingFor = object;
   }
 

@@ -83,4 +83,16 @@ class FollowingTest {
     }
     assertThat(following.late()).isEqualTo(before);
   }
+
+  /** Its orders turn round before it has slowed down, again and again; so it would never be found to be late, and would swing for ever. */
+  @Test
+  void whoSwingsAroundItsTargetIsFoundToBeLate() {
+    double x = 0.3;
+    for (int i = 0; i < 2000; i++) {
+      tick(Math.max(-0.4, Math.min(0.4, -4 * following.calm() * x)), 50, true);
+      x += speed * TICK;
+    }
+    assertThat(following.late()).isBetween(0.35, 0.55);
+    assertThat(Math.abs(x)).isLessThan(0.015);
+  }
 }

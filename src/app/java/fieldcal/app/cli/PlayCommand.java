@@ -85,6 +85,17 @@ final class PlayCommand implements Callable<Integer> {
   /** The steepest chip, degrees; the play takes up to 1.4 rad. */
   private static final double STEEPEST = 80;
 
+  /** The receiver is no nearer than the shortest line to kick along is long, m. */
+  private static final double NEAREST = 1.5;
+
+  /** Longer than any field of the league, m. */
+  private static final double FARTHEST = 20;
+
+  /** Options that only mean something for one kind of kick. */
+  private static final List<String> OF_FLATS = List.of("--half");
+
+  private static final List<String> OF_CHIPS = List.of("--elevation", "--across");
+
   /** More than any session has seen; chosen. */
   private static final int MOST_TROUBLES = 100;
 
@@ -195,8 +206,8 @@ final class PlayCommand implements Callable<Integer> {
       names = "--receiver-distance",
       paramLabel = "M",
       description =
-          "largest distance between the receiver and the ball (default: the receiver stands at the"
-              + " end of the line)")
+          "largest distance between the receiver and the ball, 1.5 to 20 m (default: the receiver"
+              + " stands at the end of the line)")
   private Double receiverDistance;
 
   @Option(
@@ -412,6 +423,8 @@ final class PlayCommand implements Callable<Integer> {
           default ->
               throw new IllegalArgumentException("--kind must be flat or chip, not '" + kind + "'");
         };
+    refuse(
+        wanted == KickKind.CHIP ? OF_FLATS : OF_CHIPS, "--kind " + kind.toLowerCase(Locale.ROOT));
     checkRanges();
     RobotId[] pair = simulator.robots();
     SessionRequest r = SessionRequest.of(wanted, kicks);
@@ -443,10 +456,10 @@ final class PlayCommand implements Callable<Integer> {
     }
   }
 
-  private void refuse(List<String> options, String field) {
+  private void refuse(List<String> options, String beside) {
     for (String option : options) {
       if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
-        throw new IllegalArgumentException(option + " has no effect with " + field);
+        throw new IllegalArgumentException(option + " has no effect with " + beside);
       }
     }
   }
@@ -458,7 +471,7 @@ final class PlayCommand implements Callable<Integer> {
     OptionRange.check("--elevation", elevation, FLATTEST, STEEPEST, "°");
     OptionRange.check("--margin", margin, 0, 1, " m");
     OptionRange.check("--troubles", troubles, 0, MOST_TROUBLES, "");
-    OptionRange.positive("--receiver-distance", receiverDistance);
+    OptionRange.check("--receiver-distance", receiverDistance, NEAREST, FARTHEST, " m");
     OptionRange.check("--drive-speed", driveSpeed, SLOWEST_DRIVE, FASTEST_DRIVE, " m/s");
     OptionRange.positive("--patience", patience);
     OptionRange.positive("--pace", pace);

@@ -15,7 +15,12 @@ final class RobotNames {
       throw new IllegalArgumentException(
           "--robots takes two robots, like yellow3,blue5, not '" + text + "'");
     }
-    return new RobotId[] {robot(names[0].trim()), robot(names[1].trim())};
+    RobotId[] pair = {robot(names[0].trim()), robot(names[1].trim())};
+    if (pair[0].equals(pair[1])) {
+      throw new IllegalArgumentException(
+          "--robots takes two different robots, not " + pair[0] + " twice");
+    }
+    return pair;
   }
 
   private static RobotId robot(String name) {

@@ -1,6 +1,6 @@
 package fieldcal.app.net;
 
-import java.util.ArrayList;
+import fieldcal.app.wording.Amount;
 import java.util.List;
 import java.util.Locale;
 
@@ -11,19 +11,17 @@ public final class VisionWatch {
   /** Vision that sends nothing for longer is silent, s: 35 frames. */
   private static final double SILENT = 0.5;
 
-  /** A clock whose distance from this machine's changes by more within one frame has jumped, s; networks delay by less. */
-  private static final double JUMP = 0.2;
-
   /** Kicks are cut off where frames are missing for longer, s; as where a recording is searched for kicks. */
   private static final double GAP = 0.25;
 
-  private static final int MOST = 10;
-
-  private final List<String> told = new ArrayList<>();
+  private final Happenings happenings =
+      new Happenings(
+          "vision keeps falling silent, or its clock keeps jumping; from now on this is only"
+              + " counted");
   private double begin = Double.NaN;
+  private final FrameLateness lateness = new FrameLateness();
   private Arrival last;
   private double lastCaptured;
-  private int all;
   private double jumps;
 
   /**
@@ -37,44 +35,32 @@ public final class VisionWatch {
     begin = Double.isNaN(begin) ? arrived.latest() : begin;
     boolean whole = true;
     if (last != null) {
-      double step = captured - lastCaptured;
-      whole = isWhole(step, arrived);
-      compare(step, arrived);
+      whole = isWhole(captured, arrived);
+      // Frames keep their order: this one came that long after the last one, or later.
+      double silent = arrived.earliest() - last.latest();
+      if (arrived.seamless() && silent > SILENT) {
+        tell(String.format(Locale.ROOT, "vision was silent for %.1f s", silent), arrived.latest());
+      }
+    }
+    double jump = lateness.take(captured, arrived);
+    if (jump != 0) {
+      jumps += jump;
+      String by = Amount.minus(String.format(Locale.ROOT, "%+.2f s", jump));
+      tell("vision's clock jumped by " + by, arrived.latest());
     }
     last = arrived;
     lastCaptured = captured;
     return whole;
   }
 
-  private boolean isWhole(double step, Arrival arrived) {
-    boolean jumped = step > arrived.latest() - last.earliest() + JUMP;
+  private boolean isWhole(double captured, Arrival arrived) {
     boolean silent = arrived.seamless() && arrived.earliest() - last.latest() > GAP;
-    return step < GAP || jumped || silent;
-  }
-
-  private void compare(double step, Arrival arrived) {
-    // Frames keep their order: this one came between these two times after the last one.
-    double soonest = Math.max(0, arrived.earliest() - last.latest());
-    double latest = arrived.latest() - last.earliest();
-    if (arrived.seamless() && soonest > SILENT) {
-      tell(String.format(Locale.ROOT, "vision was silent for %.1f s", soonest), arrived.latest());
-    }
-    if (step < soonest - JUMP || step > latest + JUMP) {
-      double jump = step - (arrived.latest() - last.latest());
-      jumps += jump;
-      tell(String.format(Locale.ROOT, "vision's clock jumped by %+.2f s", jump), arrived.latest());
-    }
+    return captured - lastCaptured < GAP || silent || lateness.isTooEarly(captured, arrived);
   }
 
   private void tell(String what, double at) {
-    all++;
-    if (all <= MOST) {
-      told.add(String.format(Locale.ROOT, "%s, %.0f s after its first frame", what, at - begin));
-    } else if (all == MOST + 1) {
-      told.add(
-          "vision keeps falling silent, or its clock keeps jumping; from now on this is only"
-              + " counted");
-    }
+    happenings.add(
+        String.format(Locale.ROOT, "%s, %.0f s after its first frame", what, at - begin));
   }
 
   /**
@@ -92,7 +78,7 @@ public final class VisionWatch {
    * @return a sentence each; none ever changes or goes away
    */
   public List<String> complaints() {
-    return List.copyOf(told);
+    return happenings.told();
   }
 
   /**
@@ -101,11 +87,11 @@ public final class VisionWatch {
    * @return one line, or none when nothing happened
    */
   public List<String> notes() {
-    return all == 0
-        ? List.of()
-        : List.of(
-            all == 1
-                ? "vision: 1 silence or jump of its clock"
-                : "vision: " + all + " silences and jumps of its clock");
+    int all = happenings.count();
+    return switch (all) {
+      case 0 -> List.of();
+      case 1 -> List.of("vision: 1 silence or jump of its clock");
+      default -> List.of("vision: " + all + " silences and jumps of its clock");
+    };
   }
 }

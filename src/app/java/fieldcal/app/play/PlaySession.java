@@ -53,7 +53,7 @@ public final class PlaySession {
   /** It is at least waited for that long, whatever the patience, s. */
   private static final double LEAST_GEOMETRY = 5;
 
-  /** After so long the operator hears what is waited for, s. */
+  /** After so long the operator hears what is waited for, and again and again, s. */
   private static final double TELL_WAIT = 2.5;
 
   /** At the end robots are told to stand for at least, and at most, so many ticks: more than one, since one may get lost. */
@@ -201,7 +201,7 @@ public final class PlaySession {
 
   private void waitForGeometry() throws IOException {
     double first = Double.NaN;
-    boolean told = false;
+    double tell = Math.min(TELL_WAIT, request.limits().patience() / 2);
     double patience = request.limits().patience();
     double longest = Math.min(GEOMETRY, Math.max(LEAST_GEOMETRY, patience));
     while (geometry == null) {
@@ -213,9 +213,12 @@ public final class PlaySession {
       if (field.over().isPresent()) {
         throw new IOException(field.over().get());
       }
-      if (geometry == null && !told && now - first > Math.min(TELL_WAIT, patience / 2)) {
-        told = true;
-        whileWaiting.accept("waiting for the geometry of the field from vision");
+      if (geometry == null && now - first > tell) {
+        whileWaiting.accept(
+            "waiting for the geometry of the field from vision, for "
+                + Math.round(now - first)
+                + " s");
+        tell += TELL_WAIT;
       }
       if (now - first > longest) {
         throw new IOException(

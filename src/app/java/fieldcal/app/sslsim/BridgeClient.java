@@ -1,5 +1,6 @@
 package fieldcal.app.sslsim;
 
+import fieldcal.app.net.Happenings;
 import fieldcal.proto.RobotCommand;
 import fieldcal.proto.RobotControl;
 import fieldcal.vision.RobotId;
@@ -9,6 +10,7 @@ import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
@@ -27,20 +29,26 @@ final class BridgeClient implements RobotLink {
   private final Complaints complaints = new Complaints("bridge");
   private final LongSupplier nanoTime;
   private final String name;
-  private int silences;
+  private final Happenings silences;
+  private final long begin;
   private boolean silent = true;
   private boolean everAnswered;
+  private boolean asked;
 
   /** A bridge for two robots; with a clock in ns. */
   BridgeClient(String host, int port, RobotId first, RobotId second, LongSupplier nanoTime)
       throws IOException {
     this.nanoTime = nanoTime;
+    begin = nanoTime.getAsLong();
     boolean both = first.team() != second.team();
     if (port < 1 || port > (both ? 65_534 : 65_535)) {
       throw new IllegalArgumentException(
           "the bridge's port must lie in [1, 65535], but is " + port);
     }
     name = host + ":" + port;
+    silences =
+        new Happenings(
+            "the bridge at " + name + " keeps falling silent; from now on this is only counted");
     InetAddress address = CommandChannel.resolved(host);
     for (Team team : both ? Team.values() : new Team[] {first.team()}) {
       int offset = both && team != Team.BLUE ? 1 : 0;
@@ -51,6 +59,7 @@ final class BridgeClient implements RobotLink {
   @Override
   public void robots(Team team, List<RobotCommand> commands) throws IOException {
     RobotControl message = RobotControl.newBuilder().addAllRobotCommands(commands).build();
+    asked = true;
     // Where nobody listens yet nobody answers either.
     channels.get(team).send(message.toByteArray());
   }
@@ -73,7 +82,15 @@ final class BridgeClient implements RobotLink {
               });
     }
     boolean now = !heard();
-    silences += now && !silent ? 1 : 0;
+    if (now && !silent) {
+      silences.add(
+          String.format(
+              Locale.ROOT,
+              "the bridge at %s fell silent, %.0f s after the play began; both robots are told to"
+                  + " stand",
+              name,
+              (nanoTime.getAsLong() - begin) * 1e-9));
+    }
     silent = now;
     everAnswered |= !now;
   }
@@ -101,10 +118,11 @@ final class BridgeClient implements RobotLink {
   @Override
   public List<String> notes() {
     List<String> notes = new ArrayList<>();
-    if (!everAnswered) {
+    int times = silences.count();
+    if (asked && !everAnswered) {
       notes.add("the bridge at " + name + " never answered");
-    } else if (silences > 0) {
-      notes.add("the bridge fell silent " + (silences == 1 ? "once" : silences + " times"));
+    } else if (times > 0) {
+      notes.add("the bridge fell silent " + (times == 1 ? "once" : times + " times"));
     }
     notes.addAll(complaints.counted());
     return notes;
@@ -112,7 +130,9 @@ final class BridgeClient implements RobotLink {
 
   @Override
   public List<String> complaints() {
-    return complaints.all();
+    List<String> all = new ArrayList<>(silences.told());
+    all.addAll(complaints.all());
+    return all;
   }
 
   @Override

@@ -188,6 +188,11 @@ class PlayCommandTest {
         "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --robots-like sluggish",
         "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --troubles 2",
         "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --port 10300",
+        "play --robots-at 127.0.0.1:10400 --kind flat --kicks 3 --robots yellow1,yellow1",
+        "play --sim --kind flat --kicks 3 --receiver-distance 0.05",
+        "play --sim --kind flat --kicks 3 --elevation 45",
+        "play --sim --kind flat --kicks 3 --across 2",
+        "play --sim --kind chip --kicks 3 --half positive",
         "play --sim --kind flat --kicks 3 --drive-speed 1e9",
         "play --sim --kind chip --kicks 3 --elevation 0",
         "play --sim --kind flat --kicks 3 --effect gravity:g=2"

@@ -60,7 +60,7 @@ class VisionWatchTest {
         .containsExactly("vision was silent for 1.2 s, 1 s after its first frame");
     frame(1000.7, 6.215);
     assertThat(watch.complaints()).hasSize(2);
-    assertThat(watch.complaints().get(1)).startsWith("vision's clock jumped by -0.5");
+    assertThat(watch.complaints().get(1)).startsWith("vision's clock jumped by −0.5");
     assertThat(watch.notes()).containsExactly("vision: 2 silences and jumps of its clock");
   }
 
@@ -97,5 +97,45 @@ class VisionWatchTest {
     assertThat(watch.jumps()).isCloseTo(3600, within(0.01));
     frame(4599.53, 5.03);
     assertThat(watch.jumps()).isCloseTo(3599.5, within(0.01));
+  }
+
+  /** What was held up comes late, and with the next frames everything is as before. */
+  @Test
+  void framesThatWereHeldUpAreNoJump() {
+    double[] holds = {0.5, 0.35, 1.2, 2};
+    for (int hold = 0; hold < holds.length; hold++) {
+      for (int i = 0; i < 400; i++) {
+        double time = 6 * hold + 0.015 * i;
+        double free = 6 * hold + 2 + holds[hold];
+        boolean held = time > 6 * hold + 2 && time < free;
+        // Of a long hold the queue drops the first frames.
+        if (!held || free - time < 1) {
+          frame(1000 + time, 0.01 + (held ? free : time));
+        }
+      }
+    }
+    assertThat(watch.complaints())
+        .hasSize(3)
+        .allMatch(told -> told.startsWith("vision was silent"));
+    assertThat(watch.jumps()).isZero();
+  }
+
+  @Test
+  void aClockThatIsSetBackInASilenceIsToldWhenFramesStayLate() {
+    for (int i = 0; i < 400; i++) {
+      boolean later = i >= 200;
+      frame(1000 + 0.015 * i + (later ? 0.5 : 0), 5 + 0.015 * i + (later ? 1 : 0));
+    }
+    assertThat(watch.complaints()).hasSize(2);
+    assertThat(watch.complaints().get(1)).startsWith("vision's clock jumped by −0.50 s");
+    assertThat(watch.jumps()).isCloseTo(-0.5, within(0.01));
+  }
+
+  @Test
+  void aClockWithAWrongRateDoesNotJump() {
+    for (int i = 0; i < 20_000; i++) {
+      frame(1000 + 0.015 * i, 5 + 0.015 * 1.02 * i);
+    }
+    assertThat(watch.complaints()).isEmpty();
   }
 }

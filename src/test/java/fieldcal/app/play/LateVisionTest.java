@@ -39,6 +39,7 @@ class LateVisionTest {
     private final EmbeddedPlayField field;
     private final double latency;
     private final double radio;
+    private final boolean told;
     private final Random luck = new Random(7);
     private final Deque<Frame> frames = new ArrayDeque<>();
     private final Deque<Orders> onTheWay = new ArrayDeque<>();
@@ -48,8 +49,10 @@ class LateVisionTest {
 
     private record Orders(double arrive, List<RobotOrder> orders) {}
 
-    LateField(EmbeddedPlayField field, double latency, double radio) {
+    /** Whether vision's time stamps tell that it is late: where frames are held up after they were sent, they do not. */
+    LateField(EmbeddedPlayField field, double latency, double radio, boolean told) {
       this.field = field;
+      this.told = told;
       this.latency = latency;
       this.radio = radio;
     }
@@ -75,7 +78,7 @@ class LateVisionTest {
       while (!onTheWay.isEmpty() && onTheWay.peek().arrive() <= now) {
         field.order(onTheWay.remove().orders());
       }
-      return now;
+      return told ? now : now - latency;
     }
 
     @Override
@@ -109,7 +112,7 @@ class LateVisionTest {
         InteractiveField.of(
             SimulationSettings.DEFAULT.withSeed(3), request.first(), request.second(), List.of());
     EmbeddedPlayField embedded = new EmbeddedPlayField(field, Double.POSITIVE_INFINITY);
-    return new LateField(embedded, latency, radio);
+    return new LateField(embedded, latency, radio, true);
   }
 
   /** Its latency was taken for silence: from 0.14 s on, every lost frame stopped the robots. Kicks came to light when they were given up, or after their commands were matched. */
@@ -151,5 +154,20 @@ class LateVisionTest {
     assertThat(outcome.complete()).isFalse();
     assertThat(outcome.last().state().waiting().orElseThrow())
         .isEqualTo("vision is more than 0.3 s late for 2 s");
+  }
+
+  /** The robots then do everything late, which shows it. */
+  @ParameterizedTest
+  @CsvSource({"0.5,'follows its commands more than 0.3 s late'", "0.8,'swings around its target'"})
+  void framesThatAreHeldUpAfterTheyWereSentAreNamed(double latency, String cause) throws Exception {
+    SessionRequest request =
+        SessionRequest.of(KickKind.FLAT, 1)
+            .withLimits(PlayLimits.DEFAULT.withPatience(2, 40), Optional.empty());
+    LateField field = new LateField(field(request, 0, 0).field, latency, 0.02, false);
+    List<String> waited = new ArrayList<>();
+    PlaySession.Outcome outcome =
+        new PlaySession(request, field, s -> s.state().waiting().ifPresent(waited::add)).run();
+    System.out.println(outcome.last().state() + " " + new java.util.LinkedHashSet<>(waited));
+    assertThat(waited).anyMatch(w -> w.contains(cause));
   }
 }
