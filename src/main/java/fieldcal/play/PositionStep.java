@@ -1,7 +1,6 @@
 package fieldcal.play;
 
 import fieldcal.play.PlayWorld.Robot;
-import fieldcal.vision.RobotId;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -50,10 +49,7 @@ final class PositionStep extends TaskStep {
       double wanted = i == task.kicker() ? task.aim() : task.receiver().orientation();
       swings[i].look(Math.IEEEremainder(s.robot(i).orientation() - wanted, 2 * Math.PI));
       if (swings[i].swings() && age(s) > SLOW) {
-        RobotId robot = s.plan().robot(i);
-        s.waitFor(
-            robot + " swings around its target: vision, the radio or the robot itself is too late",
-            WaitingFor.robot(robot));
+        s.waitForLate("swings around its target", i);
       }
     }
   }

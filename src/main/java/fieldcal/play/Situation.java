@@ -8,13 +8,16 @@ import fieldcal.play.RobotOrder.Pose;
 import fieldcal.play.RobotOrder.Velocity;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** One tick as the steps see it: what there is, and what they order. */
 final class Situation {
   /** A frame that comes later, or a robot that follows later, is too late to play, s; real visions are 0.03 to 0.15 s late. */
   static final double TOO_LATE = 0.3;
+
+  private static final String FOLLOWS_LATE =
+      ": it follows its commands too late, because of vision, the radio or the robot itself";
 
   /** How long a robot may drive on without being seen, s. */
   static final double ROBOT_UNSEEN = 0.25;
@@ -269,21 +272,20 @@ final class Situation {
     kicks[index] = kick;
   }
 
-  /** Waits for something. If it is a robot of ours that follows too late, this is told, too: nothing else may be amiss. */
+  /** Waits for something. If it is a robot of ours that follows its commands too late, this is told, too: nothing else may be amiss. */
   void waitFor(String reason, WaitingFor object) {
-    waiting = reason;
-    for (int i = 0; i < 2; i++) {
-      if (object.robot().equals(Optional.of(plan.robot(i))) && heardLate(i) > TOO_LATE) {
-        waiting =
-            String.format(
-                Locale.ROOT,
-                "%s: it follows its commands more than %.1f s late, because of the radio, its"
-                    + " brakes or frames that are held up",
-                reason,
-                TOO_LATE);
-      }
-    }
+    boolean late =
+        IntStream.range(0, 2)
+            .filter(i -> object.robot().equals(Optional.of(plan.robot(i))))
+            .anyMatch(i -> heardLate(i) > TOO_LATE);
+    waiting = late ? reason + FOLLOWS_LATE : reason;
     waitingFor = object;
+  }
+
+  /** Waits for a robot of ours that shows that it follows its commands too late. */
+  void waitForLate(String reason, int index) {
+    waiting = plan.robot(index) + " " + reason + FOLLOWS_LATE;
+    waitingFor = WaitingFor.robot(plan.robot(index));
   }
 
   /** The place of the ball, as far as it is known. */
