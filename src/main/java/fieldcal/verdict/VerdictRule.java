@@ -188,8 +188,7 @@ public final class VerdictRule {
       reasons.add(new Reason.Imprecise(kind, parameter, percent, LARGEST_ERROR_PERCENT));
     }
     calibration
-        .joint()
-        .flatMap(j -> kind == KickKind.FLAT ? j.flat(parameter) : j.chip(parameter))
+        .joint(kind, parameter)
         .filter(Estimate::usable)
         .ifPresent(joint -> compare(kind, parameter, mean, joint));
     return known;

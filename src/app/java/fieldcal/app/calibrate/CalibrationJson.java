@@ -182,8 +182,8 @@ final class CalibrationJson {
 
   private ObjectNode joint(Optional<JointFit> joint) {
     ObjectNode node = nodes.objectNode();
-    node.set("flat", joint.map(j -> estimates(j.flat())).orElse(nodes.objectNode()));
-    node.set("chip", joint.map(j -> estimates(j.chip())).orElse(nodes.objectNode()));
+    node.set("flat", joint.map(j -> estimates(KickKind.FLAT, j.flat())).orElse(nodes.objectNode()));
+    node.set("chip", joint.map(j -> estimates(KickKind.CHIP, j.chip())).orElse(nodes.objectNode()));
     joint.ifPresent(
         j -> {
           put(node, "rms_mm", j.rmsMm());
@@ -199,12 +199,14 @@ final class CalibrationJson {
     return node;
   }
 
-  private ObjectNode estimates(List<Estimate> estimates) {
+  private ObjectNode estimates(KickKind kind, List<Estimate> estimates) {
     ObjectNode node = nodes.objectNode();
     for (Estimate e : estimates) {
       ObjectNode one = node.putObject(ParameterWords.inFiles(e.name()));
       if (!e.parameter().estimated()) {
         one.put("mean", e.value()).put("fixed", true);
+      } else if (outcome.calibration().joint(kind, e.name()).isEmpty()) {
+        one.put("undetermined", "it needs two kicks");
       } else if (e.usable()) {
         one.put("mean", e.value()).put("standard_error", e.standardError());
       } else {
