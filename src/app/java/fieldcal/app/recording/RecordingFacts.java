@@ -89,9 +89,19 @@ public record RecordingFacts(
   public static Surroundings surroundings(List<RecordingFacts> all) {
     return new Surroundings(
         all.stream()
-            .map(f -> new Surroundings.Recorded(f.isSimulated(), f.geometry(), f.faults()))
+            .map(
+                f ->
+                    new Surroundings.Recorded(
+                        f.name(all), f.isSimulated(), f.geometry(), f.faults()))
             .toList(),
         Optional.empty());
+  }
+
+  /** The name of its file, with the path where another recording has the same name. */
+  private String name(List<RecordingFacts> all) {
+    Path file = log.getFileName();
+    boolean ambiguous = all.stream().filter(f -> f.log.getFileName().equals(file)).count() > 1;
+    return (ambiguous ? log : file).toString();
   }
 
   /**
