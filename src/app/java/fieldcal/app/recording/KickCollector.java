@@ -142,6 +142,11 @@ public final class KickCollector {
         continue;
       }
       RecordingFacts facts = RecordingFacts.of(log, opener);
+      Optional<RecordingFacts> original = recordings.stream().filter(facts::isCopyOf).findFirst();
+      if (original.isPresent()) {
+        problems.add(DataProblem.copy(log, original.get().log()));
+        continue;
+      }
       try (RecordingReader recording =
           epoch == null ? opener.recording(log) : opener.recording(log, epoch)) {
         epoch = recording.epoch();
