@@ -45,6 +45,11 @@ final class CalibrationJson {
     root.put("schema", SCHEMA);
     ArrayNode sources = root.putArray("sources");
     outcome.logs().forEach(log -> sources.add(log.toString()));
+    ArrayNode recordings = root.putArray("recordings");
+    outcome.data().recordings().forEach(r -> recordings.add(r.identity()));
+    ArrayNode dropped = root.putArray("dropped_by_hand");
+    outcome.selection().dropped().keySet().stream().sorted().forEach(dropped::add);
+    outcome.forced().ifPresent(kind -> root.put("forced_kind", kind.id()));
     root.put("seed", calibration.seed());
     root.set("verdict", VerdictJson.of(outcome.verdict()));
     ArrayNode cameras = root.putArray("cameras");
