@@ -437,10 +437,14 @@ public record PublishWords(
       }
     }
     Set<String> wanted = new LinkedHashSet<>();
+    boolean moreHelp =
+        verdict.reasons().stream()
+            .filter(PublishWords::holdsBack)
+            .allMatch(PublishWords::asksForMoreKicks);
     for (Reason reason : verdict.reasons()) {
-      if (holdsBack(reason)
-          && reason instanceof Reason.OfModel of
-          && (reason.decision() == PublishDecision.RECORD_MORE || isUndetermined(reason))) {
+      if (reason instanceof Reason.OfModel of
+          && (reason.decision() == PublishDecision.RECORD_MORE
+              || moreHelp && asksForMoreKicks(reason))) {
         wanted.add(KICKS_THAT_TELL.get(of.parameter()));
       }
     }
@@ -458,8 +462,10 @@ public record PublishWords(
     return List.copyOf(all);
   }
 
-  private static boolean isUndetermined(Reason reason) {
-    return reason instanceof Reason.MeanAgainstJoint m && !m.beyondChance();
+  /** Whether more kicks would settle it. Where kicks contradict one model, more of them do not determine its parameters either. */
+  private static boolean asksForMoreKicks(Reason reason) {
+    return reason.decision() == PublishDecision.RECORD_MORE
+        || reason instanceof Reason.MeanAgainstJoint m && !m.beyondChance();
   }
 
   /** How many kicks to record where there are hardly any. */

@@ -227,11 +227,14 @@ class PublishWordsTest {
             "Record flat kicks that roll for two metres or more.");
     Reason slide = new Reason.MeanAgainstJoint(KickKind.FLAT, "accSlide", -3.38, -2.9, 1.2, 14);
     Reason damping = new Reason.MeanAgainstJoint(KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9);
-    assertThat(
-            PublishWords.of(
-                    new PublishVerdict(
-                        PublishDecision.CHECK_FIRST, List.of(switching, damping, slide), true))
-                .reasons())
+    PublishWords several =
+        PublishWords.of(
+            new PublishVerdict(
+                PublishDecision.CHECK_FIRST, List.of(switching, damping, slide), true));
+    assertThat(several.toDo())
+        .as("kicks that contradict one model are not more of one mind when there are more")
+        .containsExactly("Run diagnose on these recordings: it looks for the cause.");
+    assertThat(several.reasons())
         .containsExactly(
             "The kicks do not determine some parameters. The mean of the kicks and the joint fit"
                 + " differ by no more than their errors allow: the switch to rolling (k_switch) is"
