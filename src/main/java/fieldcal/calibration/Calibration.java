@@ -3,6 +3,7 @@ package fieldcal.calibration;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.fit.CameraViews;
+import fieldcal.fit.Estimate;
 import fieldcal.fit.JointFit;
 import fieldcal.fit.KickFit;
 import fieldcal.kick.KickKind;
@@ -64,6 +65,20 @@ public record Calibration(
 
   private boolean determines(KickKind kind) {
     return (kind == KickKind.FLAT ? flat : chip).values().stream().anyMatch(a -> a.n() > 0);
+  }
+
+  /**
+   * The value of a parameter in the joint fit. What one kick says on its own is no joint value: nothing shows how far it lies from those of other kicks.
+   *
+   * @param kind of the model
+   * @param parameter name as in the model's record
+   * @return empty when there is no joint fit, or fewer than two kicks of that kind are in it; what was not estimated is there all the same
+   */
+  public Optional<Estimate> joint(KickKind kind, String parameter) {
+    boolean several = trusted().stream().filter(f -> f.kind() == kind).count() > 1;
+    return joint
+        .flatMap(j -> kind == KickKind.FLAT ? j.flat(parameter) : j.chip(parameter))
+        .filter(e -> several || !e.parameter().estimated());
   }
 
   /**

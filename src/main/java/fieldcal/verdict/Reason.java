@@ -96,7 +96,7 @@ public sealed interface Reason {
   }
 
   /**
-   * The mean over the kicks and the joint fit of all kicks, which weighs them differently, disagree: no one value holds for all kicks.
+   * The mean over the kicks and the joint fit of all kicks, which weighs them differently, disagree: no one value holds for all kicks, or these do not determine it.
    *
    * @param kind of the model
    * @param parameter name as in the model's record
@@ -121,6 +121,15 @@ public sealed interface Reason {
     @Override
     public String id() {
       return "mean_against_joint_fit";
+    }
+
+    /**
+     * Whether they differ by more than chance. Otherwise the kicks do not determine the parameter well enough to tell.
+     *
+     * @return true when no one value holds for all kicks
+     */
+    public boolean beyondChance() {
+      return standardErrors > VerdictRule.APART_SIGMAS;
     }
   }
 
@@ -258,15 +267,22 @@ public sealed interface Reason {
    * The recordings are from several fields, or from another field than the one that vision publishes.
    *
    * @param fields length and width of each, m
+   * @param recordings names of those that are from each of them; none where only vision publishes a field
    */
-  record SeveralFields(List<FieldSize> fields) implements Reason {
+  record SeveralFields(List<FieldSize> fields, List<List<String>> recordings) implements Reason {
     /**
-     * Copies the list. {@inheritDoc}
+     * Copies the lists. {@inheritDoc}
      *
      * @throws NullPointerException when a component is null
+     * @throws IllegalArgumentException when there are not as many lists of recordings as fields
      */
     public SeveralFields {
       fields = List.copyOf(fields);
+      recordings = recordings.stream().map(List::copyOf).toList();
+      if (recordings.size() != fields.size()) {
+        throw new IllegalArgumentException(
+            fields.size() + " fields, but " + recordings.size() + " lists of recordings");
+      }
     }
 
     @Override
@@ -284,8 +300,19 @@ public sealed interface Reason {
    * The cameras are not what the fit takes them for.
    *
    * @param fault what the recording shows
+   * @param recordings names of those that show it; empty when all of them do
    */
-  record FaultyVision(VisionFault fault) implements Reason {
+  record FaultyVision(VisionFault fault, List<String> recordings) implements Reason {
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when a component is null
+     */
+    public FaultyVision {
+      Objects.requireNonNull(fault, "fault");
+      recordings = List.copyOf(recordings);
+    }
+
     @Override
     public PublishDecision decision() {
       return fault instanceof VisionFault.ClockRate clock && clock.simulator()
@@ -299,8 +326,21 @@ public sealed interface Reason {
     }
   }
 
-  /** Between two recordings every camera has another calibration: another field of the same size, or vision was calibrated again. */
-  record OtherCameras() implements Reason {
+  /**
+   * Between two recordings every camera has another calibration: another field of the same size, or vision was calibrated again.
+   *
+   * @param recordings names, those with the same cameras together
+   */
+  record OtherCameras(List<List<String>> recordings) implements Reason {
+    /**
+     * Copies the lists. {@inheritDoc}
+     *
+     * @throws NullPointerException when a list or an element is null
+     */
+    public OtherCameras {
+      recordings = recordings.stream().map(List::copyOf).toList();
+    }
+
     @Override
     public PublishDecision decision() {
       return PublishDecision.CHECK_FIRST;
@@ -317,8 +357,18 @@ public sealed interface Reason {
    *
    * @param simulated recordings of a simulated field
    * @param recordings all of them; with real ones among them the model is of neither field
+   * @param names of the simulated ones
    */
-  record SimulatedField(int simulated, int recordings) implements Reason {
+  record SimulatedField(int simulated, int recordings, List<String> names) implements Reason {
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when the list or an element is null
+     */
+    public SimulatedField {
+      names = List.copyOf(names);
+    }
+
     @Override
     public PublishDecision decision() {
       return simulated < recordings ? PublishDecision.DO_NOT_PUBLISH : PublishDecision.PUBLISH;
@@ -379,6 +429,19 @@ public sealed interface Reason {
     @Override
     public String id() {
       return "diagnosed";
+    }
+  }
+
+  /** Nobody has looked yet for what the model gets wrong, beyond what the residuals show by themselves. */
+  record NotDiagnosed() implements Reason {
+    @Override
+    public PublishDecision decision() {
+      return PublishDecision.PUBLISH;
+    }
+
+    @Override
+    public String id() {
+      return "not_diagnosed";
     }
   }
 

@@ -4,7 +4,9 @@ import fieldcal.camera.CameraCalibration;
 import fieldcal.vision.FieldGeometry;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Where the recordings come from.
@@ -28,29 +30,32 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
   /**
    * Where one recording comes from.
    *
+   * @param name what people call it
    * @param simulated whether the field was simulated
    * @param geometry of the field; empty when the recording has none
    * @param faults what it shows of its cameras; empty also when nobody looked
    */
   public record Recorded(
-      boolean simulated, Optional<FieldGeometry> geometry, List<VisionFault> faults) {
+      String name, boolean simulated, Optional<FieldGeometry> geometry, List<VisionFault> faults) {
     /**
      * Copies the list. {@inheritDoc}
      *
-     * @throws NullPointerException when the list or an element is null
+     * @throws NullPointerException when name, list or an element is null
      */
     public Recorded {
+      Objects.requireNonNull(name, "name");
       faults = List.copyOf(faults);
     }
 
     /**
      * Where a recording comes from, without faults.
      *
+     * @param name what people call it
      * @param simulated whether the field was simulated
      * @param geometry of the field; empty when the recording has none
      */
-    public Recorded(boolean simulated, Optional<FieldGeometry> geometry) {
-      this(simulated, geometry, List.of());
+    public Recorded(String name, boolean simulated, Optional<FieldGeometry> geometry) {
+      this(name, simulated, geometry, List.of());
     }
   }
 
@@ -64,45 +69,81 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
   }
 
   /**
-   * The fields, vision's included.
+   * The recordings that show a fault.
    *
-   * @return the sizes that differ, each once; empty when no geometry is known
+   * @param fault one of {@link #faults}
+   * @return their names; empty when all of them show it
    */
-  public List<FieldSize> fields() {
-    List<FieldSize> different = new ArrayList<>();
-    for (FieldGeometry geometry : geometries()) {
-      FieldSize size = FieldSize.of(geometry);
-      if (different.stream().noneMatch(size::isLike)) {
-        different.add(size);
-      }
-    }
-    return different;
-  }
-
-  /** The geometries of the recordings and, last, that of vision. */
-  private List<FieldGeometry> geometries() {
-    List<FieldGeometry> all = new ArrayList<>();
-    recordings.forEach(r -> r.geometry().ifPresent(all::add));
-    vision.ifPresent(all::add);
-    return all;
+  public List<String> showing(VisionFault fault) {
+    List<String> names =
+        recordings.stream().filter(r -> r.faults().contains(fault)).map(Recorded::name).toList();
+    return names.size() == recordings.size() ? List.of() : names;
   }
 
   /**
-   * Whether two recordings have cameras in common that are all calibrated differently.
+   * One field.
    *
-   * @return false also when a calibration is not known
+   * @param size length and width
+   * @param recordings names of those that are from it; empty when only vision publishes it
    */
-  public boolean camerasDiffer() {
-    List<FieldGeometry> known =
-        recordings.stream().flatMap(r -> r.geometry().stream()).distinct().toList();
-    for (FieldGeometry a : known) {
-      for (FieldGeometry b : known) {
-        if (!shareACamera(a, b)) {
-          return true;
-        }
+  public record Field(FieldSize size, List<String> recordings) {
+    /**
+     * Copies the list. {@inheritDoc}
+     *
+     * @throws NullPointerException when a component is null
+     */
+    public Field {
+      Objects.requireNonNull(size, "size");
+      recordings = List.copyOf(recordings);
+    }
+  }
+
+  /**
+   * The fields, vision's included.
+   *
+   * @return those that differ in size, each once; empty when no geometry is known
+   */
+  public List<Field> fields() {
+    List<FieldSize> sizes = new ArrayList<>();
+    Stream.concat(recordings.stream().flatMap(r -> r.geometry().stream()), vision.stream())
+        .map(FieldSize::of)
+        .filter(size -> sizes.stream().noneMatch(size::isLike))
+        .forEach(sizes::add);
+    return sizes.stream().map(size -> new Field(size, of(size))).toList();
+  }
+
+  private List<String> of(FieldSize size) {
+    return recordings.stream()
+        .filter(r -> r.geometry().map(FieldSize::of).filter(size::isLike).isPresent())
+        .map(Recorded::name)
+        .toList();
+  }
+
+  /**
+   * The recordings by their cameras: two that have cameras in common, which are all calibrated differently, are in different groups. A recording whose calibrations are not known is in none.
+   *
+   * @return names; several groups when cameras were calibrated again, or belong to different fields
+   */
+  public List<List<String>> byCameras() {
+    List<List<Recorded>> groups = new ArrayList<>();
+    for (Recorded recording : recordings) {
+      if (recording.geometry().isPresent()) {
+        groups.stream()
+            .filter(group -> group.stream().allMatch(other -> shareACamera(other, recording)))
+            .findFirst()
+            .orElseGet(
+                () -> {
+                  groups.add(new ArrayList<>());
+                  return groups.get(groups.size() - 1);
+                })
+            .add(recording);
       }
     }
-    return false;
+    return groups.stream().map(group -> group.stream().map(Recorded::name).toList()).toList();
+  }
+
+  private static boolean shareACamera(Recorded a, Recorded b) {
+    return shareACamera(a.geometry().orElseThrow(), b.geometry().orElseThrow());
   }
 
   /**
@@ -127,11 +168,11 @@ public record Surroundings(List<Recorded> recordings, Optional<FieldGeometry> vi
   }
 
   /**
-   * How many recordings are of a simulated field.
+   * The recordings of a simulated field.
    *
-   * @return 0 or more
+   * @return their names
    */
-  public int simulated() {
-    return (int) recordings.stream().filter(Recorded::simulated).count();
+  public List<String> simulated() {
+    return recordings.stream().filter(Recorded::simulated).map(Recorded::name).toList();
   }
 }

@@ -103,7 +103,8 @@ public final class VerdictRule {
 
   private PublishVerdict judge() {
     // These come first, because they may cause what else is wrong.
-    evidence.surroundings().faults().forEach(f -> reasons.add(new Reason.FaultyVision(f)));
+    Surroundings from = evidence.surroundings();
+    from.faults().forEach(f -> reasons.add(new Reason.FaultyVision(f, from.showing(f))));
     boolean fitted = false;
     for (KickKind kind : KickKind.values()) {
       if (calibration.tells(kind)) {
@@ -125,6 +126,11 @@ public final class VerdictRule {
       reasons.removeIf(r -> r instanceof Reason.AgreesWithPublished);
     }
     boolean diagnosed = evidence.finding().isPresent() || !evidence.effects().isEmpty();
+    if (!diagnosed
+        && evidence.forced().isEmpty()
+        && reasons.stream().noneMatch(VerdictRule::holdsBack)) {
+      reasons.add(new Reason.NotDiagnosed());
+    }
     boolean misled = reasons.stream().anyMatch(r -> r instanceof Reason.ForcedKind);
     return PublishVerdict.of(reasons, suspicious && !diagnosed && !misled);
   }
@@ -188,8 +194,7 @@ public final class VerdictRule {
       reasons.add(new Reason.Imprecise(kind, parameter, percent, LARGEST_ERROR_PERCENT));
     }
     calibration
-        .joint()
-        .flatMap(j -> kind == KickKind.FLAT ? j.flat(parameter) : j.chip(parameter))
+        .joint(kind, parameter)
         .filter(Estimate::usable)
         .ifPresent(joint -> compare(kind, parameter, mean, joint));
     return known;
@@ -249,13 +254,18 @@ public final class VerdictRule {
 
   private void recordings() {
     Surroundings from = evidence.surroundings();
-    if (from.fields().size() > 1) {
-      reasons.add(new Reason.SeveralFields(from.fields()));
-    } else if (from.camerasDiffer()) {
-      reasons.add(new Reason.OtherCameras());
+    List<Surroundings.Field> fields = from.fields();
+    if (fields.size() > 1) {
+      reasons.add(
+          new Reason.SeveralFields(
+              fields.stream().map(Surroundings.Field::size).toList(),
+              fields.stream().map(Surroundings.Field::recordings).toList()));
+    } else if (from.byCameras().size() > 1) {
+      reasons.add(new Reason.OtherCameras(from.byCameras()));
     }
-    if (from.simulated() > 0) {
-      reasons.add(new Reason.SimulatedField(from.simulated(), from.recordings().size()));
+    List<String> simulated = from.simulated();
+    if (!simulated.isEmpty()) {
+      reasons.add(new Reason.SimulatedField(simulated.size(), from.recordings().size(), simulated));
     }
   }
 

@@ -320,26 +320,34 @@ class VerdictRuleTest {
   void recordingsOfSeveralFieldsAreNotOneCarpet() {
     Surroundings two = surroundings(geometry(12, 4), geometry(9, 4));
     assertThat(judged(two).reasons().get(0))
-        .isEqualTo(new Reason.SeveralFields(List.of(new FieldSize(12, 9), new FieldSize(9, 9))));
+        .isEqualTo(
+            new Reason.SeveralFields(
+                List.of(new FieldSize(12, 9), new FieldSize(9, 9)),
+                List.of(List.of("0.log"), List.of("1.log"))));
     assertThat(judged(two).decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
     Surroundings elsewhere =
         new Surroundings(surroundings(geometry(12, 4)).recordings(), Optional.of(geometry(9, 4)));
     assertThat(judged(elsewhere).decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
+    assertThat(((Reason.SeveralFields) judged(elsewhere).reasons().get(0)).recordings())
+        .containsExactly(List.of("0.log"), List.of());
     assertThat(judged(surroundings(geometry(12, 4), geometry(12, 4))).decision())
         .isEqualTo(PublishDecision.PUBLISH);
     assertThat(judged(surroundings(geometry(12, 4), geometry(12, 5))).reasons().get(0))
-        .isEqualTo(new Reason.OtherCameras());
+        .isEqualTo(new Reason.OtherCameras(List.of(List.of("0.log"), List.of("1.log"))));
   }
 
   @Test
   void rehearsingIsNotCalibratingAField() {
     Surroundings mixed =
-        new Surroundings(List.of(recorded(true), recorded(false)), Optional.empty());
-    assertThat(judged(mixed).reasons().get(0)).isEqualTo(new Reason.SimulatedField(1, 2));
+        new Surroundings(
+            List.of(recorded("sim.log", true), recorded("real.log", false)), Optional.empty());
+    assertThat(judged(mixed).reasons().get(0))
+        .isEqualTo(new Reason.SimulatedField(1, 2, List.of("sim.log")));
     assertThat(judged(mixed).decision()).isEqualTo(PublishDecision.DO_NOT_PUBLISH);
-    PublishVerdict rehearsal = judged(new Surroundings(List.of(recorded(true)), Optional.empty()));
+    PublishVerdict rehearsal =
+        judged(new Surroundings(List.of(recorded("sim.log", true)), Optional.empty()));
     assertThat(rehearsal.decision()).isEqualTo(PublishDecision.PUBLISH);
-    assertThat(rehearsal.reasons()).contains(new Reason.SimulatedField(1, 1));
+    assertThat(rehearsal.reasons()).contains(new Reason.SimulatedField(1, 1, List.of("sim.log")));
   }
 
   @Test
@@ -349,35 +357,42 @@ class VerdictRuleTest {
     for (VisionFault fault : List.of(clock, turned)) {
       Surroundings faulty =
           new Surroundings(
-              List.of(new Surroundings.Recorded(false, Optional.empty(), List.of(fault))),
+              List.of(
+                  new Surroundings.Recorded("a.log", false, Optional.empty(), List.of(fault)),
+                  recorded("b.log", false)),
               Optional.empty());
       assertThat(judged(faulty).decision()).isEqualTo(PublishDecision.CHECK_FIRST);
-      assertThat(judged(faulty).reasons().get(0)).isEqualTo(new Reason.FaultyVision(fault));
+      assertThat(judged(faulty).reasons().get(0))
+          .isEqualTo(new Reason.FaultyVision(fault, List.of("a.log")));
     }
   }
 
   /** grSim's clock is 3.5 % slow when the machine is busy; its own time counts there. */
   @Test
   void theClockOfASimulatorIsARemark() {
-    Reason remark = new Reason.FaultyVision(new VisionFault.ClockRate(List.of(0), 1.035, true));
+    Reason remark =
+        new Reason.FaultyVision(new VisionFault.ClockRate(List.of(0), 1.035, true), List.of());
     Surroundings simulator =
         new Surroundings(
             List.of(
                 new Surroundings.Recorded(
-                    false, Optional.empty(), List.of(((Reason.FaultyVision) remark).fault()))),
+                    "grsim.log",
+                    false,
+                    Optional.empty(),
+                    List.of(((Reason.FaultyVision) remark).fault()))),
             Optional.empty());
     assertThat(judged(simulator).decision()).isEqualTo(PublishDecision.PUBLISH);
     assertThat(judged(simulator).reasons()).contains(remark);
   }
 
-  private static Surroundings.Recorded recorded(boolean simulated) {
-    return new Surroundings.Recorded(simulated, Optional.empty());
+  private static Surroundings.Recorded recorded(String name, boolean simulated) {
+    return new Surroundings.Recorded(name, simulated, Optional.empty());
   }
 
   private static Surroundings surroundings(FieldGeometry... geometries) {
     return new Surroundings(
-        List.of(geometries).stream()
-            .map(g -> new Surroundings.Recorded(false, Optional.of(g)))
+        IntStream.range(0, geometries.length)
+            .mapToObj(i -> new Surroundings.Recorded(i + ".log", false, Optional.of(geometries[i])))
             .toList(),
         Optional.empty());
   }
@@ -404,6 +419,20 @@ class VerdictRuleTest {
   private static Evidence evidence(List<String> effects, Optional<Finding> finding) {
     return new Evidence(
         good(3), PUBLISHED, effects, Surroundings.UNKNOWN, Optional.empty(), finding);
+  }
+
+  /** Good residuals do not show small systematic errors, by which predictions are off. */
+  @Test
+  void whoHasNotDiagnosedIsToldOnceNothingElseHoldsTheModelBack() {
+    Reason remark = new Reason.NotDiagnosed();
+    assertThat(judge(good(1)).reasons()).contains(remark);
+    assertThat(judge(good(1)).decision()).isEqualTo(PublishDecision.PUBLISH);
+    assertThat(judge(good(1)).diagnose()).isFalse();
+    assertThat(judge(good(3)).reasons()).doesNotContain(remark);
+    assertThat(VerdictRule.judge(forced(1)).reasons()).doesNotContain(remark);
+    Finding nothing = new Finding(Verdict.MODEL_ADEQUATE, List.of());
+    assertThat(VerdictRule.judge(evidence(List.of(), Optional.of(nothing))).reasons())
+        .doesNotContain(remark);
   }
 
   /** Before a cause is looked for, the kicks must be what they are taken for. */

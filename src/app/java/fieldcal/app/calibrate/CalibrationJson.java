@@ -45,6 +45,11 @@ final class CalibrationJson {
     root.put("schema", SCHEMA);
     ArrayNode sources = root.putArray("sources");
     outcome.logs().forEach(log -> sources.add(log.toString()));
+    ArrayNode recordings = root.putArray("recordings");
+    outcome.data().recordings().forEach(r -> recordings.add(r.identity()));
+    ArrayNode dropped = root.putArray("dropped_by_hand");
+    outcome.selection().dropped().keySet().stream().sorted().forEach(dropped::add);
+    outcome.forced().ifPresent(kind -> root.put("forced_kind", kind.id()));
     root.put("seed", calibration.seed());
     root.set("verdict", VerdictJson.of(outcome.verdict()));
     ArrayNode cameras = root.putArray("cameras");
@@ -182,8 +187,8 @@ final class CalibrationJson {
 
   private ObjectNode joint(Optional<JointFit> joint) {
     ObjectNode node = nodes.objectNode();
-    node.set("flat", joint.map(j -> estimates(j.flat())).orElse(nodes.objectNode()));
-    node.set("chip", joint.map(j -> estimates(j.chip())).orElse(nodes.objectNode()));
+    node.set("flat", joint.map(j -> estimates(KickKind.FLAT, j.flat())).orElse(nodes.objectNode()));
+    node.set("chip", joint.map(j -> estimates(KickKind.CHIP, j.chip())).orElse(nodes.objectNode()));
     joint.ifPresent(
         j -> {
           put(node, "rms_mm", j.rmsMm());
@@ -199,12 +204,14 @@ final class CalibrationJson {
     return node;
   }
 
-  private ObjectNode estimates(List<Estimate> estimates) {
+  private ObjectNode estimates(KickKind kind, List<Estimate> estimates) {
     ObjectNode node = nodes.objectNode();
     for (Estimate e : estimates) {
       ObjectNode one = node.putObject(ParameterWords.inFiles(e.name()));
       if (!e.parameter().estimated()) {
         one.put("mean", e.value()).put("fixed", true);
+      } else if (outcome.calibration().joint(kind, e.name()).isEmpty()) {
+        one.put("undetermined", "it needs two kicks");
       } else if (e.usable()) {
         one.put("mean", e.value()).put("standard_error", e.standardError());
       } else {

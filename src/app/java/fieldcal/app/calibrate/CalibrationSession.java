@@ -1,5 +1,7 @@
 package fieldcal.app.calibrate;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.recording.CollectedKicks;
 import fieldcal.app.recording.KickCollector;
 import fieldcal.app.recording.LogOpener;
@@ -129,6 +131,24 @@ public final class CalibrationSession {
     // the parameters that are calibrated.
     ExtendedModel here = model.withSessionStart(data.sessionStart());
     return new ExtendedCalibrator(settings, here, data.observers()).calibrate(problem, fitted);
+  }
+
+  /**
+   * Whether a {@code calibration.json} holds a calibration, whatever verdict it has: the same numbers from the same recordings, with the same decisions, commands and published model.
+   *
+   * @param outcome the calibration
+   * @param document the content of the file
+   * @return true when writing it again would change the verdict at most
+   */
+  public static boolean isIn(JsonNode document, CalibrationOutcome outcome) {
+    return withoutVerdict(document)
+        .equals(withoutVerdict(JsonFiles.asRead(new CalibrationJson(outcome).build())));
+  }
+
+  private static JsonNode withoutVerdict(JsonNode calibration) {
+    ObjectNode copy = calibration.deepCopy();
+    copy.remove("verdict");
+    return copy;
   }
 
   /**

@@ -34,6 +34,7 @@ public final class CalibrationWarnings {
 
   private final Calibration calibration;
   private final List<String> notes;
+  private final Map<Integer, Set<Integer>> together;
 
   /** Whether kicks of several fields are mixed: then they differ, but not because of what the ball does. */
   private final boolean mixed;
@@ -48,6 +49,7 @@ public final class CalibrationWarnings {
    */
   public CalibrationWarnings(CalibrationOutcome outcome) {
     calibration = outcome.calibration();
+    together = outcome.data().together();
     List<Reason> reasons = outcome.verdict().reasons();
     noChips = reasons.stream().anyMatch(r -> r instanceof Reason.NoChips);
     mixed =
@@ -81,12 +83,13 @@ public final class CalibrationWarnings {
       // What fewer kicks show may be their own error.
       offsets(sizes).ifPresent(warnings::add);
     }
-    uncompared(
+    warnings.addAll(
+        uncompared(
             calibration.kicks().stream()
                 .filter(k -> k.fit().failure().isEmpty())
                 .map(k -> k.fit().kick().observations().cameras())
-                .toList())
-        .ifPresent(warnings::add);
+                .toList(),
+            together));
     addLackOfFit(warnings);
     if (mixed) {
       return warnings;
@@ -177,36 +180,62 @@ public final class CalibrationWarnings {
   }
 
   /**
-   * Cameras that no kick leads from one to another cannot be compared, however far they are apart.
+   * Cameras that no kick leads from one to another cannot be compared, however far they are apart. Of cameras of different fields, or before and after a calibration, nobody asks that.
    *
    * @param kicks the cameras that saw each
+   * @param together by the number of each camera, those that looked at the field beside it
+   * @return one sentence for each field with such cameras
    */
-  static Optional<String> uncompared(List<int[]> kicks) {
-    List<Set<Integer>> groups = new ArrayList<>();
-    for (int[] cameras : kicks) {
-      Set<Integer> together = new TreeSet<>();
-      Arrays.stream(cameras).forEach(together::add);
-      for (Set<Integer> group : List.copyOf(groups)) {
-        if (!Collections.disjoint(group, together)) {
-          groups.remove(group);
-          together.addAll(group);
+  static List<String> uncompared(List<int[]> kicks, Map<Integer, Set<Integer>> together) {
+    List<Set<Integer>> groups =
+        merged(
+            kicks.stream()
+                .map(cameras -> Arrays.stream(cameras).boxed().collect(Collectors.toSet()))
+                .toList());
+    List<Set<Integer>> neighbours = new ArrayList<>();
+    for (int i = 0; i < groups.size(); i++) {
+      Set<Integer> one = new TreeSet<>(Set.of(i));
+      for (int j = 0; j < groups.size(); j++) {
+        Set<Integer> other = groups.get(j);
+        if (groups.get(i).stream()
+            .anyMatch(id -> !Collections.disjoint(together.getOrDefault(id, Set.of()), other))) {
+          one.add(j);
         }
       }
-      groups.add(together);
+      neighbours.add(one);
     }
-    if (groups.size() < 2) {
-      return Optional.empty();
-    }
+    return merged(neighbours).stream()
+        .filter(field -> field.size() > 1)
+        .map(field -> uncompared(field.stream().map(groups::get).toList()))
+        .toList();
+  }
+
+  private static String uncompared(List<Set<Integer>> groups) {
     String named =
         groups.stream()
             .map(g -> WordList.of(g.stream().map(String::valueOf).toList()))
             .sorted()
             .collect(Collectors.joining("; "));
-    return Optional.of(
-        "No kick leads from the view of some cameras into that of others ("
-            + named
-            + "). It is not known how far these disagree, and no difference is assumed. Record"
-            + " kicks from one view into the other.");
+    return "No kick leads from the view of some cameras into that of others ("
+        + named
+        + "). It is not known how far these disagree, and no difference is assumed. Record"
+        + " kicks from one view into the other.";
+  }
+
+  /** The same, where sets that have something in common are one. */
+  private static List<Set<Integer>> merged(List<Set<Integer>> sets) {
+    List<Set<Integer>> groups = new ArrayList<>();
+    for (Set<Integer> set : sets) {
+      Set<Integer> all = new TreeSet<>(set);
+      for (Set<Integer> group : List.copyOf(groups)) {
+        if (!Collections.disjoint(group, all)) {
+          groups.remove(group);
+          all.addAll(group);
+        }
+      }
+      groups.add(all);
+    }
+    return groups;
   }
 
   /**

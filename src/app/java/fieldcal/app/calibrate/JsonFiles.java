@@ -35,6 +35,20 @@ public final class JsonFiles {
   }
 
   /**
+   * A document as it is when it was written and read again: numbers of one value are equal, whatever type they had.
+   *
+   * @param document what would be written
+   * @return what would be read
+   */
+  static JsonNode asRead(JsonNode document) {
+    try {
+      return MAPPER.readTree(MAPPER.writeValueAsString(document));
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException("cannot read what was written: " + e.getMessage(), e);
+    }
+  }
+
+  /**
    * Writes bytes so that a crash leaves either the old file or the new one.
    *
    * @param bytes what to write

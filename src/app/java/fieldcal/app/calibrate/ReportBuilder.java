@@ -104,8 +104,7 @@ public final class ReportBuilder {
     List<CalibrationReport.ModelParameter> parameters = new ArrayList<>();
     for (Parameter p : names) {
       Average a = averages.get(p.name());
-      Optional<Estimate> joint =
-          calibration.joint().flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()));
+      Optional<Estimate> joint = calibration.joint(kind, p.name());
       parameters.add(
           new CalibrationReport.ModelParameter(
               p.name(),
@@ -129,7 +128,7 @@ public final class ReportBuilder {
   }
 
   private String rollNote() {
-    Optional<Estimate> roll = calibration.joint().flatMap(j -> j.chip("accRoll"));
+    Optional<Estimate> roll = calibration.joint(KickKind.CHIP, "accRoll");
     if (roll.isEmpty()) {
       return "";
     }

@@ -14,15 +14,21 @@ import fieldcal.verdict.Reason;
 import java.util.List;
 import java.util.Map;
 
-/** The verdict in {@code calibration.json}: typed reasons with their numbers for scripts, and the same in words. */
-final class VerdictJson {
+/** The verdict in {@code calibration.json} and {@code diagnosis.json}: typed reasons with their numbers for scripts, and the same in words. */
+public final class VerdictJson {
   private static final ObjectMapper MAPPER =
       new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
   private static final JsonNodeFactory NODES = JsonNodeFactory.instance;
 
   private VerdictJson() {}
 
-  static ObjectNode of(PublishVerdict verdict) {
+  /**
+   * Builds it.
+   *
+   * @param verdict of the library
+   * @return decision, reasons, and the same in words
+   */
+  public static ObjectNode of(PublishVerdict verdict) {
     ObjectNode node = NODES.objectNode();
     PublishWords words = PublishWords.of(verdict);
     node.put("decision", verdict.decision().id());

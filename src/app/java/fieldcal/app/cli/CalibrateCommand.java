@@ -154,7 +154,7 @@ final class CalibrateCommand implements Callable<Integer> {
       CollectedKicks data =
           new KickCollector(progress, logOptions.opener())
               .collect(request.logs())
-              .withProblems(arguments.unreadable());
+              .withProblems(arguments.notRead());
       outcome = diagnosed(session.calibrate(data, request, progress), arguments.decisions(out));
     }
     if (out != null) {

@@ -21,7 +21,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 
 /** Prints a calibration for the operator's terminal. */
 final class CalibrationText {
@@ -130,11 +129,10 @@ final class CalibrationText {
     for (Parameter p : names) {
       Average a = averages.get(p.name());
       String mean = a.n() == 0 ? "undetermined" : withError(a.mean(), a.standardError());
-      Optional<Estimate> joint =
-          calibration.joint().flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()));
       String together =
-          joint
-              .filter(e -> e.usable() && calibration.trusted().size() > 1)
+          calibration
+              .joint(kind, p.name())
+              .filter(Estimate::usable)
               .map(e -> withError(e.value(), e.standardError()))
               .orElse("undetermined");
       line(

@@ -1,9 +1,14 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.calibrate.CalibrationRequest;
+import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.SelectionFile;
+import fieldcal.app.diagnose.CalibrationBeside;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
+import fieldcal.app.recording.CollectedKicks;
+import fieldcal.app.recording.KickCollector;
 import fieldcal.calibration.HandSelection;
 import fieldcal.diagnosis.DiagnosisProblem;
 import fieldcal.fit.FitSettings;
@@ -92,20 +97,32 @@ final class DiagnoseCommand implements Callable<Integer> {
     LogArguments arguments = LogArguments.of(logs, logOptions.opener());
     HandSelection byHand = SelectionFile.readOrFormer(selection, arguments.decisions(out));
     List<CommandFile.Command> told = arguments.commands(commands);
-    DiagnosisSession session =
-        new DiagnosisSession(FitSettings.defaults().withSeed(seed), maxCauses, logOptions.opener());
+    FitSettings settings = FitSettings.defaults().withSeed(seed);
+    DiagnosisSession session = new DiagnosisSession(settings, maxCauses, logOptions.opener());
     DiagnosisOutcome outcome;
     try (WorkProgress progress = new WorkProgress(Heartbeat.of(spec))) {
-      outcome = session.run(arguments.logs(), byHand, told, progress);
+      CollectedKicks data =
+          new KickCollector(progress, logOptions.opener())
+              .collect(arguments.logs())
+              .withProblems(arguments.notRead());
+      outcome =
+          session.diagnose(
+              new CalibrationSession(settings, logOptions.opener())
+                  .calibrate(data, CalibrationRequest.of(arguments.logs(), byHand, told), progress),
+              progress::diagnosing);
     }
+    CalibrationBeside beside = CalibrationBeside.NONE;
     if (out != null) {
       DiagnosisSession.writeAll(outcome, out);
+      beside = CalibrationBeside.judgeAgain(outcome, out);
     }
     if (json != null) {
       DiagnosisSession.writeJson(outcome, json);
     }
-    new DiagnosisText(spec.commandLine().getOut()).print(outcome, out);
+    DiagnosisText text = new DiagnosisText(spec.commandLine().getOut());
+    text.print(outcome, out);
     arguments.tell(spec.commandLine().getOut());
+    text.model(beside, outcome, out);
     return 0;
   }
 }

@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.diagnose.CalibrationBeside;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.LeftOutKick;
 import fieldcal.app.recording.DataProblem;
@@ -8,6 +9,7 @@ import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
 import fieldcal.app.wording.Certainty;
 import fieldcal.app.wording.NextKicks;
+import fieldcal.app.wording.PublishWords;
 import fieldcal.app.wording.StructureWords;
 import fieldcal.app.wording.VerdictText;
 import fieldcal.diagnosis.Cause;
@@ -68,6 +70,32 @@ final class DiagnosisText {
       VerdictText.failures(diagnosis).forEach(text -> wrapped("", "", text));
     }
     recordings(outcome, directory);
+    out.flush();
+  }
+
+  /** What the diagnosis makes of a calibration that was in the directory before. */
+  void model(CalibrationBeside beside, DiagnosisOutcome outcome, Path directory) {
+    String headline = PublishWords.of(outcome.judged().verdict()).headline();
+    switch (beside) {
+      case NONE -> {}
+      case JUDGED_AGAIN -> {
+        line("");
+        wrapped(
+            "",
+            "",
+            "The files of calibrate in " + directory + " now count this diagnosis. " + headline);
+      }
+      case OUTDATED -> {
+        line("");
+        wrapped(
+            "",
+            "",
+            "The files of calibrate in "
+                + directory
+                + " do not count this diagnosis: run calibrate again with the same options. "
+                + headline);
+      }
+    }
     out.flush();
   }
 

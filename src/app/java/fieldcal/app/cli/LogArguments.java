@@ -20,21 +20,21 @@ import java.util.List;
  * @param logs at least one
  * @param apart recordings of a folder that are kept apart
  * @param leftOut one line for each recording of a folder that is kept apart or cannot be read
- * @param unreadable those that cannot be read
+ * @param notRead those that cannot be read, and copies of others
  * @param folders that were named
  */
 record LogArguments(
     List<Path> logs,
     List<Path> apart,
     List<String> leftOut,
-    List<DataProblem> unreadable,
+    List<DataProblem> notRead,
     List<Path> folders) {
 
   static LogArguments of(List<Path> named, LogOpener opener) throws IOException {
     List<Path> logs = new ArrayList<>();
     List<Path> apart = new ArrayList<>();
     List<String> leftOut = new ArrayList<>();
-    List<DataProblem> unreadable = new ArrayList<>();
+    List<DataProblem> notRead = new ArrayList<>();
     List<Path> folders = new ArrayList<>();
     for (Path path : named) {
       if (!Files.isDirectory(path)) {
@@ -56,7 +56,8 @@ record LogArguments(
         }
       }
       readable.broken().values().forEach(why -> leftOut.add("left out: " + why));
-      unreadable.addAll(readable.problems());
+      notRead.addAll(readable.problems());
+      notRead.addAll(choice.copies());
     }
     if (logs.isEmpty()) {
       throw new InputException(String.join("; ", leftOut) + "; nothing is left to calibrate");
@@ -65,7 +66,7 @@ record LogArguments(
         List.copyOf(logs),
         List.copyOf(apart),
         List.copyOf(leftOut),
-        List.copyOf(unreadable),
+        List.copyOf(notRead),
         List.copyOf(folders));
   }
 

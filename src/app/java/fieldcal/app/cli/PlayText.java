@@ -239,11 +239,7 @@ final class PlayText {
           flat ? FlatModel.typical().parameters() : ChipModel.typical().parameters().subList(0, 3);
       for (Parameter p : names) {
         JsonNode value = truth.get(ParameterWords.inFiles(p.name()));
-        Optional<Estimate> joint =
-            calibration
-                .joint()
-                .flatMap(j -> flat ? j.flat(p.name()) : j.chip(p.name()))
-                .filter(Estimate::usable);
+        Optional<Estimate> joint = calibration.joint(kind, p.name()).filter(Estimate::usable);
         if (value != null && value.isNumber() && joint.isPresent()) {
           double off = joint.get().value() - value.doubleValue();
           line(

@@ -23,6 +23,7 @@ final class Desks {
   private final MatchDesk match;
   private final PlayDesk play;
   private final RecordDesk record;
+  private final DirectoryWatch watch;
   private final StateJson json;
 
   Desks(ConsoleSettings settings, Clock clock) throws IOException {
@@ -40,6 +41,7 @@ final class Desks {
     match = new MatchDesk(directory, settings.opener(), kicks, events, this::tellState);
     play = new PlayDesk(directory, kicks, events, this::tellState);
     record = new RecordDesk(directory, kicks, clock, events, this::tellState);
+    watch = new DirectoryWatch(directory, this::tellState);
     json =
         new StateJson(
             directory,
@@ -68,9 +70,11 @@ final class Desks {
     }
     work.start();
     kicks.read();
+    watch.start();
   }
 
   void stop() {
+    watch.close();
     vision.close();
     match.close();
     play.close();

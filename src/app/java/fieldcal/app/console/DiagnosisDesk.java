@@ -6,6 +6,7 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.console.SessionNotes.Acceptance;
 import fieldcal.app.console.SessionNotes.CauseNote;
 import fieldcal.app.console.SessionNotes.DiagnosisNote;
+import fieldcal.app.diagnose.CalibrationBeside;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.DiagnosisSession;
 import fieldcal.app.diagnose.ExtendedModelFile;
@@ -102,6 +103,7 @@ final class DiagnosisDesk {
       DiagnosisOutcome outcome = session.diagnose(calibration, progress::diagnosing);
       progress.diagnosing("writing the report");
       DiagnosisSession.writeAll(outcome, directory.path());
+      CalibrationBeside.judgeAgain(outcome, directory.path());
       notes.change(n -> n.withDiagnosis(note(outcome)));
       kicks.under(Optional.empty());
       kicks.circumstancesChanged();

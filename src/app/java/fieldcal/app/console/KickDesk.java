@@ -57,6 +57,7 @@ final class KickDesk {
   private List<Path> logs = List.of();
   private RecordingChoice choice = new RecordingChoice(List.of());
   private Map<Path, String> leftOut = Map.of();
+  private Map<Path, FileStamp> files = Map.of();
   private Optional<ExtendedModel> model = Optional.empty();
   private Optional<String> failure = Optional.empty();
   private Optional<String> unsaved = Optional.empty();
@@ -79,6 +80,7 @@ final class KickDesk {
    * @param logs the recordings in it
    * @param choice all recordings of the directory, and which of them are used
    * @param leftOut recordings of the directory that cannot be read, and why
+   * @param files all recordings of the directory as they were when they were read
    * @param failure why there is no calibration, or why the last one failed
    * @param unsaved why the decisions are not on the disk
    * @param settled whether the joint fit is that of the present decisions
@@ -94,6 +96,7 @@ final class KickDesk {
       List<Path> logs,
       RecordingChoice choice,
       Map<Path, String> leftOut,
+      Map<Path, FileStamp> files,
       Optional<String> failure,
       Optional<String> unsaved,
       boolean settled) {
@@ -109,6 +112,7 @@ final class KickDesk {
           logs,
           choice,
           leftOut,
+          files,
           failure,
           unsaved,
           settled);
@@ -160,6 +164,7 @@ final class KickDesk {
         logs,
         choice,
         leftOut,
+        files,
         failure,
         unsaved,
         settled);
@@ -182,20 +187,25 @@ final class KickDesk {
 
   private void read(Work.Progress progress) {
     try {
-      ReadableRecordings readable = ReadableRecordings.of(directory.logs(), opener);
+      // Before they are read: what grows meanwhile has changed.
+      Map<Path, FileStamp> present = directory.files();
+      ReadableRecordings readable = ReadableRecordings.of(List.copyOf(present.keySet()), opener);
       RecordingChoice chosen = RecordingFolder.choice(readable, directory.path());
       List<Path> found = used(chosen);
       HandSelection selection = decided();
       if (found.isEmpty()) {
-        install(chosen, readable.broken(), Optional.empty(), selection);
+        install(present, chosen, readable.broken(), Optional.empty(), selection);
         return;
       }
       progress.reading(found);
       CollectedKicks data =
-          new KickCollector(progress, opener).collect(found).withProblems(readable.problems());
+          new KickCollector(progress, opener)
+              .collect(found)
+              .withProblems(readable.problems())
+              .withProblems(chosen.copies());
       CalibrationRequest request = request(found, selection);
       CalibrationOutcome calibrated = session.calibrate(data, request, progress);
-      install(chosen, readable.broken(), Optional.of(calibrated), selection);
+      install(present, chosen, readable.broken(), Optional.of(calibrated), selection);
     } catch (CancellationException e) {
       fail("Reading was cancelled.");
       throw e;
@@ -263,6 +273,7 @@ final class KickDesk {
   }
 
   private void install(
+      Map<Path, FileStamp> present,
       RecordingChoice chosen,
       Map<Path, String> broken,
       Optional<CalibrationOutcome> calibrated,
@@ -277,6 +288,7 @@ final class KickDesk {
       logs = used(chosen);
       choice = chosen;
       leftOut = Map.copyOf(broken);
+      files = Map.copyOf(present);
       outcome = calibrated.map(o -> o.reselected(history.now()));
       failure = Optional.empty();
       settled = !refine;

@@ -5,6 +5,7 @@ import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.RecordingFolder;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -106,6 +107,19 @@ final class SessionDirectory {
         .filter(Predicate.not(growing))
         .filter(log -> !beingRecorded.contains(log))
         .toList();
+  }
+
+  /** The same as they are at the moment; one that vanishes meanwhile is none of them. */
+  Map<Path, FileStamp> files() throws IOException {
+    Map<Path, FileStamp> all = new LinkedHashMap<>();
+    for (Path log : logs()) {
+      try {
+        all.put(log, FileStamp.of(log));
+      } catch (NoSuchFileException e) {
+        continue;
+      }
+    }
+    return all;
   }
 
   /** What can be watched: the recordings, and those of matches, which nobody wants to calibrate; by name. */

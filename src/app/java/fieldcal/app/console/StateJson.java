@@ -97,7 +97,7 @@ final class StateJson {
     root.set("choice", choice(view));
     root.set("record", record.state());
     root.set("sending", publish.state());
-    root.set("unread", unread(view));
+    files(root, view);
     ArrayNode leftOut = root.putArray("leftOut");
     view.leftOut().values().stream().sorted().forEach(leftOut::add);
     root.put("settled", view.settled());
@@ -150,22 +150,23 @@ final class StateJson {
     }
   }
 
-  /** Recordings that came into the directory, or left it, since it was read. */
-  private ArrayNode unread(KickDesk.View view) {
-    ArrayNode names = NODES.arrayNode();
+  /** Recordings that came into the directory, or were written again, since it was read. */
+  private void files(ObjectNode root, KickDesk.View view) {
+    ArrayNode added = root.putArray("unread");
+    ArrayNode changed = root.putArray("changed");
     try {
-      List<Path> now = directory.logs();
-      now.stream()
-          .filter(log -> !known(view, log) && !view.leftOut().containsKey(log))
-          .forEach(log -> names.add(log.getFileName().toString()));
+      directory
+          .files()
+          .forEach(
+              (log, now) -> {
+                FileStamp read = view.files().get(log);
+                if (!now.equals(read)) {
+                  (read == null ? added : changed).add(log.getFileName().toString());
+                }
+              });
     } catch (IOException e) {
       // The directory went away: the page keeps what was read.
     }
-    return names;
-  }
-
-  private static boolean known(KickDesk.View view, Path log) {
-    return view.choice().entries().stream().anyMatch(e -> e.facts().log().equals(log));
   }
 
   /** Every recording that can be read, whether it is used, and why not. */

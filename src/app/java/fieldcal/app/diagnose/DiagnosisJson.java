@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import fieldcal.app.calibrate.VerdictJson;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.wording.CauseText;
 import fieldcal.app.wording.CauseWords;
@@ -59,6 +60,7 @@ final class DiagnosisJson {
     ObjectNode root = nodes.objectNode();
     root.put("schema", SCHEMA);
     root.put("verdict", diagnosis.verdict().id());
+    root.set("model_verdict", VerdictJson.of(outcome.judged().verdict()));
     ArrayNode sources = root.putArray("sources");
     outcome.calibration().logs().forEach(log -> sources.add(log.toString()));
     ArrayNode recordings = root.putArray("recordings");

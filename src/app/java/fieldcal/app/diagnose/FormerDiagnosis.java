@@ -13,7 +13,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 
 /**
  * What an earlier diagnosis found, and of which kicks. Decides for terminal and console alike whether it still counts.
@@ -39,16 +38,58 @@ public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String>
    * @return empty when there is no diagnosis, or none that says of which kicks it is
    */
   public static Optional<FormerDiagnosis> read(Path directory) {
+    return document(directory).flatMap(FormerDiagnosis::of);
+  }
+
+  private static Optional<JsonNode> document(Path directory) {
     Path file = directory.resolve(FILE);
     if (!Files.isRegularFile(file)) {
       return Optional.empty();
     }
     try {
-      return of(JsonFiles.read(file));
+      return Optional.of(JsonFiles.read(file));
     } catch (IOException e) {
       // The file is for the user to read; a verdict does without it.
       return Optional.empty();
     }
+  }
+
+  /**
+   * The verdict on a model that was calibrated before its diagnosis: the one that the diagnosis made of the same kicks.
+   *
+   * @param directory of the results
+   * @param calibration the content of its {@code calibration.json}
+   * @return as in {@code calibration.json}; empty when there is no diagnosis of these kicks, or the calibration counts it already
+   */
+  public static Optional<JsonNode> verdictOn(Path directory, JsonNode calibration) {
+    if (calibration.has("extended_model") || calibration.has("forced_kind")) {
+      return Optional.empty();
+    }
+    return read(directory)
+        .filter(
+            d ->
+                d.dropped.equals(Set.copyOf(texts(calibration.path("dropped_by_hand"))))
+                    && d.recordings.equals(texts(calibration.path("recordings"))))
+        .filter(d -> !d.isCountedIn(calibration.at("/verdict/reasons")))
+        .flatMap(d -> document(directory))
+        .map(root -> root.path("model_verdict"))
+        .filter(JsonNode::isObject);
+  }
+
+  private boolean isCountedIn(JsonNode reasons) {
+    for (JsonNode reason : reasons) {
+      if (reason.path("reason").asText().equals("diagnosed")) {
+        return reason.path("verdict").asText().equals(finding.verdict().id())
+            && texts(reason.path("causes")).equals(finding.causes());
+      }
+    }
+    return false;
+  }
+
+  private static List<String> texts(JsonNode list) {
+    List<String> texts = new ArrayList<>();
+    list.forEach(text -> texts.add(text.asText()));
+    return texts;
   }
 
   private static Optional<FormerDiagnosis> of(JsonNode root) {
@@ -59,14 +100,13 @@ public record FormerDiagnosis(Finding finding, Set<String> dropped, List<String>
         || !from.isArray()) {
       return Optional.empty();
     }
-    List<String> recordings = new ArrayList<>();
-    from.forEach(recording -> recordings.add(recording.asText()));
     List<String> causes = new ArrayList<>();
     root.path("causes").forEach(cause -> causes.add(cause.path("effect").asText()));
-    Set<String> keys = new TreeSet<>();
-    dropped.forEach(key -> keys.add(key.asText()));
     return Verdict.ofId(root.path("verdict").asText())
-        .map(verdict -> new FormerDiagnosis(new Finding(verdict, causes), keys, recordings));
+        .map(
+            verdict ->
+                new FormerDiagnosis(
+                    new Finding(verdict, causes), Set.copyOf(texts(dropped)), texts(from)));
   }
 
   /**

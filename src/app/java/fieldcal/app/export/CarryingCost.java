@@ -130,6 +130,7 @@ final class CarryingCost {
     }
     Gap gap = gap(whole, target());
     boolean seen = gap.rms()[2] >= VISIBLE_MM;
+    String reference = whole.effects().isEmpty() ? "the calibrated model" : "the whole model";
     String over =
         ownKicks
             ? (kicks.size() == 1 ? "over the kick of " : "over the " + kicks.size() + " kicks of ")
@@ -137,12 +138,16 @@ final class CarryingCost {
             : "over " + kicks.size() + " kicks of 2 to 6.5 m/s from the centre in all directions";
     return Optional.of(
         seen
-            ? "In all, the target's prediction is off from the whole model's by "
+            ? "In all, the target's prediction is off from that of "
+                + reference
+                + " by "
                 + words(gap)
                 + ", "
                 + over
                 + "."
-            : "The target predicts like the whole model, to within "
+            : "The target predicts like "
+                + reference
+                + ", to within "
                 + VISIBLE_MM
                 + " mm after 2 s, "
                 + over

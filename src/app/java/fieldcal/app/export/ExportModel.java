@@ -6,6 +6,7 @@ import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.diagnose.ExtendedModelFile;
+import fieldcal.app.diagnose.FormerDiagnosis;
 import fieldcal.app.history.HistoryEntry;
 import fieldcal.app.history.HistoryEntry.Action;
 import fieldcal.effect.Effect;
@@ -79,7 +80,7 @@ public record ExportModel(
    *
    * @param sources the recordings
    * @param kicks numbers of the kicks that were used
-   * @param verdict the calibration's own verdict; empty when the file has none
+   * @param verdict the calibration's own verdict, or that of a diagnosis beside it; empty when there is none
    */
   public record Provenance(
       List<String> sources, List<Integer> kicks, Optional<ModelVerdict> verdict) {
@@ -235,7 +236,14 @@ public record ExportModel(
         cameras(ball.quantities(), root.path("cameras")),
         kicks,
         List.of(),
-        new Provenance(sources, used, ModelVerdict.of(root.path("verdict"))));
+        new Provenance(sources, used, verdict(file, root)));
+  }
+
+  /** The verdict of the calibration, or that of a diagnosis of the same kicks that came after it. */
+  private static Optional<ModelVerdict> verdict(Path file, JsonNode root) {
+    return ModelVerdict.of(
+        FormerDiagnosis.verdictOn(file.toAbsolutePath().getParent(), root)
+            .orElse(root.path("verdict")));
   }
 
   /** What the parameters hold together with, when they were calibrated under an extended model. */

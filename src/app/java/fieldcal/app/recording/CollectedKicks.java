@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * The kicks of one recording or several, and what is needed to judge them.
@@ -26,6 +27,7 @@ import java.util.Optional;
  * @param sessionStart time of the first frame of the first recording, s since the epoch; 0 without a frame
  * @param recordings where each of them comes from, in order
  * @param duration of all recordings together, s
+ * @param together by the number of each camera, those that sent frames while it was calibrated as it is
  */
 public record CollectedKicks(
     Epoch epoch,
@@ -39,7 +41,8 @@ public record CollectedKicks(
     List<DataProblem> problems,
     double sessionStart,
     List<RecordingFacts> recordings,
-    double duration) {
+    double duration,
+    Map<Integer, Set<Integer>> together) {
 
   /** Copies the lists. {@inheritDoc} */
   public CollectedKicks {
@@ -49,6 +52,7 @@ public record CollectedKicks(
     streams = Map.copyOf(streams);
     problems = List.copyOf(problems);
     recordings = List.copyOf(recordings);
+    together = Map.copyOf(together);
   }
 
   /**
@@ -72,6 +76,7 @@ public record CollectedKicks(
         all,
         sessionStart,
         recordings,
-        duration);
+        duration,
+        together);
   }
 }

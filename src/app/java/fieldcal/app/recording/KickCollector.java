@@ -77,6 +77,9 @@ public final class KickCollector {
   /** How many cameras looked at the field together with each. */
   private final Map<Integer, Integer> companions = new HashMap<>();
 
+  /** Which cameras sent frames while each was calibrated as it is; not those of another field, or of a calibration before. */
+  private final Map<Integer, Set<Integer>> together = new TreeMap<>();
+
   private final List<DataProblem> problems = new ArrayList<>();
   private Optional<FieldGeometry> geometry = Optional.empty();
   private BallModels published = BallModels.NONE;
@@ -139,6 +142,11 @@ public final class KickCollector {
         continue;
       }
       RecordingFacts facts = RecordingFacts.of(log, opener);
+      Optional<RecordingFacts> original = recordings.stream().filter(facts::isCopyOf).findFirst();
+      if (original.isPresent()) {
+        problems.add(DataProblem.copy(log, original.get().log()));
+        continue;
+      }
       try (RecordingReader recording =
           epoch == null ? opener.recording(log) : opener.recording(log, epoch)) {
         epoch = recording.epoch();
@@ -168,7 +176,8 @@ public final class KickCollector {
         problems,
         Double.isNaN(sessionStart) ? 0 : sessionStart,
         recordings,
-        duration);
+        duration,
+        together);
   }
 
   private void leaveUnusableLensesOut(List<Path> logs, List<CameraView> views) {
@@ -327,6 +336,10 @@ public final class KickCollector {
     private final Set<Integer> ids = new HashSet<>();
 
     private final Set<Integer> seen = new HashSet<>();
+
+    /** The cameras with their calibrations of this moment. */
+    private final Set<Integer> current = new TreeSet<>();
+
     private final CameraLayout layout = new CameraLayout();
     private final Map<Integer, ClockComparison> clocks = new TreeMap<>();
     private int found;
@@ -454,7 +467,12 @@ public final class KickCollector {
         calibrations.put(number, c);
         open(number, c);
       }
-      if (!Integer.valueOf(number).equals(numbers.put(c.id(), number)) && number != c.id()) {
+      Integer before = numbers.put(c.id(), number);
+      boolean another = before == null || before != number;
+      if (another) {
+        current.remove(before == null ? Integer.valueOf(c.id()) : before);
+      }
+      if (another && number != c.id()) {
         problems.add(
             new DataProblem(
                 log.toString(),
@@ -498,6 +516,9 @@ public final class KickCollector {
       }
       ids.add(frame.cameraId());
       seen.add(number);
+      if (current.add(number)) {
+        current.forEach(id -> together.computeIfAbsent(id, key -> new TreeSet<>()).addAll(current));
+      }
       streams.computeIfAbsent(number, id -> new CameraStream()).accept(known);
       layout.accept(known);
       int gaps = finder.counts().recordingGaps();

@@ -12,7 +12,7 @@ import java.util.Optional;
 
 /**
  * Which recordings of a folder belong together. A ball model holds for one carpet, and a match is no calibration; so what was recorded for calibration on the field of the newest such recording is used, and
- * recordings of matches, of a simulated field and of other fields are kept apart. Recordings of one of these sorts are used where there is nothing better. Somebody's decision overrides the rule.
+ * recordings of matches, of a simulated field and of other fields are kept apart, and so is a second file with the same frames. Recordings of one of these sorts are used where there is nothing better. Somebody's decision overrides the rule.
  *
  * @param entries one for each recording, in order
  */
@@ -27,6 +27,8 @@ public record RecordingChoice(List<Entry> entries) {
   public enum Apart {
     /** It is not. */
     NO,
+    /** A recording before it holds the same frames. */
+    COPY,
     /** The field was simulated. */
     SIMULATED,
     /** The referee let a match run. */
@@ -44,8 +46,14 @@ public record RecordingChoice(List<Entry> entries) {
    * @param used whether its kicks are calibrated
    * @param apart why the rule keeps it apart
    * @param byHand whether somebody decided
+   * @param original the recording that it is a copy of; empty for all others
    */
-  public record Entry(RecordingFacts facts, boolean used, Apart apart, boolean byHand) {
+  public record Entry(
+      RecordingFacts facts,
+      boolean used,
+      Apart apart,
+      boolean byHand,
+      Optional<RecordingFacts> original) {
     /**
      * Its name.
      *
@@ -77,6 +85,7 @@ public record RecordingChoice(List<Entry> entries) {
     private String why() {
       return switch (apart) {
         case NO -> "";
+        case COPY -> "a copy of " + original.orElseThrow().log().getFileName();
         case SIMULATED -> "from a simulated field";
         case MATCH -> String.format(Locale.ROOT, "of a match (%.0f s of play)", facts.playing());
         case OTHER_FIELD ->
@@ -105,20 +114,40 @@ public record RecordingChoice(List<Entry> entries) {
    * @return the choice, in the same order
    */
   public static RecordingChoice of(List<RecordingFacts> all, Map<String, Boolean> byHand) {
-    int best = all.stream().mapToInt(RecordingChoice::rank).min().orElse(0);
+    List<RecordingFacts> different = new ArrayList<>();
+    for (RecordingFacts facts : all) {
+      if (different.stream().noneMatch(facts::isCopyOf)) {
+        different.add(facts);
+      }
+    }
+    int best = different.stream().mapToInt(RecordingChoice::rank).min().orElse(0);
     Optional<FieldGeometry> field =
-        all.stream()
+        different.stream()
             .filter(f -> rank(f) == best && f.geometry().isPresent())
             .max(Comparator.comparingLong(RecordingFacts::startUnixNanos))
             .flatMap(RecordingFacts::geometry);
     List<Entry> entries = new ArrayList<>();
     for (RecordingFacts facts : all) {
-      Apart apart = apart(facts, best, field);
+      Optional<RecordingFacts> original =
+          different.stream().filter(d -> d != facts && facts.isCopyOf(d)).findFirst();
+      Apart apart = original.isPresent() ? Apart.COPY : apart(facts, best, field);
       Boolean decided = byHand.get(facts.log().getFileName().toString());
       boolean used = decided == null ? apart == Apart.NO : decided;
-      entries.add(new Entry(facts, used, apart, decided != null));
+      entries.add(new Entry(facts, used, apart, decided != null, original));
     }
     return new RecordingChoice(entries);
+  }
+
+  /**
+   * The copies that are left out, as problems of the data: who sees two files expects the kicks of both.
+   *
+   * @return one for each
+   */
+  public List<DataProblem> copies() {
+    return entries.stream()
+        .filter(entry -> !entry.used() && entry.original().isPresent())
+        .map(e -> DataProblem.copy(e.facts().log(), e.original().orElseThrow().log()))
+        .toList();
   }
 
   /**

@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import java.util.zip.CRC32C;
 
 /**
  * Where a recording comes from, found without looking at its frames.
@@ -30,6 +31,7 @@ import java.util.stream.Stream;
  * @param startUnixNanos when the first message was received, Unix time, ns; 0 without messages
  * @param bytes size of the file
  * @param cut whether the end of the file is missing or damaged
+ * @param contents number and checksum of what vision sent in it; the same in a copy, packed or not; 0 when vision sent nothing
  * @param faults what its frames show of its cameras; empty until somebody looked at them
  */
 public record RecordingFacts(
@@ -40,6 +42,7 @@ public record RecordingFacts(
     long startUnixNanos,
     long bytes,
     boolean cut,
+    long contents,
     List<VisionFault> faults) {
   /** A shorter start is somebody who tries out the game controller, s. */
   private static final double MATCH_FROM = 10;
@@ -89,9 +92,19 @@ public record RecordingFacts(
   public static Surroundings surroundings(List<RecordingFacts> all) {
     return new Surroundings(
         all.stream()
-            .map(f -> new Surroundings.Recorded(f.isSimulated(), f.geometry(), f.faults()))
+            .map(
+                f ->
+                    new Surroundings.Recorded(
+                        f.name(all), f.isSimulated(), f.geometry(), f.faults()))
             .toList(),
         Optional.empty());
+  }
+
+  /** The name of its file, with the path where another recording has the same name. */
+  private String name(List<RecordingFacts> all) {
+    Path file = log.getFileName();
+    boolean ambiguous = all.stream().filter(f -> f.log.getFileName().equals(file)).count() > 1;
+    return (ambiguous ? log : file).toString();
   }
 
   /**
@@ -101,7 +114,8 @@ public record RecordingFacts(
    * @return the changed copy
    */
   RecordingFacts showing(List<VisionFault> found) {
-    return new RecordingFacts(log, origin, playing, geometry, startUnixNanos, bytes, cut, found);
+    return new RecordingFacts(
+        log, origin, playing, geometry, startUnixNanos, bytes, cut, contents, found);
   }
 
   /**
@@ -136,6 +150,16 @@ public record RecordingFacts(
     return Files.exists(log.resolveSibling(name + ".truth.json"));
   }
 
+  /**
+   * Whether another recording holds the same frames.
+   *
+   * @param other of any file
+   * @return true when vision sent the same in both, and something at all
+   */
+  public boolean isCopyOf(RecordingFacts other) {
+    return contents != 0 && contents == other.contents;
+  }
+
   /** One pass over the messages. */
   private static final class Scan {
     private final GameLogReader reader;
@@ -143,6 +167,8 @@ public record RecordingFacts(
     private Optional<FieldGeometry> geometry = Optional.empty();
     private double playing;
     private double refereeAt = Double.NaN;
+    private final CRC32C checksum = new CRC32C();
+    private long sent;
 
     Scan(GameLogReader reader, boolean simulated) {
       this.reader = reader;
@@ -163,6 +189,10 @@ public record RecordingFacts(
         }
         double time = epoch.secondsOfNanos(reader.receivedNanos());
         simulated |= RecordingOrigin.isSimulationMark(reader);
+        if (reader.type() == MessageType.SSL_VISION_2014) {
+          checksum.update(reader.buffer(), reader.payloadOffset(), reader.payloadLength());
+          sent++;
+        }
         if (reader.type() == MessageType.SSL_REFBOX_2013) {
           referee(referee, time);
         } else if (reader.type() == MessageType.SSL_VISION_2014
@@ -176,7 +206,15 @@ public record RecordingFacts(
       }
       RecordingOrigin origin = simulated ? RecordingOrigin.SIMULATION : RecordingOrigin.FIELD;
       return new RecordingFacts(
-          log, origin, playing, geometry, start, Files.size(log), isCut(), List.of());
+          log,
+          origin,
+          playing,
+          geometry,
+          start,
+          Files.size(log),
+          isCut(),
+          sent << Integer.SIZE | checksum.getValue(),
+          List.of());
     }
 
     private boolean isCut() {

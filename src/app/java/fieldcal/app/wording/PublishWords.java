@@ -5,6 +5,7 @@ import fieldcal.effect.EffectCatalogue;
 import fieldcal.effect.KickerEffect;
 import fieldcal.effect.MeasurementEffect;
 import fieldcal.kick.KickKind;
+import fieldcal.verdict.FieldSize;
 import fieldcal.verdict.PublishDecision;
 import fieldcal.verdict.PublishVerdict;
 import fieldcal.verdict.Reason;
@@ -114,8 +115,10 @@ public record PublishWords(
   }
 
   private static String sort(Reason reason) {
-    boolean namesNoModel =
-        reason instanceof Reason.Imprecise || reason instanceof Reason.MeanAgainstJoint;
+    if (reason instanceof Reason.MeanAgainstJoint m) {
+      return m.id() + " " + m.beyondChance();
+    }
+    boolean namesNoModel = reason instanceof Reason.Imprecise;
     String model = namesNoModel ? "" : reason.model().map(KickKind::id).orElse("");
     return reason.id() + " " + model;
   }
@@ -176,8 +179,8 @@ public record PublishWords(
     if (first instanceof Reason.Imprecise imprecise) {
       return Stream.of(imprecise(alike, imprecise.limit()));
     }
-    if (first instanceof Reason.MeanAgainstJoint) {
-      return Stream.of(meanAgainstJoint(alike));
+    if (first instanceof Reason.MeanAgainstJoint m) {
+      return Stream.of(m.beyondChance() ? meanAgainstJoint(alike) : notDetermined(alike));
     }
     return alike.stream().map(PublishWords::sentence);
   }
@@ -217,6 +220,29 @@ public record PublishWords(
             .collect(Collectors.joining("; "))
         + "."
         + NO_SINGLE_VALUE;
+  }
+
+  /** Mean and joint fit are far apart, but agree within their errors. */
+  private static String notDetermined(List<Reason> alike) {
+    if (alike.size() == 1) {
+      Reason.MeanAgainstJoint m = (Reason.MeanAgainstJoint) alike.get(0);
+      return text(
+          "The kicks do not determine the %s: it is %s as the mean of the kicks and %s in the joint"
+              + " fit. These differ by %.0f %%, but by no more than their errors allow (%.1f"
+              + " standard errors).",
+          ParameterWords.of(m.parameter()),
+          value(m.parameter(), m.mean()),
+          value(m.parameter(), m.joint()),
+          m.percent(),
+          m.standardErrors());
+    }
+    return "The kicks do not determine some parameters. The mean of the kicks and the joint fit"
+        + " differ by no more than their errors allow: "
+        + alike.stream()
+            .map(Reason.MeanAgainstJoint.class::cast)
+            .map(PublishWords::bothValues)
+            .collect(Collectors.joining("; "))
+        + ".";
   }
 
   private static String bothValues(Reason.MeanAgainstJoint m) {
@@ -300,24 +326,26 @@ public record PublishWords(
           n.flat(), n.kicks());
     }
     if (reason instanceof Reason.SeveralFields f) {
-      return "The fields differ in size: "
-          + f.fields().stream()
-              .map(s -> text("%.2f × %.2f m", s.length(), s.width()))
-              .collect(Collectors.joining(", "))
-          + ". A ball model holds for one carpet.";
+      return "The fields differ in size: " + fields(f) + ". A ball model holds for one carpet.";
     }
     if (reason instanceof Reason.FaultyVision f) {
-      return VisionFaultWords.sentence(f.fault());
+      return (f.recordings().isEmpty() ? "" : "In " + RecordingNames.of(f.recordings()) + ": ")
+          + VisionFaultWords.sentence(f.fault());
     }
-    if (reason instanceof Reason.OtherCameras) {
-      return "Every camera was calibrated again between the recordings, or they are from different"
-          + " fields of the same size.";
+    if (reason instanceof Reason.OtherCameras o) {
+      return "Every camera was calibrated again between some of the recordings, or they are from"
+          + " different fields of the same size: "
+          + o.recordings().stream().map(RecordingNames::of).collect(Collectors.joining("; "))
+          + ".";
     }
     if (reason instanceof Reason.SimulatedField s) {
       return s.simulated() < s.recordings()
           ? text(
-              "%d of the %d recordings %s from a simulated field.",
-              s.simulated(), s.recordings(), s.simulated() == 1 ? "is" : "are")
+              "%d of the %d recordings %s from a simulated field: %s.",
+              s.simulated(),
+              s.recordings(),
+              s.simulated() == 1 ? "is" : "are",
+              RecordingNames.of(s.names()))
           : "The kicks are from a simulated field: the model is valid there, not on a real carpet.";
     }
     if (reason instanceof Reason.ExtendedModelOnly e) {
@@ -327,6 +355,9 @@ public record PublishWords(
     }
     if (reason instanceof Reason.Diagnosed d) {
       return diagnosed(d);
+    }
+    if (reason instanceof Reason.NotDiagnosed) {
+      return "No diagnosis was run yet: diagnose shows what the model gets wrong.";
     }
     if (reason instanceof Reason.AgreesWithPublished a) {
       return model(a.kind())
@@ -338,6 +369,20 @@ public record PublishWords(
     return "No "
         + reason.model().map(KickKind::id).orElse("")
         + " model is published to compare with.";
+  }
+
+  private static String fields(Reason.SeveralFields reason) {
+    List<String> all = new ArrayList<>();
+    for (int i = 0; i < reason.fields().size(); i++) {
+      FieldSize size = reason.fields().get(i);
+      List<String> recordings = reason.recordings().get(i);
+      all.add(
+          text("%.2f × %.2f m", size.length(), size.width())
+              + (recordings.isEmpty()
+                  ? " (as vision publishes it)"
+                  : " (" + RecordingNames.of(recordings) + ")"));
+    }
+    return String.join(", ", all);
   }
 
   private static String diagnosed(Reason.Diagnosed d) {
@@ -392,10 +437,14 @@ public record PublishWords(
       }
     }
     Set<String> wanted = new LinkedHashSet<>();
+    boolean moreHelp =
+        verdict.reasons().stream()
+            .filter(PublishWords::holdsBack)
+            .allMatch(PublishWords::asksForMoreKicks);
     for (Reason reason : verdict.reasons()) {
-      if (holdsBack(reason)
-          && reason instanceof Reason.OfModel of
-          && reason.decision() == PublishDecision.RECORD_MORE) {
+      if (reason instanceof Reason.OfModel of
+          && (reason.decision() == PublishDecision.RECORD_MORE
+              || moreHelp && asksForMoreKicks(reason))) {
         wanted.add(KICKS_THAT_TELL.get(of.parameter()));
       }
     }
@@ -411,6 +460,12 @@ public record PublishWords(
               + " wrong.");
     }
     return List.copyOf(all);
+  }
+
+  /** Whether more kicks would settle it. Where kicks contradict one model, more of them do not determine its parameters either. */
+  private static boolean asksForMoreKicks(Reason reason) {
+    return reason.decision() == PublishDecision.RECORD_MORE
+        || reason instanceof Reason.MeanAgainstJoint m && !m.beyondChance();
   }
 
   /** How many kicks to record where there are hardly any. */

@@ -106,6 +106,7 @@ function showNotices() {
   if (state.failure && state.calibration) rows.push(notice('bad', state.failure, button('Read again', () => run('read'))));
   for (const text of state.leftOut || []) rows.push(notice('warn', 'Left out: ' + text + '.', button('Read again', () => run('read'))));
   if (state.unread && state.unread.length && !busy()) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
+  if (state.changed && state.changed.length && !busy()) rows.push(notice('warn', 'Changed since they were read: ' + state.changed.join(', '), button('Read again', () => run('read'), {id: 'read-changed'})));
   const said = rows.map(row => row.className + row.textContent);
   renew($('notices'), said, () => rows);
 }

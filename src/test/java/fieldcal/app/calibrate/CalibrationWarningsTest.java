@@ -3,19 +3,45 @@ package fieldcal.app.calibrate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.fit.Agreement;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class CalibrationWarningsTest {
+  /** Four cameras over one field. */
+  private static final Map<Integer, Set<Integer>> FOUR =
+      Stream.of(0, 1, 2, 3).collect(Collectors.toMap(id -> id, id -> Set.of(0, 1, 2, 3)));
+
   @Test
   void camerasThatNoKickLinksAreNamed() {
     assertThat(
             CalibrationWarnings.uncompared(
-                List.of(new int[] {2}, new int[] {0, 1}, new int[] {1}, new int[] {2, 3})))
-        .hasValueSatisfying(text -> assertThat(text).contains("(0 and 1; 2 and 3)"));
-    assertThat(CalibrationWarnings.uncompared(List.of(new int[] {0, 1, 2}, new int[] {3})))
-        .hasValueSatisfying(text -> assertThat(text).contains("(0, 1 and 2; 3)"));
+                List.of(new int[] {2}, new int[] {0, 1}, new int[] {1}, new int[] {2, 3}), FOUR))
+        .singleElement()
+        .satisfies(text -> assertThat(text).contains("(0 and 1; 2 and 3)"));
+    assertThat(CalibrationWarnings.uncompared(List.of(new int[] {0, 1, 2}, new int[] {3}), FOUR))
+        .singleElement()
+        .satisfies(text -> assertThat(text).contains("(0, 1 and 2; 3)"));
+  }
+
+  /** Nobody can kick from a field into another one, or into the view that a camera had before it was calibrated again. */
+  @Test
+  void camerasOfDifferentFieldsAreNotCompared() {
+    Map<Integer, Set<Integer>> twoFields = new HashMap<>(FOUR);
+    Set.of(100, 101).forEach(id -> twoFields.put(id, Set.of(100, 101)));
+    assertThat(
+            CalibrationWarnings.uncompared(
+                List.of(new int[] {0, 1, 2, 3}, new int[] {100, 101}), twoFields))
+        .isEmpty();
+    assertThat(
+            CalibrationWarnings.uncompared(
+                List.of(new int[] {0, 1, 2, 3}, new int[] {100}, new int[] {101}), twoFields))
+        .singleElement()
+        .satisfies(text -> assertThat(text).contains("(100; 101)"));
   }
 
   @Test
@@ -61,7 +87,7 @@ class CalibrationWarningsTest {
   @Test
   void linksGoOnFromKickToKick() {
     List<int[]> kicks = List.of(new int[] {0, 1}, new int[] {2, 3}, new int[] {3, 0});
-    assertThat(CalibrationWarnings.uncompared(kicks)).isEmpty();
-    assertThat(CalibrationWarnings.uncompared(List.of())).isEmpty();
+    assertThat(CalibrationWarnings.uncompared(kicks, FOUR)).isEmpty();
+    assertThat(CalibrationWarnings.uncompared(List.of(), FOUR)).isEmpty();
   }
 }

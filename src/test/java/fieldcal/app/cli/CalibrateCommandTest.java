@@ -110,6 +110,22 @@ class CalibrateCommandTest {
         .doesNotContain("calibrate the cameras");
   }
 
+  /** Terminal, report and JSON follow one rule. */
+  @Test
+  void oneKickHasNoJointFit() throws IOException {
+    Path one = folder.resolve("one.log.gz");
+    run("simulate", "--scenario=flat", "--kicks=1", "--seed=3", "--out=" + one);
+    Path out = folder.resolve("one");
+    assertThat(run("calibrate", one.toString(), "--out=" + out).out())
+        .containsPattern("acc_slide, m/s² +−\\d\\.\\d+ ± \\d\\.\\d+ +1 +undetermined");
+    JsonNode slide = json(out.resolve("calibration.json")).at("/joint/flat/acc_slide");
+    assertThat(slide.has("mean")).isFalse();
+    assertThat(slide.path("undetermined").asText()).isEqualTo("it needs two kicks");
+    assertThat(Files.readString(out.resolve("report.html")))
+        .contains("\"accSlide\"")
+        .doesNotContainPattern("\"joint\":-?[0-9]");
+  }
+
   /** A diagnosis of these kicks lets one model describe all of them; so does the verdict. */
   @Test
   void oneModelHasToDescribeAllKicks() {

@@ -131,6 +131,62 @@ class DiagnoseCommandTest {
   }
 
   /** Vision that reports whole centimetres: a resting ball has no noise at all. */
+  /** Nobody is to read "publish" beside a diagnosis that says that the model is wrong. */
+  @Test
+  void theVerdictBesideADiagnosisCountsIt() throws IOException {
+    String log = "test-data/world-flat-air-drag.log.gz";
+    Path given = Path.of(System.getProperty("fieldcal.projectDir", "."), log);
+    Path out = folder.resolve("out");
+    run("calibrate", given.toString(), "--out=" + out);
+    JsonNode before = json(out.resolve("calibration.json"));
+    assertThat(before.path("verdict").toString()).doesNotContain("\"diagnosed\"");
+
+    Answer diagnosed = run("diagnose", given.toString(), "--out=" + out);
+    assertThat(diagnosed.out().replace('\n', ' '))
+        .contains("The files of calibrate in " + out + " now count this diagnosis. Verdict: check");
+    JsonNode after = json(out.resolve("calibration.json"));
+    assertThat(after.path("verdict").toString()).contains("\"diagnosed\"");
+    assertThat(after.path("verdict"))
+        .isEqualTo(json(out.resolve("diagnosis.json")).path("model_verdict"));
+    assertThat(Files.readString(out.resolve("report.html"))).contains("The diagnosis explains");
+    run("calibrate", given.toString(), "--out=" + out);
+    assertThat(json(out.resolve("calibration.json"))).isEqualTo(after);
+
+    // Compared with another model, the calibration is another one, and is not replaced.
+    Path other = folder.resolve("other");
+    run(
+        "calibrate",
+        given.toString(),
+        "--initial=" + out.resolve("calibration.json"),
+        "--out=" + other);
+    String bytes = Files.readString(other.resolve("calibration.json"));
+    Answer again = run("diagnose", given.toString(), "--out=" + other);
+    assertThat(again.out().replace('\n', ' '))
+        .contains("do not count this diagnosis: run calibrate again with the same options.");
+    assertThat(Files.readString(other.resolve("calibration.json"))).isEqualTo(bytes);
+    assertThat(exported(other)).contains("The diagnosis explains what is wrong: air drag.");
+
+    // A diagnosis of other kicks does not count.
+    Files.copy(
+        out.resolve("diagnosis.json"),
+        Files.createDirectories(folder.resolve("few")).resolve("diagnosis.json"));
+    run("calibrate", simulated(12).toString(), "--out=" + folder.resolve("few"));
+    assertThat(exported(folder.resolve("few"))).doesNotContain("diagnosis explains");
+  }
+
+  private String exported(Path directory) {
+    return run(
+            "export",
+            directory.resolve("calibration.json").toString(),
+            "--to=geometry-text",
+            "--out=" + directory.resolve("models.txt"))
+        .out();
+  }
+
+  private static JsonNode json(Path file) throws IOException {
+    return new ObjectMapper().readTree(file.toFile());
+  }
+
   @Test
   void roundedCoordinatesAreNoDefect() throws IOException {
     Path log = simulated(4);

@@ -7,11 +7,13 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.recording.LogOpener;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -68,6 +70,38 @@ class RecordingFolderTest {
     assertThat(Files.readString(folder.resolve("out/report.html"))).contains("empty.log");
     String diagnosed = run("diagnose", folder.toString());
     assertThat(diagnosed).contains("left out: " + folder.resolve("empty.log"));
+  }
+
+  /** Counting kicks twice would make all errors too small, and few kicks enough. */
+  @Test
+  void copiesAreRecognisedByWhatTheyHold() throws IOException {
+    Files.copy(REAL, folder.resolve("a.log.gz"));
+    JsonNode alone = calibrated("alone");
+    Files.copy(REAL, folder.resolve("b.log.gz"));
+    try (InputStream packed = new GZIPInputStream(Files.newInputStream(REAL))) {
+      Files.copy(packed, folder.resolve("c.log"));
+    }
+    Path out = folder.resolve("out");
+    String text = run("calibrate", folder.toString(), "--out=" + out);
+    assertThat(text)
+        .contains("left out: " + folder.resolve("b.log.gz") + ": a copy of a.log.gz")
+        .contains("left out: " + folder.resolve("c.log") + ": a copy of a.log.gz");
+    JsonNode json = new ObjectMapper().readTree(out.resolve("calibration.json").toFile());
+    assertThat(json.path("kicks")).isEqualTo(alone.path("kicks"));
+    assertThat(json.path("verdict")).isEqualTo(alone.path("verdict"));
+    assertThat(json.path("problems").toString()).contains("b.log.gz").contains("c.log");
+    assertThat(Files.readString(out.resolve("report.html"))).contains("b.log.gz");
+
+    Path named = folder.resolve("named.json");
+    String both =
+        run(
+            "calibrate",
+            folder.resolve("a.log.gz").toString(),
+            folder.resolve("c.log").toString(),
+            "--json=" + named);
+    assertThat(both).contains("c.log: a copy of");
+    assertThat(new ObjectMapper().readTree(named.toFile()).path("kicks"))
+        .isEqualTo(alone.path("kicks"));
   }
 
   @Test

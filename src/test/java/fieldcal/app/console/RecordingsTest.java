@@ -11,6 +11,7 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -81,6 +82,34 @@ class RecordingsTest {
       assertThat(browser.script("return document.querySelector(arguments[0]).checked", tick))
           .isEqualTo(false);
       browser.assertNoComplaints();
+    }
+  }
+
+  /** A file that is still written, or copied over another one, has other kicks than those that were read. */
+  @Test
+  void aRecordingThatChangedIsNoticedAndReadAgain() throws IOException {
+    Path log = folder.resolve("a.log.gz");
+    byte[] whole = Files.readAllBytes(SampleSession.small());
+    Files.write(log, Arrays.copyOf(whole, whole.length / 2));
+    try (RunningConsole console = RunningConsole.start(folder);
+        Browser browser = new Browser(1280, 900)) {
+      JsonNode state = console.settled();
+      assertThat(state.path("changed")).isEmpty();
+      assertThat(recording(state, "a.log.gz").path("why").asText()).contains("cut off");
+      browser.open(console.url() + "#recordings");
+      browser.awaitText("#recordings-list", "cut off");
+      Files.write(log, whole);
+      state = console.state();
+      assertThat(state.at("/changed/0").asText()).isEqualTo("a.log.gz");
+      assertThat(state.path("unread")).isEmpty();
+      // Whoever looks at the page need not load it again.
+      browser.awaitText("#notices", "Changed since they were read: a.log.gz");
+      browser.click("#read-changed");
+      state = console.await("read again", s -> s.path("changed").isEmpty());
+      assertThat(recording(state, "a.log.gz").path("why").asText()).isEmpty();
+      // Of the same size, as when a recording replaces another one.
+      Files.setLastModifiedTime(log, FileTime.fromMillis(1_763_712_345_000L));
+      assertThat(console.state().at("/changed/0").asText()).isEqualTo("a.log.gz");
     }
   }
 

@@ -56,6 +56,7 @@ class FormerDiagnosisTest {
         start * 1_000_000_000L,
         bytes,
         false,
+        0,
         List.of());
   }
 

@@ -56,7 +56,8 @@ public final class SampleOutcome {
                 .toList(),
             0.5,
             List.of(),
-            300);
+            300,
+            Map.of());
     List<CommandFile.Command> commands = List.of();
     CalibrationOutcome calibration =
         new CalibrationOutcome(

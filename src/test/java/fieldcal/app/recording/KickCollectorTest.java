@@ -21,6 +21,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -90,6 +91,16 @@ class KickCollectorTest {
   }
 
   /** The same recording with two gaps; the recorder says that the second one is its own. */
+  /** A kick cannot lead from one field to the other. */
+  @Test
+  void onlyCamerasOfOneFieldLookAtItTogether() throws IOException {
+    assertThat(collected(four, two).together())
+        .containsEntry(0, Set.of(0, 1, 2, 3))
+        .containsEntry(3, Set.of(0, 1, 2, 3))
+        .containsEntry(100, Set.of(100, 101))
+        .containsEntry(101, Set.of(100, 101));
+  }
+
   @Test
   void framesThatTheRecorderLostAreNoSilenceOfTheCameras() throws IOException {
     Path log = folder.resolve("gaps.log");

@@ -73,9 +73,59 @@ class RecordingChoiceTest {
     assertThat(words(choice, "again")).isEmpty();
   }
 
+  /** A reason that concerns some recordings names them as the operator knows them. */
+  @Test
+  void recordingsOfOneNameAreToldApartByTheirPaths() {
+    List<RecordingFacts> all =
+        List.of(
+            facts("friday/a.log", RecordingOrigin.SIMULATION, 0, 12, 4, 1),
+            facts("sunday/a.log", RecordingOrigin.SIMULATION, 0, 12, 4, 2),
+            facts("sunday/b.log", RecordingOrigin.SIMULATION, 0, 12, 4, 3));
+    assertThat(RecordingFacts.surroundings(all).simulated())
+        .containsExactly("friday/a.log", "sunday/a.log", "b.log");
+  }
+
+  /** A second file with the same frames does not count twice, and does not decide which field is the newest. */
+  @Test
+  void aCopyIsKeptApart() {
+    RecordingFacts original = holding(REAL, 7);
+    RecordingFacts copy = holding(AGAIN, 7);
+    RecordingChoice choice = RecordingChoice.of(List.of(original, copy), Map.of());
+    assertThat(choice.entries()).extracting(Entry::used).containsExactly(true, false);
+    assertThat(choice.entries()).extracting(Entry::apart).containsExactly(Apart.NO, Apart.COPY);
+    assertThat(words(choice, "again")).isEqualTo("a copy of real");
+    assertThat(choice.copies()).singleElement().asString().contains("again: a copy of real");
+    Map<String, Boolean> other = Map.of("real", false, "again", true);
+    assertThat(RecordingChoice.of(List.of(original, copy), other).copies()).isEmpty();
+    // Two recordings in which vision sent nothing are not the same.
+    assertThat(apart(RecordingChoice.of(List.of(REAL, AGAIN), Map.of())).values())
+        .containsOnly(Apart.NO);
+  }
+
+  private static RecordingFacts holding(RecordingFacts f, long contents) {
+    return new RecordingFacts(
+        f.log(),
+        f.origin(),
+        f.playing(),
+        f.geometry(),
+        f.startUnixNanos(),
+        f.bytes(),
+        false,
+        contents,
+        f.faults());
+  }
+
   private static RecordingFacts cut(RecordingFacts f) {
     return new RecordingFacts(
-        f.log(), f.origin(), f.playing(), f.geometry(), f.startUnixNanos(), 900, true, f.faults());
+        f.log(),
+        f.origin(),
+        f.playing(),
+        f.geometry(),
+        f.startUnixNanos(),
+        900,
+        true,
+        0,
+        f.faults());
   }
 
   @Test
@@ -111,6 +161,7 @@ class RecordingChoiceTest {
         s * 1_000_000_000L,
         1000,
         false,
+        0,
         List.of());
   }
 }

@@ -8,6 +8,7 @@ import fieldcal.verdict.FieldSize;
 import fieldcal.verdict.PublishDecision;
 import fieldcal.verdict.PublishVerdict;
 import fieldcal.verdict.Reason;
+import fieldcal.verdict.VisionFault;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -108,7 +109,9 @@ class PublishWordsTest {
   void aRehearsalIsNotForSslVision() {
     List<Reason> real = List.of(new Reason.NothingPublished(KickKind.FLAT));
     List<Reason> rehearsed =
-        List.of(new Reason.NothingPublished(KickKind.FLAT), new Reason.SimulatedField(2, 2));
+        List.of(
+            new Reason.NothingPublished(KickKind.FLAT),
+            new Reason.SimulatedField(2, 2, List.of("a.log", "b.log")));
     assertThat(headline(real)).contains("SSL-Vision");
     assertThat(headline(rehearsed))
         .isEqualTo(
@@ -165,23 +168,88 @@ class PublishWordsTest {
   @Test
   void recordingsThatDoNotBelongTogetherAreSeparatedFirst() {
     Reason fields =
-        new Reason.SeveralFields(List.of(new FieldSize(12, 9), new FieldSize(10.4, 7.4)));
+        new Reason.SeveralFields(
+            List.of(new FieldSize(12, 9), new FieldSize(10.4, 7.4)),
+            List.of(List.of("a.log", "b.log"), List.of()));
     Reason noise = new Reason.ResidualAboveNoise(3.8, PublishDecision.CHECK_FIRST);
     PublishWords words =
         PublishWords.of(
             new PublishVerdict(
                 PublishDecision.DO_NOT_PUBLISH, List.of(fields, noise, few("accRoll", 1)), true));
-    assertThat(words.reasons()).hasSize(3);
+    assertThat(words.reasons())
+        .hasSize(3)
+        .contains(
+            "The fields differ in size: 12.00 × 9.00 m (a.log and b.log), 10.40 × 7.40 m (as vision"
+                + " publishes it). A ball model holds for one carpet.");
     assertThat(words.toDo())
         .containsExactly("Calibrate each field on its own.", "Then read the verdict again.");
     assertThat(
             PublishWords.of(
                     new PublishVerdict(
                         PublishDecision.DO_NOT_PUBLISH,
-                        List.of(new Reason.SimulatedField(1, 2), few("accRoll", 1)),
+                        List.of(
+                            new Reason.SimulatedField(1, 2, List.of("sim.log")), few("accRoll", 1)),
                         false))
                 .toDo())
         .containsExactly("Leave the simulated recordings out.", "Then read the verdict again.");
+  }
+
+  @Test
+  void recordingsThatAReasonConcernsAreNamed() {
+    assertThat(reason(new Reason.SimulatedField(1, 2, List.of("sim.log.gz"))))
+        .isEqualTo("1 of the 2 recordings is from a simulated field: sim.log.gz.");
+    assertThat(reason(new Reason.SimulatedField(5, 9, List.of("a", "b", "c", "d", "e"))))
+        .isEqualTo("5 of the 9 recordings are from a simulated field: a, b, c and 2 others.");
+    assertThat(
+            reason(
+                new Reason.FaultyVision(
+                    new VisionFault.MixedUp(List.of(1), false), List.of("b.log"))))
+        .isEqualTo("In b.log: Camera 1 is rotated by 180°.");
+    assertThat(
+            reason(new Reason.OtherCameras(List.of(List.of("a.log", "c.log"), List.of("b.log")))))
+        .endsWith("different fields of the same size: a.log and c.log; b.log.");
+  }
+
+  /** 0.8 standard errors apart is agreement, though 16 % is more than may be uncertain. */
+  @Test
+  void aParameterThatMayBeEitherValueIsNotDetermined() {
+    Reason switching = new Reason.MeanAgainstJoint(KickKind.FLAT, "kSwitch", 0.61, 0.71, 0.8, 16);
+    PublishWords words =
+        PublishWords.of(new PublishVerdict(PublishDecision.CHECK_FIRST, List.of(switching), true));
+    assertThat(words.reasons())
+        .containsExactly(
+            "The kicks do not determine the switch to rolling (k_switch): it is 0.610 as the mean"
+                + " of the kicks and 0.710 in the joint fit. These differ by 16 %, but by no more"
+                + " than their errors allow (0.8 standard errors).");
+    assertThat(words.toDo())
+        .containsExactly(
+            "Run diagnose on these recordings: it looks for the cause.",
+            "Record flat kicks that roll for two metres or more.");
+    Reason slide = new Reason.MeanAgainstJoint(KickKind.FLAT, "accSlide", -3.38, -2.9, 1.2, 14);
+    Reason damping = new Reason.MeanAgainstJoint(KickKind.CHIP, "dampingZ", 0.55, 0.6, 5.1, 9);
+    PublishWords several =
+        PublishWords.of(
+            new PublishVerdict(
+                PublishDecision.CHECK_FIRST, List.of(switching, damping, slide), true));
+    assertThat(several.toDo())
+        .as("kicks that contradict one model are not more of one mind when there are more")
+        .containsExactly("Run diagnose on these recordings: it looks for the cause.");
+    assertThat(several.reasons())
+        .containsExactly(
+            "The kicks do not determine some parameters. The mean of the kicks and the joint fit"
+                + " differ by no more than their errors allow: the switch to rolling (k_switch) is"
+                + " 0.610 as the mean, but 0.710 in the joint fit (16 % and 0.8 standard errors"
+                + " apart); the sliding deceleration (acc_slide) is −3.380 m/s² as the mean, but"
+                + " −2.900 m/s² in the joint fit (14 % and 1.2 standard errors apart).",
+            "The vertical damping (damping_z) is 0.550 as the mean of the kicks, but 0.600 in the"
+                + " joint fit: 9 % and 5.1 standard errors apart. No single value describes all"
+                + " kicks.");
+  }
+
+  private static String reason(Reason reason) {
+    PublishWords words =
+        PublishWords.of(new PublishVerdict(reason.decision(), List.of(reason), false));
+    return words.reasons().get(0);
   }
 
   private static String headline(List<Reason> reasons) {

@@ -201,7 +201,8 @@ class DiagnosisReportTest {
             List.of(new DataProblem(source, "detection without finite coordinates", 3, "skipped")),
             0.25,
             List.of(),
-            347.2);
+            347.2,
+            Map.of());
     return new DiagnosisReportBuilder(diagnosis, data, List.of(source), List.of()).build();
   }
 
