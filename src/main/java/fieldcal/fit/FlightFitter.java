@@ -195,7 +195,7 @@ final class FlightFitter {
     String[] reasons = new String[size];
     for (int round = 0; round < 4; round++) {
       double[][] inverse = inverse(solver);
-      double noise = noiseScale(flight, solver);
+      double noise = Math.sqrt(varianceFactor(flight.used(), solver));
       double[] scales = scales(theta);
       int worst = -1;
       double most = DETERMINED;
@@ -237,13 +237,13 @@ final class FlightFitter {
     return scales;
   }
 
-  /** Factor by which the residuals exceed the cameras' noise. */
-  private double noiseScale(FlightProblem flight, LevenbergMarquardt solver) {
-    int used = 0;
-    for (boolean u : flight.used()) {
-      used += u ? 1 : 0;
+  /** By how much the residuals exceed the cameras' noise, as variances: chi-square per degree of freedom, no less than the floor of that noise. */
+  private double varianceFactor(boolean[] used, LevenbergMarquardt solver) {
+    int count = 0;
+    for (boolean u : used) {
+      count += u ? 1 : 0;
     }
-    return Math.sqrt(solver.equations().cost / Math.max(1, 2 * used - size));
+    return Math.max(solver.equations().cost / degrees(count), floor(used));
   }
 
   private double[][] inverse(LevenbergMarquardt solver) {
@@ -284,7 +284,7 @@ final class FlightFitter {
     int degrees = degrees(count);
     double chiSquare = solver.equations().cost;
     double[][] covariance = inverse(solver);
-    double factor = Math.max(chiSquare / degrees, floor(used));
+    double factor = varianceFactor(used, solver);
     List<Estimate> estimates = new ArrayList<>();
     for (int k = 0; k < size; k++) {
       Parameter p = parameters.get(k);

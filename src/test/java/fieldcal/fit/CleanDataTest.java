@@ -2,6 +2,7 @@ package fieldcal.fit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.kick.Kick;
 import fieldcal.kick.KickKind;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -37,5 +38,32 @@ class CleanDataTest {
         }
       }
     }
+  }
+
+  /** A ball that is seen for 0.4 s hardly rolls, however small its residuals are. */
+  @Test
+  void whatCleanDataDetermineIsJudgedByTheFloor() {
+    IdealKicks source = new IdealKicks(CameraNoise.FLOOR);
+    SplittableRandom random = new SplittableRandom(4);
+    int undetermined = 0;
+    for (int i = 0; i < KICKS; i++) {
+      IdealKicks.Conditions clean = new IdealKicks.Conditions(1e-5, 0, 0);
+      IdealKicks.Sample s = source.draw(KickKind.FLAT, i + 1, clean, random.split());
+      Kick whole = s.kick();
+      Kick cut =
+          whole.withObservations(
+              whole.observations().between(Double.NEGATIVE_INFINITY, whole.time() + 0.4));
+      KickFit fit =
+          FitSupport.fit(FitSupport.problem(s, cut, source.views(), random.split()), KickKind.FLAT);
+      for (Estimate e : fit.estimates()) {
+        undetermined += e.undetermined().isPresent() ? 1 : 0;
+        if (e.usable()) {
+          assertThat(e.standardError())
+              .as("%s of %s", e.name(), fit)
+              .isLessThanOrEqualTo(0.5 * e.parameter().scale());
+        }
+      }
+    }
+    assertThat(undetermined).isPositive();
   }
 }
