@@ -1,5 +1,6 @@
 package fieldcal.app.net;
 
+import fieldcal.app.wording.Amount;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -62,7 +63,8 @@ public final class VisionWatch {
     if (step < soonest - JUMP || step > latest + JUMP) {
       double jump = step - (arrived.latest() - last.latest());
       jumps += jump;
-      tell(String.format(Locale.ROOT, "vision's clock jumped by %+.2f s", jump), arrived.latest());
+      String by = Amount.minus(String.format(Locale.ROOT, "%+.2f s", jump));
+      tell("vision's clock jumped by " + by, arrived.latest());
     }
   }
 
