@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What of a model a target cannot carry, and by how much it then predicts wrong: each kick is followed with the whole model and with what the target has, and the places are
+ * What of a model a target cannot carry, and by how much it then predicts wrong: each kick is followed with the extended model and with what the target has, and the places are
  * compared 0.5, 1 and 2 s after the kick.
  */
 final class CarryingCost {
@@ -137,12 +137,12 @@ final class CarryingCost {
             : "over " + kicks.size() + " kicks of 2 to 6.5 m/s from the centre in all directions";
     return Optional.of(
         seen
-            ? "In all, the target's prediction is off from the whole model's by "
+            ? "In all, the target's prediction is off from the extended model's by "
                 + words(gap)
                 + ", "
                 + over
                 + "."
-            : "The target predicts like the whole model, to within "
+            : "The target predicts like the extended model, to within "
                 + VISIBLE_MM
                 + " mm after 2 s, "
                 + over

@@ -87,7 +87,7 @@ export function matchPage(app) {
   }
 
   function showMedians(now) {
-    $('medians-legend').replaceChildren(el('span', {}, swatch('line', theme.accent), 'median'), el('span', {}, swatch('band', theme.accent), 'middle half of the kicks'), el('span', {}, swatch('dashes', theme.text), 'published'),
+    $('medians-legend').replaceChildren(el('span', {}, swatch('line', theme.accent), 'median'), el('span', {}, swatch('band', theme.accent), 'middle 50 % of the kicks'), el('span', {}, swatch('dashes', theme.text), 'published'),
       el('span', {}, swatch('band', theme.good), '± 20 %'), el('span', {}, 'estimate from ' + now.enough + ' kicks on'));
     const box = content('medians');
     // A kind that nobody kicked yet would only show empty plots.

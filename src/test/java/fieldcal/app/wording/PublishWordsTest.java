@@ -62,7 +62,7 @@ class PublishWordsTest {
     assertThat(words.headline()).startsWith("Verdict: publish.");
     assertThat(words.notes())
         .containsExactly(
-            "The diagnosis explains what is wrong: camera offset. The calibration allows for"
+            "The diagnosis explains what is wrong: offset of a camera. The calibration allows for"
                 + " this, so the ball model needs no change.");
   }
 
@@ -75,9 +75,8 @@ class PublishWordsTest {
                 + " vision's ball model cannot hold it.");
     assertThat(advice("camera_time_offset", "air_drag"))
         .isEqualTo(
-            "Correct this at its source, and record again: wrong time stamps. For the rest (air"
-                + " drag), let your AI load extended_model.json; vision's ball model cannot hold"
-                + " it.");
+            "Correct the wrong time stamps and record again. Air drag remains: let your AI load"
+                + " extended_model.json.");
   }
 
   private static String advice(String... causes) {
@@ -98,8 +97,8 @@ class PublishWordsTest {
             PublishDecision.CHECK_FIRST, List.of(new Reason.KicksDiffer(2.5, 0.99, 2.6, 1)), true);
     assertThat(PublishWords.of(verdict).reasons())
         .containsExactly(
-            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; a"
-                + " model of its own for each kick is off by 1.0 mm. No single value describes all"
+            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; with"
+                + " a separate model for each kick, 1.0 mm. No single value describes all"
                 + " kicks.");
   }
 
@@ -173,7 +172,7 @@ class PublishWordsTest {
                 PublishDecision.DO_NOT_PUBLISH, List.of(fields, noise, few("accRoll", 1)), true));
     assertThat(words.reasons()).hasSize(3);
     assertThat(words.toDo())
-        .containsExactly("Calibrate each field on its own.", "Then read the verdict again.");
+        .containsExactly("Calibrate each field on its own, then read the new verdict.");
     assertThat(
             PublishWords.of(
                     new PublishVerdict(
@@ -181,7 +180,7 @@ class PublishWordsTest {
                         List.of(new Reason.SimulatedField(1, 2), few("accRoll", 1)),
                         false))
                 .toDo())
-        .containsExactly("Leave the simulated recordings out.", "Then read the verdict again.");
+        .containsExactly("Leave the simulated recordings out, then read the new verdict.");
   }
 
   private static String headline(List<Reason> reasons) {
