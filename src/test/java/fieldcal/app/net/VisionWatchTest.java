@@ -60,7 +60,7 @@ class VisionWatchTest {
         .containsExactly("vision was silent for 1.2 s, 1 s after its first frame");
     frame(1000.7, 6.215);
     assertThat(watch.complaints()).hasSize(2);
-    assertThat(watch.complaints().get(1)).startsWith("vision's clock jumped by -0.5");
+    assertThat(watch.complaints().get(1)).startsWith("vision's clock jumped by −0.5");
     assertThat(watch.notes()).containsExactly("vision: 2 silences and jumps of its clock");
   }
 
