@@ -99,7 +99,7 @@ export function publishPage(app) {
     const {running, to, text, everySeconds, failure} = state().sending;
     renew($('sending'), [running, to, failure, text === state().model.text], () => running ? [el('p', {class: 'bar'}, Frame.badge('good', '● sending'), (text === state().model.text ? 'This model' : 'An earlier model') + ' is sent to ' + to + (everySeconds === 1 ? ' every second' : ' every ' + everySeconds + ' s') + ', as vision repeats it, until you stop it or the console ends.', button('Stop sending', () => app.run('publish/end'), {id: 'send-end'}))]
       : failure ? [el('p', {class: 'notice bad'}, 'Sending stopped: ' + failure)] : []);
-    const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text wrap'}, FORMATS[p.format] || p.format), el('td', {class: 'text wrap', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
+    const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text wrap'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text wrap'}, FORMATS[p.format] || p.format), el('td', {class: 'text wrap', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
     $('published').replaceChildren(rows.length ? table(['Sent (UTC)', 'To', 'As', 'What'].map(head => [head, true]), rows) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
   }
 
