@@ -1,6 +1,7 @@
 package fieldcal;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -50,13 +51,13 @@ import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.Team;
 import fieldcal.vision.VisionDecoder;
 import fieldcal.vision.VisionEncoder;
-import fieldcal.vision.VisionFrame;
 import fieldcal.vision.VisionPacket;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -66,7 +67,6 @@ import java.util.TreeSet;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -77,20 +77,31 @@ class ReadmeSnippetTest {
   /** Words; chosen, so that a newcomer reads all of it. */
   private static final int LONGEST_README = 1500;
 
+  private static final String IMPORT = "import ";
+
   @Test
   void theLibraryIsUsedAsTheReadmeShows() {
     SimulatedRecording recording =
         Simulation.record(
             SimulationSettings.DEFAULT.withScenario(ScenarioKind.FLAT, 3).withSeed(5));
-    FieldGeometry field = recording.geometry();
-    Map<Integer, Camera> cameras =
-        field.cameras().stream().map(Camera::of).collect(Collectors.toMap(Camera::id, c -> c));
-    List<VisionFrame> frames = recording.frames();
+    VisionEncoder encoder = new VisionEncoder(recording.epoch());
+    List<byte[]> packets =
+        recording.packets().stream().map(p -> encoder.encode(p.packet())).toList();
+    double now = recording.epoch().unixSeconds(0);
 
+    VisionDecoder decoder = new VisionDecoder(Epoch.atSecondOf(now)); // now: Unix time, s
+    Map<Integer, Camera> cameras = new HashMap<>();
     List<Kick> kicks = new ArrayList<>();
     KickFinder finder = new KickFinder(KickFinderSettings.defaults(), kicks::add);
-    finder.geometry(field, cameras); // whenever vision publishes it
-    frames.forEach(finder::accept); // every frame of every camera, as it comes
+    for (byte[] packet : packets) { // each packet of vision, as it comes
+      VisionPacket vision = decoder.decode(packet);
+      if (vision.geometry().isPresent()) { // whenever vision publishes it
+        FieldGeometry field = vision.geometry().get();
+        field.cameras().forEach(c -> cameras.put(c.id(), Camera.of(c)));
+        finder.geometry(field, cameras);
+      }
+      vision.frame().ifPresent(finder::accept); // every frame of every camera
+    }
     finder.finish();
 
     CameraViews views =
@@ -200,8 +211,21 @@ class ReadmeSnippetTest {
                 + Files.readString(tests.resolve("play/HostAdapterTest.java"))
                 + Files.readString(tests.resolve("testing/CarpetExample.java")));
     assertThat(Documents.code(document, "java"))
-        .filteredOn(line -> !line.startsWith("System.out"))
+        .filteredOn(line -> !line.startsWith("System.out") && !line.startsWith(IMPORT))
         .allSatisfy(line -> assertThat(source).as(line).contains(squeezed(line)));
+  }
+
+  /** A newcomer's compiler must find what a snippet imports. */
+  @ParameterizedTest
+  @MethodSource("fieldcal.Documents#all")
+  void everyImportOfASnippetIsAClass(Path document) throws IOException {
+    assertThat(Documents.code(document, "java"))
+        .filteredOn(line -> line.startsWith(IMPORT))
+        .allSatisfy(
+            line ->
+                assertThatCode(
+                        () -> Class.forName(line.substring(IMPORT.length(), line.length() - 1)))
+                    .doesNotThrowAnyException());
   }
 
   @Test
@@ -283,7 +307,8 @@ class ReadmeSnippetTest {
     }
     assertThat(said).isEqualTo(shared).isNotEmpty();
     String introduction =
-        text.substring(text.indexOf("\n## Causes in cameras"), text.indexOf("\n### Camera offset"));
+        text.substring(
+            text.indexOf("\n## Causes in cameras"), text.indexOf("\n### Offset of a camera"));
     assertThat(introduction).doesNotContain("every value is measured against the mean");
   }
 

@@ -1,5 +1,6 @@
 package fieldcal.archive;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.archive.venue.Carpet;
 import fieldcal.archive.venue.Change;
@@ -58,9 +59,9 @@ final class FindingWords {
                 e ->
                     String.format(
                         Locale.ROOT,
-                        "%s %.4g ± %s m/s²",
+                        "%s %s ± %s m/s²",
                         ParameterWords.ofFileName(e.getKey()),
-                        e.getValue().value(),
+                        Amount.minus(String.format(Locale.ROOT, "%.4g", e.getValue().value())),
                         plain(e.getValue().error())))
             .collect(Collectors.joining(", "));
     return count(carpet.matches().size()) + (parameters.isEmpty() ? "" : ", " + parameters);

@@ -60,7 +60,7 @@ public final class TwoSigma {
     return sigmas > LIMIT
         ? String.format(Locale.ROOT, "%s is %.1f σ from the mean", s.fieldName(), sigmas)
         : s.fieldName()
-            + " was more than 2 σ from the mean until other values were excluded as well";
+            + " was more than 2 σ from the mean when it was excluded; the mean has changed since";
   }
 
   /**

@@ -348,7 +348,8 @@ public final class Camera {
 
   static String point(double x, double y, double z) {
     return String.format(
-        Locale.ROOT, "(%.3f, %.3f, %.3f) m", millimetres(x), millimetres(y), millimetres(z));
+            Locale.ROOT, "(%.3f, %.3f, %.3f) m", millimetres(x), millimetres(y), millimetres(z))
+        .replace('-', '−');
   }
 
   /** Rounded to millimetres, zero without a sign. */

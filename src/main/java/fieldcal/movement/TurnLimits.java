@@ -55,7 +55,8 @@ public record TurnLimits(
   private static LimitEstimate velocity(SpeedTable speeds, long turns) {
     return turns < AccelerationLimit.FEWEST
         ? tooFew(turns)
-        : new VelocityLimit(speeds, "the robots never kept turning at a highest rate").estimate();
+        : new VelocityLimit(speeds, "the robots never turned at a constant highest rate")
+            .estimate();
   }
 
   private static LimitEstimate limit(

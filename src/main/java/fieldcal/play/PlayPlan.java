@@ -49,10 +49,11 @@ public record PlayPlan(
         if (Math.abs(l.x(end)) > area.length() / 2 || Math.abs(l.y(end)) > area.width() / 2) {
           throw new IllegalArgumentException(
               String.format(
-                  Locale.ROOT,
-                  "the line of kicks leaves the field: its end (%.1f, %.1f) m",
-                  l.x(end),
-                  l.y(end)));
+                      Locale.ROOT,
+                      "the line of kicks leaves the field: its end (%.1f, %.1f) m",
+                      l.x(end),
+                      l.y(end))
+                  .replace('-', '−'));
         }
       }
     }

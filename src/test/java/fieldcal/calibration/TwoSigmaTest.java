@@ -67,7 +67,8 @@ class TwoSigmaTest {
     Sample restated = TwoSigma.restated(near).get(4);
     assertThat(restated.dropped())
         .contains(
-            "acc_slide was more than 2 σ from the mean until other values were excluded as well");
+            "acc_slide was more than 2 σ from the mean when it was excluded; the mean has changed"
+                + " since");
     assertThat(restated.leftForItsValue()).isTrue();
   }
 

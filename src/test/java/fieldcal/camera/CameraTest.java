@@ -238,8 +238,8 @@ class CameraTest {
     assertThat(far.poseSource()).isEqualTo(PoseSource.DERIVED_POSITION);
     assertThat(far.consistency())
         .isEqualTo(
-            "by its published rotation the camera is at (-3.000, 2.000, 5.000) m, 0.20 m from its"
-                + " published position (-3.000, 2.000, 5.200) m; only the published position is"
+            "by its published rotation the camera is at (−3.000, 2.000, 5.000) m, 0.20 m from its"
+                + " published position (−3.000, 2.000, 5.200) m; only the published position is"
                 + " used");
 
     Camera zero = Camera.of(pose.withPosition(t, new double[] {0, 0, 0}));

@@ -1,11 +1,14 @@
 package fieldcal.app.calibrate;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
+import fieldcal.app.wording.VerdictText;
 import fieldcal.app.wording.WordList;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.Calibration;
 import fieldcal.calibration.Sample;
 import fieldcal.calibration.TwoSigma;
+import fieldcal.diagnosis.Verdict;
 import fieldcal.fit.Agreement;
 import fieldcal.fit.JointFit;
 import fieldcal.kick.KickKind;
@@ -32,12 +35,18 @@ public final class CalibrationWarnings {
   /** That share of a kick's detections is more than sound chips show, whose loss at bounces is not quite fixed: 2 % in ER-Force's simulator, 5 % where they spin. */
   private static final double NOTABLE_LACK_OF_FIT = 0.05;
 
+  private static final String FEW_DIAGNOSED =
+      "The diagnosis found nothing wrong. " + VerdictText.SMALL_CAUSES;
+
   private final Calibration calibration;
   private final List<String> notes;
   private final Map<Integer, Set<Integer>> together;
 
   /** Whether kicks of several fields are mixed: then they differ, but not because of what the ball does. */
   private final boolean mixed;
+
+  /** Whether a diagnosis found nothing wrong, but hardly could. */
+  private final boolean hardlyDiagnosed;
 
   /** Whether flat kicks were fitted as chips: what such a fit makes of bounces means nothing. */
   private final boolean noChips;
@@ -51,6 +60,11 @@ public final class CalibrationWarnings {
     calibration = outcome.calibration();
     together = outcome.data().together();
     List<Reason> reasons = outcome.verdict().reasons();
+    hardlyDiagnosed =
+        calibration.trusted().size() < VerdictText.FEW_KICKS
+            && reasons.stream()
+                .anyMatch(
+                    r -> r instanceof Reason.Diagnosed d && d.verdict() == Verdict.MODEL_ADEQUATE);
     noChips = reasons.stream().anyMatch(r -> r instanceof Reason.NoChips);
     mixed =
         reasons.stream()
@@ -73,6 +87,9 @@ public final class CalibrationWarnings {
    */
   public List<String> list() {
     List<String> warnings = new ArrayList<>(notes);
+    if (hardlyDiagnosed) {
+      warnings.add(FEW_DIAGNOSED);
+    }
     Map<Integer, Double> sizes = new TreeMap<>();
     calibration
         .joint()
@@ -108,6 +125,7 @@ public final class CalibrationWarnings {
             (name, average) ->
                 Average.agreement(samples(kind, name))
                     .filter(a -> covered(average, a))
+                    .filter(CalibrationWarnings::matters)
                     .map(a -> agreement(name, a, samples(kind, name).size()))
                     .ifPresent(sentences::add));
     return sentences;
@@ -125,6 +143,12 @@ public final class CalibrationWarnings {
     return Math.abs(average.mean() - agreement.others()) < 2 * average.standardError();
   }
 
+  /** Groups that lie closer together than mean and joint fit may are of no use to anybody. */
+  static boolean matters(Agreement agreement) {
+    return Math.abs(agreement.others() - agreement.value())
+        >= VerdictRule.APART_PERCENT / 100 * Math.abs(agreement.value());
+  }
+
   /** The values of a parameter, but those of kicks that are not trusted. */
   private List<Sample> samples(KickKind kind, String name) {
     return calibration.kicks(kind).stream()
@@ -138,15 +162,19 @@ public final class CalibrationWarnings {
   static String agreement(String parameter, Agreement agreement, int kicks) {
     return String.format(
         Locale.ROOT,
-        "The kicks are of two kinds: %d of %d agree on a %s of %.4g%s, the others have %.4g%s on"
-            + " average, as when some of them have spin. The error of the mean covers both.",
+        "The kicks are of two kinds: %d of %d agree on a %s of %s%s, the others have %s%s on"
+            + " average. Some of them may have spin. The error of the mean covers both.",
         Math.round(agreement.share() * kicks),
         kicks,
         ParameterWords.of(parameter),
-        agreement.value(),
+        fourDigits(agreement.value()),
         ParameterWords.unit(parameter),
-        agreement.others(),
+        fourDigits(agreement.others()),
         ParameterWords.unit(parameter));
+  }
+
+  private static String fourDigits(double value) {
+    return Amount.minus(String.format(Locale.ROOT, "%.4g", value));
   }
 
   /** Parameters of which a median is given, so that values are used that lie more than 2 σ from it. */
@@ -175,8 +203,8 @@ public final class CalibrationWarnings {
         : Optional.of(
             "The kicks do not scatter evenly about the mean of the "
                 + WordList.of(names)
-                + ", as when some of them have spin. The median is given instead, with an error"
-                + " that covers both sides.");
+                + ". Some of them may have spin. The median is given instead, with an error that"
+                + " covers both sides.");
   }
 
   /**

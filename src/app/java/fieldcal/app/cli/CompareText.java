@@ -41,15 +41,14 @@ final class CompareText {
       c.predictionError().forEach((h, e) -> line("  %5.0f mm %.1f s ahead", 1000 * e, h));
     }
     List<Comparison> cameras =
-        c.cameras().stream().filter(k -> k.differs(FieldComparison.ALPHA)).toList();
+        c.cameras().stream()
+            .filter(k -> k.differs(FieldComparison.ALPHA))
+            .filter(k -> !value(k, k.first()).equals(value(k, k.second())))
+            .toList();
     if (!cameras.isEmpty()) {
       line("%n%-44s %12s %12s", "cameras", "field", "simulator");
       for (Comparison k : cameras) {
-        line(
-            "%-44s %12s %12s",
-            k.statistic().words(),
-            value(k.first(), Double.NaN, k.statistic().unit()),
-            value(k.second(), Double.NaN, k.statistic().unit()));
+        line("%-44s %12s %12s", k.statistic().words(), value(k, k.first()), value(k, k.second()));
       }
     }
     List<Row> others = c.others().stream().filter(Row::differs).toList();
@@ -67,6 +66,10 @@ final class CompareText {
       line("%nreport: %s", directory.resolve("compare.html"));
     }
     out.flush();
+  }
+
+  private static String value(Comparison of, double value) {
+    return value(value, Double.NaN, of.statistic().unit());
   }
 
   private static String value(double value, double error, String unit) {

@@ -54,7 +54,7 @@ final class DiagnosisText {
     if (diagnosis.verdict() == Verdict.MODEL_ADEQUATE) {
       line("%s", quality(diagnosis));
       if (VerdictText.hasFewKicks(diagnosis)) {
-        wrapped("", "", "So few kicks do not show small causes: record twenty, of all speeds.");
+        wrapped("", "", VerdictText.SMALL_CAUSES);
       }
     } else {
       causes(outcome);
@@ -125,14 +125,18 @@ final class DiagnosisText {
       wrapped(
           "   ",
           "   ",
-          text.strength() + "; " + Certainty.of(cause.evidence()) + "; " + gain(cause.gain()));
+          text.strength()
+              + "; "
+              + Certainty.of(cause.evidence())
+              + ". "
+              + gainSentence(cause.gain()));
       String rivals = CauseWords.rivals(cause);
       if (!rivals.isEmpty()) {
         wrapped("   ", "   ", rivals);
       }
       String next = NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom());
       if (!next.isEmpty() && said.add(next)) {
-        wrapped("   ", "   ", "To tell them apart: " + next);
+        wrapped("   ", "   ", NextKicks.introduced(next));
       }
     }
   }
@@ -149,7 +153,7 @@ final class DiagnosisText {
     if (!diagnosis.learned().isEmpty()) {
       line("");
     }
-    items(outcome, "A law that replaces a law of the simple model:", laws);
+    items(outcome, "A law that replaces a law of the calibrated model:", laws);
     items(outcome, "What helps without a proven cause:", helping);
     items(outcome, "In the extended model, but held-out kicks do not show that it helps:", others);
   }
@@ -166,27 +170,21 @@ final class DiagnosisText {
     }
   }
 
-  private static String gain(Gain gain) {
+  private static String gainSentence(Gain gain) {
     if (!Double.isFinite(gain.mm())) {
-      return "too few kicks to tell the gain";
+      return "There are too few kicks to tell the gain.";
     }
     String bounds =
         Double.isFinite(gain.lowMm() + gain.highMm())
-            ? " (" + Amount.of(gain.lowMm()) + " to " + Amount.of(gain.highMm()) + ")"
+            ? "; 95 % bounds " + Amount.of(gain.lowMm()) + " to " + Amount.of(gain.highMm()) + " mm"
             : "";
-    return "gains "
+    return "It reduces the rms of held-out kicks by "
         + Amount.of(gain.mm())
-        + " mm"
-        + bounds
-        + ", "
+        + " mm ("
         + Amount.decimals(gain.percent(), 0)
-        + " %, on kicks held out";
-  }
-
-  private static String gainSentence(Gain gain) {
-    return Double.isFinite(gain.mm())
-        ? "It " + gain(gain) + "."
-        : "There are too few kicks to tell the gain.";
+        + " %"
+        + bounds
+        + ").";
   }
 
   private void table(Diagnosis d) {
@@ -196,7 +194,7 @@ final class DiagnosisText {
     line("%s", head);
     row("calibrated model", d.base(), horizons);
     if (!d.causes().isEmpty() || !d.learned().isEmpty()) {
-      row("with what was found", d.extended(), horizons);
+      row("extended model", d.extended(), horizons);
     }
     line("%-21s%8s", "noise of the cameras", mm(d.base().noiseMm()));
     if (d.verdict() != Verdict.UNEXPLAINED_STRUCTURE) {

@@ -1,5 +1,6 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.Harmless;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.app.wording.RefereeWords;
@@ -191,7 +192,7 @@ final class InfoText {
   }
 
   private static String number(double value, String format) {
-    return Double.isNaN(value) ? "–" : String.format(Locale.ROOT, format, value);
+    return Double.isNaN(value) ? "–" : Amount.minus(String.format(Locale.ROOT, format, value));
   }
 
   private void entry(String name, String value) {

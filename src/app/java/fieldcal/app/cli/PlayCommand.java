@@ -134,7 +134,7 @@ final class PlayCommand implements Callable<Integer> {
       names = "--kicks",
       required = true,
       paramLabel = "N",
-      description = "number of good kicks; kicks that determine too little are repeated")
+      description = "number of good kicks, 1 to 1000; kicks that determine too little are repeated")
   private int kicks;
 
   @Option(
@@ -179,27 +179,28 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--speed-min",
       paramLabel = "M/S",
-      description = "slowest kick (default: 2 m/s for flat kicks, 3 m/s for chips)")
+      description = "slowest kick, 0.7 to 10 m/s (default: 2 m/s for flat kicks, 3 m/s for chips)")
   private Double speedMin;
 
   @Option(
       names = "--speed-max",
       paramLabel = "M/S",
-      description = "fastest kick (default: 6.5 m/s for flat kicks, 5.5 m/s for chips)")
+      description =
+          "fastest kick, 0.7 to 10 m/s (default: 6.5 m/s for flat kicks, 5.5 m/s for chips)")
   private Double speedMax;
 
   @Option(
       names = "--elevation",
       paramLabel = "DEG",
-      description = "elevation of chips (default: 45°)")
+      description = "elevation of chips, 10 to 80° (default: 45°)")
   private double elevation = 45;
 
   @Option(
       names = "--margin",
       paramLabel = "M",
       description =
-          "how far outside the lines robots may drive (default: 0.2 m, less where the field has"
-              + " less room)")
+          "how far outside the lines robots may drive, 0 to 1 m (default: 0.2 m, less where the"
+              + " field has less room)")
   private Double margin;
 
   @Option(
@@ -213,13 +214,14 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--drive-speed",
       paramLabel = "M/S",
-      description = "the robots' highest speed (default: 2.5 m/s)")
+      description = "the robots' highest speed, 0.1 to 10 m/s (default: 2.5 m/s)")
   private Double driveSpeed;
 
   @Option(
       names = "--patience",
       paramLabel = "S",
-      description = "longest wait for a robot, vision or the ball to come back (default: 60 s)")
+      description =
+          "longest wait for a robot, vision or the ball to come back, above 0 s (default: 60 s)")
   private Double patience;
 
   @Option(
@@ -234,14 +236,16 @@ final class PlayCommand implements Callable<Integer> {
   @Option(
       names = "--troubles",
       paramLabel = "N",
-      description = "simulated field: number of things that go wrong during the play (default: 0)")
+      description =
+          "simulated field: number of things that go wrong during the play, 0 to 100 (default: 0)")
   private int troubles;
 
   @Option(
       names = "--pace",
       paramLabel = "X",
       description =
-          "simulated field: speed in multiples of real time (default: as fast as possible)")
+          "simulated field: speed in multiples of real time, above 0 (default: as fast as"
+              + " possible)")
   private double pace = Double.POSITIVE_INFINITY;
 
   @Option(

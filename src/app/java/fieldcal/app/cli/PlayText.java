@@ -8,6 +8,7 @@ import fieldcal.app.play.PlayRun;
 import fieldcal.app.play.SessionRequest;
 import fieldcal.app.play.SessionSnapshot;
 import fieldcal.app.play.SessionSnapshot.Undecided;
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -119,9 +120,9 @@ final class PlayText {
       reason =
           String.format(
               Locale.ROOT,
-              "please place the ball at (%.1f, %.1f) m: %s",
-              s.ballWanted().get(0),
-              s.ballWanted().get(1),
+              "please place the ball at (%s, %s) m: %s",
+              Amount.decimals(s.ballWanted().get(0), 1),
+              Amount.decimals(s.ballWanted().get(1), 1),
               reason);
     }
     if (!reason.equals(cause)) {
@@ -243,12 +244,11 @@ final class PlayText {
         if (value != null && value.isNumber() && joint.isPresent()) {
           double off = joint.get().value() - value.doubleValue();
           line(
-              "  %-40s %12.5f %12.5f %8.1f σ",
+              "  %-40s %12s %12s %8s σ",
               ParameterWords.words(p.name()) + (p.unit().isEmpty() ? "" : ", " + p.unit()),
-              value.doubleValue(),
-              joint.get().value(),
-              // No negative zero.
-              Math.rint(10 * off / joint.get().standardError()) / 10 + 0.0);
+              Amount.decimals(value.doubleValue(), 5),
+              Amount.decimals(joint.get().value(), 5),
+              Amount.decimals(off / joint.get().standardError(), 1));
         }
       }
     }
@@ -264,7 +264,7 @@ final class PlayText {
     line("%nKick strength: measured speed = offset + gain × commanded speed");
     for (KickStrength s : strengths) {
       line(
-          "  %-9s %s, %2d %s: gain %.3f%s%s%s; yaw %+.2f%s°%s",
+          "  %-9s %s, %2d %s: gain %.3f%s%s%s; yaw %s%s°%s",
           s.robot(),
           s.kind().id(),
           s.kicks(),
@@ -274,20 +274,27 @@ final class PlayText {
           Double.isNaN(s.offset())
               ? " (no offset: the speeds are too few or too alike)"
               : String.format(
-                  Locale.ROOT, ", offset %+.2f%s m/s", s.offset(), error(s.offsetError(), "%.2f")),
+                  Locale.ROOT,
+                  ", offset %s%s m/s",
+                  signed(s.offset(), "%+.2f"),
+                  error(s.offsetError(), "%.2f")),
           Double.isNaN(s.speedScatter())
               ? ""
               : String.format(Locale.ROOT, ", scatter %.2f m/s", s.speedScatter()),
-          Math.toDegrees(s.yaw()),
+          signed(Math.toDegrees(s.yaw()), "%+.2f"),
           error(Math.toDegrees(s.yawError()), "%.2f"),
           s.kind() == KickKind.CHIP
               ? String.format(
                   Locale.ROOT,
-                  "; elevation %+.1f%s°",
-                  Math.toDegrees(s.elevation()),
+                  "; elevation %s%s°",
+                  signed(Math.toDegrees(s.elevation()), "%+.1f"),
                   error(Math.toDegrees(s.elevationError()), "%.1f"))
               : "");
     }
+  }
+
+  private static String signed(double value, String format) {
+    return Amount.minus(String.format(Locale.ROOT, format, value));
   }
 
   private static String error(double value, String format) {

@@ -34,7 +34,7 @@ final class SimulatedFieldOptions {
       names = "--effect",
       paramLabel = "ID:NAME=VALUE[,NAME=VALUE]",
       description =
-          "switches on an effect of the simulated field; may be repeated (simulate --help lists"
+          "switches on an effect of the simulated field; may be repeated (docs/effects.md lists"
               + " them)")
   private final List<String> effects = new ArrayList<>();
 

@@ -2,6 +2,7 @@ package fieldcal.app.console;
 
 import fieldcal.app.console.SessionNotes.CauseNote;
 import fieldcal.app.console.SessionNotes.DiagnosisNote;
+import fieldcal.app.wording.NextKicks;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -72,7 +73,7 @@ final class KicksToRecord {
   static List<Wish> of(DiagnosisNote note) {
     Set<Wish> wishes = new LinkedHashSet<>();
     for (CauseNote cause : note.causes()) {
-      if (!cause.next().isEmpty() && !cause.next().startsWith("No kick is needed")) {
+      if (!cause.next().isEmpty() && !NextKicks.needsNothing(cause.next())) {
         Stream.concat(Stream.of(cause.effect()), cause.rivals().stream())
             .flatMap(effect -> SHOWS_IN.getOrDefault(effect, List.of(ALL_FLAT)).stream())
             .distinct()

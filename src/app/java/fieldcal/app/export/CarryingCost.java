@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What of a model a target cannot carry, and by how much it then predicts wrong: each kick is followed with the whole model and with what the target has, and the places are
+ * What of a model a target cannot carry, and by how much it then predicts wrong: each kick is followed with the extended model and with what the target has, and the places are
  * compared 0.5, 1 and 2 s after the kick.
  */
 final class CarryingCost {

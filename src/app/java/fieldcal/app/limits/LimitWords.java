@@ -1,5 +1,6 @@
 package fieldcal.app.limits;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.movement.Envelope;
 import fieldcal.movement.LimitDeviation;
 import fieldcal.movement.LimitEstimate;
@@ -35,10 +36,10 @@ public final class LimitWords {
   private static String words(Envelope.Point point) {
     return String.format(
         Locale.ROOT,
-        "%.2f ± %.2f m/s² at %.0f°",
+        "%.2f ± %.2f m/s² at %s°",
         point.value(),
         point.standardError(),
-        Math.toDegrees(point.angle()));
+        Amount.decimals(Math.toDegrees(point.angle()), 0));
   }
 
   /**

@@ -39,7 +39,7 @@ final class MatchText {
   /** Sentences stay in one line, however long. */
   static final int UNBROKEN = Integer.MAX_VALUE;
 
-  /** Characters in a line from which on the table of the ball has room for the middle half of the kicks. */
+  /** Characters in a line from which on the table of the ball has room for the middle 50 % of the kicks. */
   private static final int WIDE = 100;
 
   private static final int NEWEST_KICKS = 3;
@@ -170,7 +170,7 @@ final class MatchText {
         "published",
         "measured",
         "kicks",
-        width < WIDE ? "" : "    middle half");
+        width < WIDE ? "" : "    middle 50 %");
     for (ParameterEstimate e : ball.parameters()) {
       lines.add(parameter(e, width));
     }

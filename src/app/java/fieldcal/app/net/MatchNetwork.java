@@ -196,9 +196,10 @@ public final class MatchNetwork implements AutoCloseable {
     }
     boolean silent = counts.silentFor() > PATIENCE;
     if (silent) {
-      line.append(String.format(Locale.ROOT, ", SILENT for %.0f s", counts.silentFor()));
+      line.append(
+          String.format(Locale.ROOT, ". Nothing was received for %.0f s", counts.silentFor()));
       if (counts.rejoined() > 0) {
-        line.append(", joined again ")
+        line.append(". fieldcal joined the group again ")
             .append(counts.rejoined() == 1 ? "once" : counts.rejoined() + " times");
       }
     }

@@ -1,5 +1,6 @@
 package fieldcal.app.play;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
@@ -350,9 +351,9 @@ final class LiveFits {
       if (e.atBound() && e.undetermined().isEmpty()) {
         return String.format(
             Locale.ROOT,
-            "its %s is at a bound of the search (%.3g%s)",
+            "its %s is at a bound of the search (%s%s)",
             ParameterWords.of(e.name()),
-            e.value(),
+            Amount.minus(String.format(Locale.ROOT, "%.3g", e.value())),
             e.parameter().unit().isEmpty() ? "" : " " + e.parameter().unit());
       }
       if (!e.usable()) {

@@ -47,7 +47,9 @@ public record DataProblem(String where, String what, long count, String advice) 
    */
   public static DataProblem of(Path log, ProblemAccount account, ProblemKind kind) {
     ProblemAccount.Occurrence first = account.first(kind).get(0);
-    String detail = first.detail().isEmpty() ? "" : ": " + first.detail();
+    // Of the frames before the first geometry, only the first one's camera is known.
+    boolean ofFirstOnly = kind == LogProblem.FRAME_BEFORE_GEOMETRY;
+    String detail = first.detail().isEmpty() || ofFirstOnly ? "" : ": " + first.detail();
     String place = log + ", " + account.place(first.offset());
     return new DataProblem(place, kind.text() + detail, account.count(kind), advice(kind));
   }
@@ -116,12 +118,20 @@ public record DataProblem(String where, String what, long count, String advice) 
         : "the rest of the recording is used";
   }
 
+  private String howOften() {
+    if (count < 2) {
+      return what;
+    }
+    return what.equals(LogProblem.FRAME_BEFORE_GEOMETRY.text())
+        ? count + " frames come before the first geometry"
+        : what + " (" + count + " times)";
+  }
+
   @Override
   public String toString() {
     return where
         + ": "
-        + what
-        + (count > 1 ? " (" + count + " times)" : "")
+        + howOften()
         + ". "
         + Character.toUpperCase(advice.charAt(0))
         + advice.substring(1)

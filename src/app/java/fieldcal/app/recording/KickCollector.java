@@ -1,5 +1,6 @@
 package fieldcal.app.recording;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
@@ -196,9 +197,10 @@ public final class KickCollector {
                     logs.get(0) + ", camera " + id,
                     String.format(
                         Locale.ROOT,
-                        "its published lens (distortion %.4g) does not see %.0f %% of the places"
+                        "its published lens (distortion %s) does not see %.0f %% of the places"
                             + " where it reports balls",
-                        calibrations.get(id).distortion(),
+                        Amount.minus(
+                            String.format(Locale.ROOT, "%.4g", calibrations.get(id).distortion())),
                         100 * share),
                     1,
                     "only its position is used; calibrate it")));

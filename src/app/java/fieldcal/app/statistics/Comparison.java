@@ -15,7 +15,7 @@ import org.apache.commons.math3.stat.inference.WilcoxonSignedRankTest;
  * One statistic of two recordings.
  *
  * @param statistic which
- * @param first its value in the first recording: the median of the samples, of a scatter 1.4826 times the median distance from it
+ * @param first its value in the first recording: the median of the samples, of a scatter 1.4826 times the median distance from it; the mean where both recordings have the same median, as of lost frames, which most stretches have none of
  * @param second its value in the second
  * @param difference second minus first; of paired samples the median of the differences
  * @param error standard error of the difference
@@ -157,17 +157,24 @@ public record Comparison(
       return Optional.empty();
     }
     boolean scatter = a.comparison() == How.SCATTER;
+    boolean mean = !scatter && median(first) == median(second);
     double error =
-        MEDIAN_ERROR
-            * Math.hypot(
-                scatter(first) / Math.sqrt(first.length),
-                scatter(second) / Math.sqrt(second.length));
+        mean
+            ? Math.hypot(meanError(first), meanError(second))
+            : MEDIAN_ERROR
+                * Math.hypot(
+                    scatter(first) / Math.sqrt(first.length),
+                    scatter(second) / Math.sqrt(second.length));
     double[] ranksOf = scatter ? distances(first) : first;
     double[] against = scatter ? distances(second) : second;
-    double from = scatter ? scatter(first) : median(first);
-    double to = scatter ? scatter(second) : median(second);
+    double from = scatter ? scatter(first) : mean ? StatUtils.mean(first) : median(first);
+    double to = scatter ? scatter(second) : mean ? StatUtils.mean(second) : median(second);
     double p = RankSum.p(ranksOf, against);
     return Optional.of(new Comparison(a, from, to, to - from, error, first.length, p, p));
+  }
+
+  private static double meanError(double[] values) {
+    return Math.sqrt(StatUtils.variance(values) / values.length);
   }
 
   private static double median(double[] values) {

@@ -39,7 +39,11 @@ final class EffectWords {
               BounceWords::bounceSpinCoupling),
           bounce("contact_impacts", "bounces that build up spin", BounceWords::contactImpacts),
           camera(
-              "camera_offset", "camera offset", "offset of %s", "is shifted", CameraWords::offset),
+              "camera_offset",
+              "offset of a camera",
+              "offset of %s",
+              "is shifted",
+              CameraWords::offset),
           camera(
               "camera_time_offset",
               "wrong time stamps",

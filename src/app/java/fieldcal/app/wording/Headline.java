@@ -45,13 +45,14 @@ final class Headline {
             : before >= CENTIMETRES_FROM_MM;
     String unit = cm ? " cm" : " mm";
     String wrong =
-        text(
-            "Predictions of %s are off by %s after %s s",
-            kicks(d), length(before, cm) + unit, VerdictText.seconds(horizon.get()));
+        sentence(
+            text(
+                "%sthe calibrated model is off by %s after %s s",
+                kicks(d), length(before, cm) + unit, VerdictText.seconds(horizon.get())));
     if (!found) {
       return wrong + ".";
     }
-    String both = wrong + "; with what was found, by " + length(after, cm) + unit;
+    String both = wrong + ", the extended model by " + length(after, cm) + unit;
     return after < (1 - LEAST_GAIN) * before
         ? both + "."
         : both + compared(before, after) + ". " + followed(d);
@@ -99,11 +100,12 @@ final class Headline {
   private static String missed(Diagnosis d, boolean found) {
     String model =
         text(
-            held(d) ? "The model misses held-out kicks by %s mm" : "The model misses by %s mm",
+            held(d)
+                ? "The calibrated model misses held-out kicks by %s mm"
+                : "The calibrated model misses the kicks by %s mm",
             VerdictText.mm(residual(d, d.base())));
     return found
-        ? text(
-            "%s; with what was found, by %s mm.", model, VerdictText.mm(residual(d, d.extended())))
+        ? text("%s, the extended model by %s mm.", model, VerdictText.mm(residual(d, d.extended())))
         : model + ".";
   }
 
@@ -115,13 +117,18 @@ final class Headline {
     return held(d) ? of.holdoutRmsMm() : of.rmsMm();
   }
 
+  private static String sentence(String text) {
+    return Character.toUpperCase(text.charAt(0)) + text.substring(1);
+  }
+
+  /** Of which kicks the first sentence is, where nearly all are alike. */
   private static String kicks(Diagnosis d) {
     double chips = d.kicks().stream().filter(k -> k.kind() == KickKind.CHIP).count();
     double share = d.kicks().isEmpty() ? 0 : chips / d.kicks().size();
     if (share >= 1 - STRAYS) {
-      return "chips";
+      return "For chips, ";
     }
-    return share <= STRAYS ? "passes" : "kicks";
+    return share <= STRAYS ? "For passes, " : "";
   }
 
   /** A second where there is one, else the longest. */

@@ -62,8 +62,7 @@ public final class NextKicks {
           + " up which height of the ball's centre vision assumes (21.5 mm is right).";
 
   private static final String SHIFT_OR_PLACE =
-      "No kick is needed to tell a misplaced camera from a shifted one: calibrating the camera"
-          + " corrects both.";
+      "Kicks are not needed here: calibrating the camera corrects both.";
 
   /** Texts on causes that no kick tells apart, or need not. */
   private static final Set<String> WITHOUT_KICKS =
@@ -260,6 +259,26 @@ public final class NextKicks {
         .filter(text -> !text.isEmpty())
         .distinct()
         .collect(Collectors.joining(" "));
+  }
+
+  /**
+   * What tells the causes apart, as a sentence of its own.
+   *
+   * @param next what {@link #toTellApart} says
+   * @return the same, introduced where it says what to do; empty for an empty text
+   */
+  public static String introduced(String next) {
+    return next.isEmpty() || needsNothing(next) ? next : "To tell them apart: " + next;
+  }
+
+  /**
+   * Whether nothing has to be told apart, since one correction is right for both causes.
+   *
+   * @param next what {@link #toTellApart} says
+   * @return false also for no text
+   */
+  public static boolean needsNothing(String next) {
+    return next.equals(SHIFT_OR_PLACE);
   }
 
   /**

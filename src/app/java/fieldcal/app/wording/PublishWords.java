@@ -303,8 +303,8 @@ public record PublishWords(
     }
     if (reason instanceof Reason.KicksDiffer d) {
       return text(
-              "One model for all kicks is off by %.1f mm, %.1f times the noise of the cameras; a"
-                  + " model of its own for each kick is off by %.1f mm.",
+              "One model for all kicks is off by %.1f mm, %.1f times the noise of the cameras; with"
+                  + " a separate model for each kick, %.1f mm.",
               d.rmsMm(), d.ratio(), d.ownRmsMm())
           + NO_SINGLE_VALUE;
     }
@@ -333,8 +333,8 @@ public record PublishWords(
           + VisionFaultWords.sentence(f.fault());
     }
     if (reason instanceof Reason.OtherCameras o) {
-      return "Every camera was calibrated again between some of the recordings, or they are from"
-          + " different fields of the same size: "
+      return "No camera has the same calibration in all recordings. Either all were calibrated"
+          + " again, or the fields differ: "
           + o.recordings().stream().map(RecordingNames::of).collect(Collectors.joining("; "))
           + ".";
     }
@@ -350,7 +350,7 @@ public record PublishWords(
     }
     if (reason instanceof Reason.ExtendedModelOnly e) {
       return "The parameters are valid only together with the extended model ("
-          + names(e.effects())
+          + String.join(", ", names(e.effects()))
           + "), which the league's message cannot carry.";
     }
     if (reason instanceof Reason.Diagnosed d) {
@@ -386,7 +386,7 @@ public record PublishWords(
   }
 
   private static String diagnosed(Reason.Diagnosed d) {
-    String causes = d.causes().isEmpty() ? "" : ": " + names(d.causes());
+    String causes = d.causes().isEmpty() ? "" : ": " + String.join(", ", names(d.causes()));
     String allowedFor =
         d.causes().isEmpty() || holdsBack(d)
             ? ""
@@ -412,8 +412,8 @@ public record PublishWords(
     };
   }
 
-  private static String names(List<String> effects) {
-    return effects.stream().map(EffectName::of).distinct().collect(Collectors.joining(", "));
+  private static List<String> names(List<String> effects) {
+    return effects.stream().map(EffectName::of).distinct().toList();
   }
 
   // ---- what to do ----
@@ -425,8 +425,7 @@ public record PublishWords(
         .forEach(reason -> all.add(advice(reason, verdict.diagnose())));
     if (!all.isEmpty()) {
       // What else is wrong may come from the mixture, and other kicks may be missing afterwards.
-      all.add("Then read the verdict again.");
-      return List.copyOf(all);
+      return thenReadAgain(List.copyOf(all));
     }
     for (Reason reason : verdict.reasons()) {
       if (holdsBack(reason)) {
@@ -466,6 +465,13 @@ public record PublishWords(
   private static boolean asksForMoreKicks(Reason reason) {
     return reason.decision() == PublishDecision.RECORD_MORE
         || reason instanceof Reason.MeanAgainstJoint m && !m.beyondChance();
+  }
+
+  private static List<String> thenReadAgain(List<String> advice) {
+    List<String> all = new ArrayList<>(advice);
+    String last = all.remove(all.size() - 1);
+    all.add(last.replaceFirst("\\.$", ", then read the new verdict."));
+    return all;
   }
 
   /** How many kicks to record where there are hardly any. */
@@ -567,14 +573,17 @@ public record PublishWords(
       return "Let your AI load extended_model.json, which contains what the diagnosis found;"
           + " vision's ball model cannot hold it.";
     }
-    return "Correct this at its source, and record again: "
-        + names(mended)
-        + "."
+    String rest = WordList.of(names(others));
+    return "Correct "
+        + WordList.of(names(mended).stream().map(name -> "the " + name).toList())
+        + " and record again."
         + (others.isEmpty()
             ? ""
-            : " For the rest ("
-                + names(others)
-                + "), let your AI load extended_model.json; vision's ball model cannot hold it.");
+            : " "
+                + Character.toUpperCase(rest.charAt(0))
+                + rest.substring(1)
+                + (names(others).size() == 1 ? " remains" : " remain")
+                + ": let your AI load extended_model.json.");
   }
 
   /** Whether it is an error of a camera, a clock or a kicker. */

@@ -30,7 +30,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   private static final double FAR_WORSE = 2;
 
   /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
-  private static final int FEW_KICKS = 10;
+  public static final int FEW_KICKS = 10;
+
+  /** What a diagnosis of few kicks that finds nothing wrong does not say. */
+  public static final String SMALL_CAUSES =
+      "So few kicks do not show small causes: record twenty, of all speeds.";
 
   /** Copies the list. {@inheritDoc} */
   public VerdictText {
@@ -165,7 +169,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   }
 
   private static String use(Diagnosis d) {
-    return caveat(d).orElse("Use the extended model: it predicts better than the simple one.");
+    return caveat(d).orElse("Use the extended model: it predicts better than the calibrated one.");
   }
 
   /**
@@ -194,8 +198,8 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     }
     if (!better) {
       return Optional.of(
-          "The extended model follows kicks better, and predicts them as well as the simple one"
-              + " from their first 0.3 s.");
+          "The extended model follows kicks better, and predicts them as well as the"
+              + " calibrated one from their first 0.3 s.");
     }
     return Headline.doubts(d)
         ? Optional.of(
@@ -214,7 +218,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     boolean found = !d.causes().isEmpty() || !d.learned().isEmpty();
     return Stream.of(
             farWorse(d.base(), "the calibrated model"),
-            found ? farWorse(d.extended(), "what was found") : Optional.<String>empty())
+            found ? farWorse(d.extended(), "the extended model") : Optional.<String>empty())
         .flatMap(Optional::stream)
         .reduce((a, b) -> a + " " + b);
   }
@@ -271,11 +275,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String held =
         Double.isNaN(before.holdoutRmsMm())
             ? text(
-                "With what was found, the residual falls from %s mm to %s mm (the cameras' noise is"
-                    + " %s mm); there are too few kicks to hold some out.",
+                "With the extended model, the residual falls from %s mm to %s mm (the cameras'"
+                    + " noise is %s mm); there are too few kicks to hold some out.",
                 mm(before.rmsMm()), mm(after.rmsMm()), mm(after.noiseMm()))
             : text(
-                "With what was found, held-out kicks fit to %s mm"
+                "With the extended model, held-out kicks fit to %s mm"
                     + " instead of %s mm (the cameras' noise is %s mm).",
                 mm(after.holdoutRmsMm()), mm(before.holdoutRmsMm()), mm(after.noiseMm()));
     return horizons.isEmpty() ? held : held + " Predictions are off by " + horizons + ".";

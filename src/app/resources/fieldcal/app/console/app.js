@@ -104,11 +104,24 @@ function showNotices() {
   }
   for (const text of state.unsaved || []) rows.push(notice('bad', text + '. Nothing is lost while the console runs.', button('Save again', () => run('save'))));
   if (state.failure && state.calibration) rows.push(notice('bad', state.failure, button('Read again', () => run('read'))));
-  for (const text of state.leftOut || []) rows.push(notice('warn', 'Left out: ' + text + '.', button('Read again', () => run('read'))));
+  for (const text of state.leftOut || []) if (!dismissed.has(text)) rows.push(notice('warn', 'Left out: ' + text + '.', button('Read again', () => run('read')), button('Close', () => dismiss(text), {title: 'hides this line while the tab is open'})));
   if (state.unread && state.unread.length && !busy()) rows.push(notice('warn', 'New in the directory: ' + state.unread.join(', '), button('Read it', () => run('read'), {id: 'read'})));
   if (state.changed && state.changed.length && !busy()) rows.push(notice('warn', 'Changed since they were read: ' + state.changed.join(', '), button('Read again', () => run('read'), {id: 'read-changed'})));
   const said = rows.map(row => row.className + row.textContent);
   renew($('notices'), said, () => rows);
+}
+
+/** What the operator has read and closed; kept while the tab is open. */
+const dismissed = new Set(firstDismissed());
+
+function firstDismissed() {
+  try { return JSON.parse(sessionStorage.getItem('fieldcal-dismissed')) || []; } catch (refused) { return []; }
+}
+
+function dismiss(text) {
+  dismissed.add(text);
+  try { sessionStorage.setItem('fieldcal-dismissed', JSON.stringify([...dismissed])); } catch (refused) { /* private windows keep nothing */ }
+  showNotices();
 }
 
 const busy = () => Boolean(app.state && app.state.work && app.state.work.title);
@@ -126,6 +139,12 @@ function showWork(work) {
   }
   if (current && current.worked) current.worked(work);
   if (!ready()) showEmpty();
+}
+
+/** Whoever looks at another page must not forget that a model is being sent. */
+function showSends({running, to}) {
+  $('sends').hidden = !running;
+  $('sends').textContent = running ? '● sending to ' + to : '';
 }
 
 function showLink(connected) {
@@ -166,6 +185,7 @@ function showAll() {
   $('session').textContent = state.directory + (state.recordings.length ? ' · ' + state.recordings.join(', ') : '');
   $('session').title = $('session').textContent;
   showWork(state.work);
+  showSends(state.sending);
   showNotices();
   showNavigation();
   showEmpty();

@@ -41,7 +41,7 @@ export function diagnosisPage(app) {
         : button(note() ? 'Diagnose again' : 'Diagnose these kicks', () => app.run('diagnosis'), {id: 'diagnose-run', strong: !note() || state().diagnosis.outdated, disabled: Boolean(state().work.asked)}),
       ...(found && !running() ? [
         button('Accept the extended model', accept('accepted'), {id: 'accept', pressed: acceptance === 'accepted', title: 'Calibrate with the causes taken out of the detections'}),
-        button('Refuse it', accept('refused'), {id: 'refuse-model', pressed: acceptance === 'refused', title: 'Stay with the simple model'})] : [])]);
+        button('Refuse it', accept('refused'), {id: 'refuse-model', pressed: acceptance === 'refused', title: 'Stay with the calibrated model'})] : [])]);
   }
 
   function showState() {
@@ -61,7 +61,7 @@ export function diagnosisPage(app) {
       rows.push(...note().causes.map(causeOf));
       if (state().diagnosis.next.length) rows.push(el('p', {}, el('a', {href: '#play', id: 'to-play'}, 'Order the kicks to record next from the play'), ': ' + state().diagnosis.next.map(w => w.kicks + ' ' + (w.kind === 'chip' ? 'chips' : 'flat kicks') + ' of ' + w.slowest + ' to ' + w.fastest + ' m/s').join('; ') + '.'));
       if (acceptance === 'accepted') rows.push(el('p', {id: 'accepted'}, Frame.badge('good', '✔ accepted'), ' The model on the other pages is valid together with these effects. Programs that know only the league\'s message need the model without them: refuse it for these.'));
-      if (acceptance === 'refused') rows.push(el('p', {id: 'refused'}, Frame.badge('warn', 'refused'), ' The model on the other pages is the simple one.'));
+      if (acceptance === 'refused') rows.push(el('p', {id: 'refused'}, Frame.badge('warn', 'refused'), ' The model on the other pages is the calibrated one.'));
     }
     // A link that is replaced loses the focus, and what was folded out folds in.
     const {work, diagnosis} = state();

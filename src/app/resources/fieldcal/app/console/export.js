@@ -1,5 +1,5 @@
 /* The part of the publish page that gives the model away in the form of other programs, and the history of what left the session. */
-import {button, confirmed, field, renew, select, shown, table} from './parts.js';
+import {FORMATS, button, confirmed, field, renew, select, shown, table} from './parts.js';
 import {act} from './server.js';
 
 const {el, known, number, signed} = Charts;
@@ -8,6 +8,8 @@ const {$, content} = Frame;
 /** The parameters in the order in which everybody names them. */
 const ORDER = ['acc_slide', 'acc_roll', 'k_switch', 'damping_xy_first_hop', 'damping_xy_other_hops', 'damping_z'];
 const DONE = {PUBLISHED: 'sent', EXPORTED: 'exported', APPLIED: 'written', ROLLED_BACK: 'put back'};
+/** What was sent has the name that the page Publish gives it; other targets have their own. */
+const sentAs = target => FORMATS[target.replace(/^packet:/, '')] || target;
 const when = unix => new Date(unix * 1000).toISOString().slice(0, 19).replace('T', ' ');
 
 /** Bytes and base 64: a file must come back as it went, whatever its characters are. */
@@ -80,7 +82,7 @@ export function exportPart(app) {
 
   function showHistory() {
     const all = state().history, parts = [];
-    const rows = all.map(e => el('tr', {'data-entry': e.id}, el('td', {class: 'text'}, e.id), el('td', {class: 'text'}, when(e.unix)), el('td', {class: 'text'}, DONE[e.action]), el('td', {class: 'text', title: e.place}, e.target),
+    const rows = all.map(e => el('tr', {'data-entry': e.id}, el('td', {class: 'text'}, e.id), el('td', {class: 'text'}, when(e.unix)), el('td', {class: 'text'}, DONE[e.action]), el('td', {class: 'text wrap', title: e.place}, sentAs(e.target)),
       el('td', {class: 'text wrap'}, e.place), el('td', {class: 'text'}, e.verdict ? e.verdict.replaceAll('_', ' ') : '–'), el('td', {title: 'kicks ' + e.kicks.join(', ') + ' of ' + e.sources.join(', ')}, e.kicks.length || '–'),
       el('td', {class: 'text'}, ...actions(e))));
     if (!all.length) parts.push(el('p', {class: 'note'}, 'No model has been sent or exported yet.'));

@@ -123,7 +123,7 @@ export function kickTable({pickKick, mark, toggle, filtered, narrowed}) {
       content('kicks').querySelector('th[data-key="' + column.key + '"] button').focus();
     };
     return el('th', {scope: 'col', 'data-key': column.key, class: column.left ? 'text' : null, title: column.title, 'aria-sort': current ? (state.sort.down ? 'descending' : 'ascending') : null},
-      el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? ' ▾' : ' ▴') : '')));
+      el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? '\u00a0▾' : '\u00a0▴') : '')));
   }
 
   function rowsOf(kick, decision, marked) {

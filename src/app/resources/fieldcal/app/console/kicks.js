@@ -152,7 +152,7 @@ export function kicksPage(app) {
       state().settled ? '' : el('span', {class: 'note', id: 'refining'}, ' The joint fit follows …'),
       state().model.effects.length ? el('span', {class: 'note'}, ' with ' + state().model.effects.join(', ')) : '');
     $('advice').title = [...verdict.toDo, ...verdict.reasons, ...verdict.notes].join('\n');
-    $('parameter-legend').replaceChildren(...CalibrationViews.parameterLegend(theme));
+    $('parameter-legend').replaceChildren(...CalibrationViews.parameterLegend(theme), ...CalibrationViews.MARKS.map(words => el('span', {}, words)));
     const model = report().models.find(m => m.kind === view.kind);
     const shown = model ? model.parameters : [];
     const box = content('parameters');

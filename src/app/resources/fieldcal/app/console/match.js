@@ -87,7 +87,7 @@ export function matchPage(app) {
   }
 
   function showMedians(now) {
-    $('medians-legend').replaceChildren(el('span', {}, swatch('line', theme.accent), 'median'), el('span', {}, swatch('band', theme.accent), 'middle half of the kicks'), el('span', {}, swatch('dashes', theme.text), 'published'),
+    $('medians-legend').replaceChildren(el('span', {}, swatch('line', theme.accent), 'median'), el('span', {}, swatch('band', theme.accent), 'middle 50 % of the kicks'), el('span', {}, swatch('dashes', theme.text), 'published'),
       el('span', {}, swatch('band', theme.good), '± 20 %'), el('span', {}, 'estimate from ' + now.enough + ' kicks on'));
     const box = content('medians');
     // A kind that nobody kicked yet would only show empty plots.
@@ -137,7 +137,7 @@ export function matchPage(app) {
   function showKicks(now) {
     const rows = [...now.kicks].reverse().map(k => el('tr', {}, el('td', {}, k.id), el('td', {class: 'text'}, clock(k.time)), el('td', {class: 'text'}, k.kind), el('td', {}, number(k.speed, 1)), el('td', {class: 'text'}, k.robot), el('td', {}, number(k.rmsMm, 1)),
       el('td', {class: 'text wrap'}, (k.unused ? k.unused : k.says.join(', ')) + (k.spin ? ' (may have spin)' : ''))));
-    content('last-kicks').replaceChildren(rows.length ? table([['#'], ['UTC', true], ['Kind', true], ['m/s'], ['Robot', true], ['mm', false, 'Residual per axis'], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
+    content('last-kicks').replaceChildren(rows.length ? table([['#'], ['UTC', true], ['Kind', true], ['Speed, m/s'], ['Robot', true], ['rms, mm', false, 'Residual per axis'], ['Determines', true]], rows) : el('p', {class: 'empty'}, 'None yet.'));
   }
 
   const limit = l => !l || !known(l.value) ? '–' : (l.reached ? '' : '≥ ') + withError(l.value, l.error);
@@ -146,7 +146,7 @@ export function matchPage(app) {
     const rows = now.teams.flatMap(t => [
       el('tr', {}, el('td', {class: 'text'}, t.team + (t.beforeBreak ? ' (before the break)' : '')), ...['velocity', 'acceleration', 'braking', 'turning', 'turningFaster', 'turningSlower'].map(what => el('td', {title: t[what] && known(t[what].league) ? "the league's estimate: " + number(t[what].league, 2) : null}, limit(t[what])))),
       ...(t.deviations || []).map(words => el('tr', {}, el('td', {class: 'text wrap', colspan: 4}, words)))]);
-    content('teams').replaceChildren(table([['Team', true], ['Velocity, m/s'], ['Acceleration, m/s²'], ['Braking, m/s²'], ['Turning, rad/s'], ['speeding up, rad/s²'], ['slowing down, rad/s²']], rows), el('p', {class: 'note'}, '≥: a lower bound. The robots were seldom or never seen at this limit.'));
+    content('teams').replaceChildren(table([['Team', true], ['Velocity, m/s'], ['Acceleration, m/s²'], ['Braking, m/s²'], ['Turning, rad/s'], ['speeding up, rad/s²'], ['slowing down, rad/s²']], rows), el('p', {class: 'note'}, '≥: a lower bound. The robots were seldom or never seen at this limit. –: the manoeuvres so far do not determine it.'));
   }
 
   function showCameras(now) {

@@ -1,6 +1,9 @@
 /* Small parts that the pages share. Charts, Frame, Plots and CalibrationViews are those of the reports. */
 const {el} = Charts;
 
+/** What can be sent, by its id in the state. */
+export const FORMATS = {wrapper: 'SSL_WrapperPacket with geometry', models: 'SSL_GeometryModels alone'};
+
 /** A button; the key that does the same stands in its tooltip. */
 export function button(label, press, {key, title, disabled, id, pressed, strong} = {}) {
   const hint = [title, key && '(key ' + key + ')'].filter(Boolean).join(' ');

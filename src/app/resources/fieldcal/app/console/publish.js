@@ -1,12 +1,11 @@
 /* The page for giving the model away: what changes against the published one, files, packets, text for a configuration. */
 import {exportPart} from './export.js';
-import {button, confirmed, field, progress, renew, table} from './parts.js';
+import {FORMATS, button, confirmed, field, progress, renew, table} from './parts.js';
 import {sessionsPart} from './sessions.js';
 
 const {el, known, number, signed} = Charts;
 const {$, content, choices, badge} = Frame;
 const FORMS = {text: 'protobuf text', properties: 'properties', java: 'Java'};
-const FORMATS = {wrapper: "SSL_WrapperPacket with geometry, like vision's", models: 'SSL_GeometryModels alone'};
 const FILES = [
   ['report.html', 'Report', 'the whole calibration on one page: every kick, what was dropped and why'],
   ['calibration.json', 'calibration.json', 'all numbers, for scripts'],
@@ -85,7 +84,7 @@ export function publishPage(app) {
     const now = heard() && heard().geometry ? heard().values : null, before = state().model.compared;
     const rows = sent().map(p => el('tr', {'data-parameter': p.name}, el('td', {class: 'text name'}, p.words, p.unit ? el('small', {}, ' ' + p.unit) : ''), ...(short ? [] : [el('td', {}, Plots.asPublished(p.published))]),
       ...(now ? [el('td', {}, Plots.asPublished(now[p.name]))] : []), el('td', {class: 'big'}, number(p.mean, 5)), el('td', {}, change(p, now ? now[p.name] : p.published))));
-    return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'In your file' : 'Published', false, before === 'file' ? 'the model that the console was started with' : 'what vision published in the recordings']]), ...(now ? [['Published now', false, 'what vision publishes at this moment']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
+    return table([['Parameter', true], ...(short ? [] : [[before === 'file' ? 'In your file' : 'In the recordings', false, before === 'file' ? 'the model that the console was started with' : 'what vision published in the recordings']]), ...(now ? [['Vision now', false, 'what vision publishes at this moment']] : []), ['New'], ['Change', false, now ? 'against what vision publishes now' : 'against the published one']], rows);
   }
 
   function showSend() {
@@ -100,7 +99,7 @@ export function publishPage(app) {
     const {running, to, text, everySeconds, failure} = state().sending;
     renew($('sending'), [running, to, failure, text === state().model.text], () => running ? [el('p', {class: 'bar'}, Frame.badge('good', '● sending'), (text === state().model.text ? 'This model' : 'An earlier model') + ' is sent to ' + to + (everySeconds === 1 ? ' every second' : ' every ' + everySeconds + ' s') + ', as vision repeats it, until you stop it or the console ends.', button('Stop sending', () => app.run('publish/end'), {id: 'send-end'}))]
       : failure ? [el('p', {class: 'notice bad'}, 'Sending stopped: ' + failure)] : []);
-    const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text'}, p.format), el('td', {class: 'text', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
+    const rows = state().published.map(p => el('tr', {}, el('td', {class: 'text wrap'}, new Date(p.unix * 1000).toISOString().slice(0, 19).replace('T', ' ')), el('td', {class: 'text'}, p.to), el('td', {class: 'text wrap'}, FORMATS[p.format] || p.format), el('td', {class: 'text wrap', title: p.text}, p.text === state().model.text ? 'this model' : 'another model')));
     $('published').replaceChildren(rows.length ? table(['Sent (UTC)', 'To', 'As', 'What'].map(head => [head, true]), rows) : el('p', {class: 'note'}, 'Nothing has been sent yet.'));
   }
 

@@ -121,6 +121,14 @@ const Plots = (() => {
         yAxis: parameter.published, lineStyle: {color: theme.text, width: 2, type: 'dashed'}, label: {show: false},
       });
     }
+    if (known(parameter.published) && (parameter.published < low || parameter.published > high)) {
+      // A mark at the edge: the line itself is beyond it.
+      const above = parameter.published > high;
+      reference.markLine.data.push({
+        yAxis: above ? high : low, lineStyle: {color: 'transparent'},
+        label: {show: true, position: above ? 'insideEndBottom' : 'insideEndTop', color: theme.text, fontSize: 12, formatter: (above ? '▲' : '▼') + ' published ' + asPublished(parameter.published)},
+      });
+    }
     const circled = points.filter(p => p.kick.id === selectedId);
     option.tooltip.formatter = item => {
       const point = item.data && points.find(p => p.kick.id === item.data.kick);

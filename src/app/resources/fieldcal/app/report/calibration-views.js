@@ -36,12 +36,18 @@ const CalibrationViews = (() => {
   /** A model that is farther off is wrong for passes; within the errors nobody knows whether it is. */
   const LARGE_PERCENT = 10;
 
+  /** As VerdictRule has it: a smaller difference is not worth a change. */
+  const NOTABLE_PERCENT = 3;
+
+  /** What the marks of differences mean, where there is little room. */
+  const MARKS = ['≈ less than ' + NOTABLE_PERCENT + ' % or 3 s.e.', '▲ ▼ larger, smaller than published'];
+
   function difference(parameter) {
     const percent = parameter.differencePercent;
     if (!known(percent)) return '–';
     const text = signed(percent, Math.abs(percent) < 9.95 ? 1 : 0) + ' %';
     // A large difference that is within the errors is no agreement either.
-    if (!parameter.differs) return Object.assign(badge(Math.abs(percent) < LARGE_PERCENT ? 'good' : 'open', '≈ ' + text), {title: 'within the errors'});
+    if (!parameter.differs) return Object.assign(badge(Math.abs(percent) < LARGE_PERCENT ? 'good' : 'open', '≈ ' + text), {title: Math.abs(percent) < NOTABLE_PERCENT ? 'less than ' + NOTABLE_PERCENT + ' %' : 'within three standard errors'});
     return badge(Math.abs(percent) >= 20 ? 'bad' : 'warn', (percent > 0 ? '▲ ' : '▼ ') + text);
   }
 
@@ -77,7 +83,8 @@ const CalibrationViews = (() => {
     return [
       Frame.copyButton(() => modelAsText(report), 'the table, for a spreadsheet'),
       el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, body))),
-      ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => Plots.inFiles(p.name) + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note))];
+      ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => Plots.inFiles(p.name) + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note)),
+      ...(report.models.some(model => model.parameters.some(p => known(p.differencePercent))) ? [el('p', {class: 'note'}, 'Difference: the mean against the published value. ≈ less than ' + NOTABLE_PERCENT + ' %, or within three standard errors; grey from ' + LARGE_PERCENT + ' % on, where these kicks do not show which is right. ▲ larger, ▼ smaller in size; red from 20 % on.')] : [])];
   }
 
   /** What an offset means, in words; nothing is said of one that is within its error or too small to matter. */
@@ -115,7 +122,7 @@ const CalibrationViews = (() => {
     return [
       el('span', {}, swatch('circle', theme.accent), 'kick ± s.e.'), el('span', {}, swatch('circle', theme.bad, true), 'excluded'),
       el('span', {}, swatch('cross', theme.muted), 'undetermined'), el('span', {}, swatch('triangle', theme.muted, true), 'off the plot'),
-      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), '± 2σ of a typical kick'), el('span', {}, swatch('dashes', theme.text), 'published')];
+      el('span', {}, swatch('line', theme.good), 'mean'), el('span', {}, swatch('band', theme.good), '± 2σ of a typical kick'), el('span', {}, swatch('dashes', theme.text), 'published (at an edge: beyond it)')];
   }
 
   // ---- kicks ----
@@ -138,10 +145,10 @@ const CalibrationViews = (() => {
   const COLUMNS = [
     {key: 'id', label: '#', of: k => k.id, text: k => k.id},
     {key: 'kind', label: 'Kind', of: k => k.kind, text: k => (k.kind === 'FLAT' ? '▬ ' : '⌒ ') + KINDS[k.kind], left: true},
-    {key: 'speed', label: 'm/s', title: 'Kick speed', of: Plots.kickSpeed, text: k => number(Plots.kickSpeed(k), 2)},
+    {key: 'speed', label: 'Speed, m/s', title: 'Kick speed', of: Plots.kickSpeed, text: k => number(Plots.kickSpeed(k), 2)},
     {key: 'robot', label: 'Robot', of: Plots.robotName, text: k => Plots.robotName(k), left: true},
     {key: 'end', label: 'End', of: k => Plots.endWords(k.end), text: k => Plots.endWords(k.end), left: true},
-    {key: 'rms', label: 'mm', title: 'Residual per axis (rms, mm)', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
+    {key: 'rms', label: 'rms, mm', title: 'Residual per axis', of: k => known(k.rmsMm) ? k.rmsMm : Infinity, text: k => number(k.rmsMm, 1)},
     {key: 'used', label: 'Used', title: 'Values that are averaged', of: k => k.selected ? droppedValues(k).length : 99, text: usedBadge, left: true},
   ];
   const FILTERS = {all: () => true, flat: k => k.kind === 'FLAT', chip: k => k.kind === 'CHIP', excluded: k => !k.selected || droppedValues(k).length > 0};
@@ -229,6 +236,6 @@ const CalibrationViews = (() => {
   }
 
   return {
-    KINDS, COLUMNS, FILTERS, verdict, decisionBadge, model, cameras, difference, parameterLegend, whyDropped, sorted, kickTitle, kickFacts, kickLegend, layOutKick, drawKick,
+    KINDS, COLUMNS, FILTERS, verdict, decisionBadge, model, cameras, difference, MARKS, parameterLegend, whyDropped, sorted, kickTitle, kickFacts, kickLegend, layOutKick, drawKick,
   };
 })();

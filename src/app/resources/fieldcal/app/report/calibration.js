@@ -69,7 +69,7 @@
         box.querySelector('th[data-key="' + column.key + '"] button').focus();
       };
       return el('th', {scope: 'col', 'data-key': column.key, class: column.left ? 'text' : null, title: column.title, 'aria-sort': current ? (state.sort.down ? 'descending' : 'ascending') : null},
-        el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? ' ▾' : ' ▴') : '')));
+        el('button', {type: 'button', onclick: sort}, column.label + (current ? (state.sort.down ? '\u00a0▾' : '\u00a0▴') : '')));
     });
     const rows = state.shown.flatMap(kick => {
       const row = el('tr', {'data-kick': kick.id, class: whyDropped(kick) ? 'dropped' : null, onclick: () => select(kick.id)},

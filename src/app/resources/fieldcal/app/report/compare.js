@@ -36,7 +36,7 @@
     const head = ['', 'Field', 'Simulator', 'Unit', ''];
     table('parameters', head, report.parameters.map(compared), 'Values with their standard errors. Two values differ where chance is less likely than 1 %, corrected for the number of all differences of the ball (Holm).');
     content('causes').replaceChildren(el('p', {}, 'On the field:'), list(report.realCauses), el('p', {}, 'In the simulator:'), list(report.simCauses));
-    table('cameras', head, report.cameras.map(compared), 'Medians of kicks or of stretches of 2 s; rank-sum test, corrected for their number (Holm).');
+    table('cameras', head, report.cameras.map(compared), 'Medians of kicks or of stretches of 2 s, or means where the medians are equal; rank-sum test, corrected for their number (Holm).');
     table('others', head, report.others.map(compared), 'Without a standard error a row is for information only.');
   }
 

@@ -74,7 +74,7 @@ public final class Tables {
         table("kicks", "A kick that was found.")
             .always(INT, "kick", "", "running number within the log, from 1")
             .always(TIME, "time", "", "when the ball was kicked")
-            .maybe(TEXT, "team", "", "name of the kicker's team, as the referee says")
+            .maybe(TEXT, "team", "", "name of the kicker's team, from the referee's messages")
             .maybe(TEXT, COLOUR, "", "yellow or blue; missing when no robot was near enough")
             .maybe(INT, "robot", "", "number of the kicker")
             .maybe(TEXT, "kind", "", "flat or chip; missing when the kick could not be fitted")
@@ -117,8 +117,8 @@ public final class Tables {
             .always(TIME, "start", "", "when the first message was received")
             .always(DOUBLE, "duration", "s", "from the first message to the last")
             .always(DOUBLE, "playing", "s", "how long the referee let the match run")
-            .maybe(TEXT, "yellow", "", "name of the yellow team, as the referee says")
-            .maybe(TEXT, "blue", "", "name of the blue team, as the referee says")
+            .maybe(TEXT, "yellow", "", "name of the yellow team, from the referee's messages")
+            .maybe(TEXT, "blue", "", "name of the blue team, from the referee's messages")
             .maybe(INT, "score_yellow", "", "goals of yellow at the end")
             .maybe(INT, "score_blue", "", "goals of blue at the end")
             .maybe(TEXT, "stage", "", "last stage of the match, as in SSL_Referee")
@@ -206,7 +206,7 @@ public final class Tables {
   private static Table robots() {
     return table("robots", "A quantity of a team or of one robot in a match.")
         .always(TEXT, COLOUR, "", "yellow or blue")
-        .maybe(TEXT, "team", "", "name of the team, as the referee says")
+        .maybe(TEXT, "team", "", "name of the team, from the referee's messages")
         .maybe(INT, "robot", "", "number of the robot; missing for all robots of the team together")
         .always(
             TEXT,
@@ -298,7 +298,7 @@ public final class Tables {
             "A cell of a histogram of movements, if it is not empty. Counts of several matches"
                 + " add up, and limits can be estimated from the sums.")
         .maybe(TEXT, COLOUR, "", "yellow or blue; missing for what both teams share")
-        .maybe(TEXT, "team", "", "name of the team, as the referee says")
+        .maybe(TEXT, "team", "", "name of the team, from the referee's messages")
         .always(TEXT, "histogram", "", "which histogram")
         .maybe(INT, "robot", "", "number of the robot, for histograms of each robot")
         .always(INT, "cell", "", "number of the cell; one beyond the last for all that lay outside")
@@ -381,7 +381,7 @@ public final class Tables {
             "A quantity of a team in a tournament, from the histograms of all its matches"
                 + " together.")
         .always(TEXT, "tournament", "", "as in the folders")
-        .always(TEXT, "team", "", "name of the team, as the referee says")
+        .always(TEXT, "team", "", "name of the team, from the referee's messages")
         .maybe(INT, "robot", "", "number of the robot; missing for all robots of the team together")
         .always(TEXT, "quantity", "", "as in robots")
         .maybe(DOUBLE, "direction", "rad", "as in robots")

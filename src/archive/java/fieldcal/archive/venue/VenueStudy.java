@@ -1,5 +1,6 @@
 package fieldcal.archive.venue;
 
+import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.calibration.Average;
 import fieldcal.calibration.Sample;
@@ -212,13 +213,14 @@ public final class VenueStudy {
         double share = difference / was.mean();
         ball |= PARAMETERS.get(s).equals(BALLS_OWN) && Math.abs(share) > BALLS_CHANGE;
         words.add(
-            String.format(
-                Locale.ROOT,
-                "%s %.4g → %.4g (%+.0f %%)",
-                ParameterWords.ofFileName(PARAMETERS.get(s)),
-                was.mean(),
-                is.mean(),
-                100 * share));
+            ParameterWords.ofFileName(PARAMETERS.get(s))
+                + Amount.minus(
+                    String.format(
+                        Locale.ROOT,
+                        " %.4g → %.4g (%+.0f %%)",
+                        was.mean(),
+                        is.mean(),
+                        100 * share)));
       }
     }
     return new Change(
@@ -335,12 +337,13 @@ public final class VenueStudy {
               dx / Math.hypot(was[0].meanError(), is[0].meanError()),
               dy / Math.hypot(was[1].meanError(), is[1].meanError()));
       words[i] =
-          String.format(
-              Locale.ROOT,
-              "camera %d reports everything shifted by %+.1f mm in x and %+.1f mm in y",
-              ids.get(i),
-              1000 * dx,
-              1000 * dy);
+          Amount.minus(
+              String.format(
+                  Locale.ROOT,
+                  "camera %d reports everything shifted by %+.1f mm in x and %+.1f mm in y",
+                  ids.get(i),
+                  1000 * dx,
+                  1000 * dy));
       largest = Math.max(largest, shift[i]);
     }
     for (int i = 0; i < ids.size(); i++) {

@@ -24,11 +24,12 @@
 
   const scaled = (value, factor, digits, unit) => known(value) ? number(factor * value, digits) + ' ' + unit : '–';
   const minute = seconds => new Date(seconds * 1000).toISOString().slice(0, 16).replace('T', ' ');
-  const table = (id, head, rows) => $(id).querySelector('.table').replaceChildren(grid(head, rows));
+  const table = (id, head, rows, none, note = '') => $(id).querySelector('.table').replaceChildren(grid(head, rows, none), note && rows.length ? el('p', {class: 'note'}, note) : '');
+  const several = (n, one) => n + ' ' + one + (n === 1 ? '' : one.endsWith('ch') ? 'es' : 's');
 
-  /** A table; cells are text or nodes, columns whose head ends with ← are aligned left, and those with ↵ wrap, too. */
-  function grid(head, rows) {
-    if (rows.length === 0) return el('p', {class: 'empty'}, 'Nothing to show.');
+  /** A table, or the words for none; cells are text or nodes, columns whose head ends with ← are aligned left, and those with ↵ wrap, too. */
+  function grid(head, rows, none) {
+    if (rows.length === 0) return none ? el('p', {class: 'empty'}, none) : '';
     const style = head.map(h => h.endsWith('↵') ? 'text wrap' : h.endsWith('←') ? 'text' : null);
     const cell = (tag, value, i) => el(tag, {class: style[i], scope: tag === 'th' ? 'col' : null}, value);
     return el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => cell('th', h.replace(/[←↵]$/, ''), i)))),
@@ -50,9 +51,9 @@
   const entry = (shape, colour, text) => el('span', {}, swatch(shape, colour), text);
 
   function categories(option, names) {
-    Object.assign(option.xAxis, {type: 'category', data: names, scale: false, axisLabel: {...option.xAxis.axisLabel, formatter: undefined, interval: 0, hideOverlap: false, rotate: names.length > 5 ? 40 : 0, width: 90, overflow: 'truncate'}});
+    Object.assign(option.xAxis, {type: 'category', data: names, scale: false, axisLabel: {...option.xAxis.axisLabel, formatter: undefined, interval: 0, hideOverlap: false, rotate: names.length > 5 ? 40 : 0, width: names.length > 5 ? 110 : 90, overflow: names.length > 5 ? 'truncate' : 'break'}});
     if (names.length > 12) option.xAxis.axisLabel.interval = 'auto';
-    if (names.length > 5) option.grid.bottom = 84;
+    if (names.length > 1) option.grid.bottom = names.length > 5 ? 96 : 58;
     option.xAxis.name = '';
   }
 
@@ -77,15 +78,16 @@
       option.tooltip.formatter = fromTip;
       option.series = points(with_.map(c => {
         const p = parameter(c, name);
-        return {at: c.name, value: p.value, error: p.error, tip: [c.name, withError(p.value, p.error, unit), p.n + ' matches', known(p.published) ? 'published ' + number(p.published, 3) : '']};
+        return {at: c.name, value: p.value, error: p.error, tip: [c.name, withError(p.value, p.error, unit), several(p.n, 'match'), known(p.published) ? 'published ' + number(p.published, 3) : '']};
       }), theme.accent, 'circle');
       option.series.push({type: 'scatter', symbol: 'diamond', symbolSize: 10, itemStyle: {color: theme.bad},
         data: with_.filter(c => known(parameter(c, name).published)).map(c => ({value: [c.name, parameter(c, name).published], tip: [c.name, 'published ' + number(parameter(c, name).published, 4)]}))});
       later(() => draw(box, option));
     }
-    table('carpets', ['Carpet←', 'From←', 'To←', 'Matches', 'Parameter←', 'Value', 'Scatter between matches', 'Drift per day', 'Published', 'Published − value'],
-      carpets.flatMap(c => c.parameters.map((p, i) => [i ? '' : c.name, i ? '' : minute(c.first), i ? '' : minute(c.last), String(p.n), spelled(p.parameter), withError(p.value, p.error), number(p.scatter, 5),
-        known(p.drift) ? withError(p.drift, p.driftError) : '–', number(p.published, 4), known(p.published) ? signed(100 * (p.published - p.value) / p.value, 1) + ' %' : '–'])));
+    table('carpets', ['Carpet←', 'From←', 'To←', 'Matches', 'Parameter←', 'Value', 'Scatter between matches', 'Drift per day', 'Published', 'Value − published'],
+      carpets.flatMap(c => c.parameters.map((p, i) => [i ? '' : c.name, i ? '' : minute(c.first), i ? '' : minute(c.last), String(p.n), spelled(p.parameter), withError(p.value, p.error), p.n > 1 ? number(p.scatter, 5) : '–',
+        known(p.drift) ? withError(p.drift, p.driftError) : '–', number(p.published, 4), known(p.published) ? signed(100 * (p.value / p.published - 1), 1) + ' %' : '–'])),
+      'No carpet was found.', 'Scatter between matches and drift are known from several matches on. Value − published: in per cent of the published value, as calibrate prints it.');
   }
 
   // ---- a venue over time ----
@@ -127,7 +129,7 @@
       }
       later(() => draw(box, option));
     }
-    table('drift', ['After←', 'Before←', 'What changed↵'], its.changes.map(c => [minute(c.after), minute(c.before), c.words.replace(/^between .*? UTC: /, '')]));
+    table('drift', ['After←', 'Before←', 'What changed↵'], its.changes.map(c => [minute(c.after), minute(c.before), c.words.replace(/^between .*? UTC: /, '')]), 'No change was found.');
   }
 
   // ---- cameras ----
@@ -143,11 +145,11 @@
       categories(option, all.map(c => c.name));
       option.yAxis.scale = false;
       option.tooltip.formatter = fromTip;
-      option.series = [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(c => ({value: known(c[key]) ? factor * c[key] : null, tip: [c.name, number(factor * c[key], 2) + ' ' + unit, c.matches + ' matches']}))}];
+      option.series = [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(c => ({value: known(c[key]) ? factor * c[key] : null, tip: [c.name, number(factor * c[key], 2) + ' ' + unit, several(c.matches, 'match')]}))}];
       later(() => draw(box, option));
     }
     table('cameras', ['Venue / camera←', 'Matches', 'Rate', 'Noise at rest', 'Jitter', 'Missing frames', 'Outages', 'Offset', 'Distortion'],
-      all.map(c => [c.name, String(c.matches), scaled(c.rate, 1, 1, 'Hz'), scaled(c.noise, 1000, 2, 'mm'), scaled(c.jitter, 1000, 2, 'ms'), scaled(c.loss, 100, 2, '%'), String(c.gaps), scaled(c.offset, 1000, 1, 'mm'), number(c.distortion, 3)]));
+      all.map(c => [c.name, String(c.matches), scaled(c.rate, 1, 1, 'Hz'), scaled(c.noise, 1000, 2, 'mm'), scaled(c.jitter, 1000, 2, 'ms'), scaled(c.loss, 100, 2, '%'), String(c.gaps), scaled(c.offset, 1000, 1, 'mm'), number(c.distortion, 3)]), 'No camera was found.');
   }
 
   // ---- teams ----
@@ -168,7 +170,7 @@
       option.tooltip.formatter = fromTip;
       option.series = tournaments.flatMap((tournament, i) => points(atlas.teams.filter(t => t.tournament === tournament && known(quantity(t, name).value)).map(t => {
         const q = quantity(t, name);
-        return {at: t.team, value: q.value, error: q.error, tip: [t.team, tournament, (q.reached ? '' : 'at least ') + withError(q.value, q.error, unit), t.matches + ' matches']};
+        return {at: t.team, value: q.value, error: q.error, tip: [t.team, tournament, (q.reached ? '' : 'at least ') + withError(q.value, q.error, unit), several(t.matches, 'match')]};
       }), theme.camera(i).colour, symbols[i % 4]));
       later(() => draw(box, option));
     }
@@ -176,7 +178,7 @@
       atlas.teams.map(t => [t.team, t.tournament, String(t.matches), String(t.manoeuvres),
         ...[...LIMITS, ...TURNS].map(([name, , unit]) => { const q = quantity(t, name); return (q.reached === false ? '≥ ' : '') + withError(q.value, q.error, unit); }),
         t.quantities.filter(q => q.name === 'torque_limited' || q.name === 'directional').map(q => QUANTITIES[q.name][0].toLowerCase() + ' ' + withError(q.value, q.error) + ' (' + q.note + ')').join(', ') || 'none',
-        t.quantities.filter(q => q.robot >= 0).map(q => q.robot + ': ' + (q.name === 'speed_cap' ? 'at most ' + withError(q.value, q.error, 'm/s') : q.name.replace('robot_', '') + ' ' + withError(q.value, q.error, 'm/s²'))).join(', ') || 'none']));
+        t.quantities.filter(q => q.robot >= 0).map(q => q.robot + ': ' + (q.name === 'speed_cap' ? 'at most ' + withError(q.value, q.error, 'm/s') : q.name.replace('robot_', '') + ' ' + withError(q.value, q.error, 'm/s²'))).join(', ') || 'none']), 'No team was found.', '≥: the robots did not reach the limit; it is at least as high.');
   }
 
   /** Cells as squares, darker where more lies, on a logarithmic scale. */
@@ -239,7 +241,7 @@
         known(t.standingNoise) ? [line(round(1000 * t.standingNoise), theme.text)] : []));
     }
     table('pictures', ['Quantity←', 'Robot', 'Value', 'Observations', 'Reached', 'Note↵'],
-      t.quantities.map(q => [(QUANTITIES[q.name] || [q.name])[0] + (known(q.direction) ? ' ' + number(q.direction * 180 / Math.PI, 0) + '°' : ''), q.robot < 0 ? 'all' : String(q.robot), withError(q.value, q.error, (QUANTITIES[q.name] || [])[1]), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']));
+      t.quantities.map(q => [(QUANTITIES[q.name] || [q.name])[0] + (known(q.direction) ? ' ' + number(q.direction * 180 / Math.PI, 0) + '°' : ''), q.robot < 0 ? 'all' : String(q.robot), (q.reached === false ? '≥ ' : '') + withError(q.value, q.error, (QUANTITIES[q.name] || [])[1]), String(q.samples), q.reached === null ? '–' : q.reached ? 'yes' : 'no', q.note || '']), 'No limit was measured.');
   }
 
   function chooseTeam() {
@@ -268,7 +270,7 @@
         draw(box, option);
       });
     }
-    legend('speeds', 'Too fast: the probability that the kick broke the limit. The speed is the highest that the ball has: right after the kick, while it still slides. It is lower when the ball rolls. A ball that was dribbled before may have spin and slide for a shorter time; then less is known of its speed than the interval says.');
+    legend('speeds', atlas.fast.length === 0 ? '' : 'Too fast: the probability that the kick broke the limit. The speed is the highest that the ball has: right after the kick, while it still slides. It is lower when the ball rolls. A ball that was dribbled before may have spin and slide for a shorter time; then less is known of its speed than the interval says.');
     if (atlas.fast.length > 0) {
       const near = [...atlas.fast].sort((a, b) => a.speed - b.speed);
       const box = figure(content('speeds'), 'kicks near the limit', 'speed with two standard errors', 'chart tall');
@@ -283,7 +285,7 @@
     }
     table('speeds', ['Too fast', 'Speed', '95 % interval (m/s)', 'When it rolls', 'Kind←', 'Dribbled before←', 'Team←', 'Robot', 'Tournament←', 'When←', 'Log←'],
       atlas.fast.map(k => [probability(k), withError(k.speed, k.error, 'm/s'), number(k.speed - 1.96 * k.error, 2) + ' to ' + number(k.speed + 1.96 * k.error, 2), known(k.rolling) ? number(k.rolling, 2) + ' m/s' : '–', k.kind, k.maySpin ? 'yes' : 'no',
-        k.team || '–', k.robot < 0 ? '–' : String(k.robot), k.tournament, minute(k.time), k.file]));
+        k.team || '–', k.robot < 0 ? '–' : String(k.robot), k.tournament, minute(k.time), k.file]), 'No kick was near the limit.');
   }
 
   const probability = k => k.odds > 0.999 ? 'certain' : number(100 * k.odds, 1) + ' %';
@@ -312,7 +314,7 @@
         draw(box, option);
       });
     };
-    const bars = (words, unit, of) => picture(words, unit, () => [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(t => ({value: of(t), tip: [t.name, scaled(of(t), 1, 1, unit), t.matches + (t.matches === 1 ? ' match' : ' matches')]}))}]);
+    const bars = (words, unit, of) => picture(words, unit, () => [{type: 'bar', barMaxWidth: 26, itemStyle: {color: theme.accent}, data: all.map(t => ({value: of(t), tip: [t.name, scaled(of(t), 1, 1, unit), several(t.matches, 'match')]}))}]);
     bars('how late its ball is', 'ms', t => known(t.delay) ? 1000 * t.delay : null);
     bars('error of its position, without the delay', 'mm', t => known(t.position) ? 1000 * t.position : null);
     picture('reported speed of a kick minus that of the fit', 'm/s', () => points(all.filter(t => known(t.speedBias)).map(t => ({at: t.name, value: t.speedBias, error: t.speedScatter, tip: [t.name, signed(t.speedBias, 2) + ' m/s, standard deviation ' + number(t.speedScatter, 2), t.matched + ' kicks']})), theme.accent, 'circle'));
@@ -324,12 +326,12 @@
   // ---- the page ----
 
   function showSummary() {
-    const lines = [el('p', {}, el('b', {}, atlas.logs + ' logs'), ', ' + number(atlas.play, 1) + ' minutes, ' + atlas.kicks + ' kicks, ' + carpets.length + ' carpets at ' + atlas.venues.length + ' venues, '
-      + new Set(atlas.teams.map(t => t.team)).size + ' teams in ' + tournaments.length + ' tournaments.')];
+    const lines = [el('p', {}, el('b', {}, several(atlas.logs, 'log')), ', ' + number(atlas.play, 1) + ' minutes, ' + several(atlas.kicks, 'kick') + ', ' + several(carpets.length, 'carpet') + ' at ' + several(atlas.venues.length, 'venue') + ', '
+      + several(new Set(atlas.teams.map(t => t.team)).size, 'team') + ' in ' + several(tournaments.length, 'tournament') + '.')];
     if (atlas.findings.length) lines.push(el('pre', {}, atlas.findings.join('\n')));
     $('verdict').replaceChildren(...lines);
     content('broken').replaceChildren(atlas.broken.length === 0 ? el('p', {class: 'empty'}, 'Every log was read.') : grid(['Log←', 'Tournament←', 'Why↵'], atlas.broken.map(b => [b.file, b.tournament, b.why])));
-    content('problems').replaceChildren(grid(['Logs', 'What↵'], atlas.problems.map(p => [String(p.logs), p.what])));
+    content('problems').replaceChildren(grid(['Logs', 'What↵'], atlas.problems.map(p => [String(p.logs), p.what]), 'No problem was found.'));
   }
 
   function showAll() {

@@ -69,8 +69,15 @@ class CalibrationWarningsTest {
         .hasValueSatisfying(
             text ->
                 assertThat(text)
-                    .contains("about the mean of the switch to rolling (k_switch), as when")
+                    .contains("about the mean of the switch to rolling (k_switch). Some of")
                     .contains("The median is given"));
+  }
+
+  /** Half a per cent apart is nothing that anybody plays by. */
+  @Test
+  void groupsThatLieCloseTogetherAreNotNamed() {
+    assertThat(CalibrationWarnings.matters(new Agreement(0.7128, 0.53, 0.7094, false))).isFalse();
+    assertThat(CalibrationWarnings.matters(new Agreement(-0.3, 0.33, -0.25, false))).isTrue();
   }
 
   @Test
@@ -81,7 +88,7 @@ class CalibrationWarningsTest {
         .contains("of 0.6878, the others have 0.6639 on average");
     assertThat(
             CalibrationWarnings.agreement("accRoll", new Agreement(-0.3, 0.33, -0.25, false), 12))
-        .contains("of -0.3000 m/s², the others have -0.2500 m/s² on average");
+        .contains("of −0.3000 m/s², the others have −0.2500 m/s² on average");
   }
 
   @Test

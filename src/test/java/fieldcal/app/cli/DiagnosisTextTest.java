@@ -29,7 +29,7 @@ class DiagnosisTextTest {
     StringWriter text = new StringWriter();
     new DiagnosisText(new PrintWriter(text)).print(outcome, Path.of("out"));
     List<String> lines = text.toString().lines().toList();
-    assertThat(lines).hasSizeLessThanOrEqualTo(45);
+    assertThat(lines).hasSizeLessThanOrEqualTo(47);
     assertThat(lines).allSatisfy(line -> assertThat(line.length()).isLessThanOrEqualTo(100));
     assertThat(text.toString()).doesNotContain("NaN").doesNotContain("null");
     return lines;
@@ -39,7 +39,7 @@ class DiagnosisTextTest {
   void nothingWrongIsSaidAtOnce() {
     List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
     assertThat(lines.get(0))
-        .startsWith("Predictions of kicks are off by 13 mm after 1 s. The model is right");
+        .startsWith("The calibrated model is off by 13 mm after 1 s. The model is right");
     assertThat(lines.get(1)).contains("24 kicks");
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
     assertThat(String.join(" ", lines)).doesNotContain("So few kicks");
@@ -65,19 +65,19 @@ class DiagnosisTextTest {
     String text = String.join("\n", printed(SampleDiagnosis.explained(24), 2));
     assertThat(text)
         .startsWith(
-            "Predictions of kicks are off by 38 mm after 1 s; with what was found, by 12 mm. The");
+            "The calibrated model is off by 38 mm after 1 s, the extended model by 12 mm. The");
     assertThat(text.replace('\n', ' '))
         .contains("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
-    assertThat(text).contains("21.20 ± 0.12").contains("12 mm (12 to 13), 83 %");
-    assertThat(text).contains("; certain; gains");
+    assertThat(text).contains("21.20 ± 0.12").contains("(83 %; 95 % bounds 12 to 13 mm)");
+    assertThat(text).contains("; certain. It reduces the rms of held-out kicks by");
     assertThat(text).contains("These kicks do not show whether camera 0 or camera 1 is shifted.");
     assertThat(text.replaceAll("\\s+", " "))
         .contains(
             "Another cause would explain these kicks about as well: wrong ball height in vision.");
     assertThat(text).doesNotContain("evidence", "18234");
     assertThat(text).contains("calibrated model").contains("14.20").contains("64.9");
-    assertThat(text).contains("with what was found").contains("1.52").contains("29.0");
+    assertThat(text).contains("extended model").contains("1.52").contains("29.0");
     assertThat(text).contains("What remains is no more than noise.");
     assertThat(text).contains("out/diagnosis.html");
   }
@@ -86,7 +86,7 @@ class DiagnosisTextTest {
   void whatIsUnexplainedSaysOnWhatItDepends() {
     String text = String.join("\n", printed(SampleDiagnosis.unexplained(24), 12));
     assertThat(text)
-        .startsWith("Predictions of kicks are off by 19 mm after 1 s. Something is wrong");
+        .startsWith("The calibrated model is off by 19 mm after 1 s. Something is wrong");
     assertThat(text).contains("depending on the time since the kick");
     assertThat(text).contains("In the data:\n  ").contains("\n  9 more, see diagnosis.json");
   }
@@ -96,12 +96,15 @@ class DiagnosisTextTest {
     String text = String.join("\n", printed(SampleDiagnosis.partly(24), 0));
     assertThat(text)
         .startsWith(
-            "Predictions of kicks are off by 50 cm after 1 s; with what was found, by 9 cm. The");
+            "The calibrated model is off by 50 cm after 1 s, the extended model by 9 cm. The");
     String line = text.replace("\n   ", " ").replace('\n', ' ');
     assertThat(line).contains("a part of its error is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");
-    assertThat(line).contains("replaces a law of the simple model: -  The carpet grips the ball");
-    assertThat(line).contains("the reports of camera 1 are too far").contains("It gains 1.4 mm");
+    assertThat(line)
+        .contains("replaces a law of the calibrated model: -  The carpet grips the ball");
+    assertThat(line)
+        .contains("the reports of camera 1 are too far")
+        .contains("It reduces the rms of held-out kicks by 1.4 mm");
     assertThat(line).containsOnlyOnce("depends on the place in the image:");
     assertThat(line)
         .contains("2.90 mm beyond the noise remain unexplained, depending on the height");
@@ -133,7 +136,8 @@ class DiagnosisTextTest {
         .filteredOn(line -> line.startsWith("-"))
         .hasSize(3);
     assertThat(String.join(" ", lines).replaceAll(" +", " "))
-        .contains("It gains 0.011 mm (−1.2 to 1.2), 0 %, on kicks held out.")
+        .contains(
+            "It reduces the rms of held-out kicks by 0.011 mm (0 %; 95 % bounds −1.2 to 1.2 mm).")
         .doesNotContain("This also helps");
   }
 
@@ -145,7 +149,7 @@ class DiagnosisTextTest {
     String text =
         String.join(" ", printed(SampleDiagnosis.with(d, d.causes(), base, List.of()), 0));
     assertThat(text)
-        .startsWith("Predictions of kicks are off by 54 mm after 1 s")
+        .startsWith("The calibrated model is off by 54 mm after 1 s")
         .contains("54.3")
         .contains("some kicks are predicted far worse than most")
         .contains("of all kicks is 1049 mm");

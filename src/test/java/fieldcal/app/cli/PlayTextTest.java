@@ -151,7 +151,7 @@ class PlayTextTest {
       }
     }
     assertThat(out.toString())
-        .contains("please place the ball at (1.0, -2.5) m: the ball is in the goal");
+        .contains("please place the ball at (1.0, −2.5) m: the ball is in the goal");
   }
 
   @Test

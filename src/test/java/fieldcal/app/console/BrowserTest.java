@@ -175,7 +175,7 @@ class BrowserTest {
     browser.awaitText("#advice", "air drag");
     browser.press("3");
     browser.click("#refuse-model");
-    browser.awaitText("#diagnose-state", "The model on the other pages is the simple one");
+    browser.awaitText("#diagnose-state", "The model on the other pages is the calibrated one");
     assertThat(browser.find("#diagnosis-report").isDisplayed()).isTrue();
   }
 

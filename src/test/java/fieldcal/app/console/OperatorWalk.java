@@ -132,6 +132,9 @@ final class OperatorWalk {
         assertThat(received(team).getGeometry().getModels().hasStraightTwoPhase()).isTrue();
       }
       browser.awaitText("#published", "this model");
+      browser.awaitText("#published", "SSL_WrapperPacket with geometry");
+      browser.awaitText("#history-table", "SSL_WrapperPacket with geometry");
+      browser.awaitText("#sends", "sending to 127.0.0.1:" + team.getLocalPort());
       done("the model is sent");
       picture("6-sent");
       browser.click("#send-end");

@@ -48,6 +48,24 @@ class RecordingsTest {
     }
   }
 
+  /** A line that was read and closed does not come back when the page is loaded again. */
+  @Test
+  void aLineOnAFileThatIsLeftOutCanBeClosed() throws IOException {
+    Files.copy(SampleSession.small(), folder.resolve("kicks.log.gz"));
+    Files.writeString(folder.resolve("notes.log"), "no recording");
+    try (RunningConsole console = RunningConsole.start(folder);
+        Browser browser = new Browser(1280, 720)) {
+      console.settled();
+      browser.open(console.url() + "#kicks");
+      browser.awaitText("#notices", "notes.log");
+      browser.click("#notices button:last-child");
+      browser.awaitGone("#notices .notice");
+      browser.script("location.reload()");
+      browser.awaitText("#session", "kicks.log.gz");
+      assertThat(browser.text("#notices")).isEmpty();
+    }
+  }
+
   /** As an operator does it, on a phone: the list says why a recording is left out, and a tick takes it in. */
   @Test
   void theListIsTickedInTheBrowser() throws IOException {

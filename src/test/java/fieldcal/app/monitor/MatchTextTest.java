@@ -49,7 +49,8 @@ class MatchTextTest {
       // Compares with what is published.
     }
     String note =
-        "vision: 1234 packets, 0 dropped, SILENT for 12 s, joined again 6 times (no route)";
+        "vision: 1234 packets, 0 dropped. Nothing was received for 12 s. fieldcal joined the group"
+            + " again 6 times (no route)";
     return new MatchStatus(
         monitor.snapshot(), new FeedStatus("a match", List.of(note), false), Optional.empty());
   }
@@ -74,7 +75,7 @@ class MatchTextTest {
   @Test
   void aWideTerminalAlsoShowsTheMiddleHalfOfTheKicks() {
     assertThat(text.lines(status(), 120))
-        .anyMatch(line -> line.endsWith("kicks    middle half"))
+        .anyMatch(line -> line.endsWith("kicks    middle 50 %"))
         .anyMatch(line -> line.matches(" +vertical damping .* 3/31 +0.520 … 0.520"));
   }
 
@@ -148,7 +149,8 @@ class MatchTextTest {
         .contains(
             "WARNING since 00:00:30: rolling deceleration (acc_roll) is −0.400 m/s², 43 % more")
         .contains("(median of 31 kicks)")
-        .contains("SILENT for 12 s, joined again 6 times (no route)");
+        .contains(
+            "Nothing was received for 12 s. fieldcal joined the group again 6 times (no route)");
   }
 
   @Test

@@ -341,10 +341,10 @@ class NetworkPlayFieldTest {
       PlayField over = ended;
       over.close();
       Thread.sleep(2100);
-      assertThat(String.join("\n", playing.notes())).contains("SILENT for 2 s");
+      assertThat(String.join("\n", playing.notes())).contains("Nothing was received for 2 s");
       assertThat(String.join("\n", ended.notes()))
           .contains("vision: 1 packets, 0 dropped")
-          .doesNotContain("SILENT");
+          .doesNotContain("Nothing was received");
     }
   }
 

@@ -1,6 +1,7 @@
 package fieldcal.app.statistics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import fieldcal.app.statistics.Statistic.How;
 import java.util.ArrayList;
@@ -89,5 +90,26 @@ class ComparisonTest {
     Statistic one = new Statistic("few", "few", "", How.LEVEL, few);
     assertThat(one.samples()).hasSize(2);
     assertThat(Comparison.of(List.of(one), List.of(one))).isEmpty();
+  }
+
+  /** Most stretches lose no frame, so that both medians are zero, though one camera loses twice as many. */
+  @Test
+  void whatIsMostlyZeroIsShownAsAMean() {
+    Map<String, Double> few = new HashMap<>();
+    Map<String, Double> many = new HashMap<>();
+    for (int i = 0; i < 100; i++) {
+      few.put("stretch " + i, i % 20 == 0 ? 1.0 : 0);
+      many.put("stretch " + i, i % 4 == 0 ? 1.0 : 0);
+    }
+    Comparison c =
+        Comparison.of(
+                List.of(new Statistic("lost.3", "lost frames", "%", How.LEVEL, few)),
+                List.of(new Statistic("lost.3", "lost frames", "%", How.LEVEL, many)))
+            .get(0);
+    assertThat(c.differs()).isTrue();
+    assertThat(c.first()).isCloseTo(0.05, within(1e-12));
+    assertThat(c.second()).isCloseTo(0.25, within(1e-12));
+    assertThat(c.difference()).isCloseTo(0.2, within(1e-12));
+    assertThat(c.error()).isBetween(0.03, 0.07);
   }
 }

@@ -63,7 +63,7 @@ class PublishWordsTest {
     assertThat(words.headline()).startsWith("Verdict: publish.");
     assertThat(words.notes())
         .containsExactly(
-            "The diagnosis explains what is wrong: camera offset. The calibration allows for"
+            "The diagnosis explains what is wrong: offset of a camera. The calibration allows for"
                 + " this, so the ball model needs no change.");
   }
 
@@ -76,9 +76,8 @@ class PublishWordsTest {
                 + " vision's ball model cannot hold it.");
     assertThat(advice("camera_time_offset", "air_drag"))
         .isEqualTo(
-            "Correct this at its source, and record again: wrong time stamps. For the rest (air"
-                + " drag), let your AI load extended_model.json; vision's ball model cannot hold"
-                + " it.");
+            "Correct the wrong time stamps and record again. Air drag remains: let your AI load"
+                + " extended_model.json.");
   }
 
   private static String advice(String... causes) {
@@ -99,8 +98,8 @@ class PublishWordsTest {
             PublishDecision.CHECK_FIRST, List.of(new Reason.KicksDiffer(2.5, 0.99, 2.6, 1)), true);
     assertThat(PublishWords.of(verdict).reasons())
         .containsExactly(
-            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; a"
-                + " model of its own for each kick is off by 1.0 mm. No single value describes all"
+            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; with"
+                + " a separate model for each kick, 1.0 mm. No single value describes all"
                 + " kicks.");
   }
 
@@ -182,7 +181,7 @@ class PublishWordsTest {
             "The fields differ in size: 12.00 × 9.00 m (a.log and b.log), 10.40 × 7.40 m (as vision"
                 + " publishes it). A ball model holds for one carpet.");
     assertThat(words.toDo())
-        .containsExactly("Calibrate each field on its own.", "Then read the verdict again.");
+        .containsExactly("Calibrate each field on its own, then read the new verdict.");
     assertThat(
             PublishWords.of(
                     new PublishVerdict(
@@ -191,7 +190,7 @@ class PublishWordsTest {
                             new Reason.SimulatedField(1, 2, List.of("sim.log")), few("accRoll", 1)),
                         false))
                 .toDo())
-        .containsExactly("Leave the simulated recordings out.", "Then read the verdict again.");
+        .containsExactly("Leave the simulated recordings out, then read the new verdict.");
   }
 
   @Test

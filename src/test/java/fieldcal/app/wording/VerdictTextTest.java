@@ -27,12 +27,12 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.explained(4));
     assertThat(text.headline())
         .isEqualTo(
-            "Predictions of kicks are off by 38 mm after 1 s; with what was found, by 12 mm.");
+            "The calibrated model is off by 38 mm after 1 s, the extended" + " model by 12 mm.");
     assertThat(text.verdict())
         .isEqualTo("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
     assertThat(text.lines())
         .containsExactly(
-            "With what was found, held-out kicks fit to 1.6 mm instead"
+            "With the extended model, held-out kicks fit to 1.6 mm instead"
                 + " of 14.6 mm (the cameras' noise is 1.5 mm). Predictions are off by 5.1 mm"
                 + " instead of 21 mm 0.5 s ahead, 12 mm instead of 38 mm 1 s ahead, 29 mm instead"
                 + " of 65 mm 2 s ahead.");
@@ -43,7 +43,7 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.adequate(12));
     assertThat(text.first())
         .isEqualTo(
-            "Predictions of kicks are off by 13 mm after 1 s. The model is right: change nothing.");
+            "The calibrated model is off by 13 mm after 1 s. The model is right: change nothing.");
     assertThat(text.lines().get(0))
         .contains("fit to 1.5 mm rms; the noise of the cameras alone is 1.5 mm");
     assertThat(text.lines().get(1))
@@ -59,7 +59,7 @@ class VerdictTextTest {
   @Test
   void unexplainedBlamesNobody() {
     VerdictText text = VerdictText.of(SampleDiagnosis.unexplained(4));
-    assertThat(text.headline()).isEqualTo("Predictions of kicks are off by 19 mm after 1 s.");
+    assertThat(text.headline()).isEqualTo("The calibrated model is off by 19 mm after 1 s.");
     assertThat(text.verdict()).isEqualTo("Something is wrong that no known cause explains.");
     assertThat(text.lines().get(0))
         .isEqualTo(
@@ -74,7 +74,7 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.partly(4));
     assertThat(text.headline())
         .isEqualTo(
-            "Predictions of kicks are off by 50 cm after 1 s; with what was found, by 9 cm.");
+            "The calibrated model is off by 50 cm after 1 s, the extended" + " model by 9 cm.");
     assertThat(text.verdict())
         .startsWith("The model is wrong, and a part of its error is explained: air drag. This also")
         .contains(
@@ -107,16 +107,16 @@ class VerdictTextTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "103.6 | 95.7 | 104 mm after 1 s; with what was found, by 96 mm, hardly better.",
-        "60.0 | 55.0 | 60 mm after 1 s; with what was found, by 55 mm, hardly better.",
-        "12.5 | 12.4 | 13 mm after 1 s; with what was found, by 12 mm, no better.",
-        "41.6 | 47.6 | 42 mm after 1 s; with what was found, by 48 mm, worse."
+        "103.6 | 95.7 | 104 mm after 1 s, the extended model by 96 mm, hardly better.",
+        "60.0 | 55.0 | 60 mm after 1 s, the extended model by 55 mm, hardly better.",
+        "12.5 | 12.4 | 13 mm after 1 s, the extended model by 12 mm, no better.",
+        "41.6 | 47.6 | 42 mm after 1 s, the extended model by 48 mm, worse."
       })
   void theFirstLinePromisesNoMoreThanTheTableHolds(double before, double after, String said) {
     Diagnosis d = predicting(Map.of(1.0, before), Map.of(1.0, after));
     assertThat(VerdictText.of(d).headline())
         .isEqualTo(
-            "Predictions of kicks are off by "
+            "The calibrated model is off by "
                 + said
                 + " Whole held-out kicks are followed to 1.6 mm instead of 14.6 mm.");
   }
@@ -126,11 +126,12 @@ class VerdictTextTest {
     Diagnosis d = SampleDiagnosis.explained(4);
     Quality few = SampleDiagnosis.quality(14.2, 1.5, Double.NaN, Map.of());
     assertThat(headline(d, few))
-        .isEqualTo("The model misses by 14.2 mm; with what was found, by 1.5 mm.");
+        .isEqualTo(
+            "The calibrated model misses the kicks by 14.2 mm, the extended model by 1.5 mm.");
     Quality brief = SampleDiagnosis.quality(14.2, 1.5, 14.6, Map.of(0.5, 50.2));
     assertThat(headline(d, brief))
         .isEqualTo(
-            "Predictions of kicks are off by 50 mm after 0.5 s; with what was found, by 5 mm.");
+            "The calibrated model is off by 50 mm after 0.5 s, the extended" + " model by 5 mm.");
   }
 
   private static String headline(Diagnosis d, Quality base) {
@@ -170,7 +171,7 @@ class VerdictTextTest {
     assertThat(VerdictText.of(partlyWorse).lines()).anyMatch(line -> line.contains(caveat));
     Diagnosis same = predicting(before, Map.of(0.5, 20.1, 1.0, 41.9, 2.0, 76.0));
     assertThat(VerdictText.of(same).lines())
-        .anyMatch(line -> line.contains("predicts them as well as the simple one"));
+        .anyMatch(line -> line.contains("predicts them as well as the calibrated one"));
     Diagnosis hardly = predicting(before, Map.of(0.5, 20.1, 1.0, 39.0, 2.0, 70.0));
     assertThat(VerdictText.of(hardly).headline()).contains("hardly better");
     assertThat(VerdictText.of(hardly).lines())
@@ -190,7 +191,7 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.with(d, d.causes(), base, List.of()));
     assertThat(text.headline())
         .isEqualTo(
-            "Predictions of kicks are off by 54 mm after 1 s; with what was found, by 12 mm.");
+            "The calibrated model is off by 54 mm after 1 s, the extended" + " model by 12 mm.");
     assertThat(text.lines())
         .contains(
             "With the calibrated model, some kicks are predicted far worse than most: 1 s ahead,"
@@ -201,12 +202,12 @@ class VerdictTextTest {
   /** A low chip may be taken for a flat kick, and a wild flat kick for a chip. */
   @ParameterizedTest
   @CsvSource({
-    "34, 1, passes",
-    "9, 1, passes",
-    "8, 2, kicks",
-    "2, 8, kicks",
-    "1, 9, chips",
-    "1, 34, chips"
+    "34, 1, 'For passes, the'",
+    "9, 1, 'For passes, the'",
+    "8, 2, The",
+    "2, 8, The",
+    "1, 9, 'For chips, the'",
+    "1, 34, 'For chips, the'"
   })
   void kicksAreCalledWhatNearlyAllOfThemAre(int flats, int chips, String called) {
     Diagnosis d = SampleDiagnosis.adequate(8);
@@ -214,7 +215,7 @@ class VerdictTextTest {
     kicks.addAll(Collections.nCopies(flats, first(d, KickKind.FLAT)));
     kicks.addAll(Collections.nCopies(chips, first(d, KickKind.CHIP)));
     assertThat(VerdictText.of(SampleDiagnosis.of(d, kicks)).headline())
-        .isEqualTo("Predictions of " + called + " are off by 13 mm after 1 s.");
+        .isEqualTo(called + " calibrated model is off by 13 mm after 1 s.");
   }
 
   private static KickResiduals first(Diagnosis d, KickKind kind) {

@@ -138,7 +138,8 @@ public final class DiagnosisReportBuilder {
         cause.gain().lowMm(),
         cause.gain().highMm(),
         CauseWords.rivals(cause),
-        NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom()));
+        NextKicks.introduced(
+            NextKicks.toTellApart(cause.effect().id(), cause.indistinguishableFrom())));
   }
 
   private LearnedRow learned(LearnedFinding finding) {

@@ -109,7 +109,7 @@ const DiagnosisPlots = (() => {
     const value = selected && (sides.includes('after') ? selected.rmsAfterMm : selected.rmsBeforeMm);
     if (known(value)) option.series.push({type: 'scatter', silent: true, symbolSize: 20, z: 5, itemStyle: {color: 'transparent', borderColor: theme.text, borderWidth: 2.5}, data: [[index.get(selectedId), value]]});
     option.tooltip.formatter = ({data}) => !data.of ? '' : tip('Kick ' + data.of.id + ', ' + data.of.kind + ', ' + number(data.of.speed, 1) + ' m/s' + (data.of.robot ? ', ' + data.of.robot : ''),
-      'simple model ' + number(data.of.rmsBeforeMm, 1) + ' mm', sides.length > 1 && 'extended model ' + number(data.of.rmsAfterMm, 1) + ' mm');
+      'calibrated model ' + number(data.of.rmsBeforeMm, 1) + ' mm', sides.length > 1 && 'extended model ' + number(data.of.rmsAfterMm, 1) + ' mm');
     return option;
   }
 

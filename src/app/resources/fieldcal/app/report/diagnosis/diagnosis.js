@@ -17,10 +17,10 @@
   const state = {variable: report.shown, kick: null, all: false};
   let theme;
 
-  const sideName = side => found ? (side === 'before' ? 'before: simple model' : 'after: with what was found') : 'simple model';
+  const sideName = side => found ? (side === 'before' ? 'before: calibrated model' : 'after: extended model') : 'calibrated model';
   const sideSwatches = (...more) => found
-    ? [el('span', {}, swatch('circle', theme.warn, true), 'before: simple model'), el('span', {}, swatch('circle', theme.accent), 'after: with what was found'), ...more]
-    : [el('span', {}, swatch('circle', theme.accent), 'simple model'), ...more];
+    ? [el('span', {}, swatch('circle', theme.warn, true), 'before: calibrated model'), el('span', {}, swatch('circle', theme.accent), 'after: extended model'), ...more]
+    : [el('span', {}, swatch('circle', theme.accent), 'calibrated model'), ...more];
   const cameraSwatches = () => report.cameras.map(id => el('span', {}, swatch(theme.camera(id).symbol, theme.camera(id).colour), 'camera ' + id));
 
   // ---- words ----
@@ -46,7 +46,7 @@
   const bounds = cause => known(cause.gainLowMm) && known(cause.gainHighMm) ? number(cause.gainLowMm, 2) + ' to ' + number(cause.gainHighMm, 2) + ' mm' : '–';
 
   function causeItem(cause, i) {
-    const rivals = [cause.rivals, cause.kicksToRecord ? 'To tell them apart: ' + cause.kicksToRecord : ''].filter(Boolean);
+    const rivals = [cause.rivals, cause.kicksToRecord].filter(Boolean);
     return el('li', {},
       el('div', {class: 'rank', 'aria-hidden': 'true'}, String(i + 1)),
       el('div', {class: 'words'},
@@ -71,7 +71,7 @@
   function learnedItem(box, finding) {
     const item = el('article', {},
       el('p', {class: 'what'}, finding.what),
-      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'This law takes the place of a law of the simple model. Its numbers: ', unproven: 'Not proven to be a cause. Its size: ', scatter: 'How much: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
+      finding.kind !== 'curve' || finding.curves.length === 1 ? el('p', {class: 'formula'}, {law: 'This law takes the place of a law of the calibrated model. Its numbers: ', unproven: 'Not proven to be a cause. Its size: ', scatter: 'How much: ', curve: 'Formula: '}[finding.kind] + finding.formula) : '',
       el('p', {}, 'Gain on held-out kicks: ', el('b', {}, gainWords(finding)), ', 95 % bounds ' + bounds(finding) + '.', finding.helps ? '' : ' They do not show that it helps.'),
       finding.advice ? el('p', {}, el('b', {}, 'To do: '), finding.advice) : '',
       el('div', {class: 'charts two'}));
@@ -91,14 +91,14 @@
     forget(box);
     const drawn = report.learned.flatMap(finding => finding.curves);
     $('learned-legend').replaceChildren(...(drawn.length ? [
-      el('span', {}, 'What the simple model lacks, as learned from the kicks, over the range that they cover'),
+      el('span', {}, 'What the calibrated model lacks, as learned from the kicks, over the range that they cover'),
       ...(drawn.some(curve => curve.axes.length === 1) ? [el('span', {}, swatch('line', theme.accent), 'the curve'), el('span', {}, swatch('band', theme.accent), '± 2 standard errors')] : []),
       ...(drawn.some(curve => curve.axes.length > 1) ? [el('span', {}, swatch('rect', theme.warn), 'more,'), el('span', {}, swatch('rect', theme.accent), 'less; a dot is within two standard errors of zero')] : [])] : []));
     const laws = report.learned.filter(finding => finding.kind === 'law');
     const helping = report.learned.filter(finding => finding.kind !== 'law' && finding.helps);
     const others = report.learned.filter(finding => finding.kind !== 'law' && !finding.helps);
     const titles = [
-      ...(laws.length ? ['A law that replaces a law of the simple model'] : []),
+      ...(laws.length ? ['A law that replaces a law of the calibrated model'] : []),
       ...(helping.length ? ['What helps without a proven cause'] : [])];
     $('learned-title').textContent = titles.join('; ') || 'In the extended model, but held-out kicks do not show that it helps';
     [...laws, ...helping, ...others].forEach(finding => learnedItem(box, finding));
@@ -235,7 +235,7 @@
       el('td', {class: 'text'}, c.named ? badge('warn', '✔ cause') : '')));
     const head = ['Possible cause', 'Explains alone', 'of the best', ''];
     content('candidates').replaceChildren(el('div', {class: 'scroll'}, Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i < 2 ? 'text' : null}, h)))), el('tbody', {}, rows)))),
-      el('p', {class: 'note'}, 'How much of the misfit each would explain if it were the only cause, and how strong it would then be. What looks like a true cause explains much of the same; a cause is named for what it adds to all others, on kicks that were held out.'));
+      el('p', {class: 'note'}, 'How much of the misfit each would explain if it were the only cause, and how strong it would then be. Similar causes explain the same error. A cause is named only if it improves held-out kicks beyond all others.'));
     const more = report.candidates.length - CANDIDATES;
     if (more > 0) choices('candidates-shown', [[false, 'best ' + CANDIDATES], [true, 'all ' + report.candidates.length]], state.all, all => { state.all = all; showCandidates(); });
   }
@@ -272,7 +272,7 @@
     });
     const head = ['Parameter', found ? 'before' : 'Value', ...(found ? ['after', 'change'] : [])];
     content('parameters').replaceChildren(el('div', {class: 'scroll'}, Frame.cards(el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, rows)))),
-      el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The simple model bends its parameters to make up for what it leaves out; in the extended model they are the ball\'s own.' : '.')));
+      el('p', {class: 'note'}, 'Fitted to all kicks together' + (found ? '. The parameters of the calibrated model also make up for what it leaves out; in the extended model they are those of ball and carpet alone.' : '.')));
   }
 
   // ---- the whole page ----

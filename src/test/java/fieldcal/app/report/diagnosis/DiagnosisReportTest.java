@@ -54,7 +54,7 @@ class DiagnosisReportTest {
         .startsWith("These kicks do not show whether camera 0 or camera 1 is shifted.")
         .contains("wrong ball height in vision");
     assertThat(offset.certainty()).isEqualTo("certain");
-    assertThat(report.verdict().headline()).startsWith("Predictions of kicks are off by 38 mm");
+    assertThat(report.verdict().headline()).startsWith("The calibrated model is off by 38 mm");
     assertThat(report.before().horizons()).containsExactly(0.5, 1, 2);
     assertThat(report.after().typicalErrorMm()).containsExactly(5.1, 12.4, 29.0);
     assertThat(report.candidates()).hasSize(d.candidates().size());
