@@ -224,7 +224,9 @@ final class PlayText {
       line("%nUndecided: %s.", String.join("; ", last.undecided().causes()));
       last.undecided().advice().forEach(advice -> line("  %s", advice));
     }
-    directory.ifPresent(d -> line("%nrecording: %s", result.session().log().orElse(d)));
+    directory.ifPresentOrElse(
+        d -> line("%nrecording: %s", result.session().log().orElse(d)),
+        () -> line("%nThe recording is not kept: --out was not given."));
   }
 
   private void truth(Calibration calibration, JsonNode truth) {

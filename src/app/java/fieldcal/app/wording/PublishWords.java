@@ -334,7 +334,7 @@ public record PublishWords(
     }
     if (reason instanceof Reason.OtherCameras o) {
       return "No camera has the same calibration in all recordings. Either all were calibrated"
-          + " again, or the fields differ: "
+          + " again, or the fields differ. Recordings with the same cameras: "
           + o.recordings().stream().map(RecordingNames::of).collect(Collectors.joining("; "))
           + ".";
     }

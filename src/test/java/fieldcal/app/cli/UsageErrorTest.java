@@ -100,8 +100,8 @@ class UsageErrorTest {
         "calibrate x.log --nothing | there is no option '--nothing'",
         "monitor --log a.log --multicast 224.5.23.2:10006 | give --log LOG or --multicast"
             + " ADDR:PORT, not both",
-        "play --sim --kind flat --kicks 3 --robots yellow1,yellow1 | yellow 1 would be there"
-            + " twice: name two other robots",
+        "play --sim --kind flat --kicks 3 --robots yellow1,yellow1 | --robots takes two different"
+            + " robots, not yellow 1 twice",
       })
   void whatIsWrongIsSaidInPlainWords(String line) {
     int split = line.indexOf(" | ");

@@ -206,7 +206,7 @@ class PublishWordsTest {
         .isEqualTo("In b.log: Camera 1 is rotated by 180°.");
     assertThat(
             reason(new Reason.OtherCameras(List.of(List.of("a.log", "c.log"), List.of("b.log")))))
-        .endsWith("different fields of the same size: a.log and c.log; b.log.");
+        .endsWith("Recordings with the same cameras: a.log and c.log; b.log.");
   }
 
   /** 0.8 standard errors apart is agreement, though 16 % is more than may be uncertain. */
