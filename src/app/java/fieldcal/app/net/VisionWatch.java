@@ -1,6 +1,5 @@
 package fieldcal.app.net;
 
-import fieldcal.app.wording.Amount;
 import java.util.List;
 import java.util.Locale;
 
@@ -45,7 +44,7 @@ public final class VisionWatch {
     double jump = lateness.take(captured, arrived);
     if (jump != 0) {
       jumps += jump;
-      String by = Amount.minus(String.format(Locale.ROOT, "%+.2f s", jump));
+      String by = String.format(Locale.ROOT, "%+.2f s", jump).replace('-', '−');
       tell("vision's clock jumped by " + by, arrived.latest());
     }
     last = arrived;

@@ -84,7 +84,7 @@ const CalibrationViews = (() => {
       Frame.copyButton(() => modelAsText(report), 'the table, for a spreadsheet'),
       el('div', {class: 'scroll'}, el('table', {}, el('thead', {}, el('tr', {}, head.map((h, i) => el('th', {scope: 'col', class: i ? null : 'text'}, h)))), el('tbody', {}, body))),
       ...report.models.flatMap(model => [model.note, ...model.parameters.filter(p => p.note).map(p => Plots.inFiles(p.name) + ': ' + p.note)]).filter(Boolean).map(note => el('p', {class: 'note'}, note)),
-      ...(report.models.some(model => model.parameters.some(p => known(p.differencePercent))) ? [el('p', {class: 'note'}, 'Difference: the mean against the published value. ≈ less than ' + NOTABLE_PERCENT + ' %, or within three standard errors; grey from ' + LARGE_PERCENT + ' % on, where these kicks do not show which is right. ▲ larger, ▼ smaller in size; red from 20 % on.')] : [])];
+      ...(report.models.some(model => model.parameters.some(p => known(p.differencePercent))) ? [el('p', {class: 'note'}, 'Difference: the mean against the published value. ≈: less than ' + NOTABLE_PERCENT + ' %, or less than three standard errors. Grey: ' + LARGE_PERCENT + ' % or more, but less than three standard errors; more kicks would show which is right. ▲ larger, ▼ smaller in size. Red: 20 % or more.')] : [])];
   }
 
   /** What an offset means, in words; nothing is said of one that is within its error or too small to matter. */
