@@ -16,6 +16,7 @@ import fieldcal.vision.BallModels;
 import fieldcal.vision.Epoch;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -147,7 +148,7 @@ public record ExportModel(
   public static ExportModel read(Path file) throws IOException {
     byte[] bytes = JsonFiles.bytes(file);
     if (!new String(bytes, StandardCharsets.UTF_8).stripLeading().startsWith("{")) {
-      return ofBall(file, InitialModels.read(file), Optional.empty());
+      return published(file, InitialModels.read(file));
     }
     JsonNode root = JsonFiles.read(file);
     String schema = root.path("schema").asText();
@@ -192,6 +193,18 @@ public record ExportModel(
         List.of(),
         limits,
         new Provenance(sources, List.of(), Optional.empty()));
+  }
+
+  /** The numbers for SSL-Vision. What is known of them stands in the calibration beside them, if it is theirs. */
+  private static ExportModel published(Path file, BallModels models) throws IOException {
+    Path beside = file.resolveSibling("calibration.json");
+    if (Files.isRegularFile(beside)) {
+      ExportModel calibrated = read(beside);
+      if (calibrated.models().equals(models)) {
+        return calibrated;
+      }
+    }
+    return ofBall(file, models, Optional.empty());
   }
 
   private static ExportModel ofBall(

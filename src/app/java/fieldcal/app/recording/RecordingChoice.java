@@ -17,6 +17,8 @@ import java.util.Optional;
  * @param entries one for each recording, in order
  */
 public record RecordingChoice(List<Entry> entries) {
+  private static final Comparator<RecordingFacts> MARKED_FIRST =
+      Comparator.comparing(facts -> !facts.isSimulated());
 
   /** Copies the list. */
   public RecordingChoice {
@@ -115,7 +117,8 @@ public record RecordingChoice(List<Entry> entries) {
    */
   public static RecordingChoice of(List<RecordingFacts> all, Map<String, Boolean> byHand) {
     List<RecordingFacts> different = new ArrayList<>();
-    for (RecordingFacts facts : all) {
+    // A copy without the file that marks it as simulated is still a recording of a simulated field.
+    for (RecordingFacts facts : all.stream().sorted(MARKED_FIRST).toList()) {
       if (different.stream().noneMatch(facts::isCopyOf)) {
         different.add(facts);
       }

@@ -77,7 +77,7 @@ public record CalibrationReport(
    * @param note one sentence under the table, for example where accRoll of the chips comes from; may be empty
    */
   public record Model(
-      Kind kind, List<ModelParameter> parameters, @Rounded(3) double jointRmsMm, String note) {
+      Kind kind, List<ModelParameter> parameters, @Rounded(6) double jointRmsMm, String note) {
 
     /** Copies the list. */
     public Model {
@@ -137,7 +137,7 @@ public record CalibrationReport(
      *     unknown or the published one is zero
      */
     @JsonProperty
-    @Rounded(2)
+    @Rounded(6)
     public double differencePercent() {
       return published == 0 ? Double.NaN : (mean / published - 1) * 100;
     }
@@ -171,7 +171,7 @@ public record CalibrationReport(
    */
   public record Camera(
       int id,
-      @Rounded(3) double noiseMm,
+      @Rounded(6) double noiseMm,
       @Rounded(2) double rateHz,
       long observations,
       @Rounded(2) double offsetXMm,
@@ -224,7 +224,7 @@ public record CalibrationReport(
       String end,
       int observations,
       int rejected,
-      @Rounded(3) double rmsMm,
+      @Rounded(6) double rmsMm,
       @Rounded(4) double x,
       @Rounded(4) double y,
       @Rounded(4) double vx,

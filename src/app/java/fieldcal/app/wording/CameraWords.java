@@ -22,7 +22,7 @@ final class CameraWords {
   private static final String CALIBRATE_CAMERA = "Calibrate this camera again.";
 
   private static final String CALIBRATE_POSITION =
-      "Calibrate focal length and height in vision again.";
+      "Calibrate focal length, height and position in vision again.";
 
   private final Effect effect;
   private final Map<String, Double> errors;

@@ -62,7 +62,7 @@ public final class NextKicks {
           + " up which height of the ball's centre vision assumes (21.5 mm is right).";
 
   private static final String SHIFT_OR_PLACE =
-      "Kicks are not needed here: calibrating the camera corrects both.";
+      "No more kicks are needed: calibrating the camera again corrects either cause.";
 
   /** Texts on causes that no kick tells apart, or need not. */
   private static final Set<String> WITHOUT_KICKS =

@@ -228,8 +228,7 @@ public record PublishWords(
       Reason.MeanAgainstJoint m = (Reason.MeanAgainstJoint) alike.get(0);
       return text(
           "The kicks do not determine the %s: it is %s as the mean of the kicks and %s in the joint"
-              + " fit. These differ by %.0f %%, but by no more than their errors allow (%.1f"
-              + " standard errors).",
+              + " fit. These differ by %.0f %%, which is only %.1f standard errors.",
           ParameterWords.of(m.parameter()),
           value(m.parameter(), m.mean()),
           value(m.parameter(), m.joint()),
@@ -333,10 +332,9 @@ public record PublishWords(
           + VisionFaultWords.sentence(f.fault());
     }
     if (reason instanceof Reason.OtherCameras o) {
-      return "No camera has the same calibration in all recordings. Either all were calibrated"
-          + " again, or the fields differ. Recordings with the same cameras: "
+      return "These recordings have no camera's calibration in common: "
           + o.recordings().stream().map(RecordingNames::of).collect(Collectors.joining("; "))
-          + ".";
+          + ". Either all cameras were calibrated again, or the fields differ.";
     }
     if (reason instanceof Reason.SimulatedField s) {
       return s.simulated() < s.recordings()

@@ -88,7 +88,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
             kinds(d)));
     return hasFewKicks(d)
         ? "These few kicks show nothing wrong with the model."
-        : "The model is right: change nothing.";
+        : "These kicks show no error of the calibrated model.";
   }
 
   /**

@@ -39,7 +39,7 @@ class DiagnosisTextTest {
   void nothingWrongIsSaidAtOnce() {
     List<String> lines = printed(SampleDiagnosis.adequate(24), 0);
     assertThat(lines.get(0))
-        .startsWith("The calibrated model is off by 13 mm after 1 s. The model is right");
+        .startsWith("The calibrated model is off by 13 mm after 1 s. These kicks show no error");
     assertThat(lines.get(1)).contains("24 kicks");
     assertThat(lines).hasSizeLessThanOrEqualTo(5);
     assertThat(String.join(" ", lines)).doesNotContain("So few kicks");

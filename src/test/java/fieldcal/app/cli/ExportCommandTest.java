@@ -2,6 +2,7 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.history.History;
 import fieldcal.app.history.HistoryEntry;
 import fieldcal.app.history.HistoryEntry.Action;
@@ -10,6 +11,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -107,10 +109,14 @@ class ExportCommandTest {
     Files.writeString(
         model, Files.readString(model).replaceFirst("\"sources\"", verdict + " \"sources\""));
     Path out = folder.resolve("new.toml");
-    Answer refused = run(model, "--to=immortals", "--out=" + out);
-    assertThat(refused.exit()).isEqualTo(1);
-    assertThat(refused.err()).contains("Do not publish: no good.").contains("--force");
-    assertThat(out).doesNotExist();
+    Path numbers = folder.resolve("geometry_models.txt");
+    Files.writeString(numbers, InitialModels.read(model).toText());
+    for (Path from : List.of(model, numbers)) {
+      Answer refused = run(from, "--to=immortals", "--out=" + out);
+      assertThat(refused.exit()).isEqualTo(1);
+      assertThat(refused.err()).contains("Do not publish: no good.").contains("--force");
+      assertThat(out).doesNotExist();
+    }
     Answer forced = run(model, "--to=immortals", "--out=" + out, "--force");
     assertThat(forced.exit()).isZero();
     assertThat(forced.out()).contains("Do not publish: no good.").contains("The kicks disagree.");

@@ -102,6 +102,17 @@ class RecordingChoiceTest {
         .containsOnly(Apart.NO);
   }
 
+  /** Only the file beside it says that it is simulated, and the copy has none. */
+  @Test
+  void aCopyOfASimulatedRecordingIsSimulated() {
+    RecordingFacts copy = holding(REAL, 7);
+    RecordingFacts original = holding(REHEARSAL, 7);
+    RecordingChoice choice = RecordingChoice.of(List.of(copy, original, AGAIN), Map.of());
+    assertThat(choice.entries())
+        .extracting(Entry::apart)
+        .containsExactly(Apart.COPY, Apart.SIMULATED, Apart.NO);
+  }
+
   private static RecordingFacts holding(RecordingFacts f, long contents) {
     return new RecordingFacts(
         f.log(),

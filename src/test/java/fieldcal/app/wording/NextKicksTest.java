@@ -40,7 +40,7 @@ class NextKicksTest {
     "ball_height_error,lens_distortion_error,in proportion to its distance",
     "camera_pose_error,lens_distortion_error,in proportion to its distance",
     "camera_pose_error,ball_height_error,compare the drawn field lines",
-    "camera_offset,camera_pose_error,Kicks are not needed",
+    "camera_offset,camera_pose_error,No more kicks are needed",
     "camera_time_offset,clock_skew,at the end of a session",
     "camera_time_offset,rolling_shutter,along the rows",
     "clock_skew,rolling_shutter,along the rows",

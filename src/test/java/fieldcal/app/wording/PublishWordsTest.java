@@ -206,7 +206,9 @@ class PublishWordsTest {
         .isEqualTo("In b.log: Camera 1 is rotated by 180°.");
     assertThat(
             reason(new Reason.OtherCameras(List.of(List.of("a.log", "c.log"), List.of("b.log")))))
-        .endsWith("Recordings with the same cameras: a.log and c.log; b.log.");
+        .endsWith(
+            "a.log and c.log; b.log. Either all cameras were calibrated again, or the fields"
+                + " differ.");
   }
 
   /** 0.8 standard errors apart is agreement, though 16 % is more than may be uncertain. */
@@ -218,8 +220,8 @@ class PublishWordsTest {
     assertThat(words.reasons())
         .containsExactly(
             "The kicks do not determine the switch to rolling (k_switch): it is 0.610 as the mean"
-                + " of the kicks and 0.710 in the joint fit. These differ by 16 %, but by no more"
-                + " than their errors allow (0.8 standard errors).");
+                + " of the kicks and 0.710 in the joint fit. These differ by 16 %, which is only"
+                + " 0.8 standard errors.");
     assertThat(words.toDo())
         .containsExactly(
             "Run diagnose on these recordings: it looks for the cause.",

@@ -43,7 +43,8 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.adequate(12));
     assertThat(text.first())
         .isEqualTo(
-            "The calibrated model is off by 13 mm after 1 s. The model is right: change nothing.");
+            "The calibrated model is off by 13 mm after 1 s. These kicks show no error of the"
+                + " calibrated model.");
     assertThat(text.lines().get(0))
         .contains("fit to 1.5 mm rms; the noise of the cameras alone is 1.5 mm");
     assertThat(text.lines().get(1))
