@@ -46,7 +46,7 @@ final class DiagnosisProgress {
     told.accept(
         String.format(
             Locale.ROOT,
-            "%s%s: %d %s tried so far, the best leaves %.1f times the noise",
+            "%s%s: %d %s tried so far, the residual of the best is %.1f times the noise",
             stage,
             part.isEmpty() ? "" : ", " + part,
             models,

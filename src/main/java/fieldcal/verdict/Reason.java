@@ -36,6 +36,15 @@ public sealed interface Reason {
   }
 
   /**
+   * Whether kicks of different fields are put together: then no single model holds for all of them.
+   *
+   * @return false for most reasons
+   */
+  default boolean mixesFields() {
+    return false;
+  }
+
+  /**
    * No kick to calibrate from.
    *
    * @param found kicks in the recordings; when there are some, none of them can be used
@@ -157,9 +166,11 @@ public sealed interface Reason {
    * The kicks lie further from their fitted paths than the cameras' noise explains.
    *
    * @param ratio residual of the joint fit over the noise on the resting ball (–)
+   * @param rmsMm residual of the joint fit per axis, mm
    * @param decision to check first where the residual is far above the noise; otherwise to publish
    */
-  record ResidualAboveNoise(double ratio, PublishDecision decision) implements Reason {
+  record ResidualAboveNoise(double ratio, double rmsMm, PublishDecision decision)
+      implements Reason {
     /**
      * Checks that the decision is there. {@inheritDoc}
      *
@@ -290,6 +301,12 @@ public sealed interface Reason {
       return PublishDecision.DO_NOT_PUBLISH;
     }
 
+    /** What vision publishes now is no recording. {@inheritDoc} */
+    @Override
+    public boolean mixesFields() {
+      return recordings.stream().filter(names -> !names.isEmpty()).count() > 1;
+    }
+
     @Override
     public String id() {
       return "several_fields";
@@ -371,7 +388,12 @@ public sealed interface Reason {
 
     @Override
     public PublishDecision decision() {
-      return simulated < recordings ? PublishDecision.DO_NOT_PUBLISH : PublishDecision.PUBLISH;
+      return mixesFields() ? PublishDecision.DO_NOT_PUBLISH : PublishDecision.PUBLISH;
+    }
+
+    @Override
+    public boolean mixesFields() {
+      return simulated < recordings;
     }
 
     @Override

@@ -321,7 +321,7 @@ public final class VerdictRule {
     if (own > FitStatistics.EXPLAINED_SCALE) {
       reasons.add(
           new Reason.ResidualAboveNoise(
-              own, within ? PublishDecision.CHECK_FIRST : PublishDecision.PUBLISH));
+              own, joint.rmsMm(), within ? PublishDecision.CHECK_FIRST : PublishDecision.PUBLISH));
     }
     if (differ) {
       reasons.add(new Reason.KicksDiffer(one, own, joint.oneModel().rmsMm(), joint.rmsMm()));

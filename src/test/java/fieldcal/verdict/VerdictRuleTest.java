@@ -260,7 +260,8 @@ class VerdictRuleTest {
     assertThat(verdict.decision()).isEqualTo(PublishDecision.CHECK_FIRST);
     assertThat(verdict.reasons())
         .containsExactly(
-            new Reason.ResidualAboveNoise(9, PublishDecision.CHECK_FIRST),
+            new Reason.ResidualAboveNoise(
+                9, one.joint().orElseThrow().rmsMm(), PublishDecision.CHECK_FIRST),
             new Reason.FewKicks(KickKind.FLAT, "accSlide", 1, 5, 1));
     assertThat(verdict.diagnose()).isTrue();
   }

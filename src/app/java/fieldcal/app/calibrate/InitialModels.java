@@ -1,16 +1,25 @@
 package fieldcal.app.calibrate;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import fieldcal.app.wording.WordList;
 import fieldcal.ball.ChipModel;
 import fieldcal.ball.FlatModel;
 import fieldcal.vision.BallModels;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Reads a published ball model: {@code SSL_GeometryModels}, binary or text, or a {@code calibration.json}. */
 public final class InitialModels {
+  private static final Map<String, List<String>> PARAMETERS =
+      Map.of(
+          "flat", List.of("acc_slide", "acc_roll", "k_switch"),
+          "chip", List.of("damping_xy_first_hop", "damping_xy_other_hops", "damping_z"));
+
   private InitialModels() {}
 
   /**
@@ -49,12 +58,27 @@ public final class InitialModels {
     boolean flat = Double.isFinite(slide + roll + kSwitch);
     boolean chip = Double.isFinite(first + other + up);
     if (!flat && !chip) {
-      throw new IllegalArgumentException("holds no complete model");
+      throw new InputException(file + ": " + incomplete(root));
     }
     double chipRoll = Double.isFinite(roll) ? roll : FlatModel.typical().accRoll();
     return new BallModels(
         flat ? Optional.of(new FlatModel(slide, roll, kSwitch)) : Optional.empty(),
         chip ? Optional.of(new ChipModel(first, other, up, chipRoll)) : Optional.empty());
+  }
+
+  /** What the kicks did not determine, and what the calibration itself says of that. */
+  private static String incomplete(JsonNode root) {
+    List<String> missing = new ArrayList<>();
+    for (String kind : List.of("flat", "chip")) {
+      List<String> lacks =
+          PARAMETERS.get(kind).stream().filter(p -> Double.isNaN(mean(root, kind, p))).toList();
+      missing.add("the " + kind + " model lacks " + WordList.of(lacks));
+    }
+    String verdict = root.path("verdict").path("headline").asText();
+    return "holds no complete model: "
+        + String.join(", ", missing)
+        + "."
+        + (verdict.isEmpty() ? "" : " " + verdict);
   }
 
   private static double mean(JsonNode root, String kind, String parameter) {

@@ -65,6 +65,9 @@ final class DiagnosisText {
       }
       line("");
       table(diagnosis);
+      if (outcome.problem().observers().size() > 1) {
+        wrapped("", "", VerdictText.WITHOUT_OFFSETS);
+      }
     }
     if (diagnosis.verdict() != Verdict.UNEXPLAINED_STRUCTURE) {
       VerdictText.failures(diagnosis).forEach(text -> wrapped("", "", text));

@@ -10,6 +10,7 @@ import fieldcal.app.recording.LogOpener;
 import fieldcal.app.report.diagnosis.DiagnosisReport;
 import fieldcal.app.report.diagnosis.DiagnosisReportBuilder;
 import fieldcal.app.report.diagnosis.DiagnosisReportWriter;
+import fieldcal.app.wording.PublishWords;
 import fieldcal.calibration.CalibratedKick;
 import fieldcal.calibration.HandSelection;
 import fieldcal.diagnosis.Diagnoser;
@@ -24,6 +25,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
@@ -80,7 +82,7 @@ public final class DiagnosisSession {
    * @param commands what the robots were commanded; may be empty
    * @param progress told how far it is
    * @return the outcome
-   * @throws InputException when there are too few kicks; one line for the operator
+   * @throws InputException when the kicks are from different fields, or too few; one line for the operator
    * @throws IOException when a recording cannot be read; one line for the operator
    */
   public DiagnosisOutcome run(
@@ -101,10 +103,11 @@ public final class DiagnosisSession {
    * @param calibration of the simple model, with the decisions that say which kicks are left out
    * @param progress told what is done, in words
    * @return the outcome
-   * @throws InputException when there are too few kicks, or these have too few detections; one line for the operator
+   * @throws InputException when the kicks are from different fields, are too few, or have too few detections; one line for the operator
    */
   public DiagnosisOutcome diagnose(CalibrationOutcome calibration, Consumer<String> progress)
       throws InputException {
+    requireOneField(calibration);
     DiagnosisProblem problem = problem(calibration);
     requireKicks(calibration, problem);
     try {
@@ -142,6 +145,14 @@ public final class DiagnosisSession {
         commands,
         maxCauses,
         settings.seed());
+  }
+
+  /** What would be found in kicks of several fields is how these differ: no cause on any of them. */
+  private static void requireOneField(CalibrationOutcome outcome) throws InputException {
+    Optional<String> mixture = PublishWords.mixture(outcome.verdict());
+    if (mixture.isPresent()) {
+      throw new InputException(mixture.get() + " Diagnose each field on its own.");
+    }
   }
 
   private static void requireKicks(CalibrationOutcome outcome, DiagnosisProblem problem)

@@ -24,7 +24,7 @@ import java.util.Set;
  * @param geometry the last geometry of the first recording that has one
  * @param published the models in it
  * @param problems everything that was skipped or odd, for the operator
- * @param sessionStart time of the first frame of the first recording, s since the epoch; 0 without a frame
+ * @param sessionStart time of the earliest frame, s since the epoch; 0 without a frame
  * @param recordings where each of them comes from, in order
  * @param duration of all recordings together, s
  * @param together by the number of each camera, those that sent frames while it was calibrated as it is

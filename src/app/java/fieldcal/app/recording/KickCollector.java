@@ -1,6 +1,7 @@
 package fieldcal.app.recording;
 
 import fieldcal.app.wording.Amount;
+import fieldcal.app.wording.CameraName;
 import fieldcal.camera.Camera;
 import fieldcal.camera.CameraCalibration;
 import fieldcal.effect.ObservedCamera;
@@ -50,9 +51,6 @@ import java.util.stream.Collectors;
 public final class KickCollector {
   /** As the search for kicks does: frames that are missing for longer are a gap, s. */
   private static final double GAP = 0.25;
-
-  /** First number of cameras whose id is taken by one with another calibration; the league has far fewer cameras. */
-  private static final int FIRST_RENUMBERED = 100;
 
   /** Told how far the reading is. */
   public interface Progress {
@@ -461,9 +459,8 @@ public final class KickCollector {
 
     private int numberOf(CameraCalibration c) {
       int number = c.id();
-      int renumbered = FIRST_RENUMBERED;
       while (calibrations.containsKey(number) && !calibrations.get(number).equals(c)) {
-        number = renumbered++;
+        number = CameraName.next(number);
       }
       if (!calibrations.containsKey(number)) {
         calibrations.put(number, c);
@@ -513,9 +510,11 @@ public final class KickCollector {
       beside.onFrame(frame, receivedTime);
       int number = numbers.getOrDefault(frame.cameraId(), frame.cameraId());
       VisionFrame known = number == frame.cameraId() ? frame : renumbered(frame, number);
-      if (Double.isNaN(sessionStart)) {
-        sessionStart = frame.captureTime();
-      }
+      // The recordings of a session may be named in any order.
+      sessionStart =
+          Double.isNaN(sessionStart)
+              ? frame.captureTime()
+              : Math.min(sessionStart, frame.captureTime());
       ids.add(frame.cameraId());
       seen.add(number);
       if (current.add(number)) {

@@ -40,8 +40,8 @@ final class CameraWords {
     int cameras = shifts.cameras();
     String what =
         text(
-            "Camera %d reports everything %s%s.",
-            camera(),
+            "%s reports everything %s%s.",
+            begin(),
             FieldWords.shift(x, y, error("x_mm"), error("y_mm"), "too far "),
             cameras == 1 ? "" : ", measured against the mean of all cameras");
     if (cameras < 2) {
@@ -56,13 +56,13 @@ final class CameraWords {
                 new Sentences(
                     what,
                     text(
-                        "A ball that rolls from its view into that of camera %d seems to jump by %s"
+                        "A ball that rolls from its view into that of %s seems to jump by %s"
                             + " mm.",
-                        other, jump),
+                        CameraName.of(other), jump),
                     text(
-                        "Correct its calibration or camera %d's: kicks cannot show which of the two"
+                        "Correct its calibration or that of %s: kicks cannot show which of the two"
                             + " is right.",
-                        other)))
+                        CameraName.of(other))))
         .orElseGet(
             () ->
                 new Sentences(
@@ -78,8 +78,8 @@ final class CameraWords {
     double ms = effect.value("ms");
     return new Sentences(
         text(
-            "Camera %d's time stamps are %s ms %s.",
-            camera(), Amount.of(Math.abs(ms)), ms >= 0 ? "late" : "early"),
+            "%s's time stamps are %s ms %s.",
+            begin(), Amount.of(Math.abs(ms)), ms >= 0 ? "late" : "early"),
         text(
             "A ball at %s m/s appears %s mm %s its true place.",
             Amount.decimals(FAST, 0),
@@ -90,19 +90,21 @@ final class CameraWords {
   }
 
   Sentences poseError() {
-    List<String> parts = new ArrayList<>();
     double height = effect.value("height_mm");
     double x = effect.value("shift_x_mm");
     double y = effect.value("shift_y_mm");
     double tilt = effect.value("tilt_mrad");
+    List<String> hangs = new ArrayList<>();
     if (isKnownToBeThere("height_mm")) {
       // Published minus true.
-      parts.add(
-          text("hangs %s mm %s", Amount.of(Math.abs(height)), height >= 0 ? "lower" : "higher"));
+      hangs.add(text("%s mm %s", Amount.of(Math.abs(height)), height >= 0 ? "lower" : "higher"));
     }
     if (isKnownToBeThere("shift_x_mm") || isKnownToBeThere("shift_y_mm")) {
-      parts.add(
-          "hangs " + FieldWords.shift(-x, -y, error("shift_x_mm"), error("shift_y_mm"), "more "));
+      hangs.add(FieldWords.shift(-x, -y, error("shift_x_mm"), error("shift_y_mm"), "farther "));
+    }
+    List<String> parts = new ArrayList<>();
+    if (!hangs.isEmpty()) {
+      parts.add("hangs " + String.join(" and ", hangs));
     }
     if (isKnownToBeThere("tilt_mrad")) {
       // Published minus true: reports are shifted towards axis + 90°, so the true camera looks the
@@ -116,11 +118,9 @@ final class CameraWords {
               FieldWords.direction(looks)));
     }
     String how =
-        parts.isEmpty() ? "hangs or looks slightly differently" : String.join(" and ", parts);
+        parts.isEmpty() ? "hangs or looks slightly differently" : String.join(", and ", parts);
     return new Sentences(
-        text("Camera %d %s than its calibration says.", camera(), how),
-        reports(),
-        CALIBRATE_CAMERA);
+        text("%s %s than its calibration says.", begin(), how), reports(), CALIBRATE_CAMERA);
   }
 
   Sentences positionError() {
@@ -141,7 +141,7 @@ final class CameraWords {
     return new Sentences(
         text(
             "The position that vision publishes for %s is %s.",
-            camera() == EffectParameters.ALL_CAMERAS ? "every camera" : text("camera %d", camera()),
+            camera() == EffectParameters.ALL_CAMERAS ? "every camera" : CameraName.of(camera()),
             where),
         text(
             "Balls on the carpet are reported where they are. A program that uses the position to"
@@ -157,7 +157,7 @@ final class CameraWords {
     return new Sentences(
         text(
             "%s lens distortion is published %s too %s.",
-            all ? "Every camera's" : text("Camera %d's", camera()),
+            all ? "Every camera's" : begin() + "'s",
             Amount.of(Math.abs(delta)),
             delta >= 0 ? "large" : "small"),
         reports(),
@@ -169,9 +169,9 @@ final class CameraWords {
     double y = effect.value("y_mm");
     return new Sentences(
         text(
-            "Camera %d was knocked: %s, it reports everything %s.",
-            camera(),
-            FieldWords.from(effect.value("at")),
+            "%s was knocked: %s, it reports everything %s.",
+            begin(),
+            SessionTime.from(effect.value("at")),
             FieldWords.shift(x, y, error("x_mm"), error("y_mm"), "too far ")),
         text(
             "What it shows now does not fit its calibration: a ball seems to jump by %s mm where"
@@ -205,11 +205,8 @@ final class CameraWords {
     double drift = 1e-6 * TEN_MINUTES * Math.abs(ppm);
     return new Sentences(
         text(
-            "Camera %d's clock runs %s ppm %s, %s ms in ten minutes.",
-            camera(),
-            Amount.of(Math.abs(ppm)),
-            ppm >= 0 ? "fast" : "slow",
-            Amount.of(1000 * drift)),
+            "%s's clock runs %s ppm %s, %s ms in ten minutes.",
+            begin(), Amount.of(Math.abs(ppm)), ppm >= 0 ? "fast" : "slow", Amount.of(1000 * drift)),
         text(
             "After ten minutes, a ball at %s m/s appears %s mm %s its true place.",
             Amount.decimals(FAST, 0),
@@ -245,6 +242,11 @@ final class CameraWords {
                         + " mm.",
                     Amount.of(s.typical()), Amount.of(s.largest())))
         .orElse("");
+  }
+
+  /** The camera's name at the begin of a sentence. */
+  private String begin() {
+    return Sentences.begin(CameraName.of(camera()));
   }
 
   private int camera() {

@@ -214,7 +214,7 @@ final class CarpetWords extends MotionText {
     return new Sentences(
         text(
             "%s, another ball is in play, which %s.",
-            Sentences.begin(FieldWords.from(effect.value("at"))),
+            Sentences.begin(SessionTime.from(effect.value("at"))),
             what.isEmpty() ? "hardly differs" : String.join(" and ", what)),
         kicks
             .flat(effect.with("at", 0), 0, 0, PASS, 0, PASS_TIME)

@@ -123,7 +123,7 @@ public final class CauseWords {
       Optional<Rival> ofCamera =
           Rival.ofCamera(rival).filter(r -> ofOneCamera && r.id().equals(id));
       if (ofCamera.isPresent()) {
-        cameras.add("camera " + ofCamera.get().camera());
+        cameras.add(CameraName.of(ofCamera.get().camera()));
       } else {
         names.add(EffectName.of(rival));
       }
@@ -148,7 +148,7 @@ public final class CauseWords {
       return "";
     }
     List<String> all = new ArrayList<>(others);
-    all.add("camera " + (int) cause.effect().value("camera"));
+    all.add(CameraName.of((int) cause.effect().value("camera")));
     all.sort(
         Comparator.comparingInt((String camera) -> camera.length())
             .thenComparing(Comparator.naturalOrder()));

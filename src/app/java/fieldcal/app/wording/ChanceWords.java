@@ -85,7 +85,7 @@ final class ChanceWords {
       case STEP ->
           text(
               "%s, the %s is %s %s.",
-              Sentences.begin(FieldWords.from(d.place())),
+              Sentences.begin(SessionTime.from(d.place())),
               quantity,
               amount(Math.abs(d.change())),
               d.change() < 0 ? "lower" : "higher");
@@ -124,7 +124,7 @@ final class ChanceWords {
 
   private static String where(Dependence d, Level level) {
     return switch (d.on()) {
-      case SESSION_TIME -> text("at minute %s", LearnedWords.minute(level.x()));
+      case SESSION_TIME -> "at " + SessionTime.at(level.x());
       case HEADING -> FieldWords.direction(level.x());
       case PLACE ->
           text(

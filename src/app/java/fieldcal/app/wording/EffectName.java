@@ -26,7 +26,7 @@ public final class EffectName {
   public static String of(String id) {
     Optional<Rival> ofCamera = Rival.ofCamera(id);
     if (ofCamera.isPresent()) {
-      return of(ofCamera.get().id(), "camera " + ofCamera.get().camera());
+      return of(ofCamera.get().id(), CameraName.of(ofCamera.get().camera()));
     }
     return EffectWords.of(id).map(EffectWords::name).orElseGet(() -> id.replace('_', ' '));
   }
@@ -58,7 +58,8 @@ public final class EffectName {
     if (names.contains("camera")) {
       int camera = (int) effect.value("camera");
       return of(
-          effect.id(), camera == EffectParameters.ALL_CAMERAS ? "all cameras" : "camera " + camera);
+          effect.id(),
+          camera == EffectParameters.ALL_CAMERAS ? "all cameras" : CameraName.of(camera));
     }
     if (names.contains("robot")) {
       return name + ", " + robot(effect);

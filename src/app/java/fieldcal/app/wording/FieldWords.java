@@ -10,10 +10,8 @@ final class FieldWords {
   /** Shares of a shift that are smaller than this, or than two standard errors, are not said; chosen, mm. */
   private static final double SMALL_MM = 0.5;
 
-  /** Sine of the angle up to which a line counts as parallel to a side of the field; chosen, 3°. */
+  /** Sine of the angle up to which a line or a shift counts as parallel to a side of the field; chosen, 3°. */
   private static final double ALONG_A_SIDE = 0.05;
-
-  private static final double MINUTE = 60;
 
   private FieldWords() {}
 
@@ -48,10 +46,12 @@ final class FieldWords {
   static String shift(double x, double y, double errorX, double errorY, String too) {
     List<String> parts = new ArrayList<>();
     boolean largerX = Math.abs(x) >= Math.abs(y);
-    if (largerX || isWorthSaying(x, errorX)) {
+    // What does not change the direction is not worth a reader's time.
+    double small = ALONG_A_SIDE * Math.max(Math.abs(x), Math.abs(y));
+    if (largerX || isWorthSaying(x, errorX, small)) {
       parts.add(millimetres(x) + too + (x < 0 ? "towards the −x goal" : "towards the +x goal"));
     }
-    if (!largerX || isWorthSaying(y, errorY)) {
+    if (!largerX || isWorthSaying(y, errorY, small)) {
       parts.add(millimetres(y) + too + (y < 0 ? "to the right (−y)" : "to the left (+y)"));
     }
     return String.join(" and ", parts);
@@ -112,20 +112,8 @@ final class FieldWords {
         + "°";
   }
 
-  /**
-   * An instant of the session.
-   *
-   * @param at s since its begin
-   * @return for example "from 12.5 minutes into the session on"
-   */
-  static String from(double at) {
-    return at < MINUTE
-        ? "from " + Amount.decimals(at, 0) + " s into the session on"
-        : "from " + Amount.decimals(at / MINUTE, 1) + " minutes into the session on";
-  }
-
-  private static boolean isWorthSaying(double value, double error) {
-    return Math.abs(value) >= SMALL_MM && !(Math.abs(value) < 2 * error);
+  private static boolean isWorthSaying(double value, double error, double small) {
+    return Math.abs(value) >= Math.max(SMALL_MM, small) && !(Math.abs(value) < 2 * error);
   }
 
   private static String millimetres(double value) {

@@ -21,9 +21,6 @@ public final class LearnedWords {
 
   private static final double MINUTE = 60;
 
-  /** In a session's first minutes a tenth of one matters, s. */
-  private static final double SHORT_SESSION = 1200;
-
   private static final double PER_CENT = 100;
 
   private LearnedWords() {}
@@ -39,7 +36,7 @@ public final class LearnedWords {
         term.family().variables().stream()
             .map(LearnedWords::variable)
             .collect(Collectors.joining(" and "));
-    String who = term.camera().isPresent() ? " of camera " + term.camera().getAsInt() : "";
+    String who = term.camera().isPresent() ? " of " + CameraName.of(term.camera().getAsInt()) : "";
     return switch (term.family().quantity()) {
       case ACCELERATION_ALONG -> "braking that depends on " + on;
       case ACCELERATION_ACROSS -> "sideways pull that depends on " + on;
@@ -217,8 +214,8 @@ public final class LearnedWords {
       int camera = term.camera().getAsInt();
       String repair =
           term.family().quantity() == Quantity.TIME_ERROR
-              ? text("Check the clock of the computer of camera %d", camera)
-              : text("Calibrate camera %d in vision again", camera);
+              ? text("Check the clock of the computer of %s", CameraName.of(camera))
+              : text("Calibrate %s in vision again", CameraName.of(camera));
       return repair + (extendedHelps ? "; otherwise use the extended model." : ".");
     }
     boolean unround =
@@ -358,7 +355,7 @@ public final class LearnedWords {
   private static String change(LearnedCurve curve, double amount) {
     boolean more = amount >= 0;
     boolean slides = curve.family().variables().contains(Variable.SLIP);
-    String camera = "reports of camera " + curve.family().camera().orElse(0);
+    String camera = "reports of " + CameraName.of(curve.family().camera().orElse(0));
     return switch (curve.family().quantity()) {
       case ACCELERATION_ALONG ->
           slides
@@ -451,15 +448,10 @@ public final class LearnedWords {
     return switch (variable) {
       case HOP -> "bounce " + (int) Math.ceil(place);
       case HEADING -> text("direction %s°", Amount.decimals(Math.toDegrees(place), 0));
-      case SESSION_TIME -> text("minute %s of the session", minute(place));
+      case SESSION_TIME -> SessionTime.at(place);
       case TIME_SINCE_KICK -> Amount.of(place) + " s after the kick";
       case DISTANCE_ROLLED -> Amount.of(place) + " m from the kick";
       default -> Amount.of(place) + " " + variable.unit();
     };
-  }
-
-  /** A time of the session in minutes. */
-  static String minute(double time) {
-    return Amount.decimals(time / MINUTE, time < SHORT_SESSION ? 1 : 0);
   }
 }

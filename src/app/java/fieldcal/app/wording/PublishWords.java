@@ -74,6 +74,17 @@ public record PublishWords(
   }
 
   /**
+   * That kicks of different fields are put together.
+   *
+   * @param verdict of the library
+   * @return a sentence or two that name the fields and their recordings; empty where no fields are mixed
+   */
+  public static Optional<String> mixture(PublishVerdict verdict) {
+    List<Reason> mixed = verdict.reasons().stream().filter(Reason::mixesFields).toList();
+    return mixed.isEmpty() ? Optional.empty() : Optional.of(String.join(" ", sentences(mixed)));
+  }
+
+  /**
    * The verdict in one line.
    *
    * @return for example "Verdict: check first. Run diagnose on these recordings: it finds the cause."
@@ -297,14 +308,19 @@ public record PublishWords(
               : "None of the " + none.found() + " kicks that were found can be used.";
     }
     if (reason instanceof Reason.ResidualAboveNoise r) {
-      return text("The residuals are %.1f times the noise of the cameras", r.ratio())
+      return text(
+              "The residuals are %s mm, %.1f times the noise of the cameras (%s mm)",
+              VerdictText.mm(r.rmsMm()), r.ratio(), VerdictText.mm(r.rmsMm() / r.ratio()))
           + (holdsBack(r) ? ": the ball does not move as the model says." : ".");
     }
     if (reason instanceof Reason.KicksDiffer d) {
       return text(
-              "One model for all kicks is off by %.1f mm, %.1f times the noise of the cameras; with"
-                  + " a separate model for each kick, %.1f mm.",
-              d.rmsMm(), d.ratio(), d.ownRmsMm())
+              "One model for all kicks is off by %s mm, %.1f times the noise of the cameras (%s"
+                  + " mm); with a separate model for each kick, %s mm.",
+              VerdictText.mm(d.rmsMm()),
+              d.ratio(),
+              VerdictText.mm(d.rmsMm() / d.ratio()),
+              VerdictText.mm(d.ownRmsMm()))
           + NO_SINGLE_VALUE;
     }
     return rest(reason);
@@ -419,7 +435,7 @@ public record PublishWords(
   private static List<String> toDo(PublishVerdict verdict) {
     Set<String> all = new LinkedHashSet<>();
     verdict.reasons().stream()
-        .filter(PublishWords::mixes)
+        .filter(Reason::mixesFields)
         .forEach(reason -> all.add(advice(reason, verdict.diagnose())));
     if (!all.isEmpty()) {
       // What else is wrong may come from the mixture, and other kicks may be missing afterwards.
@@ -489,12 +505,6 @@ public record PublishWords(
     return kinds.isEmpty() ? "" : "at least " + WordList.of(kinds) + ", among them ";
   }
 
-  /** Whether kicks are calibrated together that belong to different fields. */
-  private static boolean mixes(Reason reason) {
-    return reason instanceof Reason.SeveralFields
-        || reason instanceof Reason.SimulatedField s && s.simulated() < s.recordings();
-  }
-
   private static String publish(List<Reason> reasons) {
     boolean changes =
         reasons.stream()
@@ -542,6 +552,9 @@ public record PublishWords(
     }
     if (reason instanceof Reason.FaultyVision f) {
       return VisionFaultWords.advice(f.fault());
+    }
+    if (reason instanceof Reason.SeveralFields && !reason.mixesFields()) {
+      return "Use recordings of the field that vision publishes now.";
     }
     if (reason instanceof Reason.SeveralFields || reason instanceof Reason.OtherCameras) {
       return "Calibrate each field on its own.";

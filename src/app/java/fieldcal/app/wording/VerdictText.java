@@ -36,6 +36,10 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   public static final String SMALL_CAUSES =
       "So few kicks do not show small causes: record twenty, of all speeds.";
 
+  /** Why its residuals are not those that a calibration shows. */
+  public static final String WITHOUT_OFFSETS =
+      "calibrate also takes out the offsets of the cameras, and so shows smaller residuals.";
+
   /** Copies the list. {@inheritDoc} */
   public VerdictText {
     lines = List.copyOf(lines);
@@ -314,9 +318,11 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     String names = names(d, f -> f.kind() == LearnedFinding.Kind.CURVE && f.isShownToHelp());
     return names.isEmpty()
         ? ""
-        : text(
-            " %s helps without a proven cause: %s.",
-            d.causes().isEmpty() && !hasLaw(d) ? "This" : "This also", names);
+        : (d.causes().isEmpty() && !hasLaw(d)
+                ? " Held-out kicks fit better with "
+                : " Without a proven cause, held-out kicks also fit better with ")
+            + names
+            + ".";
   }
 
   private static boolean hasLaw(Diagnosis d) {
@@ -338,7 +344,9 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** What the prediction needs and nothing proves; begins with a blank. */
   private static String unproven(Diagnosis d) {
     String names = names(d, f -> f.kind() == LearnedFinding.Kind.UNPROVEN && f.isShownToHelp());
-    return names.isEmpty() ? "" : text(" This also helps, but is not proven: %s.", names);
+    return names.isEmpty()
+        ? ""
+        : text(" Held-out kicks also fit better with %s, but that is not proven.", names);
   }
 
   /** What is in the extended model and gains nothing beyond chance; begins with a blank. */
@@ -350,10 +358,8 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   }
 
   private static String names(Diagnosis d, Predicate<LearnedFinding> which) {
-    return d.learned().stream()
-        .filter(which)
-        .map(f -> EffectName.of(f.effect()))
-        .collect(Collectors.joining("; "));
+    return WordList.of(
+        d.learned().stream().filter(which).map(f -> EffectName.of(f.effect())).toList());
   }
 
   private static String lower(String text) {

@@ -48,7 +48,21 @@ class InitialModelsTest {
     assertThatThrownBy(() -> InitialModels.read(json))
         .isInstanceOf(InputException.class)
         .hasMessageStartingWith(json + ": ")
-        .hasMessageContaining("no complete model");
+        .hasMessageEndingWith(
+            "holds no complete model: the flat model lacks acc_roll and k_switch, the chip model"
+                + " lacks damping_xy_first_hop, damping_xy_other_hops and damping_z.");
+  }
+
+  /** Who exports it learns what to do from the calibration itself. */
+  @Test
+  void anIncompleteCalibrationSaysItsVerdict() throws IOException {
+    Path json =
+        json(
+            "\"flat\": {\"acc_slide\": {\"mean\": -3.25}, \"acc_roll\": {\"mean\": -0.25}},"
+                + " \"verdict\": {\"headline\": \"Verdict: record more. Record flat kicks.\"}");
+    assertThatThrownBy(() -> InitialModels.read(json))
+        .hasMessageContaining("the flat model lacks k_switch,")
+        .hasMessageEndingWith(". Verdict: record more. Record flat kicks.");
   }
 
   private Path json(String content) throws IOException {

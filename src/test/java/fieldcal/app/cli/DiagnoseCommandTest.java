@@ -45,6 +45,10 @@ class DiagnoseCommandTest {
     return log;
   }
 
+  private static Path testData(String name) {
+    return Path.of(System.getProperty("fieldcal.projectDir", "."), "test-data", name);
+  }
+
   private static void assertOneLine(Answer answer, Object file) {
     assertThat(answer.exit()).as(answer.toString()).isEqualTo(1);
     assertThat(answer.err().lines()).as(answer.err()).hasSize(1);
@@ -82,6 +86,21 @@ class DiagnoseCommandTest {
     assertOneLine(run("diagnose", log.toString(), "--json=" + folder), folder);
   }
 
+  /** What it would find is how the fields differ. */
+  @Test
+  void kicksOfDifferentFieldsAreNotDiagnosedTogether() {
+    Path world = testData("world-null-flat.log.gz");
+    Path elsewhere = testData("erforce-flat.log.gz");
+    Path out = folder.resolve("mixed");
+    Answer answer = run("diagnose", world.toString(), elsewhere.toString(), "--out=" + out);
+    assertOneLine(answer, elsewhere.getFileName());
+    assertThat(answer.err())
+        .contains("The fields differ in size")
+        .contains(world.getFileName().toString())
+        .contains("Diagnose each field on its own.");
+    assertThat(out).doesNotExist();
+  }
+
   @ParameterizedTest
   @ValueSource(ints = {1, 2})
   void aFewKicksGetAnAnswerThatSaysHowLittleTheyShow(int kicks) throws IOException {
@@ -99,9 +118,7 @@ class DiagnoseCommandTest {
   /** One kick shows that the model is wrong, but not what its error depends on. */
   @Test
   void aSingleKickGivesNoAdviceOnItsOwn() {
-    Path log =
-        Path.of(
-            System.getProperty("fieldcal.projectDir", "."), "test-data/mujoco-rolling-chip.log.gz");
+    Path log = testData("mujoco-rolling-chip.log.gz");
     assertThat(run("diagnose", log.toString()).out().replaceAll("\\s+", " "))
         .contains("a single kick shows no cause")
         .doesNotContain("each quarter of the field", "depending on", "improves the prediction");

@@ -178,18 +178,22 @@ class CauseWordsTest {
                 + " the left (+y)",
             "21 mm too far towards the −x goal and 3.1 mm too far to the right (−y)"),
         Arguments.of(
+            new CameraOffset(21.2, 3.1, 101),
+            "Camera 101 (camera 1, calibrated again) reports everything 21 mm too far towards",
+            "towards the −x goal"),
+        Arguments.of(
             new CameraTimeOffset(4.1, 0),
             "Camera 0's time stamps are 4.1 ms late. A ball at 6 m/s appears 25 mm behind",
             "4.1 ms early. A ball at 6 m/s appears 25 mm ahead of"),
         Arguments.of(
             new CameraPoseError(2, 0, 60, 0, 0, 1),
-            "Camera 1 hangs 60 mm lower and looks 2.0 mrad (0.11°) farther to the right (−y),"
+            "Camera 1 hangs 60 mm lower, and looks 2.0 mrad (0.11°) farther to the right (−y),"
                 + " direction −90°, than its calibration says.",
-            "hangs 60 mm higher and looks 2.0 mrad (0.11°) farther to the left (+y), direction"
+            "hangs 60 mm higher, and looks 2.0 mrad (0.11°) farther to the left (+y), direction"
                 + " 90°, than its calibration says."),
         Arguments.of(
-            new CameraPoseError(0, 0, 0, 20, 0, 1),
-            "hangs 20 mm more towards the −x goal than its calibration",
+            new CameraPoseError(0, 0, 0, 20, 0.9, 1),
+            "hangs 20 mm farther towards the −x goal than its calibration",
             "towards the +x goal"),
         Arguments.of(
             new CameraPositionError(90, 0, 0, 1),

@@ -82,10 +82,10 @@ class LearnedWordsTest {
             "The ball is braked less than the model says: by 0.10 m/s² for each m/s of the speed.");
     LearnedFamily friction = LearnedFamily.of(Quantity.FRICTION, Variable.SESSION_TIME, basis);
     assertThat(sentence(friction, 0, t -> t < 3 ? 0 : 0.08))
-        .isEqualTo("From minute 0.0 of the session on, the carpet brakes the ball more: by 8.0 %.");
+        .isEqualTo("From minute 0.0 on, the carpet brakes the ball more: by 8.0 %.");
     LearnedFamily rolling = LearnedFamily.of(Quantity.ROLLING, Variable.SESSION_TIME, basis);
     assertThat(sentence(rolling, 0, t -> t < 3 ? 0 : -0.08))
-        .isEqualTo("From minute 0.0 of the session on, the rolling ball is braked less: by 8.0 %.");
+        .isEqualTo("From minute 0.0 on, the rolling ball is braked less: by 8.0 %.");
     LearnedFamily bounce =
         LearnedFamily.of(Quantity.VERTICAL_RESTITUTION, Variable.GROUND_SPEED, basis);
     assertThat(sentence(bounce, 0, v -> v < 3 ? 0 : -0.1))
@@ -93,7 +93,7 @@ class LearnedWordsTest {
     LearnedFamily shift = LearnedFamily.of(Quantity.SHIFT, Variable.SESSION_TIME, basis, 2);
     assertThat(sentence(shift, 1, t -> t < 3 ? 0 : -8))
         .isEqualTo(
-            "From minute 0.0 of the session on, the reports of camera 2 are too far to the right"
+            "From minute 0.0 on, the reports of camera 2 are too far to the right"
                 + " (−y): by 8.0 mm.");
   }
 

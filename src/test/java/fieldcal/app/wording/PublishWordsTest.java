@@ -98,8 +98,8 @@ class PublishWordsTest {
             PublishDecision.CHECK_FIRST, List.of(new Reason.KicksDiffer(2.5, 0.99, 2.6, 1)), true);
     assertThat(PublishWords.of(verdict).reasons())
         .containsExactly(
-            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras; with"
-                + " a separate model for each kick, 1.0 mm. No single value describes all"
+            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras (1.0"
+                + " mm); with a separate model for each kick, 1.0 mm. No single value describes all"
                 + " kicks.");
   }
 
@@ -169,8 +169,8 @@ class PublishWordsTest {
     Reason fields =
         new Reason.SeveralFields(
             List.of(new FieldSize(12, 9), new FieldSize(10.4, 7.4)),
-            List.of(List.of("a.log", "b.log"), List.of()));
-    Reason noise = new Reason.ResidualAboveNoise(3.8, PublishDecision.CHECK_FIRST);
+            List.of(List.of("a.log", "b.log"), List.of("c.log")));
+    Reason noise = new Reason.ResidualAboveNoise(3.8, 1.9, PublishDecision.CHECK_FIRST);
     PublishWords words =
         PublishWords.of(
             new PublishVerdict(
@@ -178,8 +178,8 @@ class PublishWordsTest {
     assertThat(words.reasons())
         .hasSize(3)
         .contains(
-            "The fields differ in size: 12.00 × 9.00 m (a.log and b.log), 10.40 × 7.40 m (as vision"
-                + " publishes it). A ball model holds for one carpet.");
+            "The fields differ in size: 12.00 × 9.00 m (a.log and b.log), 10.40 × 7.40 m (c.log). A"
+                + " ball model holds for one carpet.");
     assertThat(words.toDo())
         .containsExactly("Calibrate each field on its own, then read the new verdict.");
     assertThat(
@@ -191,6 +191,23 @@ class PublishWordsTest {
                         false))
                 .toDo())
         .containsExactly("Leave the simulated recordings out, then read the new verdict.");
+  }
+
+  @Test
+  void aFieldThatOnlyVisionPublishesMixesNoKicks() {
+    Reason elsewhere =
+        new Reason.SeveralFields(
+            List.of(new FieldSize(12, 9), new FieldSize(10.4, 7.4)),
+            List.of(List.of("a.log"), List.of()));
+    PublishVerdict verdict =
+        new PublishVerdict(PublishDecision.DO_NOT_PUBLISH, List.of(elsewhere), false);
+    assertThat(PublishWords.of(verdict).reasons())
+        .containsExactly(
+            "The fields differ in size: 12.00 × 9.00 m (a.log), 10.40 × 7.40 m (as vision publishes"
+                + " it). A ball model holds for one carpet.");
+    assertThat(PublishWords.of(verdict).toDo())
+        .containsExactly("Use recordings of the field that vision publishes now.");
+    assertThat(PublishWords.mixture(verdict)).isEmpty();
   }
 
   @Test

@@ -77,9 +77,10 @@ class VerdictTextTest {
         .isEqualTo(
             "The calibrated model is off by 50 cm after 1 s, the extended" + " model by 9 cm.");
     assertThat(text.verdict())
-        .startsWith("The model is wrong, and a part of its error is explained: air drag. This also")
+        .startsWith("The model is wrong, and a part of its error is explained: air drag. Without")
         .contains(
-            "helps without a proven cause: braking that depends on the speed; height of bounces")
+            "Without a proven cause, held-out kicks also fit better with braking that depends on"
+                + " the speed, height of bounces")
         .contains("Another law applies in the extended model: bounces that build up spin.")
         .endsWith("Chance plays a part: rolling that differs from kick to kick.");
     assertThat(text.lines().get(1))
@@ -99,7 +100,7 @@ class VerdictTextTest {
     assertThat(VerdictText.of(lawAlone).verdict())
         .startsWith(
             "The model is wrong. Another law replaces one of its own: bounces that build"
-                + " up spin. This also helps without a proven cause: ")
+                + " up spin. Without a proven cause, held-out kicks also fit better with ")
         .doesNotContain("no known cause", "Another law applies");
   }
 
@@ -157,7 +158,8 @@ class VerdictTextTest {
             partly.learned().stream().filter(f -> f.kind() != LearnedFinding.Kind.LAW).toList());
     Diagnosis unnamed = SampleDiagnosis.with(d, List.of(), d.base(), List.of());
     assertThat(VerdictText.of(unnamed).verdict())
-        .startsWith("The model is wrong, and no cause is proven. This helps without a proven")
+        .startsWith(
+            "The model is wrong, and no cause is proven. Held-out kicks fit better with" + " ")
         .doesNotContain("also");
   }
 
@@ -241,7 +243,8 @@ class VerdictTextTest {
             new Gain(0.011, 0.4, -1.2, 1.2)));
     String verdict = VerdictText.of(SampleDiagnosis.learning(d, learned)).verdict();
     assertThat(verdict)
-        .contains("This also helps without a proven cause: height of bounces that depends on")
+        .contains(
+            "Without a proven cause, held-out kicks also fit better with height of bounces that")
         .endsWith(
             " Held-out kicks do not show whether this helps: braking that depends on the"
                 + " speed.");
