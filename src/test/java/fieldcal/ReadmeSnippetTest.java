@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import fieldcal.app.calibrate.MadeFrom;
 import fieldcal.app.diagnose.ExtendedModelFile;
 import fieldcal.app.wording.EffectName;
 import fieldcal.ball.BallState;
@@ -130,7 +131,7 @@ class ReadmeSnippetTest {
         new ExtendedModel(
             Optional.of(FlatModel.typical()), Optional.empty(), List.of(new AirDrag(0.45)), 0);
     Path written = folder.resolve("extended_model.json");
-    ExtendedModelFile.write(drag, new Epoch(0), written);
+    ExtendedModelFile.write(drag, new Epoch(0), MadeFrom.UNKNOWN, written);
     File file = written.toFile();
     double t0 = 0;
     double x = 1;

@@ -20,7 +20,7 @@ import java.util.function.Function;
  * ExtendedModel} without depending on one: only the step between bytes and maps is the caller's.
  *
  * <p>Fields: {@code schema}; {@code flat} and {@code chip} with the names of the league's messages, null when unknown, {@code chip} with {@code lowest_hop_mm} where that is not the league's 10 mm; {@code effects}, each with {@code effect} (its id) and
- * {@code parameters} (see {@link EffectFields}); {@code session_start_unix}, s. What else is written ({@code needs}, {@code sentence}) is for people and not read.
+ * {@code parameters} (see {@link EffectFields}); {@code session_start_unix}, s. What else is written ({@code needs}, {@code sentence}, and by {@code diagnose} the {@code sources} and {@code recordings} that the model was found in) is not read.
  */
 public final class ExtendedModelDocument {
   /** Name and version of the form. */

@@ -43,10 +43,7 @@ final class CalibrationJson {
     Calibration calibration = outcome.calibration();
     ObjectNode root = nodes.objectNode();
     root.put("schema", SCHEMA);
-    ArrayNode sources = root.putArray("sources");
-    outcome.logs().forEach(log -> sources.add(log.toString()));
-    ArrayNode recordings = root.putArray("recordings");
-    outcome.data().recordings().forEach(r -> recordings.add(r.identity()));
+    MadeFrom.of(outcome).writeTo(root);
     ArrayNode dropped = root.putArray("dropped_by_hand");
     outcome.selection().dropped().keySet().stream().sorted().forEach(dropped::add);
     outcome.forced().ifPresent(kind -> root.put("forced_kind", kind.id()));

@@ -2,6 +2,8 @@ package fieldcal.app.cli;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.calibrate.CalibrationWarnings;
+import fieldcal.app.calibrate.MadeFrom;
+import fieldcal.app.calibrate.ResultFiles;
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.wording.Amount;
 import fieldcal.app.wording.ParameterWords;
@@ -80,6 +82,9 @@ final class CalibrationText {
     if (directory != null) {
       line("report: %s", directory.resolve("report.html"));
     }
+    ResultFiles.DIAGNOSIS
+        .ofOthers(directory, MadeFrom.of(outcome))
+        .ifPresent(others -> wrapped("", others));
     out.flush();
   }
 

@@ -1,5 +1,7 @@
 package fieldcal.app.cli;
 
+import fieldcal.app.calibrate.MadeFrom;
+import fieldcal.app.calibrate.ResultFiles;
 import fieldcal.app.diagnose.CalibrationBeside;
 import fieldcal.app.diagnose.DiagnosisOutcome;
 import fieldcal.app.diagnose.LeftOutKick;
@@ -80,7 +82,14 @@ final class DiagnosisText {
   void model(CalibrationBeside beside, DiagnosisOutcome outcome, Path directory) {
     String headline = PublishWords.of(outcome.judged().verdict()).headline();
     switch (beside) {
-      case NONE -> {}
+      case NONE ->
+          ResultFiles.CALIBRATION
+              .ofOthers(directory, MadeFrom.of(outcome.calibration()))
+              .ifPresent(
+                  others -> {
+                    line("");
+                    wrapped("", "", others);
+                  });
       case JUDGED_AGAIN -> {
         line("");
         wrapped(

@@ -6,6 +6,7 @@ import fieldcal.app.calibrate.CalibrationSession;
 import fieldcal.app.calibrate.CommandFile;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.calibrate.MadeFrom;
 import fieldcal.app.recording.LogOpener;
 import fieldcal.app.report.diagnosis.DiagnosisReport;
 import fieldcal.app.report.diagnosis.DiagnosisReportBuilder;
@@ -211,11 +212,12 @@ public final class DiagnosisSession {
   public static void writeAll(DiagnosisOutcome outcome, Path directory) throws IOException {
     Files.createDirectories(directory);
     writeJson(outcome, directory.resolve("diagnosis.json"));
+    CalibrationOutcome calibration = outcome.calibration();
     ExtendedModelFile.write(
         outcome.diagnosis().model(),
-        outcome.calibration().data().epoch(),
+        calibration.data().epoch(),
+        MadeFrom.of(calibration),
         directory.resolve("extended_model.json"));
-    CalibrationOutcome calibration = outcome.calibration();
     DiagnosisReport report =
         new DiagnosisReportBuilder(
                 outcome.diagnosis(),

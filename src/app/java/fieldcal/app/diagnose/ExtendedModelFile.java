@@ -2,8 +2,10 @@ package fieldcal.app.diagnose;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.calibrate.MadeFrom;
 import fieldcal.effect.ExtendedModel;
 import fieldcal.effect.ExtendedModelDocument;
 import fieldcal.vision.Epoch;
@@ -22,11 +24,14 @@ public final class ExtendedModelFile {
    *
    * @param model what to write
    * @param epoch of the model's clock
+   * @param from the recordings that it was found in
    * @param file where
    * @throws IOException when it cannot be written
    */
-  public static void write(ExtendedModel model, Epoch epoch, Path file) throws IOException {
-    JsonNode document = MAPPER.valueToTree(ExtendedModelDocument.of(model, epoch));
+  public static void write(ExtendedModel model, Epoch epoch, MadeFrom from, Path file)
+      throws IOException {
+    ObjectNode document = MAPPER.valueToTree(ExtendedModelDocument.of(model, epoch));
+    from.writeTo(document);
     JsonFiles.write(document, file);
   }
 

@@ -5,6 +5,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.calibrate.InitialModels;
 import fieldcal.app.calibrate.InputException;
 import fieldcal.app.calibrate.JsonFiles;
+import fieldcal.app.calibrate.MadeFrom;
+import fieldcal.app.calibrate.ResultFiles;
 import fieldcal.app.diagnose.ExtendedModelFile;
 import fieldcal.app.diagnose.FormerDiagnosis;
 import fieldcal.app.history.HistoryEntry;
@@ -36,6 +38,7 @@ import java.util.TreeMap;
  * @param kicks what it was made from, for which costs are stated; may be empty
  * @param limits of the robots; may be empty
  * @param provenance what the history remembers of it
+ * @param remarks what must be known of it, whatever its target
  */
 public record ExportModel(
     Path file,
@@ -45,7 +48,8 @@ public record ExportModel(
     Quantities quantities,
     List<ReferenceKick> kicks,
     List<RobotLimits> limits,
-    Provenance provenance) {
+    Provenance provenance,
+    List<String> remarks) {
   private static final Epoch UNIX = new Epoch(0);
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
@@ -53,6 +57,7 @@ public record ExportModel(
   public ExportModel {
     kicks = List.copyOf(kicks);
     limits = List.copyOf(limits);
+    remarks = List.copyOf(remarks);
   }
 
   /**
@@ -79,19 +84,19 @@ public record ExportModel(
   /**
    * From what a model was made.
    *
-   * @param sources the recordings
+   * @param from the recordings
    * @param kicks numbers of the kicks that were used
    * @param verdict the calibration's own verdict, or that of a diagnosis beside it; empty when there is none
    */
-  public record Provenance(
-      List<String> sources, List<Integer> kicks, Optional<ModelVerdict> verdict) {
-    /** Nothing known. */
-    static final Provenance UNKNOWN = new Provenance(List.of(), List.of(), Optional.empty());
-
-    /** Copies the lists. {@inheritDoc} */
+  public record Provenance(MadeFrom from, List<Integer> kicks, Optional<ModelVerdict> verdict) {
+    /** Copies the list. {@inheritDoc} */
     public Provenance {
-      sources = List.copyOf(sources);
       kicks = List.copyOf(kicks);
+    }
+
+    /** Nothing known but the recordings. */
+    static Provenance of(MadeFrom from) {
+      return new Provenance(from, List.of(), Optional.empty());
     }
   }
 
@@ -156,7 +161,12 @@ public record ExportModel(
       case "fieldcal.calibration/1" -> calibration(file, root);
       case "fieldcal.extended_model/1" -> {
         ExtendedModel extended = ExtendedModelFile.read(file, UNIX);
-        yield ofBall(file, new BallModels(extended.flat(), extended.chip()), Optional.of(extended));
+        BallModels models = new BallModels(extended.flat(), extended.chip());
+        MadeFrom from = MadeFrom.of(root);
+        Optional<String> others =
+            ResultFiles.CALIBRATION.ofOthers(file.toAbsolutePath().getParent(), from);
+        yield ofBall(
+            file, models, Optional.of(extended), Provenance.of(from), others.stream().toList());
       }
       case "fieldcal.limits/1" -> LimitsReader.read(file, root);
       case "fieldcal.twin/1" -> TwinReader.read(file);
@@ -178,7 +188,7 @@ public record ExportModel(
    * @return the model
    */
   public static ExportModel of(Path name, BallModels models) {
-    return ofBall(name, models, Optional.empty());
+    return unknown(name, models);
   }
 
   /** Fields of a file that are not about the ball: a twin's cameras, or the limits of robots. */
@@ -192,7 +202,8 @@ public record ExportModel(
         quantities,
         List.of(),
         limits,
-        new Provenance(sources, List.of(), Optional.empty()));
+        Provenance.of(new MadeFrom(sources, List.of())),
+        List.of());
   }
 
   /** The numbers for SSL-Vision. What is known of them stands in the calibration beside them, if it is theirs. */
@@ -204,11 +215,19 @@ public record ExportModel(
         return calibrated;
       }
     }
-    return ofBall(file, models, Optional.empty());
+    return unknown(file, models);
+  }
+
+  private static ExportModel unknown(Path file, BallModels models) {
+    return ofBall(file, models, Optional.empty(), Provenance.of(MadeFrom.UNKNOWN), List.of());
   }
 
   private static ExportModel ofBall(
-      Path file, BallModels models, Optional<ExtendedModel> extended) {
+      Path file,
+      BallModels models,
+      Optional<ExtendedModel> extended,
+      Provenance provenance,
+      List<String> remarks) {
     Quantities quantities = Quantities.none();
     if (models.flat().isPresent()) {
       quantities = quantities.with(models.flat().get()).with("roll_slope", rollSlope(extended));
@@ -217,7 +236,7 @@ public record ExportModel(
       quantities = quantities.with(models.chip().get());
     }
     return new ExportModel(
-        file, models, extended, false, quantities, List.of(), List.of(), Provenance.UNKNOWN);
+        file, models, extended, false, quantities, List.of(), List.of(), provenance, remarks);
   }
 
   private static double rollSlope(Optional<ExtendedModel> extended) {
@@ -238,9 +257,8 @@ public record ExportModel(
         ReferenceKick.of(kick).ifPresent(kicks::add);
       }
     }
-    List<String> sources = new ArrayList<>();
-    root.path("sources").forEach(source -> sources.add(source.asText()));
-    ExportModel ball = ofBall(file, models, effects(file, root, models));
+    Provenance provenance = new Provenance(MadeFrom.of(root), used, verdict(file, root));
+    ExportModel ball = ofBall(file, models, effects(file, root, models), provenance, List.of());
     return new ExportModel(
         file,
         models,
@@ -249,7 +267,8 @@ public record ExportModel(
         cameras(ball.quantities(), root.path("cameras")),
         kicks,
         List.of(),
-        new Provenance(sources, used, verdict(file, root)));
+        provenance,
+        ball.remarks());
   }
 
   /** The verdict of the calibration, or that of a diagnosis of the same kicks that came after it. */
@@ -330,7 +349,7 @@ public record ExportModel(
         target,
         place,
         provenance.verdict().map(ModelVerdict::decision).orElse(null),
-        provenance.sources(),
+        provenance.from().sources(),
         provenance.kicks(),
         values,
         models.equals(BallModels.NONE) ? null : models.toText(),
@@ -339,12 +358,28 @@ public record ExportModel(
   }
 
   /**
-   * The same model with what is known beside it.
+   * The same model with what is known beside it. An extended model of other recordings may be one of the same field, so it is not refused, but its remark says so.
    *
    * @param with limits of robots, or an extended model; its own quantities are kept where both have one
    * @return the changed copy
    */
   public ExportModel beside(ExportModel with) {
+    List<String> all = new ArrayList<>(remarks);
+    if (with.extended.isPresent()) {
+      with.provenance
+          .from()
+          .unlike(provenance.from())
+          .ifPresent(
+              others ->
+                  all.add(
+                      with.file
+                          + " is of "
+                          + others
+                          + " than "
+                          + file
+                          + ": what it says of this model is right only if the field was the"
+                          + " same."));
+    }
     return new ExportModel(
         file,
         models,
@@ -353,7 +388,8 @@ public record ExportModel(
         quantities.and(with.limits.isEmpty() ? Quantities.none() : with.quantities),
         kicks,
         limits.isEmpty() ? with.limits : limits,
-        provenance);
+        provenance,
+        all);
   }
 
   /**
@@ -371,6 +407,7 @@ public record ExportModel(
         }
       }
     }
-    return new ExportModel(file, models, extended, beside, more, kicks, limits, provenance);
+    return new ExportModel(
+        file, models, extended, beside, more, kicks, limits, provenance, remarks);
   }
 }

@@ -137,6 +137,7 @@ public final class Exporter {
   }
 
   private void explain(Set<String> unknown) {
+    notes.addAll(model.remarks());
     if (!file.isVerified()) {
       notes.add("UNVERIFIED: " + file.unverified());
     }

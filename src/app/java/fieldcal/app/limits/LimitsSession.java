@@ -2,7 +2,9 @@ package fieldcal.app.limits;
 
 import fieldcal.app.calibrate.JsonFiles;
 import fieldcal.app.recording.DataProblem;
+import fieldcal.app.recording.DifferentRecordings;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.movement.MovementStatistics;
 import fieldcal.vision.Team;
 import java.io.IOException;
@@ -11,10 +13,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -55,25 +55,31 @@ public final class LimitsSession {
   /**
    * Reads recordings and estimates the limits from all of them together.
    *
-   * @param logs at least one; one that is named twice is read once
+   * @param logs at least one; what several of them hold counts once
    * @param progress is called with how far it is
    * @return the outcome
    * @throws IOException when a recording cannot be read; one line for the operator
    */
   public LimitsOutcome run(List<Path> logs, Progress progress) throws IOException {
     List<DataProblem> problems = new ArrayList<>();
-    List<Path> different = different(logs, problems);
-    for (Path log : different) {
+    List<Path> once = DifferentRecordings.once(logs, problems);
+    for (Path log : once) {
       // What cannot be read at all is reported at once, not after minutes of reading the others.
       opener.recording(log).close();
     }
-    List<RecordedMovement> read = readAll(different, progress);
+    List<RecordedMovement> read = readAll(once, progress);
+    DifferentRecordings divided =
+        DifferentRecordings.among(read.stream().map(RecordedMovement::facts).toList());
+    divided.repeated().forEach(repeated -> problems.add(repeated.problem()));
     MovementStatistics all = new MovementStatistics();
     List<Double> noises = new ArrayList<>();
     Map<Team, String> names = new EnumMap<>(Team.class);
     double begin = Double.NaN;
     double duration = 0;
     for (RecordedMovement one : read) {
+      if (divided.repetition(one.facts()).isPresent()) {
+        continue;
+      }
       all.merge(one.observer().statistics());
       problems.addAll(one.problems());
       compare(one, names, problems);
@@ -88,6 +94,7 @@ public final class LimitsSession {
     }
     noises.sort(null);
     double noise = noises.isEmpty() ? Double.NaN : noises.get(noises.size() / 2);
+    List<Path> different = divided.different().stream().map(RecordingFacts::log).toList();
     return LimitsOutcome.of(different, names, begin, duration, all, noise, problems);
   }
 
@@ -101,31 +108,12 @@ public final class LimitsSession {
               if (before != null && !before.equals(name)) {
                 problems.add(
                     new DataProblem(
-                        one.log().toString(),
+                        one.facts().log().toString(),
                         team.label() + " is '" + name + "' here, '" + before + "' before",
                         1,
                         "limits of different teams are mixed; measure each pairing on its own"));
               }
             });
-  }
-
-  private static List<Path> different(List<Path> logs, List<DataProblem> problems)
-      throws IOException {
-    Set<Path> seen = new HashSet<>();
-    List<Path> different = new ArrayList<>();
-    for (Path log : logs) {
-      if (seen.add(Files.exists(log) ? log.toRealPath() : log)) {
-        different.add(log);
-      } else {
-        problems.add(
-            new DataProblem(
-                log.toString(),
-                "named twice; read once",
-                1,
-                "counting the same movements twice would only make the errors too small"));
-      }
-    }
-    return different;
   }
 
   private List<RecordedMovement> readAll(List<Path> logs, Progress progress) throws IOException {

@@ -2,6 +2,7 @@ package fieldcal.app.limits;
 
 import fieldcal.app.recording.DataProblem;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.gamelog.LogProblem;
 import fieldcal.gamelog.ProblemAccount;
 import fieldcal.gamelog.RecordingListener;
@@ -23,14 +24,14 @@ import java.util.function.LongConsumer;
 /**
  * One recording, read and counted.
  *
- * @param log which
+ * @param facts which
  * @param observer what it saw
  * @param summary what was read
  * @param names of the teams, as the referee says; without one, or when it is empty, none
  * @param problems what was wrong
  */
 record RecordedMovement(
-    Path log,
+    RecordingFacts facts,
     MovementObserver observer,
     RecordingSummary summary,
     Map<Team, String> names,
@@ -39,12 +40,14 @@ record RecordedMovement(
   /** Reads a recording to its end; {@code bytesRead} is called with how far it is. */
   static RecordedMovement read(Path log, LogOpener opener, LongConsumer bytesRead)
       throws IOException {
+    RecordingFacts facts = RecordingFacts.of(log, opener);
     MovementObserver observer = new MovementObserver();
     try (RecordingReader reader = opener.recording(log)) {
       Map<Team, String> names = new EnumMap<>(Team.class);
       RecordingSummary summary = reader.read(new Feed(observer, names, bytesRead));
       observer.finish();
-      return new RecordedMovement(log, observer, summary, names, problems(log, summary, observer));
+      return new RecordedMovement(
+          facts, observer, summary, names, problems(log, summary, observer));
     }
   }
 

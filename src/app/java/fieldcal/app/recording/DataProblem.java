@@ -55,21 +55,6 @@ public record DataProblem(String where, String what, long count, String advice) 
   }
 
   /**
-   * A recording that is not read, because another one holds the same frames.
-   *
-   * @param log the copy
-   * @param original the one that is read
-   * @return the problem
-   */
-  public static DataProblem copy(Path log, Path original) {
-    return new DataProblem(
-        log.toString(),
-        "a copy of " + original + "; left out",
-        1,
-        "counting the same kicks twice would only make the errors too small");
-  }
-
-  /**
    * The same about several cameras in one line: with eight cameras, the lines of one problem would hide all others.
    *
    * @param problems in order

@@ -27,7 +27,6 @@ import fieldcal.vision.Epoch;
 import fieldcal.vision.FieldGeometry;
 import fieldcal.vision.VisionFrame;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -128,24 +127,11 @@ public final class KickCollector {
    * @throws IOException when a file cannot be closed
    */
   public CollectedKicks collect(List<Path> logs) throws IOException {
-    Set<Path> read = new HashSet<>();
-    for (Path log : logs) {
-      Path real = Files.exists(log) ? log.toRealPath() : log;
-      if (!read.add(real)) {
-        problems.add(
-            new DataProblem(
-                log.toString(),
-                "named twice; read once",
-                1,
-                "counting the same kicks twice would only make the errors too small"));
-        continue;
-      }
-      RecordingFacts facts = RecordingFacts.of(log, opener);
-      Optional<RecordingFacts> original = recordings.stream().filter(facts::isCopyOf).findFirst();
-      if (original.isPresent()) {
-        problems.add(DataProblem.copy(log, original.get().log()));
-        continue;
-      }
+    List<RecordingFacts> all = RecordingFacts.of(DifferentRecordings.once(logs, problems), opener);
+    DifferentRecordings readable = DifferentRecordings.among(all);
+    readable.repeated().forEach(repeated -> problems.add(repeated.problem()));
+    for (RecordingFacts facts : readable.different()) {
+      Path log = facts.log();
       try (RecordingReader recording =
           epoch == null ? opener.recording(log) : opener.recording(log, epoch)) {
         epoch = recording.epoch();

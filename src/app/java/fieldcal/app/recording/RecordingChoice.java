@@ -12,14 +12,11 @@ import java.util.Optional;
 
 /**
  * Which recordings of a folder belong together. A ball model holds for one carpet, and a match is no calibration; so what was recorded for calibration on the field of the newest such recording is used, and
- * recordings of matches, of a simulated field and of other fields are kept apart, and so is a second file with the same frames. Recordings of one of these sorts are used where there is nothing better. Somebody's decision overrides the rule.
+ * recordings of matches, of a simulated field and of other fields are kept apart, and so is a second file with the same frames or a part of them. Recordings of one of these sorts are used where there is nothing better. Somebody's decision overrides the rule.
  *
  * @param entries one for each recording, in order
  */
 public record RecordingChoice(List<Entry> entries) {
-  private static final Comparator<RecordingFacts> MARKED_FIRST =
-      Comparator.comparing(facts -> !facts.isSimulated());
-
   /** Copies the list. */
   public RecordingChoice {
     entries = List.copyOf(entries);
@@ -29,7 +26,7 @@ public record RecordingChoice(List<Entry> entries) {
   public enum Apart {
     /** It is not. */
     NO,
-    /** A recording before it holds the same frames. */
+    /** Another recording holds the same frames. */
     COPY,
     /** The field was simulated. */
     SIMULATED,
@@ -48,14 +45,14 @@ public record RecordingChoice(List<Entry> entries) {
    * @param used whether its kicks are calibrated
    * @param apart why the rule keeps it apart
    * @param byHand whether somebody decided
-   * @param original the recording that it is a copy of; empty for all others
+   * @param repeated of which recording it is a copy or a part; empty for all others
    */
   public record Entry(
       RecordingFacts facts,
       boolean used,
       Apart apart,
       boolean byHand,
-      Optional<RecordingFacts> original) {
+      Optional<DifferentRecordings.Repeated> repeated) {
     /**
      * Its name.
      *
@@ -87,7 +84,8 @@ public record RecordingChoice(List<Entry> entries) {
     private String why() {
       return switch (apart) {
         case NO -> "";
-        case COPY -> "a copy of " + original.orElseThrow().log().getFileName();
+        case COPY ->
+            repeated.map(r -> r.words(r.original().log().getFileName().toString())).orElseThrow();
         case SIMULATED -> "from a simulated field";
         case MATCH -> String.format(Locale.ROOT, "of a match (%.0f s of play)", facts.playing());
         case OTHER_FIELD ->
@@ -116,13 +114,8 @@ public record RecordingChoice(List<Entry> entries) {
    * @return the choice, in the same order
    */
   public static RecordingChoice of(List<RecordingFacts> all, Map<String, Boolean> byHand) {
-    List<RecordingFacts> different = new ArrayList<>();
-    // A copy without the file that marks it as simulated is still a recording of a simulated field.
-    for (RecordingFacts facts : all.stream().sorted(MARKED_FIRST).toList()) {
-      if (different.stream().noneMatch(facts::isCopyOf)) {
-        different.add(facts);
-      }
-    }
+    DifferentRecordings divided = DifferentRecordings.among(all);
+    List<RecordingFacts> different = divided.different();
     int best = different.stream().mapToInt(RecordingChoice::rank).min().orElse(0);
     Optional<FieldGeometry> field =
         different.stream()
@@ -131,12 +124,11 @@ public record RecordingChoice(List<Entry> entries) {
             .flatMap(RecordingFacts::geometry);
     List<Entry> entries = new ArrayList<>();
     for (RecordingFacts facts : all) {
-      Optional<RecordingFacts> original =
-          different.stream().filter(d -> d != facts && facts.isCopyOf(d)).findFirst();
-      Apart apart = original.isPresent() ? Apart.COPY : apart(facts, best, field);
+      Optional<DifferentRecordings.Repeated> repeated = divided.repetition(facts);
+      Apart apart = repeated.isPresent() ? Apart.COPY : apart(facts, best, field);
       Boolean decided = byHand.get(facts.log().getFileName().toString());
       boolean used = decided == null ? apart == Apart.NO : decided;
-      entries.add(new Entry(facts, used, apart, decided != null, original));
+      entries.add(new Entry(facts, used, apart, decided != null, repeated));
     }
     return new RecordingChoice(entries);
   }
@@ -148,8 +140,9 @@ public record RecordingChoice(List<Entry> entries) {
    */
   public List<DataProblem> copies() {
     return entries.stream()
-        .filter(entry -> !entry.used() && entry.original().isPresent())
-        .map(e -> DataProblem.copy(e.facts().log(), e.original().orElseThrow().log()))
+        .filter(entry -> !entry.used())
+        .flatMap(entry -> entry.repeated().stream())
+        .map(DifferentRecordings.Repeated::problem)
         .toList();
   }
 

@@ -19,7 +19,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import java.util.zip.CRC32C;
 
 /**
  * Where a recording comes from, found without looking at its frames.
@@ -31,7 +30,7 @@ import java.util.zip.CRC32C;
  * @param startUnixNanos when the first message was received, Unix time, ns; 0 without messages
  * @param bytes size of the file
  * @param cut whether the end of the file is missing or damaged
- * @param contents number and checksum of what vision sent in it; the same in a copy, packed or not; 0 when vision sent nothing
+ * @param content what vision sent in it
  * @param faults what its frames show of its cameras; empty until somebody looked at them
  */
 public record RecordingFacts(
@@ -42,7 +41,7 @@ public record RecordingFacts(
     long startUnixNanos,
     long bytes,
     boolean cut,
-    long contents,
+    VisionContent content,
     List<VisionFault> faults) {
   /** A shorter start is somebody who tries out the game controller, s. */
   private static final double MATCH_FROM = 10;
@@ -115,7 +114,7 @@ public record RecordingFacts(
    */
   RecordingFacts showing(List<VisionFault> found) {
     return new RecordingFacts(
-        log, origin, playing, geometry, startUnixNanos, bytes, cut, contents, found);
+        log, origin, playing, geometry, startUnixNanos, bytes, cut, content, found);
   }
 
   /**
@@ -150,16 +149,6 @@ public record RecordingFacts(
     return Files.exists(log.resolveSibling(name + ".truth.json"));
   }
 
-  /**
-   * Whether another recording holds the same frames.
-   *
-   * @param other of any file
-   * @return true when vision sent the same in both, and something at all
-   */
-  public boolean isCopyOf(RecordingFacts other) {
-    return contents != 0 && contents == other.contents;
-  }
-
   /** One pass over the messages. */
   private static final class Scan {
     private final GameLogReader reader;
@@ -167,8 +156,7 @@ public record RecordingFacts(
     private Optional<FieldGeometry> geometry = Optional.empty();
     private double playing;
     private double refereeAt = Double.NaN;
-    private final CRC32C checksum = new CRC32C();
-    private long sent;
+    private final VisionContent.Reading content = new VisionContent.Reading();
 
     Scan(GameLogReader reader, boolean simulated) {
       this.reader = reader;
@@ -190,8 +178,7 @@ public record RecordingFacts(
         double time = epoch.secondsOfNanos(reader.receivedNanos());
         simulated |= RecordingOrigin.isSimulationMark(reader);
         if (reader.type() == MessageType.SSL_VISION_2014) {
-          checksum.update(reader.buffer(), reader.payloadOffset(), reader.payloadLength());
-          sent++;
+          content.accept(reader.buffer(), reader.payloadOffset(), reader.payloadLength());
         }
         if (reader.type() == MessageType.SSL_REFBOX_2013) {
           referee(referee, time);
@@ -213,7 +200,7 @@ public record RecordingFacts(
           start,
           Files.size(log),
           isCut(),
-          sent << Integer.SIZE | checksum.getValue(),
+          content.content(),
           List.of());
     }
 

@@ -7,6 +7,7 @@ import com.google.protobuf.Timestamp;
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.files.WholeFile;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.app.wording.ParameterWords;
 import fieldcal.ball.BallState;
 import fieldcal.ball.BallTrajectory;
@@ -81,7 +82,8 @@ public final class KickReplay {
   private void write(OutputStream out) throws IOException {
     try (McapWriter mcap = new McapWriter(out)) {
       Topics topics = new Topics(mcap);
-      for (Path log : outcome.logs()) {
+      for (RecordingFacts used : outcome.data().recordings()) {
+        Path log = used.log();
         List<CalibratedKick> kicks =
             outcome.calibration().kicks().stream()
                 .filter(k -> log.toString().equals(outcome.data().sources().get(id(k))))

@@ -2,9 +2,9 @@ package fieldcal.app.statistics;
 
 import fieldcal.app.calibrate.CalibrationOutcome;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.app.recording.RecordingFacts;
 import fieldcal.kick.Kick;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -32,8 +32,8 @@ public record FieldRecording(CalibrationOutcome calibration, List<RecordedFrames
   public static FieldRecording of(CalibrationOutcome calibration, LogOpener opener)
       throws IOException {
     List<RecordedFrames> frames = new ArrayList<>();
-    for (Path log : calibration.logs().stream().distinct().toList()) {
-      frames.add(RecordedFrames.read(log, calibration.data().epoch(), opener));
+    for (RecordingFacts used : calibration.data().recordings()) {
+      frames.add(RecordedFrames.read(used.log(), calibration.data().epoch(), opener));
     }
     return new FieldRecording(calibration, frames);
   }

@@ -143,11 +143,24 @@ class DiagnoseCommandTest {
         .contains("air drag");
     JsonNode json = new ObjectMapper().readTree(out.resolve("calibration.json").toFile());
     assertThat(json.path("verdict").path("because").toString()).contains("air drag");
-    assertThat(run("calibrate", simulated(1).toString(), "--out=" + out).out())
-        .doesNotContain("air drag");
+    Path other = simulated(1);
+    assertThat(run("calibrate", other.toString(), "--out=" + out).out().replaceAll("\\s+", " "))
+        .doesNotContain("air drag")
+        .contains(
+            "diagnosis.json, diagnosis.html and extended_model.json in "
+                + out
+                + " are of other recordings (world-flat-air-drag.log.gz); diagnose replaces them.");
+    // The reverse: now the calibration is the one of others.
+    assertThat(run("diagnose", log, "--out=" + out).out().replaceAll("\\s+", " "))
+        .contains(
+            "calibration.json, report.html, geometry_models.pb and geometry_models.txt in "
+                + out
+                + " are of other recordings ("
+                + other.getFileName()
+                + "); calibrate replaces them.");
+    assertThat(run("calibrate", log, "--out=" + out).out()).doesNotContain("other recordings");
   }
 
-  /** Vision that reports whole centimetres: a resting ball has no noise at all. */
   /** Nobody is to read "publish" beside a diagnosis that says that the model is wrong. */
   @Test
   void theVerdictBesideADiagnosisCountsIt() throws IOException {
@@ -204,6 +217,7 @@ class DiagnoseCommandTest {
     return new ObjectMapper().readTree(file.toFile());
   }
 
+  /** Vision that reports whole centimetres: a resting ball has no noise at all. */
   @Test
   void roundedCoordinatesAreNoDefect() throws IOException {
     Path log = simulated(4);

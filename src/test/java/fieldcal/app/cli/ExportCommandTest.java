@@ -2,7 +2,10 @@ package fieldcal.app.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import fieldcal.app.calibrate.InitialModels;
+import fieldcal.app.calibrate.MadeFrom;
 import fieldcal.app.history.History;
 import fieldcal.app.history.HistoryEntry;
 import fieldcal.app.history.HistoryEntry.Action;
@@ -62,6 +65,35 @@ class ExportCommandTest {
     assertThat(answer.out()).isEqualTo(Files.readString(sample("erforce-tracker.golden")));
     assertThat(answer.err()).contains("fast_deceleration  2.79 → 3.12346 m/s²");
     assertThat(new History(folder).entries()).as("a look is no export").isEmpty();
+  }
+
+  /** An extended model that stayed from an earlier session is easily sent for that of this one. */
+  @Test
+  void anExtendedModelOfOtherRecordingsIsNamed() throws IOException {
+    Path extended = folder.resolve("extended_model.json");
+    Files.copy(sample("extended_model.json"), extended);
+    Path out = folder.resolve("models.txt");
+    Object[] arguments = {
+      model, "--to=geometry-text", "--extended=" + extended, "--out=" + out, "--overwrite"
+    };
+    from(model, "friday.log.gz", "1 ns, 2 bytes");
+    assertThat(run(arguments).out()).as("not known of what it is").doesNotContain("other record");
+
+    from(extended, "renamed.log.gz", "1 ns, 2 bytes");
+    assertThat(run(arguments).out()).doesNotContain("other record");
+
+    from(extended, "sunday.log.gz", "3 ns, 2 bytes");
+    assertThat(run(arguments).out())
+        .contains(extended + " is of other recordings (sunday.log.gz) than " + model + ": ");
+    assertThat(run(extended, "--to=geometry-text").err())
+        .contains("calibration.json in " + folder + " is of other recordings (friday.log.gz)");
+  }
+
+  private static void from(Path file, String source, String identity) throws IOException {
+    ObjectMapper mapper = new ObjectMapper();
+    ObjectNode root = (ObjectNode) mapper.readTree(file.toFile());
+    new MadeFrom(List.of(source), List.of(identity)).writeTo(root);
+    mapper.writeValue(file.toFile(), root);
   }
 
   @Test

@@ -134,9 +134,22 @@ class LimitsCommandTest {
     assertThat(twice.at("/problems/0/what").asText()).contains("named twice");
   }
 
+  /** Movements that count twice would make the errors too small. */
+  @Test
+  void aCopyIsReadOnce() throws IOException {
+    Path copy = Files.copy(first, folder.resolve("copy.log.gz"));
+    JsonNode once = json(first, second);
+    JsonNode twice = json(first, second, copy);
+    assertThat(twice.path("teams")).isEqualTo(once.path("teams"));
+    assertThat(twice.path("sources")).isEqualTo(once.path("sources"));
+    assertThat(twice.at("/problems/0/where").asText()).isEqualTo(copy.toString());
+    assertThat(twice.at("/problems/0/what").asText())
+        .isEqualTo("a copy of " + first + "; left out");
+  }
+
   /** A copy in which the referee calls yellow by another name, or says nothing at all. */
-  private static Path withReferee(Path to, String yellow) throws IOException {
-    try (GameLogReader reader = GameLogReader.open(first);
+  private static Path withReferee(Path from, Path to, String yellow) throws IOException {
+    try (GameLogReader reader = GameLogReader.open(from);
         GameLogWriter writer = GameLogWriter.create(to)) {
       while (reader.next()) {
         byte[] payload =
@@ -160,7 +173,7 @@ class LimitsCommandTest {
 
   @Test
   void anotherTeamUnderTheSameColourIsTold() throws IOException {
-    Path other = withReferee(folder.resolve("other.log.gz"), "Somebody Else");
+    Path other = withReferee(second, folder.resolve("other.log.gz"), "Somebody Else");
     Answer answer = run("limits", first, other);
     assertThat(answer.exit()).as(answer.err()).isZero();
     assertThat(answer.out()).contains("yellow is 'Somebody Else' here").doesNotContain("blue is");
@@ -169,7 +182,7 @@ class LimitsCommandTest {
 
   @Test
   void withoutARefereeItSaysSo() throws IOException {
-    Path log = withReferee(folder.resolve("silent.log.gz"), "");
+    Path log = withReferee(first, folder.resolve("silent.log.gz"), "");
     Answer answer = run("limits", log);
     assertThat(answer.exit()).as(answer.err()).isZero();
     assertThat(answer.out().replaceAll("\\s+", " "))

@@ -6,12 +6,15 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import fieldcal.app.calibrate.RecordingFolder;
 import fieldcal.app.recording.LogOpener;
+import fieldcal.gamelog.GameLogReader;
+import fieldcal.gamelog.GameLogWriter;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
@@ -102,6 +105,50 @@ class RecordingFolderTest {
     assertThat(both).contains("c.log: a copy of");
     assertThat(new ObjectMapper().readTree(named.toFile()).path("kicks"))
         .isEqualTo(alone.path("kicks"));
+  }
+
+  /** Somebody stopped a copy too early, and another one lacks the beginning. */
+  @Test
+  void partsAreRecognisedByWhatTheyHold() throws IOException {
+    Path whole = Files.copy(REAL, folder.resolve("whole.log.gz"));
+    JsonNode alone = calibrated("alone");
+    byte[] bytes = Files.readAllBytes(REAL);
+    Path cut = folder.resolve("cut.log.gz");
+    Files.write(cut, Arrays.copyOf(bytes, bytes.length * 2 / 3));
+    Path late = folder.resolve("late.log");
+    try (GameLogReader reader = GameLogReader.open(REAL);
+        GameLogWriter writer = GameLogWriter.create(late)) {
+      for (int i = 0; reader.next(); i++) {
+        if (i >= 1000) {
+          writer.write(reader.message());
+        }
+      }
+    }
+    String text = run("calibrate", folder.toString());
+    assertThat(text)
+        .contains("left out: " + cut + ": a part of whole.log.gz; the file is cut off")
+        .contains("left out: " + late + ": a part of whole.log.gz");
+    Path named = folder.resolve("named.json");
+    String all =
+        run("calibrate", cut.toString(), late.toString(), whole.toString(), "--json=" + named);
+    assertThat(all.replaceAll("\\s+", " "))
+        .contains("cut.log.gz: a part of " + whole + "; left out.")
+        .contains("late.log: a part of " + whole + "; left out.");
+    assertThat(new ObjectMapper().readTree(named.toFile()).path("kicks"))
+        .isEqualTo(alone.path("kicks"));
+  }
+
+  /** Only the truth beside it says that it is simulated, and the copy that is named first has none. */
+  @Test
+  void aSimulatedRecordingStaysOneWhereItsCopyIsNamedFirst() throws IOException {
+    Path marked = Files.copy(REAL, folder.resolve("marked.log.gz"));
+    Files.writeString(folder.resolve("marked.truth.json"), "{}");
+    Path copy = Files.copy(REAL, folder.resolve("copy.log.gz"));
+    Path json = folder.resolve("json");
+    String text = run("calibrate", copy.toString(), marked.toString(), "--json=" + json);
+    assertThat(text.replaceAll("\\s+", " ")).contains(copy + ": a copy of " + marked);
+    assertThat(new ObjectMapper().readTree(json.toFile()).path("verdict").toString())
+        .contains("simulated_field");
   }
 
   @Test

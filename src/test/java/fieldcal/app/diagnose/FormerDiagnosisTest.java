@@ -3,6 +3,7 @@ package fieldcal.app.diagnose;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import fieldcal.app.recording.RecordingFacts;
+import fieldcal.app.recording.VisionContent;
 import fieldcal.diagnosis.Verdict;
 import fieldcal.gamelog.RecordingOrigin;
 import fieldcal.verdict.Finding;
@@ -56,7 +57,7 @@ class FormerDiagnosisTest {
         start * 1_000_000_000L,
         bytes,
         false,
-        0,
+        VisionContent.NONE,
         List.of());
   }
 

@@ -25,6 +25,8 @@ class RecordingChoiceTest {
       facts("elsewhere", RecordingOrigin.FIELD, 0, 9, 4, 50);
   private static final RecordingFacts TWIN = facts("twin", RecordingOrigin.FIELD, 0, 12, 6, 60);
 
+  private static final VisionContent WHOLE = VisionContentTest.messages(0, 2000);
+
   @Test
   void whatIsNoCalibrationOfThisFieldIsKeptApart() {
     RecordingChoice choice =
@@ -88,8 +90,8 @@ class RecordingChoiceTest {
   /** A second file with the same frames does not count twice, and does not decide which field is the newest. */
   @Test
   void aCopyIsKeptApart() {
-    RecordingFacts original = holding(REAL, 7);
-    RecordingFacts copy = holding(AGAIN, 7);
+    RecordingFacts original = holding(REAL, WHOLE);
+    RecordingFacts copy = holding(AGAIN, WHOLE);
     RecordingChoice choice = RecordingChoice.of(List.of(original, copy), Map.of());
     assertThat(choice.entries()).extracting(Entry::used).containsExactly(true, false);
     assertThat(choice.entries()).extracting(Entry::apart).containsExactly(Apart.NO, Apart.COPY);
@@ -102,41 +104,41 @@ class RecordingChoiceTest {
         .containsOnly(Apart.NO);
   }
 
+  /** A recording that is cut off, or that another machine began later, holds the same kicks. */
+  @Test
+  void aPartIsKeptApart() {
+    RecordingFacts part = holding(REAL, VisionContentTest.messages(500, 1500));
+    RecordingFacts whole = holding(AGAIN, WHOLE);
+    RecordingFacts later = holding(MATCH, VisionContentTest.messages(600, 2400));
+    RecordingChoice choice = RecordingChoice.of(List.of(cut(part), whole, later), Map.of());
+    assertThat(choice.entries()).extracting(Entry::used).containsExactly(false, true, false);
+    assertThat(words(choice, "real"))
+        .isEqualTo("a part of again; the file is cut off: its end is missing or damaged");
+    assertThat(words(choice, "match")).matches("7\\d % of its frames are in again");
+    assertThat(choice.copies()).hasSize(2);
+    RecordingFacts next = holding(MATCH, VisionContentTest.messages(1500, 3000));
+    assertThat(RecordingChoice.of(List.of(whole, next), Map.of()).copies()).isEmpty();
+  }
+
+  /** A recording that is known to be simulated is not left out for one that does not say it. */
+  @Test
+  void aMarkedPartIsNoPartOfWhatIsNotMarked() {
+    RecordingFacts marked = holding(REHEARSAL, VisionContentTest.messages(500, 1500));
+    RecordingChoice choice = RecordingChoice.of(List.of(holding(REAL, WHOLE), marked), Map.of());
+    assertThat(choice.entries())
+        .extracting(Entry::apart)
+        .containsExactly(Apart.NO, Apart.SIMULATED);
+  }
+
   /** Only the file beside it says that it is simulated, and the copy has none. */
   @Test
   void aCopyOfASimulatedRecordingIsSimulated() {
-    RecordingFacts copy = holding(REAL, 7);
-    RecordingFacts original = holding(REHEARSAL, 7);
+    RecordingFacts copy = holding(REAL, WHOLE);
+    RecordingFacts original = holding(REHEARSAL, WHOLE);
     RecordingChoice choice = RecordingChoice.of(List.of(copy, original, AGAIN), Map.of());
     assertThat(choice.entries())
         .extracting(Entry::apart)
         .containsExactly(Apart.COPY, Apart.SIMULATED, Apart.NO);
-  }
-
-  private static RecordingFacts holding(RecordingFacts f, long contents) {
-    return new RecordingFacts(
-        f.log(),
-        f.origin(),
-        f.playing(),
-        f.geometry(),
-        f.startUnixNanos(),
-        f.bytes(),
-        false,
-        contents,
-        f.faults());
-  }
-
-  private static RecordingFacts cut(RecordingFacts f) {
-    return new RecordingFacts(
-        f.log(),
-        f.origin(),
-        f.playing(),
-        f.geometry(),
-        f.startUnixNanos(),
-        900,
-        true,
-        0,
-        f.faults());
   }
 
   @Test
@@ -172,7 +174,28 @@ class RecordingChoiceTest {
         s * 1_000_000_000L,
         1000,
         false,
-        0,
+        VisionContent.NONE,
         List.of());
+  }
+
+  private static RecordingFacts with(RecordingFacts f, boolean cut, VisionContent content) {
+    return new RecordingFacts(
+        f.log(),
+        f.origin(),
+        f.playing(),
+        f.geometry(),
+        f.startUnixNanos(),
+        f.bytes(),
+        cut,
+        content,
+        f.faults());
+  }
+
+  private static RecordingFacts holding(RecordingFacts f, VisionContent content) {
+    return with(f, f.cut(), content);
+  }
+
+  private static RecordingFacts cut(RecordingFacts f) {
+    return with(f, true, f.content());
   }
 }
