@@ -25,6 +25,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -141,14 +142,14 @@ public final class CalibrationSession {
    * @return true when writing it again would change the verdict at most
    */
   public static boolean isIn(JsonNode document, CalibrationOutcome outcome) {
-    return withoutVerdict(document)
-        .equals(withoutVerdict(JsonFiles.asRead(new CalibrationJson(outcome).build())));
+    return numbers(document)
+        .equals(numbers(JsonFiles.asRead(new CalibrationJson(outcome).build())));
   }
 
-  private static JsonNode withoutVerdict(JsonNode calibration) {
+  /** Without what a diagnosis of the same kicks changes: some warnings are about that. */
+  private static JsonNode numbers(JsonNode calibration) {
     ObjectNode copy = calibration.deepCopy();
-    copy.remove("verdict");
-    return copy;
+    return copy.remove(List.of("verdict", "warnings"));
   }
 
   /**

@@ -145,9 +145,9 @@ final class CarryingCost {
                 + ", "
                 + over
                 + "."
-            : "The target predicts like "
+            : "The target repeats "
                 + reference
-                + ", to within "
+                + " to within "
                 + VISIBLE_MM
                 + " mm after 2 s, "
                 + over

@@ -211,9 +211,21 @@ public final class Exporter {
       all.add(file.newFile());
     }
     all.addAll(notes);
-    byte[] bytes = file.configForm().render(settings).getBytes(StandardCharsets.UTF_8);
+    byte[] bytes = file.configForm().render(settings, comments()).getBytes(StandardCharsets.UTF_8);
     return new Export(
         target, file, bytes, settings.stream().map(s -> new Change(s, "")).toList(), all);
+  }
+
+  /** Whoever finds the file later is told what the calibration itself says of its numbers. */
+  private List<String> comments() {
+    List<String> all = new ArrayList<>();
+    all.add("Written by fieldcal export.");
+    model
+        .provenance()
+        .verdict()
+        .filter(verdict -> !verdict.allows())
+        .ifPresent(verdict -> all.add(verdict.headline()));
+    return all;
   }
 
   /**

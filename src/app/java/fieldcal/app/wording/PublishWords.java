@@ -311,16 +311,15 @@ public record PublishWords(
       return text(
               "The residuals are %s mm, %.1f times the noise of the cameras (%s mm)",
               VerdictText.mm(r.rmsMm()), r.ratio(), VerdictText.mm(r.rmsMm() / r.ratio()))
-          + (holdsBack(r) ? ": the ball does not move as the model says." : ".");
+          + (holdsBack(r)
+              ? ": the ball does not move as the model says."
+              : text("; up to %.0f times is usual.", VerdictRule.FAR_ABOVE_NOISE));
     }
     if (reason instanceof Reason.KicksDiffer d) {
       return text(
-              "One model for all kicks is off by %s mm, %.1f times the noise of the cameras (%s"
-                  + " mm); with a separate model for each kick, %s mm.",
-              VerdictText.mm(d.rmsMm()),
-              d.ratio(),
-              VerdictText.mm(d.rmsMm() / d.ratio()),
-              VerdictText.mm(d.ownRmsMm()))
+              "One model for all kicks misses the detections by %s mm, %.1f times the noise of the"
+                  + " cameras; a separate model for each kick misses them by %s mm.",
+              VerdictText.mm(d.rmsMm()), d.ratio(), VerdictText.mm(d.ownRmsMm()))
           + NO_SINGLE_VALUE;
     }
     return rest(reason);
@@ -376,8 +375,7 @@ public record PublishWords(
     if (reason instanceof Reason.AgreesWithPublished a) {
       return model(a.kind())
           + text(
-              " differs from the published one by less than %.0f %%, or by no more than its errors"
-                  + " allow.",
+              " agrees with the published one: within its errors, or within %.0f %%.",
               VerdictRule.NOTABLE_PERCENT);
     }
     return "No "
@@ -435,7 +433,7 @@ public record PublishWords(
   private static List<String> toDo(PublishVerdict verdict) {
     Set<String> all = new LinkedHashSet<>();
     verdict.reasons().stream()
-        .filter(Reason::mixesFields)
+        .filter(PublishWords::asksToSeparate)
         .forEach(reason -> all.add(advice(reason, verdict.diagnose())));
     if (!all.isEmpty()) {
       // What else is wrong may come from the mixture, and other kicks may be missing afterwards.
@@ -505,6 +503,11 @@ public record PublishWords(
     return kinds.isEmpty() ? "" : "at least " + WordList.of(kinds) + ", among them ";
   }
 
+  /** Where kicks are together that do not or may not belong to one field, all else comes after that is settled. */
+  private static boolean asksToSeparate(Reason reason) {
+    return reason.mixesFields() || reason instanceof Reason.OtherCameras;
+  }
+
   private static String publish(List<Reason> reasons) {
     boolean changes =
         reasons.stream()
@@ -521,8 +524,10 @@ public record PublishWords(
           : "Nothing has to be changed on this simulated field: its published ball model is"
               + " right.";
     }
+    boolean diagnosed = reasons.stream().noneMatch(r -> r instanceof Reason.NotDiagnosed);
     return changes
-        ? "Enter the numbers in SSL-Vision, or send them from the console."
+        ? (diagnosed ? "Enter" : "Run diagnose, which may change this verdict; then enter")
+            + " the numbers in SSL-Vision, or send them from the console."
         : "Nothing has to be changed in the ball model: the published one is right.";
   }
 

@@ -32,9 +32,12 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** Fewer kicks do not show small causes; chosen: half of what the operator is asked to record. */
   public static final int FEW_KICKS = 10;
 
+  private static final String RECORD_MORE =
+      "Record at least twelve flat kicks and twelve chips of all speeds";
+
   /** What a diagnosis of few kicks that finds nothing wrong does not say. */
   public static final String SMALL_CAUSES =
-      "So few kicks do not show small causes: record twenty, of all speeds.";
+      "So few kicks do not show small causes. " + RECORD_MORE + ".";
 
   /** Why its residuals are not those that a calibration shows. */
   public static final String WITHOUT_OFFSETS =
@@ -91,8 +94,8 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
                 + " kicks.",
             kinds(d)));
     return hasFewKicks(d)
-        ? "These few kicks show nothing wrong with the model."
-        : "These kicks show no error of the calibrated model.";
+        ? "These few kicks show nothing wrong with the model beyond noise."
+        : "These kicks show no error beyond noise.";
   }
 
   /**
@@ -110,8 +113,10 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     caveat(d).ifPresent(lines::add);
     String found =
         d.causes().size() == 1
-            ? text("The model is wrong, and the cause is found: %s.", names(d))
-            : text("The model is wrong, and %d causes are found: %s.", d.causes().size(), names(d));
+            ? text("These kicks do not follow the model, and the cause is found: %s.", names(d))
+            : text(
+                "These kicks do not follow the model, and %d causes are found: %s.",
+                d.causes().size(), names(d));
     return found + laws(d) + chance(d) + unproven(d) + undecided(d);
   }
 
@@ -124,14 +129,18 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
     lines.add(advice(d));
     if (!d.causes().isEmpty()) {
       String found =
-          text("The model is wrong, and a part of its error is explained: %s.", names(d));
+          text(
+              "These kicks do not follow the model, and a part of that is explained: %s.",
+              names(d));
       return found + curves(d) + laws(d) + chance(d) + unproven(d) + undecided(d);
     }
     String laws = names(d, f -> f.kind() == LearnedFinding.Kind.LAW);
     String found =
         laws.isEmpty()
-            ? "The model is wrong, and no cause is proven."
-            : text("The model is wrong. Another law replaces one of its own: %s.", laws);
+            ? "These kicks do not follow the model, and no cause is proven."
+            : text(
+                "These kicks do not follow the model. Another law replaces one of its own: %s.",
+                laws);
     return found + curves(d) + chance(d) + unproven(d) + undecided(d);
   }
 
@@ -166,9 +175,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
   /** Which kicks would tell more; of a single kick it is not known what its error depends on. */
   private static Optional<String> toRecord(Diagnosis d) {
     return d.kicks().size() == 1
-        ? Optional.of(
-            "Record at least twelve flat kicks and twelve chips of all speeds: a single kick shows"
-                + " no cause.")
+        ? Optional.of(RECORD_MORE + ": a single kick shows no cause.")
         : d.unexplained().dependsOn().stream().findFirst().map(StructureWords::kicksToRecord);
   }
 

@@ -105,14 +105,20 @@ class DiagnoseCommandTest {
   @ValueSource(ints = {1, 2})
   void aFewKicksGetAnAnswerThatSaysHowLittleTheyShow(int kicks) throws IOException {
     Path out = folder.resolve("out");
+    run("calibrate", simulated(kicks).toString(), "--out=" + out);
     Answer answer = run("diagnose", simulated(kicks).toString(), "--out=" + out);
     assertThat(answer.exit()).as(answer.err()).isZero();
     assertThat(answer.out())
         .contains("These few kicks show nothing wrong")
-        .contains("record twenty");
-    JsonNode root = new ObjectMapper().readTree(out.resolve("diagnosis.json").toFile());
+        .contains("Record at least twelve");
+    JsonNode root = json(out.resolve("diagnosis.json"));
     assertThat(root.get("verdict").textValue()).isEqualTo("model_adequate");
     assertThat(out.resolve("diagnosis.html")).isNotEmptyFile();
+    // That so few kicks show little is a warning of the calibration, too, and no reason to leave it
+    // as it was.
+    assertThat(answer.out().replaceAll("\\s+", " ")).contains("now count this diagnosis");
+    assertThat(json(out.resolve("calibration.json")).path("verdict"))
+        .isEqualTo(root.path("model_verdict"));
   }
 
   /** One kick shows that the model is wrong, but not what its error depends on. */

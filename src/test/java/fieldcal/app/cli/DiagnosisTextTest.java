@@ -67,7 +67,9 @@ class DiagnosisTextTest {
         .startsWith(
             "The calibrated model is off by 38 mm after 1 s, the extended model by 12 mm. The");
     assertThat(text.replace('\n', ' '))
-        .contains("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
+        .contains(
+            "These kicks do not follow the model, and 2 causes are found: offset of camera 1; air"
+                + " drag.");
     assertThat(text).contains("1. Camera 1 reports everything");
     assertThat(text).contains("21.20 ± 0.12").contains("(83 %; 95 % bounds 12 to 13 mm)");
     assertThat(text).contains("; certain. It reduces the rms of held-out kicks by");
@@ -98,7 +100,7 @@ class DiagnosisTextTest {
         .startsWith(
             "The calibrated model is off by 50 cm after 1 s, the extended model by 9 cm. The");
     String line = text.replace("\n   ", " ").replace('\n', ' ');
-    assertThat(line).contains("a part of its error is explained: air drag.");
+    assertThat(line).contains("a part of that is explained: air drag.");
     assertThat(line).contains("odds better than a thousand to one");
     assertThat(line)
         .contains("replaces a law of the calibrated model: -  The carpet grips the ball");

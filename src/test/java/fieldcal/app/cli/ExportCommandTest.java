@@ -165,6 +165,8 @@ class ExportCommandTest {
     Answer answer = run(model, "--to=immortals");
     assertThat(answer.exit()).isZero();
     assertThat(answer.err().lines()).contains("Verdict: check first.");
+    // Whoever finds the file later does not see the terminal.
+    assertThat(answer.out()).contains("# Verdict: check first.\n");
   }
 
   @Test

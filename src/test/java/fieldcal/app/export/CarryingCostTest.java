@@ -143,7 +143,7 @@ class CarryingCostTest {
         .anyMatch(n -> n.startsWith("The target has no horizontal damping at later impacts"))
         .anyMatch(n -> n.startsWith("In all, the target's prediction is off"));
     assertThat(notes("geometry-text", "calibration.json", null))
-        .anyMatch(n -> n.startsWith("The target predicts like the calibrated model"));
+        .anyMatch(n -> n.startsWith("The target repeats the calibrated model"));
   }
 
   @Test

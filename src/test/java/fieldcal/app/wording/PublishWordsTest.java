@@ -98,9 +98,9 @@ class PublishWordsTest {
             PublishDecision.CHECK_FIRST, List.of(new Reason.KicksDiffer(2.5, 0.99, 2.6, 1)), true);
     assertThat(PublishWords.of(verdict).reasons())
         .containsExactly(
-            "One model for all kicks is off by 2.6 mm, 2.5 times the noise of the cameras (1.0"
-                + " mm); with a separate model for each kick, 1.0 mm. No single value describes all"
-                + " kicks.");
+            "One model for all kicks misses the detections by 2.6 mm, 2.5 times the noise of the"
+                + " cameras; a separate model for each kick misses them by 1.0 mm. No single value"
+                + " describes all kicks.");
   }
 
   /** Who rehearses must not carry the rehearsal's numbers to the field. */
@@ -191,6 +191,33 @@ class PublishWordsTest {
                         false))
                 .toDo())
         .containsExactly("Leave the simulated recordings out, then read the new verdict.");
+  }
+
+  @Test
+  void camerasThatShareNothingAreSeparatedFirst() {
+    Reason noise = new Reason.ResidualAboveNoise(3.8, 1.9, PublishDecision.CHECK_FIRST);
+    Reason cameras = new Reason.OtherCameras(List.of(List.of("a.log"), List.of("b.log")));
+    assertThat(
+            PublishWords.of(
+                    new PublishVerdict(
+                        PublishDecision.CHECK_FIRST,
+                        List.of(noise, cameras, few("accRoll", 1)),
+                        true))
+                .headline())
+        .isEqualTo(
+            "Verdict: check first. Calibrate each field on its own, then read the new verdict.");
+  }
+
+  @Test
+  void whoMayPublishDiagnosesFirst() {
+    Reason changes = new Reason.NothingPublished(KickKind.FLAT);
+    PublishVerdict open =
+        new PublishVerdict(
+            PublishDecision.PUBLISH, List.of(changes, new Reason.NotDiagnosed()), false);
+    assertThat(PublishWords.of(open).headline())
+        .isEqualTo(
+            "Verdict: publish. Run diagnose, which may change this verdict; then enter the numbers"
+                + " in SSL-Vision, or send them from the console.");
   }
 
   @Test

@@ -29,7 +29,9 @@ class VerdictTextTest {
         .isEqualTo(
             "The calibrated model is off by 38 mm after 1 s, the extended" + " model by 12 mm.");
     assertThat(text.verdict())
-        .isEqualTo("The model is wrong, and 2 causes are found: offset of camera 1; air drag.");
+        .isEqualTo(
+            "These kicks do not follow the model, and 2 causes are found: offset of camera 1; air"
+                + " drag.");
     assertThat(text.lines())
         .containsExactly(
             "With the extended model, held-out kicks fit to 1.6 mm instead"
@@ -43,8 +45,8 @@ class VerdictTextTest {
     VerdictText text = VerdictText.of(SampleDiagnosis.adequate(12));
     assertThat(text.first())
         .isEqualTo(
-            "The calibrated model is off by 13 mm after 1 s. These kicks show no error of the"
-                + " calibrated model.");
+            "The calibrated model is off by 13 mm after 1 s. These kicks show no error beyond"
+                + " noise.");
     assertThat(text.lines().get(0))
         .contains("fit to 1.5 mm rms; the noise of the cameras alone is 1.5 mm");
     assertThat(text.lines().get(1))
@@ -54,7 +56,7 @@ class VerdictTextTest {
   @Test
   void aFewKicksDoNotProveAModelRight() {
     assertThat(VerdictText.of(SampleDiagnosis.adequate(1)).verdict())
-        .isEqualTo("These few kicks show nothing wrong with the model.");
+        .isEqualTo("These few kicks show nothing wrong with the model beyond noise.");
   }
 
   @Test
@@ -77,7 +79,9 @@ class VerdictTextTest {
         .isEqualTo(
             "The calibrated model is off by 50 cm after 1 s, the extended" + " model by 9 cm.");
     assertThat(text.verdict())
-        .startsWith("The model is wrong, and a part of its error is explained: air drag. Without")
+        .startsWith(
+            "These kicks do not follow the model, and a part of that is explained: air drag."
+                + " Without")
         .contains(
             "Without a proven cause, held-out kicks also fit better with braking that depends on"
                 + " the speed, height of bounces")
@@ -99,8 +103,8 @@ class VerdictTextTest {
     Diagnosis lawAlone = SampleDiagnosis.with(d, List.of(), d.base(), d.problems());
     assertThat(VerdictText.of(lawAlone).verdict())
         .startsWith(
-            "The model is wrong. Another law replaces one of its own: bounces that build"
-                + " up spin. Without a proven cause, held-out kicks also fit better with ")
+            "These kicks do not follow the model. Another law replaces one of its own: bounces that"
+                + " build up spin. Without a proven cause, held-out kicks also fit better with ")
         .doesNotContain("no known cause", "Another law applies");
   }
 
@@ -159,7 +163,8 @@ class VerdictTextTest {
     Diagnosis unnamed = SampleDiagnosis.with(d, List.of(), d.base(), List.of());
     assertThat(VerdictText.of(unnamed).verdict())
         .startsWith(
-            "The model is wrong, and no cause is proven. Held-out kicks fit better with" + " ")
+            "These kicks do not follow the model, and no cause is proven. Held-out kicks fit better"
+                + " with ")
         .doesNotContain("also");
   }
 

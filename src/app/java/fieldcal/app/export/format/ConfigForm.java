@@ -8,9 +8,6 @@ import java.util.Map;
 /** A form of configuration files. Implementations have no state. */
 public interface ConfigForm {
 
-  /** Comment lines of a new file. */
-  String COMMENT = "Written by fieldcal export.";
-
   /**
    * The form of a name.
    *
@@ -51,9 +48,10 @@ public interface ConfigForm {
    * A new file.
    *
    * @param settings what it shall hold
+   * @param comments lines for whoever reads it; JSON has no place for them
    * @return its text
    */
-  String render(List<Setting> settings);
+  String render(List<Setting> settings, List<String> comments);
 
   /** The settings as nested maps, in their order: values are maps and settings. */
   static Map<String, Object> tree(List<Setting> settings) {

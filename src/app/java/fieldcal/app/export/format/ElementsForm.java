@@ -40,14 +40,14 @@ final class ElementsForm implements ConfigForm {
   }
 
   @Override
-  public String render(List<Setting> settings) {
+  public String render(List<Setting> settings, List<String> comments) {
     Map<String, Object> classes = ConfigForm.tree(settings);
     if (classes.size() != 1) {
       throw new IllegalArgumentException("one class at a time, not " + classes.keySet());
     }
     Map.Entry<String, Object> only = classes.entrySet().iterator().next();
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    text.append("<!-- ").append(COMMENT).append(" -->\n");
+    text.append(XmlComments.of(comments));
     text.append("<configuration base=\"").append(only.getKey()).append("\">\n");
     ((Map<?, ?>) only.getValue())
         .forEach(

@@ -51,8 +51,9 @@ final class IniForm implements ConfigForm {
   }
 
   @Override
-  public String render(List<Setting> settings) {
-    StringBuilder text = new StringBuilder("; " + COMMENT + "\n");
+  public String render(List<Setting> settings, List<String> comments) {
+    StringBuilder text = new StringBuilder();
+    comments.forEach(comment -> text.append("; ").append(comment).append('\n'));
     for (Map.Entry<String, Object> section : ConfigForm.tree(settings).entrySet()) {
       text.append('[').append(section.getKey()).append("]\n");
       ((Map<?, ?>) section.getValue())

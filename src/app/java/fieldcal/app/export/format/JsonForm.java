@@ -69,7 +69,7 @@ final class JsonForm implements ConfigForm {
   }
 
   @Override
-  public String render(List<Setting> settings) {
+  public String render(List<Setting> settings, List<String> comments) {
     try {
       return new ObjectMapper()
               .writerWithDefaultPrettyPrinter()

@@ -62,8 +62,9 @@ final class TomlForm implements ConfigForm {
   }
 
   @Override
-  public String render(List<Setting> settings) {
-    StringBuilder text = new StringBuilder("# " + COMMENT + "\n");
+  public String render(List<Setting> settings, List<String> comments) {
+    StringBuilder text = new StringBuilder();
+    comments.forEach(comment -> text.append("# ").append(comment).append('\n'));
     append(text, ConfigForm.tree(settings), "");
     return text.toString();
   }

@@ -34,9 +34,9 @@ final class VarTypesForm implements ConfigForm {
   }
 
   @Override
-  public String render(List<Setting> settings) {
+  public String render(List<Setting> settings, List<String> comments) {
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    text.append("<!-- ").append(COMMENT).append(" -->\n<VarXML>\n");
+    text.append(XmlComments.of(comments)).append("<VarXML>\n");
     append(text, ConfigForm.tree(settings), "  ");
     return text.append("</VarXML>\n").toString();
   }

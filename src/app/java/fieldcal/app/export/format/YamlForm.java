@@ -94,8 +94,9 @@ final class YamlForm implements ConfigForm {
   }
 
   @Override
-  public String render(List<Setting> settings) {
-    StringBuilder text = new StringBuilder("# " + COMMENT + "\n");
+  public String render(List<Setting> settings, List<String> comments) {
+    StringBuilder text = new StringBuilder();
+    comments.forEach(comment -> text.append("# ").append(comment).append('\n'));
     append(text, ConfigForm.tree(settings), "");
     return text.toString();
   }
