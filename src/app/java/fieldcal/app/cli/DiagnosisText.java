@@ -43,6 +43,9 @@ final class DiagnosisText {
   /** Of more causes only what is wrong is said; what it does and what to do about it is in the report. */
   private static final int MOST_IN_FULL = 3;
 
+  /** A share of a residual that two readers would not call the same; chosen. */
+  private static final double MUCH_LESS = 0.9;
+
   private final PrintWriter out;
 
   DiagnosisText(PrintWriter out) {
@@ -67,7 +70,7 @@ final class DiagnosisText {
       }
       line("");
       table(diagnosis);
-      if (outcome.problem().observers().size() > 1) {
+      if (calibrateShowsLess(outcome)) {
         wrapped("", "", VerdictText.WITHOUT_OFFSETS);
       }
     }
@@ -151,6 +154,16 @@ final class DiagnosisText {
         wrapped("   ", "   ", NextKicks.introduced(next));
       }
     }
+  }
+
+  /** Whether a reader of both wonders which residual is right. */
+  private static boolean calibrateShowsLess(DiagnosisOutcome outcome) {
+    return outcome
+        .calibration()
+        .calibration()
+        .joint()
+        .filter(joint -> joint.oneModel().rmsMm() < MUCH_LESS * outcome.diagnosis().base().rmsMm())
+        .isPresent();
   }
 
   /** What has no name: an item each. */

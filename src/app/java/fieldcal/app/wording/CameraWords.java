@@ -134,7 +134,7 @@ final class CameraWords {
     if (isKnownToBeThere("height_mm")) {
       parts.add(text("%s mm too %s", Amount.of(Math.abs(height)), height >= 0 ? "high" : "low"));
     }
-    String where = parts.isEmpty() ? "slightly off" : String.join(", ", parts);
+    String where = parts.isEmpty() ? "slightly off" : String.join(", and ", parts);
     OptionalDouble hangs = shifts.height(camera());
     double off = Math.hypot(x, y) * HOP / (hangs.orElse(Double.NaN) - HOP);
     String far = off > 0 ? text("%s mm off", Amount.of(off)) : "wrongly";

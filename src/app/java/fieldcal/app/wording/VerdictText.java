@@ -41,7 +41,7 @@ public record VerdictText(String headline, String verdict, List<String> lines) {
 
   /** Why its residuals are not those that a calibration shows. */
   public static final String WITHOUT_OFFSETS =
-      "calibrate also takes out the offsets of the cameras, and so shows smaller residuals.";
+      "calibrate shows smaller residuals, because it takes out the offsets of the cameras.";
 
   /** Copies the list. {@inheritDoc} */
   public VerdictText {

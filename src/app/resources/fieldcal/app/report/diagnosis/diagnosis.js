@@ -213,7 +213,7 @@
       el('thead', {}, el('tr', {}, el('th', {class: 'text'}, 'mm, per axis'), sides.map(side => el('th', {}, side === 'before' && !found ? '' : side)))),
       el('tbody', {}, rows.map(([, label, key]) => el('tr', {}, el('td', {class: 'text'}, label), sides.map(side => el('td', {class: 'big'}, number(report[side][key], 2))))),
         el('tr', {}, el('td', {class: 'text'}, "The cameras' noise"), sides.map(side => el('td', {}, number(report[side].noiseMm, 2)))))),
-      report.cameras.length > 1 ? el('p', {class: 'note'}, 'The calibrated model is the ball model alone. calibrate also takes out the offsets of the cameras, and so shows smaller residuals.') : null);
+      report.cameras.length > 1 ? el('p', {class: 'note'}, 'The calibrated model is the ball model alone. The residuals that calibrate shows can be smaller, because it takes out the offsets of the cameras.') : null);
     if (report.before.horizons.length === 0) {
       box.append(el('p', {class: 'empty'}, 'No kick is long enough to predict ahead.'));
       return;
