@@ -267,9 +267,12 @@ public record PublishWords(
     if (!plain.equals(text("%.1f", VerdictRule.APART_SIGMAS))) {
       return plain;
     }
-    double hundredths = 100 * m.standardErrors();
-    return text(
-        "%.2f", (m.beyondChance() ? Math.ceil(hundredths) : Math.ceil(hundredths) - 1) / 100);
+    double limit = VerdictRule.APART_SIGMAS;
+    double shown =
+        m.beyondChance()
+            ? Math.max(m.standardErrors(), limit + 0.01)
+            : Math.min(m.standardErrors(), limit - 0.01);
+    return text("%.2f", shown);
   }
 
   /** The table beside the reasons shows a larger error of the mean. */

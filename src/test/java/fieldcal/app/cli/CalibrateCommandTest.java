@@ -146,7 +146,7 @@ class CalibrateCommandTest {
     assertThat(out)
         .startsWith("Verdict: check first. Run diagnose")
         .contains(
-            "  - Cameras 0, 1, 2 and 3: vision's clock runs 3.4 % slower than the recorder's.");
+            "  - Cameras 0, 1, 2 and 3: vision's clock runs 3.3 % slower than the recorder's.");
   }
 
   private static JsonNode json(Path file) throws IOException {
